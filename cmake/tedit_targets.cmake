@@ -1,0 +1,49 @@
+# The few functions that every room's CMakeLists.txt uses.
+include(CheckCXXCompilerFlag)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# One interface target carries include path, warnings and sanitizers to every target of ours.
+add_library(tedit_options INTERFACE)
+target_include_directories(tedit_options INTERFACE "${CMAKE_SOURCE_DIR}" "${CMAKE_BINARY_DIR}/generated")
+target_compile_options(tedit_options INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
+                                               -fvisibility=hidden)
+if(TEDIT_WERROR)
+  target_compile_options(tedit_options INTERFACE -Werror)
+endif()
+if(TEDIT_SANITIZE)
+  target_compile_options(tedit_options INTERFACE -fsanitize=${TEDIT_SANITIZE} -fno-omit-frame-pointer
+                                                 -fno-sanitize-recover=all)
+  target_link_options(tedit_options INTERFACE -fsanitize=${TEDIT_SANITIZE})
+endif()
+
+# tedit_add_library(NAME mesh SOURCES a.cpp b.cpp LINK tedit_base Eigen3::Eigen [PRIVATE_LINK x])
+# makes the static library tedit_<NAME>.
+function(tedit_add_library)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(tedit_${ARG_NAME} STATIC ${ARG_SOURCES})
+  target_link_libraries(tedit_${ARG_NAME} PUBLIC tedit_options ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+endfunction()
+
+# tedit_add_tests(NAME mesh SOURCES a_test.cpp LINK tedit_mesh [LABELS gpu] [TIMEOUT 120])
+# makes one GoogleTest program <NAME>_tests and registers each test with ctest.
+function(tedit_add_tests)
+  cmake_parse_arguments(ARG "" "NAME;TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 60)
+  endif()
+  if(TEDIT_SANITIZE)
+    math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")
+  endif()
+  add_executable(${ARG_NAME}_tests ${ARG_SOURCES})
+  target_link_libraries(${ARG_NAME}_tests PRIVATE tedit_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${ARG_NAME}_tests PRIVATE TEDIT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
+                                                       TEDIT_EXAMPLES="${CMAKE_SOURCE_DIR}/examples"
+                                                       TEDIT_BIN="${CMAKE_BINARY_DIR}/bin")
+  include(GoogleTest)
+  gtest_discover_tests(${ARG_NAME}_tests DISCOVERY_MODE PRE_TEST
+                       PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_NAME};${ARG_LABELS}")
+endfunction()

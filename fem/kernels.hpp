@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "base/execution.hpp"
+#include "fem/problem.hpp"
+
+namespace tedit::fem {
+
+/// Which device does the work.
+struct device_info {
+  std::string name;    ///< "cpu", "llvmpipe (LLVM 15.0.6, 256 bits)", "NVIDIA H200", ...
+  std::string kind;    ///< "native", "software", "integrated", "discrete".
+  std::string driver;  ///< Driver name and version; empty for native.
+  std::uint64_t memory_bytes = 0;  ///< 0 when unknown.
+};
+
+/// How an inner solve ended.
+struct inner_result {
+  int iterations = 0;
+  /// sqrt(delta / delta_0) of the preconditioned recurrence: steers the loop, never an accuracy claim.
+  double recurrence_reduction = 1;
+  bool broke_down = false;  ///< p.Kp <= 0, r.z <= 0 or a number that is not finite.
+};
+
+/// A matrix on a device, with its filter and preconditioner: assembled once per version.
+class linear_system {
+public:
+  virtual ~linear_system() = default;
+
+  /// Solves S K S d = S r for the correction d, starting from d = 0, by preconditioned conjugate gradients (MPCG) until the
+  /// preconditioned residual has fallen by `reduction` or after `max_iterations`. `residual` and `correction`
+  /// hold 3 values per node, N and m. Checks `run.cancel` at least every 50 ms.
+  /// Errors: `cancelled`, `device_lost`, `out_of_memory`.
+  [[nodiscard]] virtual expected<inner_result> solve(std::span<const double> residual,
+                                                     std::span<double> correction, double reduction,
+                                                     int max_iterations, const execution& run) = 0;
+
+  /// Replaces the constraint filter; the matrix stays. Cost: O(nodes).
+  [[nodiscard]] virtual expected<void> set_filter(
+    std::span<const std::array<double, 6>> filter) = 0;
+
+  /// y = K x in the device's own precision and storage: for tests against the native backend.
+  [[nodiscard]] virtual expected<void> multiply(std::span<const double> x, std::span<double> y) = 0;
+
+  /// Stress per element, Pa, 6 values each (xx, yy, zz, xy, yz, zx), from the displacement.
+  [[nodiscard]] virtual expected<void> element_stress(std::span<const double> displacement,
+                                                      std::span<double> stress) = 0;
+
+  /// Stress at nodes, Pa, 6 values each: the volume-weighted mean of the elements around.
+  [[nodiscard]] virtual expected<void> nodal_stress(std::span<const double> element_stress,
+                                                    std::span<double> nodal) = 0;
+
+  /// Milliseconds of the stages of `assemble`: pattern and values.
+  [[nodiscard]] virtual double assembly_ms() const = 0;
+
+  /// Bytes held on the device.
+  [[nodiscard]] virtual std::uint64_t device_bytes() const = 0;
+};
+
+/// A place where problems are assembled and solved. The native one is the tests' oracle and the fallback without a GPU.
+class backend {
+public:
+  virtual ~backend() = default;
+
+  [[nodiscard]] virtual const device_info& info() const = 0;
+
+  /// Builds sparsity pattern, stiffness blocks (by gather, no atomics) and preconditioner on the device.
+  /// The problem must outlive the system.
+  /// Errors: `out_of_memory` (estimated before allocating), `device_lost`, `cancelled`.
+  [[nodiscard]] virtual expected<std::unique_ptr<linear_system>> assemble(const problem& p,
+                                                                          const execution& run) = 0;
+};
+
+}  // namespace tedit::fem

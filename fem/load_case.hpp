@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/types.hpp"
+#include "mesh/vec3.hpp"
+
+namespace tedit::fem {
+
+/// An isotropic, linear elastic material. SI units.
+struct material {
+  std::string name;
+  double young_modulus_pa = 0;      ///< E > 0.
+  double poisson_ratio = 0;         ///< -1 < nu < 0.5.
+  double density_kg_m3 = 0;         ///< >= 0; must be > 0 when gravity acts.
+  double yield_strength_pa = 0;     ///< 0 when unknown.
+  std::vector<region_id> regions;   ///< Empty: every region that no other material names.
+};
+
+/// All displacement components are zero (a clamp).
+struct fixed {};
+
+/// Components with a value are prescribed, the others are free.
+struct prescribed_displacement {
+  std::optional<double> x_m;
+  std::optional<double> y_m;
+  std::optional<double> z_m;
+};
+
+/// The displacement along the surface normal is zero; sliding is free.
+struct roller {};
+
+/// A Dirichlet condition on surfaces.
+struct constraint {
+  std::vector<surface_id> surfaces;
+  std::variant<fixed, prescribed_displacement, roller> kind;
+};
+
+/// A total force, spread evenly over the area of all surfaces together.
+struct force {
+  vec3 total_n;
+};
+
+/// A force per area.
+struct traction {
+  vec3 pa;
+};
+
+/// A force per area along the inward normal; positive pushes on the part.
+struct pressure {
+  double pa = 0;
+};
+
+/// An acceleration of all mass; needs no surfaces.
+struct gravity {
+  vec3 m_s2;
+};
+
+/// A Neumann condition on surfaces, or a body force.
+struct load {
+  std::vector<surface_id> surfaces;
+  std::variant<force, traction, pressure, gravity> kind;
+};
+
+/// One set of materials, supports and loads. Its file form is the canonical JSON of the protocol's
+/// message `tedit.v1.LoadCase` (see protocol/convert.hpp).
+struct load_case {
+  std::string name;
+  std::vector<material> materials;
+  std::vector<constraint> constraints;
+  std::vector<load> loads;
+};
+
+}  // namespace tedit::fem

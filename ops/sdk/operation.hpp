@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/execution.hpp"
+#include "mesh/builder.hpp"
+#include "mesh/version.hpp"
+
+/// What a plugin author includes: everything else is internal. An operation is a pure function from
+/// a mesh version, a selection and parameters to a candidate version. No actors, no protobuf, no
+/// GPU: the host carries the result, checks it and throws it away when a check fails.
+namespace tedit::ops {
+
+// -- describing an operation ---------------------------------------------------
+
+enum class parameter_type { boolean, integer, real, text, choice };
+
+using parameter_value = std::variant<bool, std::int64_t, double, std::string>;
+
+/// One parameter as data: the source of the form, the CLI's help, the protocol's catalogue and
+/// the docs, and of the validation before `apply` is called.
+struct parameter_description {
+  std::string id;    ///< snake_case, stable.
+  std::string name;  ///< For people: "Include the entry".
+  std::string help;  ///< One or two sentences.
+  parameter_type type = parameter_type::real;
+  std::string unit;  ///< SI, for example "m"; empty when dimensionless.
+  std::optional<double> min;  ///< Inclusive; for integer and real.
+  std::optional<double> max;
+  std::vector<std::string> choices;  ///< For choice.
+  parameter_value default_value = false;
+};
+
+/// What a person picks before the operation can run.
+struct selection_description {
+  std::string help;         ///< "The wall surfaces of one or more holes".
+  std::size_t minimum = 1;  ///< Surfaces.
+  std::size_t maximum = 0;  ///< 0: any number.
+};
+
+struct operation_description {
+  std::string id;       ///< snake_case, unique among all plugins.
+  std::string name;     ///< "Fill hole".
+  std::string summary;  ///< One sentence.
+  std::string version;  ///< The operation's own, semantic.
+  selection_description selection;
+  std::vector<parameter_description> parameters;
+};
+
+// -- applying it ----------------------------------------------------------------
+
+struct selection {
+  std::vector<surface_id> surfaces;
+};
+
+/// Values by parameter id. The host fills in defaults and has checked types and ranges.
+using parameters = std::map<std::string, parameter_value>;
+
+/// A closed triangulated surface to fill with tets, and what came out.
+struct closed_surface {
+  std::vector<vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Oriented outward.
+};
+
+struct tet_filling {
+  std::vector<vec3> points;  ///< The input points first, unmoved, then new interior ones.
+  std::vector<std::array<std::uint32_t, 4>> tets;  ///< Positively oriented.
+};
+
+struct planar_polygon {
+  std::vector<std::array<double, 2>> points;
+  std::vector<std::vector<std::uint32_t>> loops;  ///< Closed, even-odd filled.
+};
+
+struct planar_filling {
+  std::vector<std::array<double, 2>> points;  ///< The input points first, then interior ones.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Counter-clockwise.
+};
+
+/// Heavy algorithms that the host offers, so that plugins need no third-party code.
+class services {
+public:
+  virtual ~services() = default;
+
+  /// Fills a closed surface with tets and keeps every input triangle. Runs in a child process with
+  /// a time limit, so that a crash or a hang costs one edit.
+  /// Errors: `mesher_failed`, `timeout`, `cancelled`.
+  [[nodiscard]] virtual expected<tet_filling> tetrahedralise(const closed_surface& shell,
+                                                             const execution& run) = 0;
+
+  /// Constrained Delaunay triangulation of a polygon with holes, with interior points at `spacing`
+  /// (none when 0) at least 0.6 spacing from the loops; no new point on a loop.
+  /// Errors: `mesher_failed` when loops cross.
+  [[nodiscard]] virtual expected<planar_filling> triangulate(const planar_polygon& polygon,
+                                                             double spacing) = 0;
+};
+
+/// What `apply` works with beside its input.
+struct context {
+  execution run;
+  services* host = nullptr;
+  /// A line for the server's log; may be empty.
+  std::function<void(std::string_view)> log;
+};
+
+struct edit_result {
+  version_ptr candidate;
+  std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
+  double volume_change = 0;     ///< m^3; computed apart from the tets, so that the host can check it.
+  bool improve = true;          ///< Let the host's optimizer improve the touched region.
+  std::vector<surface_id> surfaces_used;  ///< The selection as completed by the operation.
+  std::vector<std::string> notices;       ///< What a person should know.
+};
+
+/// One editing operation. Instances are stateless: `apply` may run on several threads at once.
+class operation {
+public:
+  virtual ~operation() = default;
+
+  /// The same answer every time.
+  [[nodiscard]] virtual operation_description describe() const = 0;
+
+  /// Makes a candidate from `mesh`, or says why not. Polls `ctx.run.cancel` at least every 200 ms.
+  [[nodiscard]] virtual expected<edit_result> apply(const mesh_version& mesh,
+                                                    const selection& picked,
+                                                    const parameters& values,
+                                                    context& ctx) const = 0;
+};
+
+// -- handing it to the host --------------------------------------------------------
+
+inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
+inline constexpr std::uint32_t sdk_major = 1;
+inline constexpr std::uint32_t sdk_minor = 0;
+
+/// Compiler and standard library that built the plugin: C++ types cross the border.
+inline constexpr const char* compiler_tag =
+#if defined(__clang__)
+  "clang-" __clang_version__;
+#else
+  "gcc-" __VERSION__;
+#endif
+
+/// What the C entry `tedit_plugin_query` returns: plain data, readable before any C++ is trusted.
+struct plugin_descriptor {
+  std::uint32_t magic;
+  std::uint32_t descriptor_size;
+  std::uint32_t sdk_major;
+  std::uint32_t sdk_minor;
+  const char* compiler;
+  const char* plugin_name;
+  const char* plugin_version;
+  std::uint32_t operation_count;
+  operation* (*create)(std::uint32_t index);
+  void (*destroy)(operation*);
+};
+
+}  // namespace tedit::ops
+
+/// Registers one operation class as a plugin; stands once in the plugin's operation.cpp.
+#define TEDIT_PLUGIN(name, version, operation_type)                                               \
+  extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor*          \
+  tedit_plugin_query() {                                                                           \
+    static const tedit::ops::plugin_descriptor descriptor{                                         \
+      tedit::ops::plugin_magic,                                                                    \
+      sizeof(tedit::ops::plugin_descriptor),                                                       \
+      tedit::ops::sdk_major,                                                                       \
+      tedit::ops::sdk_minor,                                                                       \
+      tedit::ops::compiler_tag,                                                                    \
+      name,                                                                                        \
+      version,                                                                                     \
+      1,                                                                                           \
+      [](std::uint32_t) -> tedit::ops::operation* { return new operation_type(); },                \
+      [](tedit::ops::operation* made) { delete made; }};                                           \
+    return &descriptor;                                                                            \
+  }
