@@ -81,8 +81,8 @@ template <class T>
 using expected = tl::expected<T, error>;
 
 /// Builds the unexpected value that a function returning `expected<T>` hands back.
-[[nodiscard]] inline tl::unexpected<error> fail(ec code, std::string message, std::string remedy = {},
-                                                std::string where = {}) {
+[[nodiscard]] inline tl::unexpected<error> fail(ec code, std::string message,
+                                                std::string remedy = {}, std::string where = {}) {
   return tl::unexpected<error>(
     error{code, std::move(message), std::move(remedy), std::move(where)});
 }

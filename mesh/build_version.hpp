@@ -37,9 +37,10 @@ struct built_version {
 /// that only have two corners swapped are turned (with a warning), unused vertices dropped, the
 /// boundary extracted and matched with the triangles. Boundary faces without a triangle get one new
 /// surface for each connected patch, with a warning.
-/// Errors: `bad_input` for a vertex index out of range, a tet twice, a face in three tets, a triangle that is no
-/// face of a tet or claimed by two surfaces, coordinates whose volumes overflow.
-/// Cost: O(n log n). Exactly flat or inverted tets are kept and warned of; simulation refuses them.
+/// Errors: `bad_input` for a vertex index out of range, a tet twice, a face in three tets, a
+/// triangle that is no face of a tet or claimed by two surfaces, coordinates whose volumes
+/// overflow. Cost: O(n log n). Exactly flat or inverted tets are kept and warned of; simulation
+/// refuses them.
 [[nodiscard]] expected<built_version> build_version(raw_mesh raw, double metres_per_unit);
 
 }  // namespace tedit

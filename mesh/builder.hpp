@@ -92,8 +92,15 @@ public:
   [[nodiscard]] version_ptr freeze();
 
 private:
+  struct face_entry;
+  class face_group;
   struct link_plan;
 
+  [[nodiscard]] std::uint8_t local_face(tet_id t, std::uint32_t behind) const;
+  [[nodiscard]] expected<std::vector<face_entry>> faces_of_change(
+    const cavity_change& change) const;
+  [[nodiscard]] expected<void> link_face(std::span<const face_entry> entries,
+                                         const cavity_change& change, link_plan& links) const;
   [[nodiscard]] expected<link_plan> plan(const cavity_change& change) const;
   void detach(const cavity_change& change, const link_plan& links);
   std::vector<tet_id> attach(const cavity_change& change, const link_plan& links);

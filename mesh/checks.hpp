@@ -31,7 +31,8 @@ struct check_report {
 struct edit_claim {
   /// m^3: what the operation says it added (plug) or took off; the check compares with the tets.
   double volume_change = 0;
-  /// Tets of the candidate that the operation changed; all others must be bit-identical to the base.
+  /// Tets of the candidate that the operation changed; all others must be bit-identical to the
+  /// base.
   std::vector<tet_id> touched;
   /// Worst q = 3 r_in/R_circ allowed in the touched region, unless the region was worse before.
   double quality_floor = 0.15;
@@ -40,14 +41,15 @@ struct edit_claim {
 };
 
 /// All invariants of one version with exact predicates: every tet positively oriented, adjacency
-/// symmetric, incident tets right, boundary closed, oriented and 2-manifold at edges and vertices, each facet
-/// on exactly one tet face and on a surface that the table knows, counts and free lists right. Cost: O(mesh).
+/// symmetric, incident tets right, boundary closed, oriented and 2-manifold at edges and vertices,
+/// each facet on exactly one tet face and on a surface that the table knows, counts and free lists
+/// right. Cost: O(mesh).
 [[nodiscard]] check_report check_version(const mesh_version& mesh);
 
 /// The postconditions of an edit on `candidate`. Invariants are checked where pages differ from
-/// `base` (and around them), so cost follows the edit; untouched tets must be bit-identical. Also: the number of boundary
-/// components must not grow (a closed void would), the volume change is as claimed, worst quality of
-/// the touched region >= min(quality_floor, worst before).
+/// `base` (and around them), so cost follows the edit; untouched tets must be bit-identical. Also:
+/// the number of boundary components must not grow (a closed void would), the volume change is as
+/// claimed, worst quality of the touched region >= min(quality_floor, worst before).
 [[nodiscard]] check_report check_edit(const mesh_version& base, const mesh_version& candidate,
                                       const edit_claim& claim);
 

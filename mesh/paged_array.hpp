@@ -147,7 +147,7 @@ public:
   }
 
 private:
-  struct entry {
+  struct page_slot {
     const T* items;
     page_ptr shared;
     std::shared_ptr<page> owned;
@@ -165,7 +165,7 @@ private:
     return reinterpret_cast<T*>(e.owned->mutable_bytes().data());
   }
 
-  std::vector<entry> pages_;
+  std::vector<page_slot> pages_;
   std::size_t size_ = 0;
 };
 

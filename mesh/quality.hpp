@@ -13,12 +13,14 @@ namespace tedit {
 [[nodiscard]] double signed_volume(const std::array<vec3, 4>& p);
 
 /// q = 3 r_in / R_circ in [0,1]: 1 for the regular tet, 0 for a flat or inverted one.
-/// Formula: 3 r / R with r = 3 V / sum A and R = sqrt(s(s-la)(s-lb)(s-lc)) / (6 V), where la, lb, lc are the products of
-/// opposite edge lengths and s their half sum; so q = 54 V^2 / (sum A sqrt(...)). The paper's Table 1 prints q / 3.
+/// Formula: 3 r / R with r = 3 V / sum A and R = sqrt(s(s-la)(s-lb)(s-lc)) / (6 V), where la, lb,
+/// lc are the products of opposite edge lengths and s their half sum; so q = 54 V^2 / (sum A
+/// sqrt(...)). The paper's Table 1 prints q / 3.
 [[nodiscard]] double radius_ratio(vec3 a, vec3 b, vec3 c, vec3 d);
 [[nodiscard]] double radius_ratio(const std::array<vec3, 4>& p);
 
-/// eta = (sum |A_i|^2) / V in m, the energy of harmonic triangulations (Alexa 2019); +infinity when V <= 0.
+/// eta = (sum |A_i|^2) / V in m, the energy of harmonic triangulations (Alexa 2019); +infinity when
+/// V <= 0.
 [[nodiscard]] double harmonic_energy(const std::array<vec3, 4>& p);
 
 /// The six interior dihedral angles in rad, at edges 01, 02, 03, 12, 13, 23.
@@ -32,8 +34,9 @@ struct value_summary {
 };
 [[nodiscard]] value_summary summarize(std::vector<double> values);
 
-/// Radius ratios of the given tets, or of all live ones when `tets` is empty and `all` is set.
+/// Radius ratios of all live tets, or of the live ones among `tets`.
 [[nodiscard]] value_summary radius_ratios(const mesh_version& mesh);
-[[nodiscard]] value_summary radius_ratios(const mesh_version& mesh, const std::vector<tet_id>& tets);
+[[nodiscard]] value_summary radius_ratios(const mesh_version& mesh,
+                                          const std::vector<tet_id>& tets);
 
 }  // namespace tedit

@@ -29,8 +29,8 @@ struct surface_change {
   double area_after = 0;   ///< m^2; 0 when it is gone.
 };
 
-/// Compares two versions; `kept` rows are left out. Derived from the facets, never from what an operation claims.
-/// Cost: O(facets in dirty pages + touched surfaces' facets).
+/// Compares two versions; `kept` rows are left out. Derived from the facets, never from what an
+/// operation claims. Cost: O(facets in dirty pages + touched surfaces' facets).
 [[nodiscard]] std::vector<surface_change> compare_surfaces(const mesh_version& before,
                                                            const mesh_version& after);
 

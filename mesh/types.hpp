@@ -38,7 +38,9 @@ using adjacency = std::array<std::uint32_t, 4>;
 
 inline constexpr std::uint32_t facet_flag = 0x80000000u;
 
-[[nodiscard]] constexpr bool is_facet(std::uint32_t adjacent) { return (adjacent & facet_flag) != 0; }
+[[nodiscard]] constexpr bool is_facet(std::uint32_t adjacent) {
+  return (adjacent & facet_flag) != 0;
+}
 
 /// A triangle of the boundary: corners in outward order, the tet behind it and the surface it
 /// belongs to. A tombstone has tet == no_id and the next free slot in v[0].

@@ -15,22 +15,42 @@ struct vec3 {
   friend bool operator==(const vec3&, const vec3&) = default;
 };
 
-[[nodiscard]] constexpr vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-[[nodiscard]] constexpr vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-[[nodiscard]] constexpr vec3 operator-(vec3 a) { return {-a.x, -a.y, -a.z}; }
-[[nodiscard]] constexpr vec3 operator*(double s, vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-[[nodiscard]] constexpr vec3 operator*(vec3 a, double s) { return s * a; }
-[[nodiscard]] constexpr vec3 operator/(vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-constexpr vec3& operator+=(vec3& a, vec3 b) { return a = a + b; }
-constexpr vec3& operator-=(vec3& a, vec3 b) { return a = a - b; }
+[[nodiscard]] constexpr vec3 operator+(vec3 a, vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[nodiscard]] constexpr vec3 operator-(vec3 a, vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[nodiscard]] constexpr vec3 operator-(vec3 a) {
+  return {-a.x, -a.y, -a.z};
+}
+[[nodiscard]] constexpr vec3 operator*(double s, vec3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+[[nodiscard]] constexpr vec3 operator*(vec3 a, double s) {
+  return s * a;
+}
+[[nodiscard]] constexpr vec3 operator/(vec3 a, double s) {
+  return {a.x / s, a.y / s, a.z / s};
+}
+constexpr vec3& operator+=(vec3& a, vec3 b) {
+  return a = a + b;
+}
+constexpr vec3& operator-=(vec3& a, vec3 b) {
+  return a = a - b;
+}
 
-[[nodiscard]] constexpr double dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+[[nodiscard]] constexpr double dot(vec3 a, vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 [[nodiscard]] constexpr vec3 cross(vec3 a, vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-[[nodiscard]] inline double norm(vec3 a) { return std::hypot(a.x, a.y, a.z); }
+[[nodiscard]] inline double norm(vec3 a) {
+  return std::hypot(a.x, a.y, a.z);
+}
 
 /// `a / |a|`; the zero vector stays zero.
 [[nodiscard]] inline vec3 normalized(vec3 a) {

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/build_version.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "mesh/boundary_patches.hpp"
+#include "mesh/face_table.hpp"
+#include "mesh/quality.hpp"
+
+namespace tedit {
+
+namespace {
+
+/// Builds one version; the members are filled step by step in the order of `run`.
+class version_assembler {
+public:
+  explicit version_assembler(raw_mesh raw) : raw_(std::move(raw)) {}
+
+  expected<built_version> run(double metres_per_unit) {
+    if (auto ok = check_input(); !ok)
+      return fail(ok.error());
+    drop_unused_vertices();
+    for (auto& p : raw_.positions)
+      p = metres_per_unit * p;
+    if (auto ok = orient(); !ok)
+      return fail(ok.error());
+    if (auto ok = link(); !ok)
+      return fail(ok.error());
+    if (auto ok = match_triangles(); !ok)
+      return fail(ok.error());
+    name_missing_surfaces();
+    for (auto& sentence : describe_boundary(facets_, raw_.tets, neighbours_, raw_.positions.size()))
+      warnings_.push_back(std::move(sentence));
+    return built_version{mesh_version::create(freeze()), std::move(warnings_)};
+  }
+
+private:
+  [[nodiscard]] std::string tet_name(std::size_t t) const {
+    return "tet " + std::to_string(t < raw_.tet_numbers.size() ? raw_.tet_numbers[t] : t + 1);
+  }
+
+  [[nodiscard]] std::string node_name(std::size_t v) const {
+    return std::to_string(v < raw_.node_numbers.size() ? raw_.node_numbers[v] : v + 1);
+  }
+
+  [[nodiscard]] std::string triangle_name(const raw_mesh::triangle& triangle) const {
+    return "triangle " + node_name(triangle.v[0]) + "-" + node_name(triangle.v[1]) + "-" +
+           node_name(triangle.v[2]);
+  }
+
+  /// "tet 3, tet 7, ... (12 in all)".
+  [[nodiscard]] std::string list_tets(const std::vector<tet_id>& tets) const {
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(tets.size(), 5); ++i)
+      text += (i ? ", " : "") + tet_name(tets[i]);
+    return tets.size() > 5 ? text + ", ... (" + std::to_string(tets.size()) + " in all)" : text;
+  }
+
+  expected<void> check_input() {
+    if (raw_.tets.empty())
+      return fail(ec::bad_input, "the mesh has no volume elements (tets)",
+                  "Mesh the volume, not only its surface");
+    if (raw_.tets.size() > max_slots / 4 || raw_.positions.size() > max_slots)
+      return fail(ec::bad_input, "the mesh is too large: at most 2^29 tets are supported");
+    raw_.tet_regions.resize(raw_.tets.size(), 0);
+    const auto count = raw_.positions.size();
+    for (std::size_t v = 0; v < count; ++v)
+      if (!is_finite(raw_.positions[v]))
+        return fail(ec::bad_input, "node " + node_name(v) + " has a coordinate that is no number");
+    for (std::size_t t = 0; t < raw_.tets.size(); ++t) {
+      const auto& v = raw_.tets[t].v;
+      if (std::ranges::any_of(v, [&](vertex_id i) { return i >= count; }))
+        return fail(ec::bad_input, tet_name(t) + " names a node that does not exist");
+      if (v[0] == v[1] || v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3] ||
+          v[2] == v[3])
+        return fail(ec::bad_input, tet_name(t) + " names the same node twice");
+    }
+    for (const auto& triangle : raw_.triangles)
+      if (std::ranges::any_of(triangle.v, [&](vertex_id i) { return i >= count; }))
+        return fail(ec::bad_input, "a triangle names a node that does not exist");
+    return {};
+  }
+
+  void drop_unused_vertices() {
+    std::vector<vertex_id> renumbered(raw_.positions.size(), no_id);
+    for (const auto& t : raw_.tets)
+      for (const auto v : t.v)
+        renumbered[v] = 0;
+    vertex_id used = 0;
+    for (std::size_t v = 0; v < renumbered.size(); ++v) {
+      if (renumbered[v] == no_id)
+        continue;
+      raw_.positions[used] = raw_.positions[v];
+      if (!raw_.node_numbers.empty())
+        raw_.node_numbers[used] = raw_.node_numbers[v];
+      renumbered[v] = used++;
+    }
+    if (used == raw_.positions.size())
+      return;
+    raw_.positions.resize(used);
+    if (!raw_.node_numbers.empty())
+      raw_.node_numbers.resize(used);
+    for (auto& t : raw_.tets)
+      for (auto& v : t.v)
+        v = renumbered[v];
+    for (auto& triangle : raw_.triangles)
+      for (auto& v : triangle.v)
+        v = renumbered[v];
+    std::size_t loose = std::erase_if(raw_.triangles, [](const raw_mesh::triangle& triangle) {
+      return std::ranges::count(triangle.v, no_id) > 0;
+    });
+    if (loose > 0)
+      warnings_.push_back(std::to_string(loose) +
+                          " triangles have nodes that belong to no tet and are left out");
+  }
+
+  [[nodiscard]] double volume(tet_id t) const {
+    const auto& v = raw_.tets[t].v;
+    const auto& p = raw_.positions;
+    return signed_volume(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
+  }
+
+  /// Turns tets whose corners are listed the wrong way round. A tet that is inverted by the place
+  /// of its vertices fits its neighbours combinatorially and is left as it is: only moving a vertex
+  /// can mend it.
+  expected<void> orient() {
+    std::vector<tet_id> negative;
+    for (tet_id t = 0; t < raw_.tets.size(); ++t) {
+      const double v = volume(t);
+      if (!std::isfinite(v))
+        return fail(ec::bad_input, "the volume of " + tet_name(t) + " is too large for a number",
+                    "Check the coordinates of its nodes");
+      if (v < 0)
+        negative.push_back(t);
+    }
+    if (negative.size() * 2 > raw_.tets.size()) {
+      for (auto& t : raw_.tets)
+        std::swap(t.v[2], t.v[3]);
+      warnings_.push_back("the file lists tets in the opposite orientation; all were turned");
+      negative.clear();
+      for (tet_id t = 0; t < raw_.tets.size(); ++t)
+        if (volume(t) < 0)
+          negative.push_back(t);
+    }
+    if (!negative.empty())
+      turn_misfits(std::move(negative));
+    return {};
+  }
+
+  void turn_misfits(std::vector<tet_id> negative) {
+    const face_table table(raw_.tets, raw_.positions.size());
+    std::vector<tet_id> turned;
+    std::vector<tet_id> inverted;
+    for (const auto t : negative) {
+      int fits = 0;
+      int misfits = 0;
+      for (int face = 0; face < 4; ++face) {
+        const auto group = table.find(make_face_key(raw_.tets[t], face));
+        if (group.size() == 2 && volume(group[group[0].tet() == t].tet()) > 0)
+          ++(group[0].odd == group[1].odd ? misfits : fits);
+      }
+      (misfits > fits ? turned : inverted).push_back(t);
+    }
+    for (const auto t : turned)
+      std::swap(raw_.tets[t].v[2], raw_.tets[t].v[3]);
+    if (!turned.empty())
+      warnings_.push_back(
+        std::to_string(turned.size()) +
+        " tets listed their nodes the wrong way round and were turned: " + list_tets(turned));
+    if (!inverted.empty())
+      warnings_.push_back(std::to_string(inverted.size()) +
+                          " tets are inverted (negative volume); simulation will refuse this "
+                          "mesh: " +
+                          list_tets(inverted));
+  }
+
+  expected<void> link() {
+    const face_table table(raw_.tets, raw_.positions.size());
+    neighbours_.assign(raw_.tets.size(), {no_id, no_id, no_id, no_id});
+    std::optional<error> failure;
+    table.for_each_face([&](vertex_id, std::span<const face_table::entry> group) {
+      if (failure)
+        return;
+      if (group.size() == 1) {
+        add_boundary(group[0]);
+      } else if (group.size() == 2 && group[0].odd != group[1].odd) {
+        neighbours_[group[0].tet()][group[0].face()] = group[1].tet();
+        neighbours_[group[1].tet()][group[1].face()] = group[0].tet();
+      } else {
+        failure = overlap_error(group);
+      }
+    });
+    if (failure)
+      return fail(*failure);
+    std::vector<tet_id> flat;
+    for (tet_id t = 0; t < raw_.tets.size(); ++t)
+      if (volume(t) == 0)
+        flat.push_back(t);
+    if (!flat.empty())
+      warnings_.push_back(
+        std::to_string(flat.size()) +
+        " tets have zero volume; simulation will refuse this mesh: " + list_tets(flat));
+    return {};
+  }
+
+  void add_boundary(const face_table::entry& side) {
+    const auto& order = tet_faces[side.face()];
+    const auto& v = raw_.tets[side.tet()].v;
+    neighbours_[side.tet()][side.face()] = facet_flag | static_cast<facet_id>(facets_.size());
+    facets_.push_back({{v[order[0]], v[order[1]], v[order[2]]}, side.tet(), 0});
+  }
+
+  [[nodiscard]] error overlap_error(std::span<const face_table::entry> group) const {
+    auto sorted = [&](std::uint32_t t) {
+      auto v = raw_.tets[t].v;
+      std::ranges::sort(v);
+      return v;
+    };
+    const auto a = group[0].tet();
+    const auto b = group[1].tet();
+    if (sorted(a) == sorted(b))
+      return {ec::bad_input,
+              tet_name(a) + " and " + tet_name(b) + " are the same tet twice",
+              "Remove one of them: its stiffness would count double",
+              {}};
+    const auto& order = tet_faces[group[0].face()];
+    const auto& v = raw_.tets[a].v;
+    const auto face =
+      node_name(v[order[0]]) + "-" + node_name(v[order[1]]) + "-" + node_name(v[order[2]]);
+    if (group.size() > 2)
+      return {ec::bad_input,
+              "face " + face + " belongs to " + std::to_string(group.size()) + " tets (" +
+                tet_name(a) + ", " + tet_name(b) + ", " + tet_name(group[2].tet()) +
+                "): tets overlap",
+              "Mesh the part again",
+              {}};
+    return {ec::bad_input,
+            tet_name(a) + " and " + tet_name(b) + " lie on the same side of face " + face +
+              ": tets overlap",
+            "Mesh the part again",
+            {}};
+  }
+
+  expected<void> match_triangles() {
+    has_surface_.assign(facets_.size(), false);
+    for (const auto& triangle : raw_.triangles)
+      if (auto ok = match_triangle(triangle); !ok)
+        return ok;
+    if (inner_triangles_ > 0)
+      warnings_.push_back(std::to_string(inner_triangles_) +
+                          " triangles lie inside one region and are left out");
+    if (repeated_triangles_ > 0)
+      warnings_.push_back(std::to_string(repeated_triangles_) +
+                          " triangles are listed twice and counted once");
+    return {};
+  }
+
+  expected<void> match_triangle(const raw_mesh::triangle& triangle) {
+    const auto f = boundary_facet_at(triangle.v);
+    if (!f)
+      return match_inner(triangle);
+    if (!triangle.has_surface)
+      return {};
+    if (has_surface_[*f] && facets_[*f].surface != triangle.surface)
+      return fail(ec::bad_input,
+                  triangle_name(triangle) + " is claimed by surface " +
+                    std::to_string(facets_[*f].surface) + " and by surface " +
+                    std::to_string(triangle.surface),
+                  "Give each boundary triangle one surface");
+    repeated_triangles_ += has_surface_[*f];
+    facets_[*f].surface = triangle.surface;
+    has_surface_[*f] = true;
+    return {};
+  }
+
+  /// The boundary facet with these corners; found through the facets around the smallest corner.
+  [[nodiscard]] std::optional<facet_id> boundary_facet_at(std::array<vertex_id, 3> v) {
+    if (first_facet_.empty())
+      index_facets();
+    const auto key = make_face_key(v);
+    for (auto i = first_facet_[key.v[0]]; i < first_facet_[key.v[0] + 1]; ++i)
+      if (make_face_key(facets_[facet_order_[i]].v).v == key.v)
+        return facet_order_[i];
+    return std::nullopt;
+  }
+
+  void index_facets() {
+    first_facet_.assign(raw_.positions.size() + 1, 0);
+    const auto smallest = [](const boundary_facet& f) { return std::ranges::min(f.v); };
+    for (const auto& f : facets_)
+      ++first_facet_[smallest(f) + 1];
+    for (std::size_t v = 1; v < first_facet_.size(); ++v)
+      first_facet_[v] += first_facet_[v - 1];
+    facet_order_.resize(facets_.size());
+    std::vector<std::uint32_t> next(first_facet_.begin(), first_facet_.end() - 1);
+    for (facet_id f = 0; f < facets_.size(); ++f)
+      facet_order_[next[smallest(facets_[f])]++] = f;
+  }
+
+  /// A triangle inside the volume: between two regions it is an interface, else it is left out.
+  expected<void> match_inner(const raw_mesh::triangle& triangle) {
+    if (!inner_faces_)
+      inner_faces_.emplace(raw_.tets, raw_.positions.size());
+    const auto key = make_face_key(triangle.v);
+    const auto group = inner_faces_->find(key);
+    if (group.size() != 2)
+      return fail(ec::bad_input, triangle_name(triangle) + " is no face of any tet",
+                  "Surface and volume mesh must fit together: mesh the part again");
+    if (raw_.tet_regions[group[0].tet()] == raw_.tet_regions[group[1].tet()]) {
+      ++inner_triangles_;
+    } else if (triangle.has_surface) {
+      interfaces_.push_back({key.v, 0, triangle.surface});
+    }
+    return {};
+  }
+
+  void name_missing_surfaces() {
+    surface_id largest = 0;
+    for (const auto& triangle : raw_.triangles)
+      largest = std::max(largest, triangle.surface);
+    const auto missing = static_cast<std::size_t>(std::ranges::count(has_surface_, false));
+    const auto made = assign_missing_surfaces(facets_, has_surface_, raw_.positions, largest);
+    if (missing > 0)
+      warnings_.push_back(std::to_string(missing) + " boundary faces had no surface id; they got " +
+                          (made.empty() ? "those of the faces around"
+                                        : std::to_string(made.size()) +
+                                            " new surfaces, split at edges sharper than 30 "
+                                            "degrees"));
+  }
+
+  mesh_data freeze() {
+    mesh_data data;
+    std::vector<std::uint32_t> vertex_tet(raw_.positions.size(), no_id);
+    for (tet_id t = 0; t < raw_.tets.size(); ++t)
+      for (const auto v : raw_.tets[t].v)
+        if (vertex_tet[v] == no_id)
+          vertex_tet[v] = t;
+    data.vertices = static_cast<std::uint32_t>(raw_.positions.size());
+    data.live_tets = static_cast<std::uint32_t>(raw_.tets.size());
+    data.live_facets = static_cast<std::uint32_t>(facets_.size());
+    data.positions = paged_array<vec3>::from(raw_.positions);
+    data.vertex_tet = paged_array<std::uint32_t>::from(vertex_tet);
+    data.tets = paged_array<tet>::from(raw_.tets);
+    data.tet_regions = paged_array<region_id>::from(raw_.tet_regions);
+    data.neighbours = paged_array<adjacency>::from(neighbours_);
+    data.facets = paged_array<boundary_facet>::from(facets_);
+    data.interfaces = paged_array<interface_facet>::from(interfaces_);
+    fill_tables(data);
+    return data;
+  }
+
+  void fill_tables(mesh_data& data) const {
+    std::set<surface_id> surfaces;
+    for (const auto& f : facets_)
+      surfaces.insert(f.surface);
+    for (const auto& f : interfaces_)
+      surfaces.insert(f.surface);
+    const std::set<region_id> regions(raw_.tet_regions.begin(), raw_.tet_regions.end());
+    const auto name_of = [](const auto& names, auto id) {
+      const auto row = std::ranges::find_if(names, [&](const auto& n) { return n.id == id; });
+      return row == names.end() ? std::string{} : row->name;
+    };
+    for (const auto id : surfaces)
+      data.surfaces.push_back({id, name_of(raw_.surface_names, id)});
+    for (const auto id : regions)
+      data.regions.push_back({id, name_of(raw_.region_names, id)});
+  }
+
+  raw_mesh raw_;
+  std::vector<adjacency> neighbours_;
+  std::vector<boundary_facet> facets_;
+  std::vector<interface_facet> interfaces_;
+  std::vector<bool> has_surface_;
+  std::vector<std::uint32_t> first_facet_;
+  std::vector<facet_id> facet_order_;
+  std::optional<face_table> inner_faces_;
+  std::size_t inner_triangles_ = 0;
+  std::size_t repeated_triangles_ = 0;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+expected<built_version> build_version(raw_mesh raw, double metres_per_unit) {
+  return version_assembler(std::move(raw)).run(metres_per_unit);
+}
+
+}  // namespace tedit

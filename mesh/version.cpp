@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/version.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <unordered_set>
+
+#include "mesh/quality.hpp"
+
+namespace tedit {
+
+namespace {
+
+/// Calls `visit(array)` for each array of a `mesh_data`, in manifest order.
+template <class Data, class Visit>
+void for_each_array(Data& data, Visit&& visit) {
+  visit(data.positions);
+  visit(data.vertex_tet);
+  visit(data.tets);
+  visit(data.tet_regions);
+  visit(data.neighbours);
+  visit(data.facets);
+  visit(data.interfaces);
+}
+
+manifest make_manifest(const mesh_data& data) {
+  manifest list;
+  for_each_array(data, [&](const auto& array) {
+    manifest::array_row row;
+    row.size = array.size();
+    row.pages.reserve(array.pages().size());
+    for (const auto& p : array.pages())
+      row.pages.push_back(p->id());
+    list.arrays.push_back(std::move(row));
+  });
+  list.surfaces = data.surfaces;
+  list.regions = data.regions;
+  list.counts = {data.vertices,    data.live_tets, data.live_facets,
+                 data.free_vertex, data.free_tet,  data.free_facet};
+  return list;
+}
+
+}  // namespace
+
+version_ptr mesh_version::create(mesh_data data) {
+  auto result = std::shared_ptr<mesh_version>(new mesh_version);
+  result->data_ = std::move(data);
+  result->manifest_ = make_manifest(result->data_);
+  result->id_ = hash_bytes(result->manifest_.to_bytes());
+  return result;
+}
+
+expected<version_ptr> mesh_version::from_manifest(
+  const manifest& list, const std::function<page_ptr(const hash128&)>& find) {
+  mesh_data data;
+  std::size_t index = 0;
+  std::optional<error> failure;
+  if (list.arrays.size() != 7)
+    return fail(ec::invalid_mesh,
+                "a manifest lists 7 arrays, this one " + std::to_string(list.arrays.size()));
+  for_each_array(data, [&](auto& array) {
+    const auto& row = list.arrays[index++];
+    std::vector<page_ptr> pages;
+    for (const auto& id : row.pages) {
+      pages.push_back(find(id));
+      if (!pages.back() && !failure)
+        failure = error{ec::not_found, "page " + to_hex(id) + " is missing", {}, {}};
+    }
+    if (failure)
+      return;
+    auto made = std::remove_cvref_t<decltype(array)>::from_pages(std::move(pages), row.size);
+    if (made)
+      array = std::move(*made);
+    else
+      failure = made.error();
+  });
+  if (failure)
+    return fail(*failure);
+  data.surfaces = list.surfaces;
+  data.regions = list.regions;
+  data.vertices = list.counts[0];
+  data.live_tets = list.counts[1];
+  data.live_facets = list.counts[2];
+  data.free_vertex = list.counts[3];
+  data.free_tet = list.counts[4];
+  data.free_facet = list.counts[5];
+  return create(std::move(data));
+}
+
+void mesh_version::for_each_page(const std::function<void(const page_ptr&)>& visit) const {
+  std::unordered_set<const page*> seen;
+  for_each_array(data_, [&](const auto& array) {
+    for (const auto& p : array.pages())
+      if (seen.insert(p.get()).second)
+        visit(p);
+  });
+}
+
+const surface_info* mesh_version::find_surface(surface_id id) const {
+  const auto row = std::ranges::lower_bound(data_.surfaces, id, {}, &surface_info::id);
+  return row != data_.surfaces.end() && row->id == id ? &*row : nullptr;
+}
+
+std::array<vec3, 4> mesh_version::corners(tet_id t) const {
+  const auto& v = data_.tets[t].v;
+  return {position(v[0]), position(v[1]), position(v[2]), position(v[3])};
+}
+
+double total_volume(const mesh_version& mesh) {
+  double sum = 0;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t))
+      sum += signed_volume(mesh.corners(t));
+  return sum;
+}
+
+std::vector<facet_id> facets_of(const mesh_version& mesh, std::span<const surface_id> surfaces) {
+  const std::unordered_set<surface_id> wanted(surfaces.begin(), surfaces.end());
+  std::vector<facet_id> result;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f) && wanted.contains(mesh.facet(f).surface))
+      result.push_back(f);
+  return result;
+}
+
+vec3 area_vector(vec3 a, vec3 b, vec3 c) {
+  return 0.5 * cross(b - a, c - a);
+}
+
+vec3 area_vector(const mesh_version& mesh, const boundary_facet& facet) {
+  return area_vector(mesh.position(facet.v[0]), mesh.position(facet.v[1]),
+                     mesh.position(facet.v[2]));
+}
+
+std::vector<std::size_t> dirty_pages(const manifest::array_row& before,
+                                     const manifest::array_row& after) {
+  std::vector<std::size_t> result;
+  for (std::size_t p = 0; p < std::max(before.pages.size(), after.pages.size()); ++p)
+    if (p >= before.pages.size() || p >= after.pages.size() || before.pages[p] != after.pages[p])
+      result.push_back(p);
+  return result;
+}
+
+}  // namespace tedit
