@@ -21,7 +21,8 @@ struct device_info {
 /// How an inner solve ended.
 struct inner_result {
   int iterations = 0;
-  /// sqrt(delta / delta_0) of the preconditioned recurrence: steers the loop, never an accuracy claim.
+  /// sqrt(delta / delta_0) of the preconditioned recurrence: steers the loop, never an accuracy
+  /// claim.
   double recurrence_reduction = 1;
   bool broke_down = false;  ///< p.Kp <= 0, r.z <= 0 or a number that is not finite.
 };
@@ -31,10 +32,10 @@ class linear_system {
 public:
   virtual ~linear_system() = default;
 
-  /// Solves S K S d = S r for the correction d, starting from d = 0, by preconditioned conjugate gradients (MPCG) until the
-  /// preconditioned residual has fallen by `reduction` or after `max_iterations`. `residual` and `correction`
-  /// hold 3 values per node, N and m. Checks `run.cancel` at least every 50 ms.
-  /// Errors: `cancelled`, `device_lost`, `out_of_memory`.
+  /// Solves S K S d = S r for the correction d, starting from d = 0, by preconditioned conjugate
+  /// gradients (MPCG) until the preconditioned residual has fallen by `reduction` or after
+  /// `max_iterations`. `residual` and `correction` hold 3 values per node, N and m. Checks
+  /// `run.cancel` at least every 50 ms. Errors: `cancelled`, `device_lost`, `out_of_memory`.
   [[nodiscard]] virtual expected<inner_result> solve(std::span<const double> residual,
                                                      std::span<double> correction, double reduction,
                                                      int max_iterations, const execution& run) = 0;
@@ -61,16 +62,17 @@ public:
   [[nodiscard]] virtual std::uint64_t device_bytes() const = 0;
 };
 
-/// A place where problems are assembled and solved. The native one is the tests' oracle and the fallback without a GPU.
+/// A place where problems are assembled and solved. The native one is the tests' oracle and the
+/// fallback without a GPU.
 class backend {
 public:
   virtual ~backend() = default;
 
   [[nodiscard]] virtual const device_info& info() const = 0;
 
-  /// Builds sparsity pattern, stiffness blocks (by gather, no atomics) and preconditioner on the device.
-  /// The problem must outlive the system.
-  /// Errors: `out_of_memory` (estimated before allocating), `device_lost`, `cancelled`.
+  /// Builds sparsity pattern, stiffness blocks (by gather, no atomics) and preconditioner on the
+  /// device. The problem must outlive the system. Errors: `out_of_memory` (estimated before
+  /// allocating), `device_lost`, `cancelled`.
   [[nodiscard]] virtual expected<std::unique_ptr<linear_system>> assemble(const problem& p,
                                                                           const execution& run) = 0;
 };

@@ -14,11 +14,11 @@ namespace tedit::fem {
 /// An isotropic, linear elastic material. SI units.
 struct material {
   std::string name;
-  double young_modulus_pa = 0;      ///< E > 0.
-  double poisson_ratio = 0;         ///< -1 < nu < 0.5.
-  double density_kg_m3 = 0;         ///< >= 0; must be > 0 when gravity acts.
-  double yield_strength_pa = 0;     ///< 0 when unknown.
-  std::vector<region_id> regions;   ///< Empty: every region that no other material names.
+  double young_modulus_pa = 0;     ///< E > 0.
+  double poisson_ratio = 0;        ///< -1 < nu < 0.5.
+  double density_kg_m3 = 0;        ///< >= 0; must be > 0 when gravity acts.
+  double yield_strength_pa = 0;    ///< 0 when unknown.
+  std::vector<region_id> regions;  ///< Empty: every region that no other material names.
 };
 
 /// All displacement components are zero (a clamp).

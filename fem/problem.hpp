@@ -19,15 +19,15 @@ struct lame_constants {
 /// A discretised static problem: what a backend assembles and solves. Nodes and elements are dense;
 /// nothing here assumes that an element has four nodes.
 struct problem {
-  int element_order = 1;      ///< 1: linear tets. (2: quadratic, mid nodes on edges.)
-  int nodes_per_element = 4;  ///< 4 for order 1.
-  std::vector<vec3> nodes;                      ///< Rest positions, m.
-  std::vector<vertex_id> node_vertices;         ///< Mesh vertex of each corner node.
-  std::vector<std::uint32_t> element_nodes;     ///< nodes_per_element per element.
-  std::vector<tet_id> element_tets;             ///< Mesh tet of each element.
-  std::vector<std::uint32_t> element_materials; ///< Index into `constants`.
+  int element_order = 1;                 ///< 1: linear tets. (2: quadratic, mid nodes on edges.)
+  int nodes_per_element = 4;             ///< 4 for order 1.
+  std::vector<vec3> nodes;               ///< Rest positions, m.
+  std::vector<vertex_id> node_vertices;  ///< Mesh vertex of each corner node.
+  std::vector<std::uint32_t> element_nodes;      ///< nodes_per_element per element.
+  std::vector<tet_id> element_tets;              ///< Mesh tet of each element.
+  std::vector<std::uint32_t> element_materials;  ///< Index into `constants`.
   std::vector<lame_constants> constants;
-  std::vector<double> yield_strengths;          ///< Pa, by material; 0 unknown.
+  std::vector<double> yield_strengths;  ///< Pa, by material; 0 unknown.
 
   std::vector<double> loads;  ///< f, N, 3 per node.
 
@@ -44,11 +44,13 @@ struct problem {
 
 /// Sets up the problem of a load case on a version: nodes renumbered for locality, loads summed,
 /// constraints turned into the filter. Cost: O(mesh).
-/// Errors, each naming the place and the numbers: `surface_not_found`; `invalid_material` (E <= 0, nu outside
-/// (-1, 0.5), not finite, a region without material or with two); `invalid_load` (not finite, on no area, gravity
-/// without density, no load at all and no prescribed displacement); `inverted_tet`/`degenerate_tet` (count and first ids);
-/// `under_constrained` (a connected component with rigid-body modes left: names component size, place and free
-/// modes; tets joined only at a vertex or an edge count as hinged, not as connected).
+/// Errors, each naming the place and the numbers: `surface_not_found`; `invalid_material` (E <= 0,
+/// nu outside
+/// (-1, 0.5), not finite, a region without material or with two); `invalid_load` (not finite, on no
+/// area, gravity without density, no load at all and no prescribed displacement);
+/// `inverted_tet`/`degenerate_tet` (count and first ids); `under_constrained` (a connected
+/// component with rigid-body modes left: names component size, place and free modes; tets joined
+/// only at a vertex or an edge count as hinged, not as connected).
 [[nodiscard]] expected<problem> make_problem(const mesh_version& mesh, const load_case& loads);
 
 }  // namespace tedit::fem

@@ -9,8 +9,10 @@
 namespace tedit::fem {
 
 struct solve_settings {
-  double tolerance = 1e-6;       ///< True relative residual |S(f - Ku)| / |S(f - K z)| of a final result.
-  double inner_reduction = 1e-2; ///< Reduction of each inner solve; fp32 allows no more than about 1e-4.
+  double tolerance =
+    1e-6;  ///< True relative residual |S(f - Ku)| / |S(f - K z)| of a final result.
+  double inner_reduction =
+    1e-2;  ///< Reduction of each inner solve; fp32 allows no more than about 1e-4.
   int max_inner_iterations = 20000;
   int max_outer_rounds = 12;
   /// A start value, 3 per node; empty for zero.
@@ -26,20 +28,22 @@ struct solve_frame {
 
 /// A solved problem. Arrays are indexed by the problem's nodes or elements.
 struct solution {
-  std::vector<double> displacement;    ///< m, 3 per node.
-  std::vector<double> element_stress;  ///< Pa, 6 per element.
-  std::vector<double> nodal_stress;    ///< Pa, 6 per node.
-  std::vector<double> von_mises;       ///< Pa, per node.
+  std::vector<double> displacement;       ///< m, 3 per node.
+  std::vector<double> element_stress;     ///< Pa, 6 per element.
+  std::vector<double> nodal_stress;       ///< Pa, 6 per node.
+  std::vector<double> von_mises;          ///< Pa, per node.
   std::vector<double> element_von_mises;  ///< Pa, per element.
-  std::vector<double> reactions;       ///< N, 3 per node: K u - f on constrained directions.
+  std::vector<double> reactions;          ///< N, 3 per node: K u - f on constrained directions.
 
   int element_order = 1;
   int iterations = 0;
-  double true_relative_residual = 1;   ///< Computed in fp64 on the host from the elements, independent of the device.
+  double true_relative_residual =
+    1;  ///< Computed in fp64 on the host from the elements, independent of the device.
   double max_displacement_m = 0;
   vec3 max_displacement_at;
-  double compliance_j = 0;             ///< f.u, work of the loads (strain energy x 2 without prescribed motion).
-  double max_von_mises_pa = 0;         ///< Largest element value.
+  double compliance_j =
+    0;  ///< f.u, work of the loads (strain energy x 2 without prescribed motion).
+  double max_von_mises_pa = 0;  ///< Largest element value.
   vec3 max_von_mises_at;
   vec3 reaction_n;
   vec3 applied_n;
@@ -57,9 +61,9 @@ struct solution {
 /// Assembles and solves: fp64 residuals on the host around the backend's inner solves (iterative
 /// refinement), then recovery. `on_frame` is called after each outer round, from this thread.
 /// Errors: those of the backend; `not_converged` with the residual that was reached; `cancelled`.
-[[nodiscard]] expected<solution> solve(const problem& p, backend& device,
-                                       const solve_settings& settings, const execution& run,
-                                       const std::function<void(const solve_frame&)>& on_frame = {});
+[[nodiscard]] expected<solution> solve(
+  const problem& p, backend& device, const solve_settings& settings, const execution& run,
+  const std::function<void(const solve_frame&)>& on_frame = {});
 
 /// r = f - K u in fp64 from the elements, 3 values per node; multi-threaded, no matrix is stored.
 void residual(const problem& p, std::span<const double> displacement, std::span<double> result);

@@ -31,7 +31,7 @@ struct parameter_description {
   std::string name;  ///< For people: "Include the entry".
   std::string help;  ///< One or two sentences.
   parameter_type type = parameter_type::real;
-  std::string unit;  ///< SI, for example "m"; empty when dimensionless.
+  std::string unit;           ///< SI, for example "m"; empty when dimensionless.
   std::optional<double> min;  ///< Inclusive; for integer and real.
   std::optional<double> max;
   std::vector<std::string> choices;  ///< For choice.
@@ -113,8 +113,8 @@ struct context {
 struct edit_result {
   version_ptr candidate;
   std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
-  double volume_change = 0;     ///< m^3; computed apart from the tets, so that the host can check it.
-  bool improve = true;          ///< Let the host's optimizer improve the touched region.
+  double volume_change = 0;  ///< m^3; computed apart from the tets, so that the host can check it.
+  bool improve = true;       ///< Let the host's optimizer improve the touched region.
   std::vector<surface_id> surfaces_used;  ///< The selection as completed by the operation.
   std::vector<std::string> notices;       ///< What a person should know.
 };
@@ -165,19 +165,19 @@ struct plugin_descriptor {
 }  // namespace tedit::ops
 
 /// Registers one operation class as a plugin; stands once in the plugin's operation.cpp.
-#define TEDIT_PLUGIN(name, version, operation_type)                                               \
-  extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor*          \
-  tedit_plugin_query() {                                                                           \
-    static const tedit::ops::plugin_descriptor descriptor{                                         \
-      tedit::ops::plugin_magic,                                                                    \
-      sizeof(tedit::ops::plugin_descriptor),                                                       \
-      tedit::ops::sdk_major,                                                                       \
-      tedit::ops::sdk_minor,                                                                       \
-      tedit::ops::compiler_tag,                                                                    \
-      name,                                                                                        \
-      version,                                                                                     \
-      1,                                                                                           \
-      [](std::uint32_t) -> tedit::ops::operation* { return new operation_type(); },                \
-      [](tedit::ops::operation* made) { delete made; }};                                           \
-    return &descriptor;                                                                            \
+#define TEDIT_PLUGIN(name, version, operation_type)                                      \
+  extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor* \
+  tedit_plugin_query() {                                                                 \
+    static const tedit::ops::plugin_descriptor descriptor{                               \
+      tedit::ops::plugin_magic,                                                          \
+      sizeof(tedit::ops::plugin_descriptor),                                             \
+      tedit::ops::sdk_major,                                                             \
+      tedit::ops::sdk_minor,                                                             \
+      tedit::ops::compiler_tag,                                                          \
+      name,                                                                              \
+      version,                                                                           \
+      1,                                                                                 \
+      [](std::uint32_t) -> tedit::ops::operation* { return new operation_type(); },      \
+      [](tedit::ops::operation* made) { delete made; }};                                 \
+    return &descriptor;                                                                  \
   }
