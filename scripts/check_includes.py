@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Fails on an include that the architecture forbids.
+
+Each room may include itself, the rooms of its row, and the third-party headers of its row. The table
+is the one of docs/architecture.md; change both together.
+"""
+import re
+import subprocess
+import sys
+
+# room: (other rooms, third-party prefixes). The longest room that is a prefix of a path owns it.
+STD = ()
+ROOMS = {
+    "base": ((), ("tl/", "xxhash.h")),
+    "mesh": (("base",), ("Eigen/",)),
+    "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
+    "mesh/io": (("mesh", "base"), ()),
+    "gpu": (("base",), ("volk.h", "vulkan/")),
+    "shaders": ((), ()),
+    "fem": (("mesh", "base"), ("Eigen/",)),
+    "fem/native": (("fem", "mesh", "base"), ("Eigen/",)),
+    "fem/vulkan": (("fem", "gpu", "shaders", "mesh", "base"), ("Eigen/",)),
+    "fem/solver.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
+    "fem/devices.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
+    "ops/sdk": (("mesh", "base"), ()),
+    "ops/loader": (("ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/services": (("ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/tetgen": (("ops/services", "base"), ("tetgen.h",)),
+    "ops/": (("ops/sdk", "mesh", "base"), ("Eigen/", "CGAL/")),
+    "protocol": (("fem", "ops/sdk", "mesh", "base"), ("tedit/v1/", "google/")),
+    "client": (("protocol", "fem", "ops/sdk", "mesh", "base"), ("boost/", "tedit/v1/", "google/")),
+    "actors": (
+        ("protocol", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),
+    ),
+    "actors/gateway": (
+        ("actors", "protocol", "fem", "ops/sdk", "mesh", "base"),
+        ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
+    ),
+    "cli": (
+        ("actors", "client", "protocol", "fem", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("CLI/", "nlohmann/", "spdlog/", "fmt/"),
+    ),
+    "cli/render": (("base",), ("vtk", "CLI/", "nlohmann/")),
+}
+ANYWHERE = ("tests/", "bench/")  # may include every room
+INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)')
+
+
+def owner(path):
+    best = None
+    for room in ROOMS:
+        exact = path == room
+        inside = path.startswith(room if room.endswith("/") else room + "/")
+        if (exact or inside) and (best is None or len(room) > len(best)):
+            best = room
+    return best
+
+
+def is_third_party(header):
+    # Standard and system headers have no slash and no upper-level folder of ours; what has one of
+    # the known prefixes is third-party.
+    prefixes = {p for _, parties in ROOMS.values() for p in parties}
+    return any(header.startswith(p) for p in prefixes)
+
+
+def check(path, known):
+    room = owner(path)
+    if room is None:
+        return [] if path.startswith(ANYWHERE) else [f"{path}: belongs to no room of the table"]
+    rooms, parties = ROOMS[room]
+    faults = []
+    with open(path, encoding="utf-8") as source:
+        for number, line in enumerate(source, 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            header = match.group(1) or match.group(2)
+            where = f"{path}:{number}"
+            if header in known:
+                target = owner(header)
+                same_folder = target == room or (target and room.startswith(target + "/") and target in rooms)
+                if not same_folder and target not in rooms and not (target or "").startswith(room + "/") \
+                        and not (room == target) and not room.endswith(".cpp"):
+                    faults.append(f"{where}: {room} may not include {target} ({header})")
+                elif room.endswith(".cpp") and target not in rooms:
+                    faults.append(f"{where}: {room} may not include {target} ({header})")
+            elif is_third_party(header) and not header.startswith(tuple(parties) or ("\0",)):
+                faults.append(f"{where}: {room} may not include <{header}>")
+    return faults
+
+
+def main():
+    listed = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.cpp", "*.hpp", "*.h"],
+        check=True, capture_output=True, text=True).stdout.split()
+    known = set(listed)
+    faults = []
+    for path in sorted(listed):
+        faults += check(path, known)
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    if faults:
+        print(f"{len(faults)} forbidden includes", file=sys.stderr)
+        return 1
+    print(f"include rules hold in {len(listed)} files")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Installs what TEdit is built with, from Debian 12's own packages. Does nothing when all is there.
+# usage: scripts/install_deps.sh [--check-only]
+set -euo pipefail
+
+packages=(
+  # toolchain
+  g++ cmake ninja-build ccache pkg-config git python3 ca-certificates clang-format clang-tidy
+  # libraries
+  libcaf-dev libboost-dev libboost-system-dev libprotobuf-dev protobuf-compiler libspdlog-dev
+  libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev
+  libtet1.5-dev libsqlite3-dev libzstd-dev libxxhash-dev nlohmann-json3-dev libssl-dev
+  # Vulkan: loader, shader compiler, the software device and the validation layers
+  libvulkan-volk-dev libvulkan-dev glslang-tools spirv-tools mesa-vulkan-drivers
+  vulkan-validationlayers
+  # pictures
+  libvtk9-dev libgl1-mesa-dri xvfb xauth
+  # tests
+  libgtest-dev libgmock-dev librapidcheck-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+if [ "${1:-}" = --check-only ]; then
+  echo "missing Debian packages: ${missing[*]}" >&2
+  exit 1
+fi
+
+sudo=""
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || {
+    echo "These Debian packages are missing: ${missing[*]}" >&2
+    echo "Install them as root (apt-get install ...), then run this again." >&2
+    exit 1
+  }
+  sudo="sudo"
+fi
+echo "installing ${#missing[@]} Debian packages: ${missing[*]}"
+# A package list may be stale or broken for some other source of the machine: try without an update first.
+install=($sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}")
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+if ! "${install[@]}" >"$log" 2>&1; then
+  $sudo apt-get update -qq
+  if ! "${install[@]}" >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "apt-get could not install the packages above" >&2
+    exit 1
+  fi
+fi
