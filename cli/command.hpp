@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "base/error.hpp"
+#include "base/execution.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tedit::cli {
+
+/// What all commands share. `main` fills it from the options that stand before or behind the
+/// command's name.
+struct session {
+  bool json = false;   ///< One JSON object on stdout, nothing else.
+  bool quiet = false;  ///< No progress on stderr.
+  std::string program;  ///< Path of this executable.
+  cancel_token cancel;  ///< Set by SIGINT and SIGTERM.
+};
+
+/// What a command does once the arguments are parsed; returns the exit status.
+using action = std::function<int(session&)>;
+
+/// Each adds one command to the program; parsing it sets `chosen`.
+void add_info(CLI::App& app, action& chosen);
+void add_ops(CLI::App& app, action& chosen);
+void add_edit(CLI::App& app, action& chosen);
+void add_solve(CLI::App& app, action& chosen);
+void add_run(CLI::App& app, action& chosen);
+void add_render(CLI::App& app, action& chosen);
+void add_serve(CLI::App& app, action& chosen);
+void add_worker(CLI::App& app, action& chosen);
+void add_doctor(CLI::App& app, action& chosen);
+
+// -- output ------------------------------------------------------------------------
+
+/// Prints `result` as the command's JSON object, or `text` for people.
+void print_result(const session& s, const nlohmann::ordered_json& result, const std::string& text);
+
+/// Reports a failure: JSON on stdout when asked for, and a sentence on stderr. Returns the status.
+int print_error(const session& s, const error& e);
+
+/// An execution whose progress goes to stderr (rewritten in place on a terminal, else silent) and
+/// whose cancel is the session's.
+[[nodiscard]] execution make_execution(const session& s);
+
+/// Ends a progress line, so that what follows starts on a line of its own.
+void end_progress(const session& s);
+
+/// A sentence on stderr, unless `quiet`.
+void notice(const session& s, const std::string& text);
+
+/// A number for people: at most `digits` significant digits.
+[[nodiscard]] std::string pretty(double value, int digits = 4);
+
+/// Columns padded to their widest cell; the first row is the header.
+[[nodiscard]] std::string format_table(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace tedit::cli

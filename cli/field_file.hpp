@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "fem/solver.hpp"
+#include "mesh/version.hpp"
+
+namespace tedit::cli {
+
+/// Writes the mesh with displacement, von Mises stress and stress tensor at nodes and elements as VTU,
+/// in metres and pascals. Errors: `io_error`.
+[[nodiscard]] expected<void> write_field(const std::filesystem::path& path,
+                                         const mesh_version& mesh, const fem::problem& problem,
+                                         const fem::solution& result);
+
+}  // namespace tedit::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <atomic>
+#include <csignal>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.hpp"
+
+namespace {
+
+// A signal handler may touch no more than this.
+std::atomic<bool> interrupted{false};
+
+tedit::cancel_token* interrupt_token = nullptr;
+
+extern "C" void on_interrupt(int) {
+  // A second signal ends the program even when the work does not listen.
+  if (interrupted.exchange(true))
+    _exit(130);
+  interrupt_token->cancel();
+}
+
+void install_signal_handlers(tedit::cancel_token& token) {
+  interrupt_token = &token;
+  struct sigaction handler {};
+  handler.sa_handler = on_interrupt;
+  sigaction(SIGINT, &handler, nullptr);
+  sigaction(SIGTERM, &handler, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+constexpr auto footer = R"(Exit status: 0 done, 1 the operation failed, 2 usage, 65 bad input, 69 service unavailable,
+130 interrupted. Progress and messages go to stderr; with --json, stdout holds one object.
+"tedit COMMAND --help" explains a command.)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tedit::cli::session session;
+  session.program = argv[0];
+  tedit::cli::action chosen;
+
+  CLI::App app{"TEdit edits tetrahedral meshes of CAD parts and shows the new stress field at once."};
+  app.name("tedit");
+  app.footer(footer);
+  app.set_version_flag("--version", TEDIT_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_flag("--json", session.json, "Print one JSON object on stdout");
+  app.add_flag("-q,--quiet", session.quiet, "No progress and notices on stderr");
+
+  tedit::cli::add_info(app, chosen);
+  tedit::cli::add_edit(app, chosen);
+  tedit::cli::add_solve(app, chosen);
+  tedit::cli::add_run(app, chosen);
+  tedit::cli::add_render(app, chosen);
+  tedit::cli::add_ops(app, chosen);
+  tedit::cli::add_serve(app, chosen);
+  tedit::cli::add_worker(app, chosen);
+  tedit::cli::add_doctor(app, chosen);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0)
+      return app.exit(e);
+    return tedit::cli::print_error(session, {tedit::ec::usage, e.what(),
+                                             "\"tedit --help\" lists commands and options", {}});
+  }
+  install_signal_handlers(session.cancel);
+  try {
+    return chosen(session);
+  } catch (const std::bad_alloc&) {
+    return tedit::cli::print_error(
+      session, {tedit::ec::out_of_memory, "there is not enough memory for this",
+                "Close other programs or take a coarser mesh", {}});
+  } catch (const std::exception& e) {
+    return tedit::cli::print_error(session, {tedit::ec::internal, e.what(),
+                                             "This is a defect of TEdit: please report it", {}});
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+
+namespace tedit::cli {
+
+void print_result(const session& s, const nlohmann::ordered_json& result,
+                  const std::string& text) {
+  end_progress(s);
+  if (s.json)
+    std::cout << result.dump() << '\n';
+  else
+    std::cout << text;
+  std::cout.flush();
+}
+
+int print_error(const session& s, const error& e) {
+  end_progress(s);
+  if (s.json) {
+    const nlohmann::ordered_json body{{"error",
+                                       {{"code", code_name(e.code)},
+                                        {"message", e.message},
+                                        {"remedy", e.remedy},
+                                        {"where", e.where}}}};
+    std::cout << body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    std::cout.flush();
+  }
+  std::cerr << "tedit: " << render(e) << '\n';
+  return exit_status(e.code);
+}
+
+execution make_execution(const session& s) {
+  execution run;
+  run.cancel = s.cancel;
+  if (s.quiet || !isatty(STDERR_FILENO))
+    return run;
+  run.progress = [](double fraction, std::string_view stage) {
+    std::fprintf(stderr, "\r\033[K%3d %%  %.*s", static_cast<int>(100 * fraction),
+                 static_cast<int>(stage.size()), stage.data());
+  };
+  return run;
+}
+
+void end_progress(const session& s) {
+  if (!s.quiet && isatty(STDERR_FILENO))
+    std::fputs("\r\033[K", stderr);
+}
+
+void notice(const session& s, const std::string& text) {
+  if (s.quiet)
+    return;
+  end_progress(s);
+  std::cerr << text << '\n';
+}
+
+std::string pretty(double value, int digits) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
+  return buffer;
+}
+
+std::string format_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t c = 0; c < row.size(); ++c)
+      widths[c] = std::max(widths[c], row[c].size());
+  }
+  std::string text;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::string line = " ";
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const std::string pad(widths[c] - rows[r][c].size(), ' ');
+      // The first column is a label, the others are figures.
+      line += c == 0 ? " " + rows[r][c] + pad : "  " + pad + rows[r][c];
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+    if (r == 0) {
+      std::size_t total = 1;
+      for (const auto width : widths)
+        total += width + 2;
+      text += "  " + std::string(total - 3, '-') + '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace tedit::cli
