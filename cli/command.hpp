@@ -18,8 +18,8 @@ namespace tedit::cli {
 /// What all commands share. `main` fills it from the options that stand before or behind the
 /// command's name.
 struct session {
-  bool json = false;   ///< One JSON object on stdout, nothing else.
-  bool quiet = false;  ///< No progress on stderr.
+  bool json = false;    ///< One JSON object on stdout, nothing else.
+  bool quiet = false;   ///< No progress on stderr.
   std::string program;  ///< Path of this executable.
   cancel_token cancel;  ///< Set by SIGINT and SIGTERM.
 };

@@ -8,8 +8,8 @@
 
 namespace tedit::cli {
 
-/// Writes the mesh with displacement, von Mises stress and stress tensor at nodes and elements as VTU,
-/// in metres and pascals. Errors: `io_error`.
+/// Writes the mesh with displacement, von Mises stress and stress tensor at nodes and elements as
+/// VTU, in metres and pascals. Errors: `io_error`.
 [[nodiscard]] expected<void> write_field(const std::filesystem::path& path,
                                          const mesh_version& mesh, const fem::problem& problem,
                                          const fem::solution& result);

@@ -30,7 +30,8 @@ void install_signal_handlers(tedit::cancel_token& token) {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-constexpr auto footer = R"(Exit status: 0 done, 1 the operation failed, 2 usage, 65 bad input, 69 service unavailable,
+constexpr auto footer =
+  R"(Exit status: 0 done, 1 the operation failed, 2 usage, 65 bad input, 69 service unavailable,
 130 interrupted. Progress and messages go to stderr; with --json, stdout holds one object.
 "tedit COMMAND --help" explains a command.)";
 
@@ -41,7 +42,8 @@ int main(int argc, char** argv) {
   session.program = argv[0];
   tedit::cli::action chosen;
 
-  CLI::App app{"TEdit edits tetrahedral meshes of CAD parts and shows the new stress field at once."};
+  CLI::App app{
+    "TEdit edits tetrahedral meshes of CAD parts and shows the new stress field at once."};
   app.name("tedit");
   app.footer(footer);
   app.set_version_flag("--version", TEDIT_VERSION);
@@ -65,18 +67,19 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0)
       return app.exit(e);
-    return tedit::cli::print_error(session, {tedit::ec::usage, e.what(),
-                                             "\"tedit --help\" lists commands and options", {}});
+    return tedit::cli::print_error(
+      session, {tedit::ec::usage, e.what(), "\"tedit --help\" lists commands and options", {}});
   }
   install_signal_handlers(session.cancel);
   try {
     return chosen(session);
   } catch (const std::bad_alloc&) {
-    return tedit::cli::print_error(
-      session, {tedit::ec::out_of_memory, "there is not enough memory for this",
-                "Close other programs or take a coarser mesh", {}});
+    return tedit::cli::print_error(session, {tedit::ec::out_of_memory,
+                                             "there is not enough memory for this",
+                                             "Close other programs or take a coarser mesh",
+                                             {}});
   } catch (const std::exception& e) {
-    return tedit::cli::print_error(session, {tedit::ec::internal, e.what(),
-                                             "This is a defect of TEdit: please report it", {}});
+    return tedit::cli::print_error(
+      session, {tedit::ec::internal, e.what(), "This is a defect of TEdit: please report it", {}});
   }
 }

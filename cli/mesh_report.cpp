@@ -26,8 +26,7 @@ void add_surfaces(const mesh_version& mesh, mesh_report& report) {
     auto& row = rows[interfaces[i].surface];
     const auto& v = interfaces[i].v;
     ++row.interface_facets;
-    row.area_m2 +=
-      norm(area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
+    row.area_m2 += norm(area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
   }
   for (auto& [id, row] : rows)
     report.surfaces.push_back(std::move(row));
@@ -78,8 +77,7 @@ nlohmann::ordered_json to_json(const mesh_version& mesh, const mesh_report& repo
   using json = nlohmann::ordered_json;
   json surfaces = json::array();
   for (const auto& row : report.surfaces) {
-    json item{
-      {"id", row.id}, {"name", row.name}, {"facets", row.facets}, {"area_m2", row.area_m2}};
+    json item{{"id", row.id}, {"name", row.name}, {"facets", row.facets}, {"area_m2", row.area_m2}};
     if (row.interface_facets > 0)
       item["interface_facets"] = row.interface_facets;
     surfaces.push_back(std::move(item));

@@ -29,7 +29,7 @@ struct mesh_report {
   std::vector<surface_row> surfaces;
   std::vector<region_row> regions;
   double volume_m3 = 0;
-  vec3 size_m;  ///< Extents of the bounding box.
+  vec3 size_m;            ///< Extents of the bounding box.
   value_summary quality;  ///< Radius ratio q = 3 r_in/R_circ in [0,1].
 };
 

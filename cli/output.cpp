@@ -13,8 +13,7 @@
 
 namespace tedit::cli {
 
-void print_result(const session& s, const nlohmann::ordered_json& result,
-                  const std::string& text) {
+void print_result(const session& s, const nlohmann::ordered_json& result, const std::string& text) {
   end_progress(s);
   if (s.json)
     std::cout << result.dump() << '\n';

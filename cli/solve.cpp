@@ -69,8 +69,8 @@ std::string describe(const fem::problem& problem, const fem::solution& result,
   line("unknowns", std::to_string(problem.dofs()) + " (linear tets)");
   line("iterations", std::to_string(result.iterations));
   line("residual", pretty(result.true_relative_residual, 2) + " (true, relative)");
-  line("max displacement", pretty(1e3 * result.max_displacement_m, 6) + " mm at " +
-                             mm(result.max_displacement_at));
+  line("max displacement",
+       pretty(1e3 * result.max_displacement_m, 6) + " mm at " + mm(result.max_displacement_at));
   line("max von Mises",
        pretty(1e-6 * result.max_von_mises_pa, 5) + " MPa at " + mm(result.max_von_mises_at));
   line("compliance", pretty(result.compliance_j, 6) + " J");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <set>
 
 #include "mesh/boundary_patches.hpp"
@@ -21,9 +22,13 @@ public:
   expected<built_version> run(double metres_per_unit) {
     if (auto ok = check_input(); !ok)
       return fail(ok.error());
-    drop_unused_vertices();
+    if (auto ok = drop_unused_vertices(); !ok)
+      return fail(ok.error());
     for (auto& p : raw_.positions)
       p = metres_per_unit * p;
+    if (auto ok = check_extent(); !ok)
+      return fail(ok.error());
+    drop_flat_extras();
     if (auto ok = orient(); !ok)
       return fail(ok.error());
     if (auto ok = link(); !ok)
@@ -83,11 +88,38 @@ private:
     return {};
   }
 
-  void drop_unused_vertices() {
+  [[nodiscard]] static error no_face(const std::string& triangle) {
+    return {ec::bad_input,
+            triangle + " is no face of any tet",
+            "Surface and volume mesh must fit together: mesh the part again",
+            {}};
+  }
+
+  /// Volumes, areas and stiffnesses are products of up to eight lengths: they must not overflow.
+  expected<void> check_extent() {
+    constexpr double largest = 1e30;
+    for (std::size_t v = 0; v < raw_.positions.size(); ++v) {
+      const auto& p = raw_.positions[v];
+      const double far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      if (far > largest)
+        return fail(ec::bad_input,
+                    "node " + node_name(v) + " lies " +
+                      std::to_string(static_cast<int>(std::log10(far))) +
+                      " powers of ten metres away; at most 30 are supported",
+                    "Check its coordinates and the length unit");
+    }
+    return {};
+  }
+
+  expected<void> drop_unused_vertices() {
     std::vector<vertex_id> renumbered(raw_.positions.size(), no_id);
     for (const auto& t : raw_.tets)
       for (const auto v : t.v)
         renumbered[v] = 0;
+    for (const auto& triangle : raw_.triangles)
+      for (const auto v : triangle.v)
+        if (renumbered[v] == no_id)
+          return fail(no_face(triangle_name(triangle)));
     vertex_id used = 0;
     for (std::size_t v = 0; v < renumbered.size(); ++v) {
       if (renumbered[v] == no_id)
@@ -98,7 +130,7 @@ private:
       renumbered[v] = used++;
     }
     if (used == raw_.positions.size())
-      return;
+      return {};
     raw_.positions.resize(used);
     if (!raw_.node_numbers.empty())
       raw_.node_numbers.resize(used);
@@ -108,12 +140,7 @@ private:
     for (auto& triangle : raw_.triangles)
       for (auto& v : triangle.v)
         v = renumbered[v];
-    std::size_t loose = std::erase_if(raw_.triangles, [](const raw_mesh::triangle& triangle) {
-      return std::ranges::count(triangle.v, no_id) > 0;
-    });
-    if (loose > 0)
-      warnings_.push_back(std::to_string(loose) +
-                          " triangles have nodes that belong to no tet and are left out");
+    return {};
   }
 
   [[nodiscard]] double volume(tet_id t) const {
@@ -122,49 +149,127 @@ private:
     return signed_volume(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
   }
 
+  /// Removes flat tets that lie on faces which two other tets share already.
+  void drop_flat_extras() {
+    std::vector<tet_id> flat;
+    for (tet_id t = 0; t < raw_.tets.size(); ++t)
+      if (!sign_is_sound(t))
+        flat.push_back(t);
+    if (flat.empty())
+      return;
+    const face_table table(raw_.tets, raw_.positions.size());
+    std::erase_if(flat, [&](tet_id t) {
+      for (int face = 0; face < 4; ++face)
+        if (table.find(make_face_key(raw_.tets[t], face)).size() > 2)
+          return false;
+      return true;
+    });
+    if (flat.empty())
+      return;
+    warnings_.push_back(std::to_string(flat.size()) +
+                        " tets of zero volume lie on faces that other tets share and were left "
+                        "out: " +
+                        list_tets(flat));
+    for (const auto t : flat | std::views::reverse) {
+      const auto at = static_cast<std::ptrdiff_t>(t);
+      raw_.tets.erase(raw_.tets.begin() + at);
+      raw_.tet_regions.erase(raw_.tet_regions.begin() + at);
+      if (!raw_.tet_numbers.empty())
+        raw_.tet_numbers.erase(raw_.tet_numbers.begin() + at);
+    }
+  }
+
+  /// The sign of a tet's volume means nothing when rounding alone can turn it.
+  [[nodiscard]] bool sign_is_sound(tet_id t) const {
+    const auto& v = raw_.tets[t].v;
+    double longest = 0;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        longest = std::max(longest, norm(raw_.positions[v[i]] - raw_.positions[v[j]]));
+    return std::abs(volume(t)) > 1e-10 * longest * longest * longest;
+  }
+
   /// Turns tets whose corners are listed the wrong way round. A tet that is inverted by the place
   /// of its vertices fits its neighbours combinatorially and is left as it is: only moving a vertex
-  /// can mend it.
+  /// can mend it. Flat tets take the orientation that fits their neighbours.
   expected<void> orient() {
-    std::vector<tet_id> negative;
+    std::size_t negative = 0;
     for (tet_id t = 0; t < raw_.tets.size(); ++t) {
       const double v = volume(t);
       if (!std::isfinite(v))
         return fail(ec::bad_input, "the volume of " + tet_name(t) + " is too large for a number",
                     "Check the coordinates of its nodes");
-      if (v < 0)
-        negative.push_back(t);
+      negative += v < 0;
     }
-    if (negative.size() * 2 > raw_.tets.size()) {
+    if (negative * 2 > raw_.tets.size()) {
       for (auto& t : raw_.tets)
         std::swap(t.v[2], t.v[3]);
       warnings_.push_back("the file lists tets in the opposite orientation; all were turned");
-      negative.clear();
-      for (tet_id t = 0; t < raw_.tets.size(); ++t)
-        if (volume(t) < 0)
-          negative.push_back(t);
     }
-    if (!negative.empty())
-      turn_misfits(std::move(negative));
+    std::vector<tet_id> doubtful;
+    for (tet_id t = 0; t < raw_.tets.size(); ++t)
+      if (!(volume(t) > 0) || !sign_is_sound(t))
+        doubtful.push_back(t);
+    if (!doubtful.empty())
+      turn_misfits(doubtful);
     return {};
   }
 
-  void turn_misfits(std::vector<tet_id> negative) {
+  /// Decides doubtful tets from the decided ones around them, until nothing changes.
+  void turn_misfits(std::vector<tet_id> doubtful) {
     const face_table table(raw_.tets, raw_.positions.size());
+    const auto all = doubtful;
+    std::vector<bool> decided(raw_.tets.size(), true);
+    for (const auto t : doubtful)
+      decided[t] = false;
+    std::vector<bool> swapped(raw_.tets.size(), false);
+    for (bool changed = true; changed;) {
+      changed = false;
+      std::vector<tet_id> left;
+      for (const auto t : doubtful) {
+        const auto [fits, misfits] = count_fits(table, t, decided, swapped);
+        if (fits + misfits == 0) {
+          left.push_back(t);
+          continue;
+        }
+        decided[t] = changed = true;
+        swapped[t] = misfits > fits;
+      }
+      doubtful = std::move(left);
+    }
+    apply_turns(all, swapped);
+  }
+
+  [[nodiscard]] std::pair<int, int> count_fits(const face_table& table, tet_id t,
+                                               const std::vector<bool>& decided,
+                                               const std::vector<bool>& swapped) const {
+    std::pair<int, int> result{0, 0};
+    for (int face = 0; face < 4; ++face) {
+      const auto group = table.find(make_face_key(raw_.tets[t], face));
+      if (group.size() != 2)
+        continue;
+      const auto& other = group[group[0].tet() == t];
+      if (!decided[other.tet()])
+        continue;
+      const bool same = (group[0].odd != 0) == (group[1].odd != 0);
+      ++(same == swapped[other.tet()] ? result.first : result.second);
+    }
+    return result;
+  }
+
+  void apply_turns(const std::vector<tet_id>& doubtful, const std::vector<bool>& swapped) {
     std::vector<tet_id> turned;
     std::vector<tet_id> inverted;
-    for (const auto t : negative) {
-      int fits = 0;
-      int misfits = 0;
-      for (int face = 0; face < 4; ++face) {
-        const auto group = table.find(make_face_key(raw_.tets[t], face));
-        if (group.size() == 2 && volume(group[group[0].tet() == t].tet()) > 0)
-          ++(group[0].odd == group[1].odd ? misfits : fits);
+    for (const auto t : doubtful) {
+      const bool sound = sign_is_sound(t);
+      if (swapped[t]) {
+        std::swap(raw_.tets[t].v[2], raw_.tets[t].v[3]);
+        if (sound)
+          turned.push_back(t);
       }
-      (misfits > fits ? turned : inverted).push_back(t);
+      if (volume(t) < 0)
+        inverted.push_back(t);
     }
-    for (const auto t : turned)
-      std::swap(raw_.tets[t].v[2], raw_.tets[t].v[3]);
     if (!turned.empty())
       warnings_.push_back(
         std::to_string(turned.size()) +
@@ -218,13 +323,16 @@ private:
       std::ranges::sort(v);
       return v;
     };
+    for (std::size_t i = 1; i < group.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (sorted(group[i].tet()) == sorted(group[j].tet()))
+          return {ec::bad_input,
+                  tet_name(group[j].tet()) + " and " + tet_name(group[i].tet()) +
+                    " are the same tet twice",
+                  "Remove one of them: its stiffness would count double",
+                  {}};
     const auto a = group[0].tet();
     const auto b = group[1].tet();
-    if (sorted(a) == sorted(b))
-      return {ec::bad_input,
-              tet_name(a) + " and " + tet_name(b) + " are the same tet twice",
-              "Remove one of them: its stiffness would count double",
-              {}};
     const auto& order = tet_faces[group[0].face()];
     const auto& v = raw_.tets[a].v;
     const auto face =
@@ -306,8 +414,7 @@ private:
     const auto key = make_face_key(triangle.v);
     const auto group = inner_faces_->find(key);
     if (group.size() != 2)
-      return fail(ec::bad_input, triangle_name(triangle) + " is no face of any tet",
-                  "Surface and volume mesh must fit together: mesh the part again");
+      return fail(no_face(triangle_name(triangle)));
     if (raw_.tet_regions[group[0].tet()] == raw_.tet_regions[group[1].tet()]) {
       ++inner_triangles_;
     } else if (triangle.has_surface) {

@@ -73,6 +73,9 @@ value_summary summarize(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   result.median = *middle;
+  // An even count has two middle values.
+  if (values.size() % 2 == 0)
+    result.median = 0.5 * (result.median + *std::ranges::max_element(values.begin(), middle));
   return result;
 }
 

@@ -10,7 +10,9 @@ TEST(Error, EveryCodeHasItsOwnName) {
     EXPECT_EQ(code_from_name(code_name(static_cast<ec>(code))), static_cast<ec>(code)) << code;
 }
 
-TEST(Error, UnknownNameIsInternal) { EXPECT_EQ(code_from_name("no_such_code"), ec::internal); }
+TEST(Error, UnknownNameIsInternal) {
+  EXPECT_EQ(code_from_name("no_such_code"), ec::internal);
+}
 
 TEST(Error, RenderShowsMessagePlaceAndRemedy) {
   const error e{ec::bad_input, "node 7 is missing", "Mesh the part again", "line 12"};

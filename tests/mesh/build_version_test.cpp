@@ -197,10 +197,10 @@ TEST(Manifest, RebuildsTheVersionFromPages) {
   std::map<hash128, page_ptr> store;
   version->for_each_page([&](const page_ptr& p) { store[p->id()] = p; });
 
-  const auto rebuilt = mesh_version::from_manifest(
-    version->pages(), [&](const hash128& id) { return store.at(id); });
-  const auto missing = mesh_version::from_manifest(version->pages(),
-                                                   [](const hash128&) { return page_ptr{}; });
+  const auto rebuilt =
+    mesh_version::from_manifest(version->pages(), [&](const hash128& id) { return store.at(id); });
+  const auto missing =
+    mesh_version::from_manifest(version->pages(), [](const hash128&) { return page_ptr{}; });
 
   ASSERT_TRUE(rebuilt.has_value());
   EXPECT_EQ((*rebuilt)->id(), version->id());
@@ -209,7 +209,7 @@ TEST(Manifest, RebuildsTheVersionFromPages) {
 }
 
 TEST(Quality, RegularTetHasRatioOneAndKnownEnergy) {
-  const std::array<vec3, 4> p{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+  const std::array<vec3, 4> p{{{1, 1, 1}, {1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}}};
   const double edge = std::sqrt(8.0);
 
   EXPECT_NEAR(radius_ratio(p), 1.0, 1e-14);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/io/import.hpp"
+
+#include "base/stopwatch.hpp"
+#include "base/units.hpp"
+#include "mesh/build_version.hpp"
+#include "mesh/io/file.hpp"
+#include "mesh/io/msh_reader.hpp"
+
+namespace tedit {
+
+expected<imported_mesh> import_mesh(const std::filesystem::path& path,
+                                    const std::string& length_unit) {
+  const stopwatch clock;
+  const auto bytes = read_file(path);
+  if (!bytes)
+    return fail(bytes.error());
+  const double file_ms = clock.milliseconds();
+  auto result = import_mesh_bytes(std::span<const char>(*bytes), length_unit);
+  if (!result) {
+    auto failure = result.error();
+    failure.where = path.string() + (failure.where.empty() ? "" : ", " + failure.where);
+    return fail(std::move(failure));
+  }
+  result->read_ms += file_ms;
+  return result;
+}
+
+expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
+                                          const std::string& length_unit) {
+  const auto unit = metres_per_unit(length_unit);
+  if (!unit)
+    return fail(unit.error());
+  stopwatch clock;
+  auto read = read_msh(bytes);
+  if (!read)
+    return fail(read.error());
+  imported_mesh result;
+  result.read_ms = clock.restart();
+  auto built = build_version(std::move(read->mesh), *unit);
+  if (!built)
+    return fail(built.error());
+  result.build_ms = clock.restart();
+  result.version = std::move(built->version);
+  result.warnings = std::move(read->notices);
+  result.warnings.insert(result.warnings.end(), built->warnings.begin(), built->warnings.end());
+  return result;
+}
+
+}  // namespace tedit

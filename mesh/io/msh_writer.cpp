@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/io/msh_writer.hpp"
+
+#include <map>
+#include <ostream>
+
+#include "base/units.hpp"
+#include "mesh/io/file.hpp"
+
+namespace tedit {
+
+namespace {
+
+template <class T>
+void put(std::ostream& out, T value) {
+  out.write(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+struct box {
+  vec3 low{1e300, 1e300, 1e300};
+  vec3 high{-1e300, -1e300, -1e300};
+
+  void add(vec3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+using triangle_list = std::vector<std::array<vertex_id, 3>>;
+
+class msh_writer {
+public:
+  msh_writer(const mesh_version& mesh, double scale)
+      : mesh_(mesh), scale_(scale), slots_(compact(mesh)) {
+    for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+      if (mesh.is_live_facet(f))
+        triangles_[mesh.facet(f).surface].push_back(mesh.facet(f).v);
+    const auto& interfaces = mesh.data().interfaces;
+    for (std::size_t i = 0; i < interfaces.size(); ++i)
+      triangles_[interfaces[i].surface].push_back(interfaces[i].v);
+    for (const auto t : slots_.tets)
+      tets_[mesh.region_of(t)].push_back(t);
+  }
+
+  void write(std::ostream& out) const {
+    out << "$MeshFormat\n4.1 1 8\n";
+    put<std::int32_t>(out, 1);
+    out << "\n$EndMeshFormat\n";
+    write_names(out);
+    write_entities(out);
+    write_nodes(out);
+    write_elements(out);
+  }
+
+private:
+  [[nodiscard]] vec3 point(vertex_id v) const { return scale_ * mesh_.position(v); }
+
+  /// Physical group of a named surface or region: its place in the table, from 1.
+  template <class Rows, class Id>
+  static std::int32_t group_of(const Rows& rows, Id id) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].id == id)
+        return rows[i].name.empty() ? 0 : static_cast<std::int32_t>(i + 1);
+    return 0;
+  }
+
+  void write_names(std::ostream& out) const {
+    std::string lines;
+    std::size_t count = 0;
+    const auto add = [&](int dimension, const auto& rows) {
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].name.empty())
+          continue;
+        lines +=
+          std::to_string(dimension) + " " + std::to_string(i + 1) + " \"" + rows[i].name + "\"\n";
+        ++count;
+      }
+    };
+    add(2, mesh_.surfaces());
+    add(3, mesh_.regions());
+    if (count > 0)
+      out << "$PhysicalNames\n" << count << '\n' << lines << "$EndPhysicalNames\n";
+  }
+
+  void write_entity(std::ostream& out, std::int32_t tag, const box& extents,
+                    std::int32_t group) const {
+    put(out, tag);
+    for (const auto p : {extents.low, extents.high}) {
+      put(out, p.x);
+      put(out, p.y);
+      put(out, p.z);
+    }
+    put<std::uint64_t>(out, group ? 1 : 0);
+    if (group)
+      put(out, group);
+    put<std::uint64_t>(out, 0);
+  }
+
+  void write_entities(std::ostream& out) const {
+    out << "$Entities\n";
+    put<std::uint64_t>(out, 0);
+    put<std::uint64_t>(out, 0);
+    put<std::uint64_t>(out, triangles_.size());
+    put<std::uint64_t>(out, tets_.size());
+    for (const auto& [surface, list] : triangles_) {
+      box extents;
+      for (const auto& triangle : list)
+        for (const auto v : triangle)
+          extents.add(point(v));
+      write_entity(out, static_cast<std::int32_t>(surface), extents,
+                   group_of(mesh_.surfaces(), surface));
+    }
+    for (const auto& [region, list] : tets_) {
+      box extents;
+      for (const auto t : list)
+        for (const auto v : mesh_.tet_at(t).v)
+          extents.add(point(v));
+      write_entity(out, region, extents, group_of(mesh_.regions(), region));
+    }
+    out << "\n$EndEntities\n";
+  }
+
+  void write_nodes(std::ostream& out) const {
+    const auto count = static_cast<std::uint64_t>(slots_.vertices.size());
+    out << "$Nodes\n";
+    for (const std::uint64_t number : {std::uint64_t{1}, count, std::uint64_t{1}, count})
+      put(out, number);
+    put<std::int32_t>(out, 3);
+    put<std::int32_t>(out, tets_.empty() ? 1 : tets_.begin()->first);
+    put<std::int32_t>(out, 0);
+    put(out, count);
+    for (std::uint64_t i = 1; i <= count; ++i)
+      put(out, i);
+    for (const auto v : slots_.vertices) {
+      const auto p = point(v);
+      put(out, p.x);
+      put(out, p.y);
+      put(out, p.z);
+    }
+    out << "\n$EndNodes\n";
+  }
+
+  [[nodiscard]] std::uint64_t node(vertex_id v) const { return slots_.file_index[v] + 1ull; }
+
+  void begin_block(std::ostream& out, int dimension, std::int32_t tag, int type,
+                   std::size_t count) const {
+    put<std::int32_t>(out, dimension);
+    put(out, tag);
+    put<std::int32_t>(out, type);
+    put<std::uint64_t>(out, count);
+  }
+
+  void write_elements(std::ostream& out) const {
+    std::uint64_t total = slots_.tets.size();
+    for (const auto& [surface, list] : triangles_)
+      total += list.size();
+    out << "$Elements\n";
+    put<std::uint64_t>(out, triangles_.size() + tets_.size());
+    put(out, total);
+    put<std::uint64_t>(out, 1);
+    put(out, total);
+    std::uint64_t number = 0;
+    for (const auto& [surface, list] : triangles_) {
+      begin_block(out, 2, static_cast<std::int32_t>(surface), 2, list.size());
+      for (const auto& triangle : list) {
+        put(out, ++number);
+        for (const auto v : triangle)
+          put(out, node(v));
+      }
+    }
+    for (const auto& [region, list] : tets_) {
+      begin_block(out, 3, region, 4, list.size());
+      for (const auto t : list) {
+        put(out, ++number);
+        for (const auto v : mesh_.tet_at(t).v)
+          put(out, node(v));
+      }
+    }
+    out << "\n$EndElements\n";
+  }
+
+  const mesh_version& mesh_;
+  double scale_;
+  compaction slots_;
+  std::map<surface_id, triangle_list> triangles_;
+  std::map<region_id, std::vector<tet_id>> tets_;
+};
+
+}  // namespace
+
+compaction compact(const mesh_version& mesh) {
+  compaction result;
+  result.file_index.assign(mesh.vertex_slots(), no_id);
+  for (vertex_id v = 0; v < mesh.vertex_slots(); ++v) {
+    if (!mesh.is_live_vertex(v))
+      continue;
+    result.file_index[v] = static_cast<std::uint32_t>(result.vertices.size());
+    result.vertices.push_back(v);
+  }
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t))
+      result.tets.push_back(t);
+  return result;
+}
+
+expected<void> write_msh(const std::filesystem::path& path, const mesh_version& mesh,
+                         const std::string& length_unit) {
+  const auto unit = metres_per_unit(length_unit);
+  if (!unit)
+    return fail(unit.error());
+  for (const auto& row : mesh.surfaces())
+    if (row.id < INT32_MIN || row.id > INT32_MAX)
+      return fail(ec::invalid_argument,
+                  "surface id " + std::to_string(row.id) + " does not fit into a MSH file");
+  return write_file(path, [&](std::ostream& out) { msh_writer(mesh, 1 / *unit).write(out); });
+}
+
+}  // namespace tedit
