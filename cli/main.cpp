@@ -53,14 +53,7 @@ int main(int argc, char** argv) {
   app.add_flag("-q,--quiet", session.quiet, "No progress and notices on stderr");
 
   tedit::cli::add_info(app, chosen);
-  tedit::cli::add_edit(app, chosen);
   tedit::cli::add_solve(app, chosen);
-  tedit::cli::add_run(app, chosen);
-  tedit::cli::add_render(app, chosen);
-  tedit::cli::add_ops(app, chosen);
-  tedit::cli::add_serve(app, chosen);
-  tedit::cli::add_worker(app, chosen);
-  tedit::cli::add_doctor(app, chosen);
 
   try {
     app.parse(argc, argv);

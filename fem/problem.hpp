@@ -27,6 +27,7 @@ struct problem {
   std::vector<tet_id> element_tets;              ///< Mesh tet of each element.
   std::vector<std::uint32_t> element_materials;  ///< Index into `constants`.
   std::vector<lame_constants> constants;
+  std::vector<double> densities;        ///< kg/m^3, by material.
   std::vector<double> yield_strengths;  ///< Pa, by material; 0 unknown.
 
   std::vector<double> loads;  ///< f, N, 3 per node.

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace tedit {
+
+/// Work is cut into chunks of this many items, whatever the number of threads, so that sums over
+/// chunks give the same bits everywhere.
+inline constexpr std::size_t parallel_chunk = 2048;
+
+[[nodiscard]] constexpr std::size_t chunk_count(std::size_t items) {
+  return (items + parallel_chunk - 1) / parallel_chunk;
+}
+
+/// Calls `work(first, last, chunk)` for every chunk of [0, items) on all cores and waits. Idle
+/// threads block, they never spin. `work` must not throw. Calls from several threads at once are
+/// served one after the other; a call from inside `work` runs inline.
+void parallel_for(
+  std::size_t items,
+  const std::function<void(std::size_t first, std::size_t last, std::size_t chunk)>& work);
+
+/// The sum of `term(first, last)` over all chunks, added in chunk order.
+[[nodiscard]] double parallel_sum(
+  std::size_t items, const std::function<double(std::size_t first, std::size_t last)>& term);
+
+}  // namespace tedit

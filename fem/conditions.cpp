@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "fem/problem_parts.hpp"
+#include "mesh/quality.hpp"
+
+namespace tedit::fem {
+
+// -- surfaces ----------------------------------------------------------------------
+
+surface_triangles::surface_triangles(const mesh_version& mesh,
+                                     const std::vector<std::uint32_t>& node_of) {
+  const auto add = [&](surface_id id, const std::array<vertex_id, 3>& v, bool interface) {
+    by_surface_[id].push_back({{node_of[v[0]], node_of[v[1]], node_of[v[2]]}, interface});
+  };
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f))
+      add(mesh.facet(f).surface, mesh.facet(f).v, false);
+  const auto& interfaces = mesh.data().interfaces;
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    add(interfaces[i].surface, interfaces[i].v, true);
+}
+
+const std::vector<surface_triangles::triangle>& surface_triangles::of(surface_id id) const {
+  const auto found = by_surface_.find(id);
+  return found == by_surface_.end() ? none_ : found->second;
+}
+
+expected<void> surface_triangles::check_ids(const mesh_version& mesh,
+                                            const load_case& loads) const {
+  const auto check = [&](const std::string& item,
+                         const std::vector<surface_id>& ids) -> expected<void> {
+    for (const auto id : ids) {
+      if (by_surface_.contains(id))
+        continue;
+      surface_id nearest = 0;
+      surface_id distance = INT64_MAX;
+      for (const auto& row : mesh.surfaces())
+        if (const auto d = row.id > id ? row.id - id : id - row.id; d < distance)
+          std::tie(nearest, distance) = std::tuple(row.id, d);
+      return fail(ec::surface_not_found,
+                  item + " names surface " + std::to_string(id) +
+                    ", which this version of the "
+                    "mesh does not have",
+                  "The nearest id that it has is " + std::to_string(nearest));
+    }
+    return {};
+  };
+  for (std::size_t i = 0; i < loads.constraints.size(); ++i)
+    if (auto ok = check("constraint " + std::to_string(i), loads.constraints[i].surfaces); !ok)
+      return ok;
+  for (std::size_t i = 0; i < loads.loads.size(); ++i)
+    if (auto ok = check("load " + std::to_string(i), loads.loads[i].surfaces); !ok)
+      return ok;
+  return {};
+}
+
+// -- constraints ---------------------------------------------------------------------
+
+namespace {
+
+/// Directions in which a node is held, orthonormal, and the displacement along each.
+struct held_directions {
+  std::array<vec3, 3> direction;
+  std::array<double, 3> value{};
+  int count = 0;
+
+  /// Adds u . d = value. `slack` is the sine below which d counts as held already; then the
+  /// values must agree unless the caller says that they are approximate.
+  bool add(vec3 d, double value_along, double slack, bool approximate) {
+    double rest = value_along;
+    vec3 left = d;
+    for (int i = 0; i < count; ++i) {
+      const double part = dot(d, direction[i]);
+      left -= part * direction[i];
+      rest -= part * value[i];
+    }
+    const double size = norm(left);
+    if (size <= slack)
+      return approximate || std::abs(rest) <= 1e-9 * (std::abs(value_along) + 1e-12);
+    direction[count] = left / size;
+    value[count] = rest / size;
+    ++count;
+    return true;
+  }
+};
+
+using node_map = std::map<std::uint32_t, held_directions>;
+
+vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
+  return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
+}
+
+/// One direction for each node of a surface: the mean normal there.
+bool add_roller(const surface_triangles& triangles, surface_id id, const problem& p,
+                node_map& held) {
+  std::map<std::uint32_t, vec3> normals;
+  for (const auto& t : triangles.of(id))
+    for (const auto node : t.nodes)
+      normals[node] += area_of(p, t);
+  bool ok = true;
+  // Two smooth halves of one cylinder give nearly the same normal at their seam: 20 degrees count
+  // as the same direction.
+  for (const auto& [node, normal] : normals)
+    ok = held[node].add(normalized(normal), 0, 0.34, true) && ok;
+  return ok;
+}
+
+bool add_components(const surface_triangles& triangles, surface_id id,
+                    const std::array<std::optional<double>, 3>& values, node_map& held) {
+  const std::array<vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  bool ok = true;
+  for (const auto& t : triangles.of(id))
+    for (const auto node : t.nodes)
+      for (int i = 0; i < 3; ++i)
+        if (values[i])
+          ok = held[node].add(axes[i], *values[i], 1e-9, false) && ok;
+  return ok;
+}
+
+}  // namespace
+
+expected<void> add_constraints(const surface_triangles& triangles, const load_case& loads,
+                               problem& p) {
+  p.filter.assign(p.node_count(), {1, 0, 0, 1, 0, 1});
+  p.prescribed.assign(p.dofs(), 0);
+  node_map held;
+  // Exact components first: a roller on the same node then only adds what is left.
+  for (const bool rollers : {false, true}) {
+    for (std::size_t i = 0; i < loads.constraints.size(); ++i) {
+      const auto& item = loads.constraints[i];
+      if (std::holds_alternative<roller>(item.kind) != rollers)
+        continue;
+      if (item.surfaces.empty())
+        return fail(ec::invalid_argument, "constraint " + std::to_string(i) + " names no surface");
+      std::array<std::optional<double>, 3> values{0.0, 0.0, 0.0};
+      if (const auto* given = std::get_if<prescribed_displacement>(&item.kind))
+        values = {given->x_m, given->y_m, given->z_m};
+      for (const auto& value : values)
+        if (value && !std::isfinite(*value))
+          return fail(ec::invalid_argument,
+                      "constraint " + std::to_string(i) + " has a value that is no number");
+      for (const auto id : item.surfaces)
+        if (!(rollers ? add_roller(triangles, id, p, held)
+                      : add_components(triangles, id, values, held)))
+          return fail(ec::invalid_argument,
+                      "constraint " + std::to_string(i) + " contradicts another one on surface " +
+                        std::to_string(id),
+                      "Prescribe one value for each direction where surfaces meet");
+    }
+  }
+  for (const auto& [node, row] : held) {
+    auto& s = p.filter[node];
+    for (int i = 0; i < row.count; ++i) {
+      const vec3 d = row.direction[i];
+      s[0] -= d.x * d.x;
+      s[1] -= d.x * d.y;
+      s[2] -= d.x * d.z;
+      s[3] -= d.y * d.y;
+      s[4] -= d.y * d.z;
+      s[5] -= d.z * d.z;
+      p.prescribed[3 * node] += row.value[i] * d.x;
+      p.prescribed[3 * node + 1] += row.value[i] * d.y;
+      p.prescribed[3 * node + 2] += row.value[i] * d.z;
+    }
+    if (row.count == 3)
+      s = {0, 0, 0, 0, 0, 0};
+  }
+  return {};
+}
+
+// -- loads -----------------------------------------------------------------------------
+
+namespace {
+
+class load_adder {
+public:
+  load_adder(const surface_triangles& triangles, problem& p) : triangles_(triangles), p_(p) {}
+
+  expected<void> add(const load& item, const std::string& name) {
+    double area = 0;
+    for (const auto id : item.surfaces)
+      for (const auto& t : triangles_.of(id))
+        area += norm(area_of(p_, t));
+    if (const auto* g = std::get_if<gravity>(&item.kind))
+      return add_gravity(g->m_s2, name);
+    if (item.surfaces.empty() || !(area > 0))
+      return fail(ec::invalid_load, name + " acts on no surface", "Name at least one surface");
+    if (const auto* f = std::get_if<force>(&item.kind))
+      return add_traction(item, f->total_n / area, name);
+    if (const auto* t = std::get_if<traction>(&item.kind))
+      return add_traction(item, t->pa, name);
+    return add_pressure(item, std::get<pressure>(item.kind).pa, name);
+  }
+
+private:
+  void add_to(std::uint32_t node, vec3 force_n) {
+    p_.loads[3 * node] += force_n.x;
+    p_.loads[3 * node + 1] += force_n.y;
+    p_.loads[3 * node + 2] += force_n.z;
+  }
+
+  static expected<void> not_a_number(const std::string& name) {
+    return fail(ec::invalid_load, name + " has a value that is no number");
+  }
+
+  expected<void> add_traction(const load& item, vec3 pa, const std::string& name) {
+    if (!is_finite(pa))
+      return not_a_number(name);
+    for (const auto id : item.surfaces)
+      for (const auto& t : triangles_.of(id))
+        for (const auto node : t.nodes)
+          add_to(node, (norm(area_of(p_, t)) / 3) * pa);
+    return {};
+  }
+
+  expected<void> add_pressure(const load& item, double pa, const std::string& name) {
+    if (!std::isfinite(pa))
+      return not_a_number(name);
+    for (const auto id : item.surfaces)
+      for (const auto& t : triangles_.of(id)) {
+        if (t.interface)
+          return fail(ec::invalid_load,
+                      name + " presses on surface " + std::to_string(id) +
+                        ", which lies between two regions and has no outer side",
+                      "Use a traction or a force there");
+        for (const auto node : t.nodes)
+          add_to(node, (-pa / 3) * area_of(p_, t));
+      }
+    return {};
+  }
+
+  expected<void> add_gravity(vec3 m_s2, const std::string& name) {
+    if (!is_finite(m_s2))
+      return not_a_number(name);
+    for (std::size_t e = 0; e < p_.element_count(); ++e) {
+      const double density = p_.densities[p_.element_materials[e]];
+      if (!(density > 0))
+        return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
+                    "Give density_kg_m3");
+      const auto* n = &p_.element_nodes[4 * e];
+      const double mass =
+        density * signed_volume(p_.nodes[n[0]], p_.nodes[n[1]], p_.nodes[n[2]], p_.nodes[n[3]]);
+      for (int a = 0; a < 4; ++a)
+        add_to(n[a], (mass / 4) * m_s2);
+    }
+    return {};
+  }
+
+  const surface_triangles& triangles_;
+  problem& p_;
+};
+
+}  // namespace
+
+expected<void> add_loads(const surface_triangles& triangles, const load_case& loads, problem& p) {
+  p.loads.assign(p.dofs(), 0);
+  load_adder adder(triangles, p);
+  for (std::size_t i = 0; i < loads.loads.size(); ++i)
+    if (auto ok = adder.add(loads.loads[i], "load " + std::to_string(i)); !ok)
+      return ok;
+  const auto zero = [](double value) { return value == 0; };
+  if (std::ranges::all_of(p.loads, zero) && std::ranges::all_of(p.prescribed, zero))
+    return fail(ec::invalid_load,
+                "nothing acts on the part: no load and no prescribed displacement",
+                "Add a load to the load case");
+  return {};
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "fem/problem.hpp"
+
+namespace tedit::fem {
+
+/// Gradients of the linear shape functions (1/m) and the volume (m^3) of a tet: grad N_a =
+/// -A_a/(3V), A_a the outward area vector of the face opposite corner a.
+struct tet_gradients {
+  std::array<vec3, 4> gradient;
+  double volume = 0;
+};
+
+[[nodiscard]] inline tet_gradients gradients_of(const std::array<vec3, 4>& p) {
+  const vec3 u = p[1] - p[0];
+  const vec3 v = p[2] - p[0];
+  const vec3 w = p[3] - p[0];
+  tet_gradients g;
+  const double six_volumes = dot(u, cross(v, w));
+  g.volume = six_volumes / 6;
+  g.gradient[1] = cross(v, w) / six_volumes;
+  g.gradient[2] = cross(w, u) / six_volumes;
+  g.gradient[3] = cross(u, v) / six_volumes;
+  g.gradient[0] = -(g.gradient[1] + g.gradient[2] + g.gradient[3]);
+  return g;
+}
+
+/// The same for element e of a problem of order 1.
+[[nodiscard]] inline tet_gradients gradients_of(const problem& p, std::size_t e) {
+  const auto* n = &p.element_nodes[4 * e];
+  return gradients_of({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
+}
+
+/// Stress (xx, yy, zz, xy, yz, zx; Pa) from the displacement gradient G_ij = du_i/dx_j.
+[[nodiscard]] inline std::array<double, 6> stress_of(const std::array<vec3, 3>& g,
+                                                     const lame_constants& c) {
+  const double pressure = c.lambda * (g[0].x + g[1].y + g[2].z);
+  return {pressure + 2 * c.mu * g[0].x, pressure + 2 * c.mu * g[1].y, pressure + 2 * c.mu * g[2].z,
+          c.mu * (g[0].y + g[1].x),     c.mu * (g[1].z + g[2].y),     c.mu * (g[2].x + g[0].z)};
+}
+
+/// Displacement gradient of element e, from differences to its first node, so that rigid
+/// translations cancel before they are multiplied.
+[[nodiscard]] inline std::array<vec3, 3> displacement_gradient(const problem& p, std::size_t e,
+                                                               const tet_gradients& g,
+                                                               const double* displacement) {
+  const auto* n = &p.element_nodes[4 * e];
+  const double* first = displacement + 3 * n[0];
+  std::array<vec3, 3> result{};
+  for (int a = 1; a < 4; ++a) {
+    const double* u = displacement + 3 * n[a];
+    for (int i = 0; i < 3; ++i)
+      result[i] += (u[i] - first[i]) * g.gradient[a];
+  }
+  return result;
+}
+
+/// sqrt(3/2 s:s) of a stress in Voigt order, Pa.
+[[nodiscard]] inline double von_mises(const double* s) {
+  const double a = s[0] - s[1];
+  const double b = s[1] - s[2];
+  const double c = s[2] - s[0];
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+}  // namespace tedit::fem

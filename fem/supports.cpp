@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <Eigen/Dense>
+
+#include <numeric>
+
+#include "fem/problem_parts.hpp"
+
+namespace tedit::fem {
+
+namespace {
+
+using vector6 = Eigen::Matrix<double, 6, 1>;
+using matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Bodies whose tets hang together over faces; hinges at edges and vertices do not join.
+std::vector<std::uint32_t> body_of_tets(const mesh_version& mesh, std::uint32_t& count) {
+  std::vector<std::uint32_t> body(mesh.tet_slots(), no_id);
+  std::vector<tet_id> open;
+  count = 0;
+  for (tet_id seed = 0; seed < mesh.tet_slots(); ++seed) {
+    if (!mesh.is_live_tet(seed) || body[seed] != no_id)
+      continue;
+    body[seed] = count;
+    open.push_back(seed);
+    while (!open.empty()) {
+      const auto t = open.back();
+      open.pop_back();
+      for (const auto behind : mesh.neighbours(t))
+        if (!is_facet(behind) && body[behind] == no_id) {
+          body[behind] = count;
+          open.push_back(behind);
+        }
+    }
+    ++count;
+  }
+  return body;
+}
+
+struct body_nodes {
+  std::vector<std::uint32_t> nodes;
+  std::size_t tets = 0;
+};
+
+std::vector<body_nodes> nodes_of_bodies(const mesh_version& mesh, const problem& p) {
+  std::uint32_t count = 0;
+  const auto body = body_of_tets(mesh, count);
+  std::vector<body_nodes> result(count);
+  std::vector<std::uint32_t> seen_by(p.node_count(), no_id);
+  // A node on a hinge belongs to each of its bodies: visit the bodies one after the other.
+  std::vector<std::uint32_t> order(p.element_count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t e) { return body[p.element_tets[e]]; });
+  for (const auto e : order) {
+    const auto b = body[p.element_tets[e]];
+    ++result[b].tets;
+    for (int a = 0; a < p.nodes_per_element; ++a) {
+      const auto node = p.element_nodes[p.nodes_per_element * e + a];
+      if (std::exchange(seen_by[node], b) != b)
+        result[b].nodes.push_back(node);
+    }
+  }
+  return result;
+}
+
+std::string describe_mode(const vector6& mode, vec3 centre, double size) {
+  const vec3 shift{mode[0], mode[1], mode[2]};
+  const vec3 turn = vec3{mode[3], mode[4], mode[5]} / size;
+  const auto axis_text = [](vec3 d) {
+    char text[64];
+    d = normalized(d);
+    std::snprintf(text, sizeof(text), "(%.2g, %.2g, %.2g)", d.x + 0.0, d.y + 0.0, d.z + 0.0);
+    return std::string(text);
+  };
+  if (norm(turn) * size < 1e-6 * norm(shift))
+    return "translation along " + axis_text(shift);
+  const vec3 on_axis = centre + cross(turn, shift) / dot(turn, turn);
+  return "rotation about the axis " + axis_text(turn) + " through " + point_text(on_axis);
+}
+
+/// The sum over held directions d at x of w w^T, w = (d, (x-c) x d / size): its null vectors are
+/// the free rigid modes.
+matrix6 support_matrix(const problem& p, const body_nodes& body, vec3 centre, double size) {
+  matrix6 sum = matrix6::Zero();
+  for (const auto node : body.nodes) {
+    const auto& s = p.filter[node];
+    const std::array<vec3, 3> held{
+      {{1 - s[0], -s[1], -s[2]}, {-s[1], 1 - s[3], -s[4]}, {-s[2], -s[4], 1 - s[5]}}};
+    for (const auto& d : held) {
+      if (dot(d, d) == 0)
+        continue;
+      const vec3 moment = cross((p.nodes[node] - centre) / size, d);
+      vector6 w;
+      w << d.x, d.y, d.z, moment.x, moment.y, moment.z;
+      sum += w * w.transpose();
+    }
+  }
+  return sum;
+}
+
+expected<void> check_body(const problem& p, const body_nodes& body, std::size_t bodies) {
+  vec3 centre;
+  for (const auto node : body.nodes)
+    centre += p.nodes[node] / static_cast<double>(body.nodes.size());
+  double size = 0;
+  for (const auto node : body.nodes)
+    size = std::max(size, norm(p.nodes[node] - centre));
+  const matrix6 support = support_matrix(p, body, centre, size);
+  const Eigen::SelfAdjointEigenSolver<matrix6> modes(support);
+  const double largest = modes.eigenvalues()[5];
+  std::string free;
+  int count = 0;
+  for (int i = 0; i < 6; ++i) {
+    // A support of 1e-6 of the part's size leaves an eigenvalue of about 1e-12.
+    if (modes.eigenvalues()[i] > 1e-11 * largest)
+      continue;
+    ++count;
+    free += (free.empty() ? "" : "; ") + describe_mode(modes.eigenvectors().col(i), centre, size);
+  }
+  if (count == 0)
+    return {};
+  const std::string who = bodies == 1
+                            ? "the part"
+                            : "one of the " + std::to_string(bodies) + " separate bodies (" +
+                                std::to_string(body.tets) + " tets)";
+  if (largest == 0)
+    free = "all six rigid-body motions";
+  return fail(ec::under_constrained, who + " is not held: free are " + free,
+              "Fix or support more surfaces of it", "around " + point_text(centre));
+}
+
+}  // namespace
+
+expected<void> check_supports(const mesh_version& mesh, const problem& p) {
+  const auto bodies = nodes_of_bodies(mesh, p);
+  for (const auto& body : bodies)
+    if (auto ok = check_body(p, body, bodies.size()); !ok)
+      return ok;
+  return {};
+}
+
+}  // namespace tedit::fem

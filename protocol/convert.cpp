@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "protocol/convert.hpp"
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include <google/protobuf/util/json_util.h>
+
+#include "tedit/v1/load_case.pb.h"
+
+namespace tedit::protocol {
+
+namespace {
+
+vec3 from_message(const v1::Vector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+void to_message(vec3 v, v1::Vector3* out) {
+  out->set_x(v.x);
+  out->set_y(v.y);
+  out->set_z(v.z);
+}
+
+template <class Surfaces>
+std::vector<surface_id> surfaces_from(const Surfaces& surfaces) {
+  return {surfaces.begin(), surfaces.end()};
+}
+
+expected<fem::material> material_from(const v1::Material& m) {
+  fem::material result{m.name(),          m.young_modulus_pa(),  m.poisson_ratio(),
+                       m.density_kg_m3(), m.yield_strength_pa(), {}};
+  for (const auto region : m.regions()) {
+    if (region < std::numeric_limits<region_id>::min() ||
+        region > std::numeric_limits<region_id>::max())
+      return fail(ec::bad_input, "material \"" + m.name() + "\" names region " +
+                                   std::to_string(region) + ", which no mesh can have");
+    result.regions.push_back(static_cast<region_id>(region));
+  }
+  return result;
+}
+
+expected<fem::constraint> constraint_from(const v1::Constraint& c, int index) {
+  fem::constraint result{surfaces_from(c.surfaces()), fem::fixed{}};
+  switch (c.kind_case()) {
+    case v1::Constraint::kFixed:
+      return result;
+    case v1::Constraint::kRoller:
+      result.kind = fem::roller{};
+      return result;
+    case v1::Constraint::kDisplacement: {
+      const auto& d = c.displacement();
+      fem::prescribed_displacement values;
+      if (d.has_x_m())
+        values.x_m = d.x_m();
+      if (d.has_y_m())
+        values.y_m = d.y_m();
+      if (d.has_z_m())
+        values.z_m = d.z_m();
+      result.kind = values;
+      return result;
+    }
+    case v1::Constraint::KIND_NOT_SET:
+      break;
+  }
+  return fail(ec::bad_input, "constraint " + std::to_string(index) + " says no kind",
+              "Give it one of fixed, displacement, roller");
+}
+
+expected<fem::load> load_from(const v1::Load& l, int index) {
+  fem::load result{surfaces_from(l.surfaces()), fem::force{}};
+  switch (l.kind_case()) {
+    case v1::Load::kForce:
+      result.kind = fem::force{from_message(l.force().total_n())};
+      return result;
+    case v1::Load::kTraction:
+      result.kind = fem::traction{from_message(l.traction().pa())};
+      return result;
+    case v1::Load::kPressure:
+      result.kind = fem::pressure{l.pressure().pa()};
+      return result;
+    case v1::Load::kGravity:
+      result.kind = fem::gravity{from_message(l.gravity().m_s2())};
+      return result;
+    case v1::Load::KIND_NOT_SET:
+      break;
+  }
+  return fail(ec::bad_input, "load " + std::to_string(index) + " says no kind",
+              "Give it one of force, traction, pressure, gravity");
+}
+
+expected<fem::load_case> from_message(const v1::LoadCase& message) {
+  fem::load_case result;
+  result.name = message.name();
+  for (const auto& m : message.materials()) {
+    auto converted = material_from(m);
+    if (!converted)
+      return fail(converted.error());
+    result.materials.push_back(std::move(*converted));
+  }
+  for (int i = 0; i < message.constraints_size(); ++i) {
+    auto converted = constraint_from(message.constraints(i), i);
+    if (!converted)
+      return fail(converted.error());
+    result.constraints.push_back(std::move(*converted));
+  }
+  for (int i = 0; i < message.loads_size(); ++i) {
+    auto converted = load_from(message.loads(i), i);
+    if (!converted)
+      return fail(converted.error());
+    result.loads.push_back(std::move(*converted));
+  }
+  return result;
+}
+
+struct constraint_writer {
+  v1::Constraint* out;
+
+  void operator()(const fem::fixed&) const { out->mutable_fixed(); }
+  void operator()(const fem::roller&) const { out->mutable_roller(); }
+  void operator()(const fem::prescribed_displacement& d) const {
+    auto* values = out->mutable_displacement();
+    if (d.x_m)
+      values->set_x_m(*d.x_m);
+    if (d.y_m)
+      values->set_y_m(*d.y_m);
+    if (d.z_m)
+      values->set_z_m(*d.z_m);
+  }
+};
+
+struct load_writer {
+  v1::Load* out;
+
+  void operator()(const fem::force& f) const {
+    to_message(f.total_n, out->mutable_force()->mutable_total_n());
+  }
+  void operator()(const fem::traction& t) const {
+    to_message(t.pa, out->mutable_traction()->mutable_pa());
+  }
+  void operator()(const fem::pressure& p) const { out->mutable_pressure()->set_pa(p.pa); }
+  void operator()(const fem::gravity& g) const {
+    to_message(g.m_s2, out->mutable_gravity()->mutable_m_s2());
+  }
+};
+
+v1::LoadCase to_message(const fem::load_case& loads) {
+  v1::LoadCase message;
+  message.set_name(loads.name);
+  for (const auto& m : loads.materials) {
+    auto* out = message.add_materials();
+    out->set_name(m.name);
+    out->set_young_modulus_pa(m.young_modulus_pa);
+    out->set_poisson_ratio(m.poisson_ratio);
+    out->set_density_kg_m3(m.density_kg_m3);
+    out->set_yield_strength_pa(m.yield_strength_pa);
+    out->mutable_regions()->Assign(m.regions.begin(), m.regions.end());
+  }
+  for (const auto& c : loads.constraints) {
+    auto* out = message.add_constraints();
+    out->mutable_surfaces()->Assign(c.surfaces.begin(), c.surfaces.end());
+    std::visit(constraint_writer{out}, c.kind);
+  }
+  for (const auto& l : loads.loads) {
+    auto* out = message.add_loads();
+    out->mutable_surfaces()->Assign(l.surfaces.begin(), l.surfaces.end());
+    std::visit(load_writer{out}, l.kind);
+  }
+  return message;
+}
+
+}  // namespace
+
+expected<fem::load_case> load_case_from_json(std::string_view json, const std::string& source) {
+  v1::LoadCase message;
+  google::protobuf::util::JsonParseOptions options;
+  options.ignore_unknown_fields = false;
+  const auto status = google::protobuf::util::JsonStringToMessage(
+    google::protobuf::StringPiece(json.data(), json.size()), &message, options);
+  if (!status.ok())
+    return fail(ec::bad_input, "this is no load case: " + std::string(status.message()),
+                "See the message LoadCase in protocol/tedit/v1/load_case.proto", source);
+  auto result = from_message(message);
+  if (!result) {
+    auto failure = result.error();
+    failure.where = source;
+    return fail(std::move(failure));
+  }
+  return result;
+}
+
+expected<fem::load_case> load_case_from_file(const std::filesystem::path& path) {
+  constexpr std::uintmax_t largest = 16 * 1024 * 1024;
+  std::error_code code;
+  const auto size = std::filesystem::file_size(path, code);
+  std::ifstream in(path, std::ios::binary);
+  if (code || !in)
+    return fail(ec::io_error, "cannot read the load case " + path.string(),
+                "Check the path and its permissions");
+  if (size > largest)
+    return fail(ec::bad_input, path.string() + " is too large for a load case (more than 16 MiB)");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return load_case_from_json(text.str(), path.string());
+}
+
+std::string load_case_to_json(const fem::load_case& loads) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  (void)google::protobuf::util::MessageToJsonString(to_message(loads), &json, options);
+  return json;
+}
+
+}  // namespace tedit::protocol
