@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/execution.hpp"
+
+namespace tedit {
+
+struct child_limits {
+  std::chrono::milliseconds time{8000};
+  std::size_t memory_bytes = std::size_t{2} << 30;  ///< Address space; 0 for no limit.
+};
+
+/// Runs a program, feeds it `input` on stdin and returns what it wrote on stdout once it has ended
+/// with status 0. Its stderr goes nowhere. It is killed at the time limit, on cancel, and when this
+/// process dies. Errors: `service_unavailable` when it cannot be started, `timeout`, `cancelled`,
+/// `mesher_failed` naming the exit status or signal.
+[[nodiscard]] expected<std::vector<char>> run_child(const std::vector<std::string>& command,
+                                                    std::span<const char> input,
+                                                    const child_limits& limits,
+                                                    const execution& run);
+
+/// The folder of the running executable.
+[[nodiscard]] std::filesystem::path executable_folder();
+
+}  // namespace tedit

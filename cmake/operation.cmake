@@ -1,0 +1,22 @@
+# tedit_add_operation(NAME fill_hole SOURCES operation.cpp a.cpp [TESTS a_test.cpp] [LINK x])
+#
+# Builds one operation plugin: a static library tedit_op_<NAME>_code with all sources, which tests
+# link, and the loadable module lib/tedit/plugins/<NAME>.so. The first source holds TEDIT_PLUGIN.
+function(tedit_add_operation)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;TESTS;LINK" ${ARGN})
+  list(POP_FRONT ARG_SOURCES entry)
+  add_library(tedit_op_${ARG_NAME}_code STATIC ${ARG_SOURCES})
+  target_link_libraries(tedit_op_${ARG_NAME}_code PUBLIC tedit_options tedit_mesh ${ARG_LINK})
+  add_library(tedit_op_${ARG_NAME} MODULE ${entry})
+  target_link_libraries(tedit_op_${ARG_NAME} PRIVATE tedit_op_${ARG_NAME}_code)
+  set_target_properties(
+    tedit_op_${ARG_NAME}
+    PROPERTIES PREFIX ""
+               OUTPUT_NAME ${ARG_NAME}
+               LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/tedit/plugins")
+  if(TEDIT_TESTS AND ARG_TESTS)
+    find_package(GTest REQUIRED)
+    tedit_add_tests(NAME op_${ARG_NAME} SOURCES ${ARG_TESTS}
+                    LINK tedit_op_${ARG_NAME}_code tedit_services GTest::gmock)
+  endif()
+endfunction()

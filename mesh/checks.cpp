@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "mesh/face_key.hpp"
+#include "mesh/predicates.hpp"
+#include "mesh/quality.hpp"
+
+namespace tedit {
+
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+std::string named(const char* what, std::uint64_t id) {
+  return std::string(what) + " " + std::to_string(id);
+}
+
+/// Looks at single slots of one version and collects findings.
+class slot_checks {
+public:
+  slot_checks(const mesh_version& mesh, check_report& report) : mesh_(mesh), report_(report) {}
+
+  void add(ec code, std::string rule, std::string element, std::string numbers) {
+    if (++report_.total <= max_findings)
+      report_.findings.push_back({code, std::move(rule), std::move(element), std::move(numbers)});
+  }
+
+  void check_tet(tet_id t) {
+    const auto& v = mesh_.tet_at(t).v;
+    for (const auto i : v) {
+      if (i >= mesh_.vertex_slots() || !mesh_.is_live_vertex(i)) {
+        add(ec::invalid_mesh, "corners exist", named("tet", t), named("vertex", i));
+        return;
+      }
+    }
+    const auto c = mesh_.corners(t);
+    if (const int sign = orient3d(c[0], c[1], c[2], c[3]); sign <= 0)
+      add(sign < 0 ? ec::inverted_tet : ec::degenerate_tet, "positive orientation", named("tet", t),
+          "volume " + number(signed_volume(c)) + " m3");
+    for (int face = 0; face < 4; ++face)
+      check_face(t, face);
+  }
+
+  void check_facet(facet_id f) {
+    const auto& facet = mesh_.facet(f);
+    const bool known = facet.tet < mesh_.tet_slots() && mesh_.is_live_tet(facet.tet) &&
+                       std::ranges::count(mesh_.neighbours(facet.tet), facet_flag | f) == 1;
+    if (!known)
+      add(ec::invalid_mesh, "facet lies on its tet", named("facet", f), named("tet", facet.tet));
+    if (!mesh_.find_surface(facet.surface))
+      add(ec::surface_not_found, "facet has a surface of the table", named("facet", f),
+          "surface " + std::to_string(facet.surface));
+  }
+
+  void check_vertex(vertex_id v) {
+    const auto t = mesh_.incident_tet(v);
+    if (t >= mesh_.tet_slots() || !mesh_.is_live_tet(t) ||
+        !std::ranges::count(mesh_.tet_at(t).v, v))
+      add(ec::invalid_mesh, "incident tet holds the vertex", named("vertex", v), named("tet", t));
+  }
+
+private:
+  void check_face(tet_id t, int face) {
+    const auto behind = mesh_.neighbours(t)[face];
+    const auto key = make_face_key(mesh_.tet_at(t), face);
+    if (is_facet(behind)) {
+      const auto f = behind & ~facet_flag;
+      const bool fits = f < mesh_.facet_slots() && mesh_.facet(f).tet == t &&
+                        make_face_key(mesh_.facet(f).v).v == key.v &&
+                        make_face_key(mesh_.facet(f).v).odd == key.odd;
+      if (!fits)
+        add(ec::invalid_mesh, "boundary face has its facet", named("tet", t), named("facet", f));
+      return;
+    }
+    bool fits = false;
+    if (behind < mesh_.tet_slots() && mesh_.is_live_tet(behind)) {
+      for (int back = 0; back < 4; ++back) {
+        const auto other = make_face_key(mesh_.tet_at(behind), back);
+        fits =
+          fits || (mesh_.neighbours(behind)[back] == t && other.v == key.v && other.odd != key.odd);
+      }
+    }
+    if (!fits)
+      add(ec::invalid_mesh, "neighbours share a face", named("tet", t), named("neighbour", behind));
+  }
+
+  const mesh_version& mesh_;
+  check_report& report_;
+};
+
+/// The boundary facets around each vertex of a set. Cost: O(facet slots).
+using vertex_facets = std::unordered_map<vertex_id, std::vector<facet_id>>;
+
+vertex_facets facets_around(const mesh_version& mesh, const std::unordered_set<vertex_id>& set) {
+  vertex_facets result;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    for (const auto v : mesh.facet(f).v)
+      if (set.contains(v))
+        result[v].push_back(f);
+  }
+  return result;
+}
+
+/// Empty when the facets around v form one closed fan, else what is wrong.
+std::string fan_fault(const mesh_version& mesh, vertex_id v, const std::vector<facet_id>& around) {
+  // Each facet a -> v -> b: a fan is one cycle of the map a -> b.
+  std::map<vertex_id, vertex_id> next;
+  for (const auto f : around) {
+    const auto& c = mesh.facet(f).v;
+    const auto at = std::ranges::find(c, v) - c.begin();
+    if (!next.emplace(c[(at + 2) % 3], c[(at + 1) % 3]).second)
+      return "edge " + std::to_string(v) + "-" + std::to_string(c[(at + 2) % 3]) +
+             " has more than two facets";
+  }
+  std::size_t steps = 0;
+  for (auto at = next.begin()->first; steps < next.size();) {
+    const auto row = next.find(at);
+    if (row == next.end())
+      return "edge " + std::to_string(v) + "-" + std::to_string(at) + " has one facet";
+    at = row->second;
+    ++steps;
+    if (at == next.begin()->first)
+      break;
+  }
+  return steps == next.size() ? "" : "more than one fan of facets meets there";
+}
+
+/// The number of edge-connected components of the boundary. Cost: O(facets log facets).
+std::size_t boundary_components(const mesh_version& mesh) {
+  std::vector<facet_id> parent(mesh.facet_slots());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto find = [&](facet_id f) {
+    while (parent[f] != f)
+      f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  std::vector<facet_id> first_at(mesh.vertex_slots(), no_id);
+  std::size_t count = 0;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    ++count;
+    for (const auto v : mesh.facet(f).v) {
+      if (first_at[v] == no_id) {
+        first_at[v] = f;
+        continue;
+      }
+      const auto a = find(first_at[v]);
+      const auto b = find(f);
+      if (a != b) {
+        parent[std::max(a, b)] = std::min(a, b);
+        --count;
+      }
+    }
+  }
+  return count;
+}
+
+void check_counts(const mesh_version& mesh, slot_checks& checks) {
+  const auto compare = [&](const char* what, std::size_t counted, std::size_t stated) {
+    if (counted != stated)
+      checks.add(ec::invalid_mesh, "counts are right", what,
+                 std::to_string(counted) + " live, " + std::to_string(stated) + " stated");
+  };
+  std::size_t tets = 0;
+  std::size_t facets = 0;
+  std::size_t vertices = 0;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    tets += mesh.is_live_tet(t);
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    facets += mesh.is_live_facet(f);
+  for (vertex_id v = 0; v < mesh.vertex_slots(); ++v)
+    vertices += mesh.is_live_vertex(v);
+  compare("tets", tets, mesh.tet_count());
+  compare("facets", facets, mesh.facet_count());
+  compare("vertices", vertices, mesh.vertex_count());
+}
+
+template <class Row, class Visit>
+void for_each_changed(const paged_array<Row>& before, const paged_array<Row>& after,
+                      Visit&& visit) {
+  const auto& old_pages = before.pages();
+  const auto& new_pages = after.pages();
+  for (std::size_t p = 0; p < new_pages.size(); ++p) {
+    if (p < old_pages.size() && old_pages[p]->id() == new_pages[p]->id())
+      continue;
+    const std::size_t first = p * paged_array<Row>::items_per_page;
+    const auto items = after.page_items(p);
+    for (std::size_t i = 0; i < items.size(); ++i)
+      if (first + i >= before.size() || !(before[first + i] == items[i]))
+        visit(static_cast<std::uint32_t>(first + i));
+  }
+}
+
+/// One run of `check_edit`.
+class edit_checks {
+public:
+  edit_checks(const mesh_version& base, const mesh_version& candidate, const edit_claim& claim)
+      : base_(base),
+        mesh_(candidate),
+        claim_(claim),
+        touched_(claim.touched.begin(), claim.touched.end()),
+        slots_(candidate, report_) {}
+
+  check_report run() {
+    check_tets();
+    check_moved_vertices();
+    check_facets();
+    if (boundary_components(mesh_) > boundary_components(base_))
+      slots_.add(ec::postcondition_failed, "no new closed void or separate boundary", "",
+                 std::to_string(boundary_components(base_)) + " boundary components before, " +
+                   std::to_string(boundary_components(mesh_)) + " after");
+    check_volume();
+    check_quality();
+    return std::move(report_);
+  }
+
+private:
+  void check_tets() {
+    const auto& before = base_.data();
+    const auto& after = mesh_.data();
+    std::unordered_set<tet_id> suspects;
+    for_each_changed(before.tets, after.tets, [&](tet_id t) {
+      changed_.insert(t);
+      if (mesh_.is_live_tet(t)) {
+        suspects.insert(t);
+        if (!touched_.contains(t))
+          slots_.add(ec::postcondition_failed, "untouched tets are identical", named("tet", t),
+                     "it changed but was not reported");
+      }
+    });
+    const auto also = [&](tet_id t) {
+      if (mesh_.is_live_tet(t))
+        suspects.insert(t);
+    };
+    for_each_changed(before.neighbours, after.neighbours, also);
+    for_each_changed(before.tet_regions, after.tet_regions, [&](tet_id t) {
+      also(t);
+      if (mesh_.is_live_tet(t) && !touched_.contains(t))
+        slots_.add(ec::postcondition_failed, "untouched tets keep their region", named("tet", t),
+                   "");
+    });
+    for_each_changed(before.vertex_tet, after.vertex_tet, [&](vertex_id v) {
+      if (mesh_.is_live_vertex(v))
+        slots_.check_vertex(v);
+    });
+    for (const auto t : suspects)
+      slots_.check_tet(t);
+  }
+
+  void check_moved_vertices() {
+    std::unordered_set<vertex_id> moved;
+    for_each_changed(base_.data().positions, mesh_.data().positions, [&](vertex_id v) {
+      if (v < base_.vertex_slots() && base_.is_live_vertex(v) && mesh_.is_live_vertex(v))
+        moved.insert(v);
+    });
+    if (moved.empty())
+      return;
+    for (tet_id t = 0; t < mesh_.tet_slots(); ++t) {
+      if (!mesh_.is_live_tet(t))
+        continue;
+      const auto& v = mesh_.tet_at(t).v;
+      if (!std::ranges::any_of(v, [&](vertex_id i) { return moved.contains(i); }))
+        continue;
+      changed_.insert(t);
+      slots_.check_tet(t);
+      if (!touched_.contains(t))
+        slots_.add(ec::postcondition_failed, "untouched tets are identical", named("tet", t),
+                   "a corner moved");
+    }
+  }
+
+  void check_facets() {
+    std::unordered_set<vertex_id> rim;
+    for_each_changed(base_.data().facets, mesh_.data().facets, [&](facet_id f) {
+      if (mesh_.is_live_facet(f)) {
+        slots_.check_facet(f);
+        rim.insert(mesh_.facet(f).v.begin(), mesh_.facet(f).v.end());
+      }
+      if (f < base_.facet_slots() && base_.is_live_facet(f))
+        rim.insert(base_.facet(f).v.begin(), base_.facet(f).v.end());
+    });
+    if (rim.empty())
+      return;
+    const auto before = facets_around(base_, rim);
+    for (const auto& [v, around] : facets_around(mesh_, rim)) {
+      const auto fault = fan_fault(mesh_, v, around);
+      const auto old = before.find(v);
+      // What was not manifold before the edit is not the edit's fault.
+      if (!fault.empty() && (old == before.end() || fan_fault(base_, v, old->second).empty()))
+        slots_.add(ec::non_manifold, "boundary is a 2-manifold", named("vertex", v), fault);
+    }
+  }
+
+  void check_volume() {
+    double change = 0;
+    double largest = 0;
+    for (const auto t : changed_) {
+      if (t < base_.tet_slots() && base_.is_live_tet(t)) {
+        const double v = signed_volume(base_.corners(t));
+        change -= v;
+        largest += std::abs(v);
+      }
+      if (mesh_.is_live_tet(t)) {
+        const double v = signed_volume(mesh_.corners(t));
+        change += v;
+        largest += std::abs(v);
+      }
+    }
+    const double allowed =
+      claim_.volume_tolerance * std::max(std::abs(claim_.volume_change), largest);
+    if (!(std::abs(change - claim_.volume_change) <= allowed))
+      slots_.add(
+        ec::postcondition_failed, "volume changes as the operation says", "",
+        "it says " + number(claim_.volume_change) + " m3, the tets say " + number(change) + " m3");
+  }
+
+  void check_quality() {
+    double after = 1;
+    tet_id worst = no_id;
+    std::unordered_set<vertex_id> corners;
+    for (const auto t : touched_) {
+      if (t >= mesh_.tet_slots() || !mesh_.is_live_tet(t))
+        continue;
+      corners.insert(mesh_.tet_at(t).v.begin(), mesh_.tet_at(t).v.end());
+      const double q = radius_ratio(mesh_.corners(t));
+      if (q < after)
+        std::tie(after, worst) = std::tuple(q, t);
+    }
+    if (worst == no_id || after >= claim_.quality_floor)
+      return;
+    const double before = worst_around(base_, corners);
+    if (after < std::min(claim_.quality_floor, before) * (1 - 1e-9))
+      slots_.add(ec::postcondition_failed, "worst quality of the touched region",
+                 named("tet", worst),
+                 "q = " + number(after) + ", before " + number(before) + ", floor " +
+                   number(claim_.quality_floor));
+  }
+
+public:
+  static double worst_around(const mesh_version& mesh,
+                             const std::unordered_set<vertex_id>& corners) {
+    double worst = 1;
+    for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
+      if (!mesh.is_live_tet(t))
+        continue;
+      const auto& v = mesh.tet_at(t).v;
+      if (std::ranges::any_of(v, [&](vertex_id i) { return corners.contains(i); }))
+        worst = std::min(worst, radius_ratio(mesh.corners(t)));
+    }
+    return worst;
+  }
+
+private:
+  const mesh_version& base_;
+  const mesh_version& mesh_;
+  const edit_claim& claim_;
+  std::unordered_set<tet_id> touched_;
+  std::unordered_set<tet_id> changed_;
+  check_report report_;
+  slot_checks slots_;
+};
+
+}  // namespace
+
+check_report check_version(const mesh_version& mesh) {
+  check_report report;
+  slot_checks checks(mesh, report);
+  std::unordered_set<vertex_id> boundary;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t))
+      checks.check_tet(t);
+  for (vertex_id v = 0; v < mesh.vertex_slots(); ++v)
+    if (mesh.is_live_vertex(v))
+      checks.check_vertex(v);
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    checks.check_facet(f);
+    boundary.insert(mesh.facet(f).v.begin(), mesh.facet(f).v.end());
+  }
+  for (const auto& [v, around] : facets_around(mesh, boundary))
+    if (const auto fault = fan_fault(mesh, v, around); !fault.empty())
+      checks.add(ec::non_manifold, "boundary is a 2-manifold", named("vertex", v), fault);
+  check_counts(mesh, checks);
+  return report;
+}
+
+check_report check_edit(const mesh_version& base, const mesh_version& candidate,
+                        const edit_claim& claim) {
+  return edit_checks(base, candidate, claim).run();
+}
+
+error to_error(const check_report& report) {
+  error result{ec::postcondition_failed, {}, {}, {}};
+  if (report.ok())
+    return result;
+  const auto& first = report.findings.front();
+  result.message = "the edit was rolled back: " + first.rule + " does not hold";
+  if (!first.element.empty())
+    result.message += " at " + first.element;
+  if (!first.numbers.empty())
+    result.message += " (" + first.numbers + ")";
+  if (report.total > 1)
+    result.message += " and " + std::to_string(report.total - 1) + " more findings";
+  result.where = first.element;
+  result.remedy = "The version is unchanged; try other surfaces or parameters";
+  return result;
+}
+
+}  // namespace tedit

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "mesh/checks.hpp"
+#include "mesh/improve.hpp"
+
+namespace tedit {
+
+struct finish_settings {
+  improve_settings improve;
+  double quality_floor = 0.15;  ///< q = 3 r_in/R_circ; see `edit_claim`.
+};
+
+/// A candidate that passed every postcondition.
+struct finished_edit {
+  version_ptr version;
+  std::vector<tet_id> touched;  ///< Tets of the version that are new or changed.
+  improve_report improvement;
+  double touched_min_before = 0;  ///< Worst q of the base's tets in and around the region.
+  double touched_min_after = 0;
+  double touched_median_after = 0;
+  double improve_ms = 0;
+  double check_ms = 0;
+};
+
+/// What becomes of an operation's candidate, whoever wrote the operation: the local improvement
+/// when wanted, then the postconditions of an edit. Either all hold or nothing comes out. Errors:
+/// `postcondition_failed` with the numbers, `cancelled`.
+[[nodiscard]] expected<finished_edit> finish_edit(const version_ptr& base,
+                                                  const version_ptr& candidate,
+                                                  const edit_claim& claim, bool improve_region,
+                                                  const finish_settings& settings,
+                                                  const execution& run);
+
+}  // namespace tedit

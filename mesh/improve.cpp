@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/improve.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/local_moves.hpp"
+#include "mesh/quality.hpp"
+
+namespace tedit {
+
+namespace {
+
+/// The region with its rings: the tets that may change.
+std::unordered_set<tet_id> grow(const mesh_builder& mesh, const std::vector<tet_id>& region,
+                                int rings) {
+  std::unordered_set<tet_id> result;
+  std::unordered_set<vertex_id> frontier;
+  for (const auto t : region)
+    if (t < mesh.tet_slots() && mesh.is_live_tet(t) && result.insert(t).second)
+      frontier.insert(mesh.tet_at(t).v.begin(), mesh.tet_at(t).v.end());
+  std::unordered_set<vertex_id> done;
+  for (int ring = 0; ring < rings; ++ring) {
+    std::unordered_set<vertex_id> next;
+    for (const auto v : frontier) {
+      if (!done.insert(v).second)
+        continue;
+      for (const auto t : mesh.star(v))
+        if (result.insert(t).second)
+          next.insert(mesh.tet_at(t).v.begin(), mesh.tet_at(t).v.end());
+    }
+    frontier = std::move(next);
+  }
+  return result;
+}
+
+double worst_of(const mesh_builder& mesh, const std::unordered_set<tet_id>& tets) {
+  double worst = 1;
+  for (const auto t : tets)
+    if (mesh.is_live_tet(t))
+      worst = std::min(worst, radius_ratio(mesh.corners(t)));
+  return worst;
+}
+
+/// Tets of the set below a quality, worst first; ties by id, so that runs repeat.
+std::vector<tet_id> worst_first(const mesh_builder& mesh, const std::unordered_set<tet_id>& tets,
+                                double below) {
+  std::vector<std::pair<double, tet_id>> bad;
+  for (const auto t : tets) {
+    if (!mesh.is_live_tet(t))
+      continue;
+    const double q = radius_ratio(mesh.corners(t));
+    if (q < below)
+      bad.emplace_back(q, t);
+  }
+  std::ranges::sort(bad);
+  std::vector<tet_id> result;
+  for (const auto& [q, t] : bad)
+    result.push_back(t);
+  return result;
+}
+
+}  // namespace
+
+expected<improve_report> improve(mesh_builder& mesh, const std::vector<tet_id>& region,
+                                 const improve_settings& settings, const execution& run) {
+  local_moves moves(mesh, grow(mesh, region, settings.rings));
+  improve_report report;
+  report.min_before = worst_of(mesh, moves.allowed());
+  for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
+    bool changed = false;
+    for (const auto t : worst_first(mesh, moves.allowed(), settings.flip_below)) {
+      if (run.cancel.cancelled())
+        return fail(ec::cancelled, "the edit was cancelled");
+      if (!mesh.is_live_tet(t) || radius_ratio(mesh.corners(t)) >= settings.flip_below)
+        continue;
+      if (moves.flip(t)) {
+        ++report.flips;
+        changed = true;
+      } else if (moves.relocate_corner(t)) {
+        ++report.relocations;
+        changed = true;
+      }
+    }
+    for (const auto t : worst_first(mesh, moves.allowed(), settings.insert_below)) {
+      if (run.cancel.cancelled())
+        return fail(ec::cancelled, "the edit was cancelled");
+      if (!mesh.is_live_tet(t) || radius_ratio(mesh.corners(t)) >= settings.insert_below)
+        continue;
+      if (moves.insert_vertex(t)) {
+        ++report.insertions;
+        changed = true;
+      }
+    }
+    if (!changed)
+      break;
+  }
+  report.min_after = worst_of(mesh, moves.allowed());
+  return report;
+}
+
+}  // namespace tedit

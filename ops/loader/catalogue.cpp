@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/loader/catalogue.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/child_process.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+using query_function = const plugin_descriptor* (*)();
+
+/// Empty when the descriptor fits this host, else what does not.
+std::string descriptor_fault(const plugin_descriptor* d) {
+  if (!d || d->magic != plugin_magic)
+    return "it is no TEdit plugin (wrong magic number)";
+  if (d->descriptor_size != sizeof(plugin_descriptor))
+    return "its descriptor has " + std::to_string(d->descriptor_size) + " bytes, this host's has " +
+           std::to_string(sizeof(plugin_descriptor));
+  if (d->sdk_major != sdk_major || d->sdk_minor > sdk_minor)
+    return "it was built for SDK " + std::to_string(d->sdk_major) + "." +
+           std::to_string(d->sdk_minor) + ", this host offers " + std::to_string(sdk_major) + "." +
+           std::to_string(sdk_minor);
+  if (!d->compiler || std::strcmp(d->compiler, compiler_tag) != 0)
+    return std::string("it was built with ") + (d->compiler ? d->compiler : "an unnamed compiler") +
+           ", this host with " + compiler_tag;
+  if (!d->create || !d->destroy || !d->plugin_name || !d->plugin_version || d->operation_count == 0)
+    return "its descriptor is incomplete";
+  return {};
+}
+
+}  // namespace
+
+expected<void> catalogue::load_file(const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& reason) {
+    refused_.push_back({file, reason});
+    return fail(ec::plugin_refused, "the plugin " + file.string() + " is not used: " + reason,
+                "Rebuild it against this version, or remove it");
+  };
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library)
+    return refuse(dlerror());
+  const auto query = reinterpret_cast<query_function>(dlsym(library, "tedit_plugin_query"));
+  if (!query)
+    return refuse("it has no entry tedit_plugin_query");
+  const auto* descriptor = query();
+  if (const auto fault = descriptor_fault(descriptor); !fault.empty())
+    return refuse(fault);
+  try {
+    std::vector<entry> fresh;
+    for (std::uint32_t i = 0; i < descriptor->operation_count; ++i) {
+      auto* made = descriptor->create(i);
+      if (!made)
+        return refuse("operation " + std::to_string(i) + " could not be made");
+      std::shared_ptr<const operation> code(
+        made, [descriptor](const operation* p) { descriptor->destroy(const_cast<operation*>(p)); });
+      auto description = code->describe();
+      const auto same = [&](const entry& e) { return e.description.id == description.id; };
+      if (std::ranges::any_of(entries_, same) || std::ranges::any_of(fresh, same))
+        return refuse("the operation id " + description.id + " is taken already");
+      fresh.push_back({std::move(description), std::move(code), file,
+                       std::string(descriptor->plugin_name) + " " + descriptor->plugin_version});
+    }
+    std::ranges::move(fresh, std::back_inserter(entries_));
+  } catch (const std::exception& e) {
+    return refuse(std::string("it failed while it was loaded: ") + e.what());
+  }
+  return {};
+}
+
+void catalogue::load_directory(const std::filesystem::path& folder) {
+  std::error_code code;
+  std::vector<std::filesystem::path> files;
+  for (const auto& item : std::filesystem::directory_iterator(folder, code))
+    if (item.path().extension() == ".so")
+      files.push_back(item.path());
+  std::ranges::sort(files);
+  for (const auto& file : files)
+    (void)load_file(file);  // A refusal is noted in refused().
+}
+
+expected<const catalogue::entry*> catalogue::find(const std::string& id) const {
+  std::vector<std::string> ids;
+  for (const auto& e : entries_) {
+    if (e.description.id == id)
+      return &e;
+    ids.push_back(e.description.id);
+  }
+  const auto near = nearest_name(id, ids);
+  return fail(ec::operation_not_found, "there is no operation \"" + id + "\"",
+              near.empty() ? "\"tedit ops\" lists those that there are"
+                           : "Did you mean " + near + "? \"tedit ops\" lists all");
+}
+
+catalogue load_default_catalogue() {
+  catalogue result;
+  if (const char* path = std::getenv("TEDIT_PLUGIN_PATH")) {
+    std::string_view left = path;
+    while (!left.empty()) {
+      const auto end = std::min(left.find(':'), left.size());
+      if (end > 0)
+        result.load_directory(left.substr(0, end));
+      left.remove_prefix(std::min(end + 1, left.size()));
+    }
+  }
+  result.load_directory(executable_folder() / "../lib/tedit/plugins");
+  if (const char* data = std::getenv("XDG_DATA_HOME"))
+    result.load_directory(std::filesystem::path(data) / "tedit/plugins");
+  else if (const char* home = std::getenv("HOME"))
+    result.load_directory(std::filesystem::path(home) / ".local/share/tedit/plugins");
+  return result;
+}
+
+expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
+                                    const mesh_version& mesh, const selection& picked,
+                                    const parameters& given, context& ctx) {
+  const auto found = plugins.find(id);
+  if (!found)
+    return fail(found.error());
+  const auto& entry = **found;
+  auto values = complete_parameters(entry.description, given);
+  if (!values)
+    return fail(values.error());
+  const auto& wanted = entry.description.selection;
+  if (picked.surfaces.size() < wanted.minimum)
+    return fail(ec::empty_selection,
+                entry.description.name + " needs at least " + std::to_string(wanted.minimum) +
+                  " selected surfaces",
+                wanted.help);
+  if (wanted.maximum > 0 && picked.surfaces.size() > wanted.maximum)
+    return fail(ec::invalid_argument, entry.description.name + " takes at most " +
+                                        std::to_string(wanted.maximum) + " surfaces");
+  for (const auto surface : picked.surfaces)
+    if (!mesh.find_surface(surface))
+      return fail(ec::surface_not_found,
+                  "surface " + std::to_string(surface) + " is not in this version of the mesh",
+                  "\"tedit info\" lists the surfaces");
+  try {
+    return entry.code->apply(mesh, picked, *values, ctx);
+  } catch (const std::bad_alloc&) {
+    return fail(ec::out_of_memory, entry.plugin + " ran out of memory");
+  } catch (const std::exception& e) {
+    return fail(ec::internal, entry.plugin + " failed: " + e.what(),
+                "The version is unchanged; report this to the plugin's author");
+  }
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+#include "ops/loader/catalogue.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%g", value);
+  return text;
+}
+
+tl::unexpected<error> wrong(const parameter_description& p, const std::string& why) {
+  std::string remedy = p.help;
+  if (p.min && p.max)
+    remedy = "It takes " + number(*p.min) + " to " + number(*p.max) + " " + p.unit;
+  if (!p.choices.empty()) {
+    remedy = "Choose one of";
+    for (const auto& choice : p.choices)
+      remedy += " " + choice;
+  }
+  return fail(ec::invalid_parameter, "parameter " + p.id + ": " + why, remedy);
+}
+
+template <class T>
+bool parse_number(const std::string& text, T& value) {
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return code == std::errc{} && end == text.data() + text.size();
+}
+
+/// A value given as text takes the parameter's type.
+expected<parameter_value> typed(const parameter_description& p, const parameter_value& given) {
+  const auto* text = std::get_if<std::string>(&given);
+  switch (p.type) {
+    case parameter_type::boolean:
+      if (std::holds_alternative<bool>(given))
+        return given;
+      if (text && (*text == "true" || *text == "yes" || *text == "1"))
+        return parameter_value(true);
+      if (text && (*text == "false" || *text == "no" || *text == "0"))
+        return parameter_value(false);
+      return wrong(p, "it is true or false");
+    case parameter_type::integer: {
+      std::int64_t value = 0;
+      if (const auto* whole = std::get_if<std::int64_t>(&given))
+        return parameter_value(*whole);
+      if (const auto* real = std::get_if<double>(&given);
+          real && *real == std::floor(*real) && std::abs(*real) < 9e15)
+        return parameter_value(static_cast<std::int64_t>(*real));
+      if (text && parse_number(*text, value))
+        return parameter_value(value);
+      return wrong(p, "it is a whole number");
+    }
+    case parameter_type::real: {
+      double value = 0;
+      if (const auto* whole = std::get_if<std::int64_t>(&given))
+        return parameter_value(static_cast<double>(*whole));
+      if (std::holds_alternative<double>(given))
+        return given;
+      if (text && parse_number(*text, value))
+        return parameter_value(value);
+      return wrong(p, "it is a number");
+    }
+    case parameter_type::text:
+    case parameter_type::choice:
+      if (text)
+        return given;
+      return wrong(p, "it is a text");
+  }
+  return wrong(p, "its type is unknown");
+}
+
+expected<void> check_range(const parameter_description& p, const parameter_value& value) {
+  if (p.type == parameter_type::choice &&
+      std::ranges::find(p.choices, std::get<std::string>(value)) == p.choices.end())
+    return wrong(p, "\"" + std::get<std::string>(value) + "\" is no choice");
+  double real = 0;
+  if (const auto* whole = std::get_if<std::int64_t>(&value))
+    real = static_cast<double>(*whole);
+  else if (const auto* given = std::get_if<double>(&value))
+    real = *given;
+  else
+    return {};
+  if (!std::isfinite(real))
+    return wrong(p, "it is not a finite number");
+  if ((p.min && real < *p.min) || (p.max && real > *p.max))
+    return wrong(p, number(real) + " is out of range");
+  return {};
+}
+
+}  // namespace
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
+  for (const auto& candidate : candidates) {
+    std::vector<std::size_t> row(candidate.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      std::size_t diagonal = std::exchange(row[0], i + 1);
+      for (std::size_t j = 0; j < candidate.size(); ++j) {
+        const std::size_t change = diagonal + (name[i] != candidate[j]);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
+      }
+    }
+    if (row.back() < least) {
+      least = row.back();
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+expected<parameters> complete_parameters(const operation_description& description,
+                                         const parameters& given) {
+  std::vector<std::string> names;
+  parameters result;
+  for (const auto& p : description.parameters) {
+    names.push_back(p.id);
+    const auto found = given.find(p.id);
+    auto value = typed(p, found == given.end() ? p.default_value : found->second);
+    if (!value)
+      return fail(value.error());
+    if (auto ok = check_range(p, *value); !ok)
+      return fail(ok.error());
+    result[p.id] = std::move(*value);
+  }
+  for (const auto& [name, value] : given) {
+    if (result.contains(name))
+      continue;
+    const auto near = nearest_name(name, names);
+    return fail(ec::invalid_parameter, description.id + " has no parameter \"" + name + "\"",
+                near.empty() ? "\"tedit ops " + description.id + "\" lists its parameters"
+                             : "Did you mean " + near + "?");
+  }
+  return result;
+}
+
+}  // namespace tedit::ops

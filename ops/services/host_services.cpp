@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/services/host_services.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+class host_services final : public services {
+public:
+  expected<tet_filling> tetrahedralise(const closed_surface& shell, const execution& run) override {
+    return tetrahedralise_surface(shell, run);
+  }
+
+  expected<planar_filling> triangulate(const planar_polygon& polygon, double spacing) override {
+    return triangulate_polygon(polygon, spacing);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<services> make_host_services() {
+  return std::make_unique<host_services>();
+}
+
+}  // namespace tedit::ops

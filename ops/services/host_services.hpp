@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// The host's services: CGAL for planar triangulation, the program `tedit-tetgen` for tets. It is
+/// looked for in $TEDIT_LIBEXEC, else beside the running executable.
+[[nodiscard]] std::unique_ptr<services> make_host_services();
+
+// -- the two, apart (each in its own .cpp) ---------------------------------------------
+
+[[nodiscard]] expected<planar_filling> triangulate_polygon(const planar_polygon& polygon,
+                                                           double spacing);
+
+[[nodiscard]] expected<tet_filling> tetrahedralise_surface(const closed_surface& shell,
+                                                           const execution& run);
+
+}  // namespace tedit::ops
