@@ -53,7 +53,9 @@ int main(int argc, char** argv) {
   app.add_flag("-q,--quiet", session.quiet, "No progress and notices on stderr");
 
   tedit::cli::add_info(app, chosen);
+  tedit::cli::add_edit(app, chosen);
   tedit::cli::add_solve(app, chosen);
+  tedit::cli::add_ops(app, chosen);
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/stopwatch.hpp"
+#include "cli/command.hpp"
+#include "cli/local_edit.hpp"
+#include "mesh/io/import.hpp"
+#include "mesh/io/msh_writer.hpp"
+#include "mesh/io/stl_writer.hpp"
+#include "protocol/convert.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+struct edit_options {
+  std::string mesh;
+  edit_request request;
+  std::vector<std::string> pairs;
+  std::string load_case;
+  std::string output;
+  std::string length_unit = "mm";
+};
+
+int run_edit(const edit_options& options, session& s) {
+  stopwatch clock;
+  auto request = options.request;
+  auto parameters = parse_parameters(options.pairs);
+  if (!parameters)
+    return print_error(s, parameters.error());
+  request.parameters = std::move(*parameters);
+  std::vector<fem::load_case> load_cases;
+  if (!options.load_case.empty()) {
+    auto loads = protocol::load_case_from_file(options.load_case);
+    if (!loads)
+      return print_error(s, loads.error());
+    load_cases.push_back(std::move(*loads));
+  }
+  const auto imported = import_mesh(options.mesh, options.length_unit);
+  if (!imported)
+    return print_error(s, imported.error());
+  for (const auto& warning : imported->warnings)
+    notice(s, "note: " + warning);
+  const double import_ms = clock.restart();
+  const auto plugins = ops::load_default_catalogue();
+  const auto outcome =
+    apply_edit(plugins, imported->version, request, load_cases, make_execution(s));
+  if (!outcome)
+    return print_error(s, outcome.error());
+  clock.restart();
+  if (!options.output.empty()) {
+    const bool stl = std::filesystem::path(options.output).extension() == ".stl";
+    const auto written = stl ? write_stl(options.output, *outcome->version, options.length_unit)
+                             : write_msh(options.output, *outcome->version, options.length_unit);
+    if (!written)
+      return print_error(s, written.error());
+  }
+  auto json = to_json(*imported->version, *outcome);
+  json["timings_ms"]["import"] = import_ms;
+  json["timings_ms"]["export"] = clock.milliseconds();
+  print_result(s, json, describe(*outcome));
+  return 0;
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, action& chosen) {
+  auto options = std::make_shared<edit_options>();
+  auto* command = app.add_subcommand("edit", "Apply one operation to a mesh");
+  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("--op", options->request.operation, "The operation; \"tedit ops\" lists them")
+    ->required();
+  command->add_option("--surfaces", options->request.surfaces, "Surface ids, separated by commas")
+    ->delimiter(',');
+  command->add_option("--param", options->pairs, "A parameter as NAME=VALUE; may be repeated");
+  command->add_option("--load-case", options->load_case,
+                      "Say what the edit does to this load case (JSON)");
+  command->add_option("-o,--output", options->output,
+                      "Write the new mesh: .msh (MSH 4.1 binary) or .stl (boundary)");
+  command->add_option("--length-unit", options->length_unit, "Unit of coordinates in both files")
+    ->capture_default_str();
+  command->callback(
+    [options, &chosen] { chosen = [options](session& s) { return run_edit(*options, s); }; });
+}
+
+}  // namespace tedit::cli
