@@ -20,7 +20,6 @@ namespace tedit::cli {
 struct session {
   bool json = false;    ///< One JSON object on stdout, nothing else.
   bool quiet = false;   ///< No progress on stderr.
-  std::string program;  ///< Path of this executable.
   cancel_token cancel;  ///< Set by SIGINT and SIGTERM.
 };
 
@@ -34,8 +33,6 @@ void add_edit(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);
 void add_run(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
-void add_serve(CLI::App& app, action& chosen);
-void add_worker(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);
 
 // -- output ------------------------------------------------------------------------

@@ -39,7 +39,6 @@ constexpr auto footer =
 
 int main(int argc, char** argv) {
   tedit::cli::session session;
-  session.program = argv[0];
   tedit::cli::action chosen;
 
   CLI::App app{
@@ -55,7 +54,10 @@ int main(int argc, char** argv) {
   tedit::cli::add_info(app, chosen);
   tedit::cli::add_edit(app, chosen);
   tedit::cli::add_solve(app, chosen);
+  tedit::cli::add_run(app, chosen);
+  tedit::cli::add_render(app, chosen);
   tedit::cli::add_ops(app, chosen);
+  tedit::cli::add_doctor(app, chosen);
 
   try {
     app.parse(argc, argv);

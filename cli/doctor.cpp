@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/child_process.hpp"
+#include "cli/command.hpp"
+#include "fem/solver.hpp"
+#include "ops/loader/catalogue.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+struct check_row {
+  std::string name;
+  bool ok = true;
+  std::string text;
+};
+
+check_row check_program(const std::string& name, const std::string& what) {
+  const auto path = executable_folder() / name;
+  const bool there = access(path.c_str(), X_OK) == 0;
+  return {name, there, there ? path.string() : "missing: " + what};
+}
+
+std::vector<check_row> check_all() {
+  std::vector<check_row> rows;
+  rows.push_back(check_program("tedit-tetgen", "operations cannot mesh new volume"));
+  rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
+  for (const auto& device : fem::list_devices())
+    rows.push_back({"device " + device.name, true, device.kind + ", " + device.driver});
+  const auto plugins = ops::load_default_catalogue();
+  for (const auto& entry : plugins.entries())
+    rows.push_back({"operation " + entry.description.id, true, entry.plugin});
+  if (plugins.entries().empty())
+    rows.push_back({"operations", false, "none found; set TEDIT_PLUGIN_PATH"});
+  for (const auto& refused : plugins.refused())
+    rows.push_back({"plugin " + refused.file.filename().string(), false, refused.reason});
+  return rows;
+}
+
+int run_doctor(session& s) {
+  utsname system{};
+  uname(&system);
+  auto rows = check_all();
+  nlohmann::ordered_json json{{"version", TEDIT_VERSION},
+                              {"system", std::string(system.sysname) + " " + system.release},
+                              {"checks", nlohmann::ordered_json::array()}};
+  std::string text = std::string("TEdit ") + TEDIT_VERSION + " on " + system.sysname + " " +
+                     system.release + " (" + system.machine + ")\n";
+  bool ok = true;
+  for (const auto& row : rows) {
+    ok = ok && row.ok;
+    json["checks"].push_back({{"name", row.name}, {"ok", row.ok}, {"text", row.text}});
+    text += std::string(row.ok ? "  ok    " : "  FAIL  ") + row.name + ": " + row.text + "\n";
+  }
+  json["ok"] = ok;
+  print_result(s, json, text);
+  return ok ? 0 : 1;
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& app, action& chosen) {
+  auto* command = app.add_subcommand("doctor", "Check programs, devices and plugins");
+  command->callback([&chosen] { chosen = run_doctor; });
+}
+
+}  // namespace tedit::cli

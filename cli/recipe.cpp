@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/recipe.hpp"
+
+#include <fstream>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace tedit::cli {
+
+namespace {
+
+using nlohmann::json;
+
+/// Reads one step; unknown fields are errors, so that a typing mistake does not pass silently.
+class step_reader {
+public:
+  step_reader(const json& body, std::string where, std::filesystem::path folder)
+      : body_(body), where_(std::move(where)), folder_(std::move(folder)) {}
+
+  std::string text(const char* field, const std::string& fallback, bool needed = false) {
+    known_.insert(field);
+    if (!body_.contains(field)) {
+      if (needed)
+        throw error{ec::bad_input, where_ + " needs \"" + field + "\"", {}, {}};
+      return fallback;
+    }
+    if (!body_[field].is_string())
+      throw error{ec::bad_input, where_ + ": \"" + field + "\" must be a text", {}, {}};
+    return body_[field].get<std::string>();
+  }
+
+  std::filesystem::path path(const char* field) { return folder_ / text(field, {}, true); }
+
+  std::vector<surface_id> surfaces() {
+    known_.insert("surfaces");
+    std::vector<surface_id> result;
+    for (const auto& id : body_.value("surfaces", json::array())) {
+      if (!id.is_number_integer())
+        throw error{ec::bad_input, where_ + ": \"surfaces\" must list whole numbers", {}, {}};
+      result.push_back(id.get<surface_id>());
+    }
+    return result;
+  }
+
+  ops::parameters parameters() {
+    known_.insert("parameters");
+    ops::parameters result;
+    const auto given = body_.value("parameters", json::object());
+    for (const auto& [name, value] : given.items()) {
+      if (value.is_boolean())
+        result[name] = value.get<bool>();
+      else if (value.is_number_integer())
+        result[name] = value.get<std::int64_t>();
+      else if (value.is_number())
+        result[name] = value.get<double>();
+      else if (value.is_string())
+        result[name] = value.get<std::string>();
+      else
+        throw error{
+          ec::bad_input, where_ + ": parameter \"" + name + "\" has no simple value", {}, {}};
+    }
+    return result;
+  }
+
+  void finish() const {
+    for (const auto& [name, value] : body_.items())
+      if (!known_.contains(name))
+        throw error{ec::bad_input, where_ + " has an unknown field \"" + name + "\"", {}, {}};
+  }
+
+private:
+  const json& body_;
+  std::string where_;
+  std::filesystem::path folder_;
+  std::set<std::string> known_;
+};
+
+recipe_step make_step(const std::string& kind, step_reader& in) {
+  if (kind == "import")
+    return import_step{in.path("mesh"), in.text("length_unit", "mm")};
+  if (kind == "load_case")
+    return load_case_step{in.path("file")};
+  if (kind == "edit")
+    return edit_step{{in.text("operation", {}, true), in.surfaces(), in.parameters()}};
+  if (kind == "undo")
+    return undo_step{};
+  if (kind == "redo")
+    return redo_step{};
+  if (kind == "solve")
+    return solve_step{};
+  return export_step{in.text("vtu", {}), in.text("png", {}), in.text("msh", {}), in.text("stl", {}),
+                     in.text("title", {})};
+}
+
+recipe parse(const json& body, const std::filesystem::path& folder) {
+  static const std::set<std::string> kinds{"import", "load_case", "edit",  "undo",
+                                           "redo",   "solve",     "export"};
+  recipe result;
+  if (!body.is_object() || !body.contains("steps") || !body["steps"].is_array())
+    throw error{ec::bad_input, "a recipe is an object with a list \"steps\"", {}, {}};
+  for (const auto& [name, value] : body.items())
+    if (name != "name" && name != "device" && name != "tolerance" && name != "steps")
+      throw error{ec::bad_input, "the recipe has an unknown field \"" + name + "\"", {}, {}};
+  result.name = body.value("name", std::string{});
+  result.device = body.value("device", std::string("auto"));
+  result.tolerance = body.value("tolerance", 1e-6);
+  std::size_t number = 0;
+  for (const auto& step : body["steps"]) {
+    const std::string where = "step " + std::to_string(++number);
+    if (!step.is_object() || step.size() != 1 || !kinds.contains(step.begin().key()))
+      throw error{ec::bad_input,
+                  where + " must be one of import, load_case, edit, undo, redo, solve, export",
+                  {},
+                  {}};
+    const auto kind = step.begin().key();
+    if (!step.begin().value().is_object())
+      throw error{ec::bad_input, where + ": write {\"" + kind + "\": {...}}", {}, {}};
+    step_reader in(step.begin().value(), where + " (" + kind + ")", folder);
+    result.steps.push_back(make_step(kind, in));
+    in.finish();
+  }
+  return result;
+}
+
+}  // namespace
+
+expected<recipe> read_recipe(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in)
+    return fail(ec::io_error, "cannot read the recipe " + file.string(),
+                "Check the path and its permissions");
+  try {
+    return parse(json::parse(in), file.parent_path());
+  } catch (const error& e) {
+    return fail(e.code, e.message, "See docs/recipes.md", file.string());
+  } catch (const json::exception& e) {
+    return fail(ec::bad_input, std::string("this is no JSON: ") + e.what(), "See docs/recipes.md",
+                file.string());
+  }
+}
+
+}  // namespace tedit::cli

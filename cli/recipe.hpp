@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/local_edit.hpp"
+
+namespace tedit::cli {
+
+// The steps of a recipe, in the order of its file.
+struct import_step {
+  std::filesystem::path mesh;
+  std::string length_unit = "mm";
+};
+struct load_case_step {
+  std::filesystem::path file;
+};
+struct edit_step {
+  edit_request request;
+};
+struct undo_step {};
+struct redo_step {};
+struct solve_step {};
+/// Files with `{version}` in their names get the number of the version in the session (0 is the
+/// imported one).
+struct export_step {
+  std::string vtu;
+  std::string png;
+  std::string msh;
+  std::string stl;
+  std::string title;
+};
+
+using recipe_step = std::variant<import_step, load_case_step, edit_step, undo_step, redo_step,
+                                 solve_step, export_step>;
+
+/// A list of steps that `tedit run` carries out; docs/recipes.md describes the file.
+struct recipe {
+  std::string name;
+  std::string device = "auto";
+  double tolerance = 1e-6;
+  std::vector<recipe_step> steps;
+};
+
+/// Reads a recipe; paths in it are relative to its folder. Errors: `io_error`, `bad_input` naming
+/// the step and the field.
+[[nodiscard]] expected<recipe> read_recipe(const std::filesystem::path& file);
+
+}  // namespace tedit::cli

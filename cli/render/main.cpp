@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/render/scene.hpp"
+
+namespace {
+
+int report(const tedit::error& e) {
+  std::cerr << "tedit render: " << tedit::render(e) << '\n';
+  return tedit::exit_status(e.code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tedit::picture::picture_options options;
+  std::vector<double> range;
+  std::vector<int> size;
+  CLI::App app{"Draw the boundary of a VTU file coloured by a field, as PNG."};
+  app.name("tedit render");
+  app.add_option("input", options.input, "VTU file, for example from \"tedit solve -o\"")
+    ->required();
+  app.add_option("-o,--output", options.output, "PNG file")->required();
+  app.add_option("--field", options.field, "Point field; vectors show their length")
+    ->capture_default_str();
+  app.add_option("--unit", options.unit, "Unit in the legend")->capture_default_str();
+  app.add_option("--scale", options.scale, "Field value times this is in the unit")
+    ->capture_default_str();
+  app.add_option("--range", range, "Legend from MIN to MAX, in the unit")
+    ->expected(2)
+    ->delimiter(',');
+  app.add_option("--title", options.title, "Heading");
+  app.add_option("--caption", options.caption, "Small print");
+  app.add_option("--size", size, "WIDTH HEIGHT in pixels")
+    ->expected(2)
+    ->delimiter('x')
+    ->check(CLI::Range(64, 8192));
+  app.add_option("--view", options.view, "iso, x, y, z, -x, -y or -z")
+    ->check(CLI::IsMember({"iso", "x", "y", "z", "-x", "-y", "-z"}));
+  app.add_option("--deform", options.deform, "Draw the displacement times this factor");
+  app.add_flag("--edges", options.edges, "Draw the mesh edges");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    app.exit(e);
+    return e.get_exit_code() == 0 ? 0 : 2;
+  }
+  if (range.size() == 2)
+    options.range = {range[0], range[1]};
+  if (size.size() == 2) {
+    options.width = size[0];
+    options.height = size[1];
+  }
+  const auto screen = tedit::picture::display::open();
+  if (!screen)
+    return report(screen.error());
+  if (const auto drawn = tedit::picture::draw_picture(options); !drawn)
+    return report(drawn.error());
+  return 0;
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/render/scene.hpp"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkDoubleArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkWarpVector.h>
+#include <vtkWindowToImageFilter.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace tedit::picture {
+
+namespace {
+
+// Viridis at eleven even steps (Smith & van der Walt 2015, CC0): perceptually even, readable with
+// colour blindness.
+constexpr std::array<std::array<double, 3>, 11> viridis{{{0.267, 0.005, 0.329},
+                                                         {0.283, 0.141, 0.458},
+                                                         {0.254, 0.265, 0.530},
+                                                         {0.207, 0.372, 0.553},
+                                                         {0.164, 0.471, 0.558},
+                                                         {0.128, 0.567, 0.551},
+                                                         {0.135, 0.659, 0.518},
+                                                         {0.267, 0.749, 0.441},
+                                                         {0.478, 0.821, 0.318},
+                                                         {0.741, 0.873, 0.150},
+                                                         {0.993, 0.906, 0.144}}};
+
+void fill_colours(vtkLookupTable* table) {
+  constexpr int steps = 256;
+  table->SetNumberOfTableValues(steps);
+  for (int i = 0; i < steps; ++i) {
+    const double at = 10.0 * i / (steps - 1);
+    const int low = std::min(9, static_cast<int>(at));
+    std::array<double, 3> c{};
+    for (int k = 0; k < 3; ++k)
+      c[k] = viridis[low][k] + (at - low) * (viridis[low + 1][k] - viridis[low][k]);
+    table->SetTableValue(i, c[0], c[1], c[2], 1);
+  }
+}
+
+/// The field as one number per point in the legend's unit, under the name "shown".
+expected<void> add_shown(vtkPolyData* surface, const picture_options& options) {
+  auto* field = surface->GetPointData()->GetArray(options.field.c_str());
+  if (!field) {
+    std::string known;
+    for (int i = 0; i < surface->GetPointData()->GetNumberOfArrays(); ++i)
+      known += (known.empty() ? "" : ", ") + std::string(surface->GetPointData()->GetArrayName(i));
+    return fail(ec::bad_input, "the file has no point field \"" + options.field + "\"",
+                "It has " + (known.empty() ? "none" : known), options.input);
+  }
+  vtkNew<vtkDoubleArray> shown;
+  shown->SetName("shown");
+  shown->SetNumberOfTuples(field->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < field->GetNumberOfTuples(); ++i) {
+    double sum = 0;
+    for (int c = 0; c < field->GetNumberOfComponents(); ++c)
+      sum += field->GetComponent(i, c) * field->GetComponent(i, c);
+    const double value =
+      field->GetNumberOfComponents() == 1 ? field->GetComponent(i, 0) : std::sqrt(sum);
+    shown->SetValue(i, options.scale * value);
+  }
+  surface->GetPointData()->SetScalars(shown);
+  return {};
+}
+
+void aim(vtkRenderer* renderer, const std::string& view) {
+  auto* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewUp(0, 0, 1);
+  const double sign = view.starts_with('-') ? -1 : 1;
+  if (view.ends_with('x'))
+    camera->SetPosition(sign, 0, 0);
+  else if (view.ends_with('y'))
+    camera->SetPosition(0, sign, 0);
+  else if (view.ends_with('z')) {
+    camera->SetPosition(0, 0, sign);
+    camera->SetViewUp(0, 1, 0);
+  } else
+    camera->SetPosition(-0.55, -1, 0.75);
+  renderer->ResetCamera();
+  camera->Zoom(1.35);
+  renderer->ResetCameraClippingRange();
+}
+
+void style(vtkTextProperty* text, int size, bool bold) {
+  text->SetFontFamilyToArial();
+  text->SetFontSize(size);
+  text->SetBold(bold);
+  text->SetItalic(false);
+  text->SetShadow(false);
+  text->SetColor(0.13, 0.16, 0.20);
+}
+
+void add_text(vtkRenderer* renderer, const std::string& words, double x, double y, int size,
+              bool bold) {
+  if (words.empty())
+    return;
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(words.c_str());
+  style(actor->GetTextProperty(), size, bold);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(x, y);
+  renderer->AddActor2D(actor);
+}
+
+void add_legend(vtkRenderer* renderer, vtkLookupTable* table, const picture_options& options) {
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(table);
+  bar->SetTitle(options.unit.c_str());
+  bar->SetNumberOfLabels(6);
+  bar->SetLabelFormat("%.3g");
+  bar->UnconstrainedFontSizeOn();
+  bar->SetBarRatio(0.22);
+  style(bar->GetTitleTextProperty(), options.height / 42, true);
+  style(bar->GetLabelTextProperty(), options.height / 50, false);
+  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  bar->SetPosition(0.915, 0.18);
+  bar->SetWidth(0.075);
+  bar->SetHeight(0.62);
+  renderer->AddActor2D(bar);
+}
+
+void add_surface(vtkRenderer* renderer, vtkPolyData* surface, vtkLookupTable* table, bool edges) {
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SetFeatureAngle(30);
+  normals->SplittingOn();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  mapper->SetLookupTable(table);
+  mapper->SetScalarRange(table->GetRange());
+  mapper->InterpolateScalarsBeforeMappingOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.25);
+  actor->GetProperty()->SetDiffuse(0.75);
+  actor->GetProperty()->SetSpecular(0.08);
+  if (edges) {
+    actor->GetProperty()->EdgeVisibilityOn();
+    actor->GetProperty()->SetEdgeColor(0.2, 0.22, 0.26);
+  }
+  renderer->AddActor(actor);
+
+  vtkNew<vtkFeatureEdges> sharp;
+  sharp->SetInputData(surface);
+  sharp->SetFeatureAngle(30);
+  sharp->BoundaryEdgesOff();
+  sharp->NonManifoldEdgesOff();
+  sharp->ColoringOff();
+  vtkNew<vtkPolyDataMapper> lines;
+  lines->SetInputConnection(sharp->GetOutputPort());
+  lines->ScalarVisibilityOff();
+  vtkNew<vtkActor> outline;
+  outline->SetMapper(lines);
+  outline->GetProperty()->SetColor(0.12, 0.13, 0.16);
+  outline->GetProperty()->SetLineWidth(1.2F);
+  outline->GetProperty()->SetOpacity(0.55);
+  renderer->AddActor(outline);
+}
+
+vtkSmartPointer<vtkPolyData> boundary_of(vtkUnstructuredGrid* grid, double deform) {
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  vtkNew<vtkWarpVector> warp;
+  filter->SetInputData(grid);
+  if (deform != 0 && grid->GetPointData()->HasArray("displacement_m")) {
+    grid->GetPointData()->SetActiveVectors("displacement_m");
+    warp->SetInputData(grid);
+    warp->SetScaleFactor(deform);
+    filter->SetInputConnection(warp->GetOutputPort());
+  }
+  filter->Update();
+  return filter->GetOutput();
+}
+
+}  // namespace
+
+expected<void> draw_picture(const picture_options& options) {
+  if (!std::filesystem::is_regular_file(options.input))
+    return fail(ec::io_error, "cannot read " + options.input + ": there is no such file");
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  if (!reader->CanReadFile(options.input.c_str()))
+    return fail(ec::bad_input, options.input + " is no VTU file", "\"tedit solve -o\" writes them");
+  reader->SetFileName(options.input.c_str());
+  reader->Update();
+  const auto surface = boundary_of(reader->GetOutput(), options.deform);
+  if (surface->GetNumberOfCells() == 0)
+    return fail(ec::bad_input, options.input + " holds no cells to draw");
+  if (auto ok = add_shown(surface, options); !ok)
+    return ok;
+
+  vtkNew<vtkLookupTable> table;
+  fill_colours(table);
+  std::array<double, 2> range{};
+  surface->GetPointData()->GetScalars()->GetRange(range.data());
+  if (options.range)
+    range = {options.range->first, options.range->second};
+  if (!(range[1] > range[0]))
+    range[1] = range[0] + std::max(1e-12, std::abs(range[0]) * 1e-6);
+  table->SetRange(range.data());
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->GradientBackgroundOn();
+  renderer->SetBackground(0.98, 0.98, 0.985);
+  renderer->SetBackground2(0.80, 0.83, 0.87);
+  add_surface(renderer, surface, table, options.edges);
+  add_legend(renderer, table, options);
+  add_text(renderer, options.title, 0.025, 0.935, options.height / 32, true);
+  add_text(renderer, options.caption, 0.025, 0.03, options.height / 52, false);
+  aim(renderer, options.view);
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(8);
+  window->SetSize(options.width, options.height);
+  window->AddRenderer(renderer);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(options.output.c_str());
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->Write();
+  if (writer->GetErrorCode() != 0 || !std::filesystem::exists(options.output))
+    return fail(ec::io_error, "cannot write " + options.output,
+                "Check the path and its permissions");
+  return {};
+}
+
+}  // namespace tedit::picture

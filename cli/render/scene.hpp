@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace tedit::picture {
+
+struct picture_options {
+  std::string input;   ///< VTU file.
+  std::string output;  ///< PNG file.
+  std::string field = "von_mises_pa";
+  std::string unit = "MPa";                        ///< Unit of the legend.
+  double scale = 1e-6;                             ///< Field value times this is in `unit`.
+  std::optional<std::pair<double, double>> range;  ///< In `unit`; automatic when empty.
+  std::string title;
+  std::string caption;  ///< Small print at the lower edge: what the numbers are worth.
+  int width = 1600;
+  int height = 1000;
+  std::string view = "iso";  ///< iso, x, y, z, -x, -y, -z.
+  double deform = 0;         ///< Factor on the field displacement_m; 0 for none.
+  bool edges = false;        ///< Draw the mesh.
+};
+
+/// Draws the boundary of a VTU file coloured by a field. Vectors are drawn by magnitude.
+/// Errors: `io_error`, `bad_input` naming the fields that there are.
+[[nodiscard]] expected<void> draw_picture(const picture_options& options);
+
+/// Makes sure that there is an X display: starts Xvfb when $DISPLAY is empty. Keep the object alive
+/// while drawing. Errors: `service_unavailable` naming the package.
+class display {
+public:
+  [[nodiscard]] static expected<display> open();
+  display(display&& other) noexcept : server_(std::exchange(other.server_, -1)) {}
+  display(const display&) = delete;
+  display& operator=(const display&) = delete;
+  display& operator=(display&&) = delete;
+  ~display();
+
+private:
+  explicit display(int server) : server_(server) {}
+  int server_ = -1;  ///< Process id of an Xvfb of ours.
+};
+
+}  // namespace tedit::picture
