@@ -8,46 +8,11 @@
 #include <unordered_map>
 
 #include "mesh/io/msh_cursor.hpp"
+#include "mesh/io/msh_elements.hpp"
 
 namespace tedit {
 
 namespace {
-
-/// What the reader does with an element type.
-enum class use { skip, triangle, tet, quad, refuse };
-
-struct element_kind {
-  int type;
-  int nodes;
-  use purpose;
-  const char* name;
-};
-
-// Gmsh reference manual, table of element types; the corner nodes always come first.
-constexpr element_kind element_kinds[] = {
-  {1, 2, use::skip, "line"},
-  {2, 3, use::triangle, "triangle"},
-  {3, 4, use::quad, "quadrangle"},
-  {4, 4, use::tet, "tetrahedron"},
-  {5, 8, use::refuse, "hexahedron"},
-  {6, 6, use::refuse, "prism"},
-  {7, 5, use::refuse, "pyramid"},
-  {8, 3, use::skip, "quadratic line"},
-  {9, 6, use::triangle, "quadratic triangle"},
-  {10, 9, use::quad, "quadratic quadrangle"},
-  {11, 10, use::tet, "quadratic tetrahedron"},
-  {12, 27, use::refuse, "quadratic hexahedron"},
-  {13, 18, use::refuse, "quadratic prism"},
-  {14, 14, use::refuse, "quadratic pyramid"},
-  {15, 1, use::skip, "point"},
-  {16, 8, use::quad, "8-node quadrangle"},
-  {17, 20, use::refuse, "20-node hexahedron"},
-  {18, 15, use::refuse, "15-node prism"},
-  {19, 13, use::refuse, "13-node pyramid"},
-  {21, 10, use::triangle, "cubic triangle"},
-  {26, 4, use::skip, "cubic line"},
-  {29, 20, use::tet, "cubic tetrahedron"},
-};
 
 class msh_reader {
 public:
@@ -302,7 +267,7 @@ private:
   const element_kind& kind_of(std::int64_t type) {
     for (const auto& kind : element_kinds)
       if (kind.type == type) {
-        if (kind.purpose == use::refuse)
+        if (kind.purpose == element_use::refuse)
           in_.fail_here(ec::unsupported_format,
                         std::string("the mesh holds a ") + kind.name + " (element type " +
                           std::to_string(type) + "); only tetrahedra are supported",
@@ -314,17 +279,17 @@ private:
 
   void add_element(const element_kind& kind, std::uint64_t number, std::int64_t entity, bool tagged,
                    const std::array<std::uint64_t, 4>& nodes) {
-    if (kind.purpose == use::triangle) {
+    if (kind.purpose == element_use::triangle) {
       triangles_.push_back({{nodes[0], nodes[1], nodes[2]}, entity, tagged});
-    } else if (kind.purpose == use::tet) {
+    } else if (kind.purpose == element_use::tet) {
       if (entity < INT32_MIN || entity > INT32_MAX)
         in_.fail_here(ec::bad_input, "region id " + std::to_string(entity) + " is out of range");
       tets_.push_back(nodes);
       out_.mesh.tet_numbers.push_back(number);
       out_.mesh.tet_regions.push_back(static_cast<region_id>(entity));
     }
-    quads_ += kind.purpose == use::quad;
-    higher_order_ += kind.purpose == use::tet && kind.nodes > 4;
+    quads_ += kind.purpose == element_use::quad;
+    higher_order_ += kind.purpose == element_use::tet && kind.nodes > 4;
   }
 
   void read_elements_41() {
@@ -415,7 +380,7 @@ private:
       if (n < 4)
         nodes[n] = static_cast<std::uint64_t>(node);
     }
-    const int dimension = kind.purpose == use::tet ? 3 : 2;
+    const int dimension = kind.purpose == element_use::tet ? 3 : 2;
     if (const auto name = names_.find({dimension, physical}); physical && name != names_.end())
       entity_names_[{dimension, entity}] = name->second;
     add_element(kind, static_cast<std::uint64_t>(number), entity, tags >= 2, nodes);

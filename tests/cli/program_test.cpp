@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Runs the built program as a person or a script does.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+const std::string program = TEDIT_BIN "/tedit";
+const std::string plate = TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh";
+const std::string plate_loads = TEDIT_EXAMPLES "/ctc01_plate/load_case.json";
+const std::string parts = TEDIT_TEST_DATA "/parts/";
+
+struct outcome {
+  int status = -1;
+  std::string out;
+
+  [[nodiscard]] json parsed() const { return json::parse(out, nullptr, false); }
+};
+
+outcome run(const std::string& arguments) {
+  outcome result;
+  FILE* pipe = popen((program + " " + arguments + " 2>/dev/null").c_str(), "r");
+  std::array<char, 4096> buffer;
+  while (const auto got = fread(buffer.data(), 1, buffer.size(), pipe))
+    result.out.append(buffer.data(), got);
+  const int status = pclose(pipe);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+std::filesystem::path scratch(const std::string& name) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "tedit_cli" / test->name();
+  std::filesystem::create_directories(folder);
+  return folder / name;
+}
+
+TEST(Program, HelpNamesTheCommandsAndExitStatuses) {
+  const auto help = run("--help");
+
+  EXPECT_EQ(help.status, 0);
+  for (const auto* word : {"info", "edit", "solve", "run", "render", "ops", "doctor", "130"})
+    EXPECT_THAT(help.out, HasSubstr(word));
+  for (const auto* command : {"info", "edit", "solve", "run", "render", "ops", "doctor"})
+    EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
+}
+
+TEST(Program, UsageErrorsEndWith2) {
+  EXPECT_EQ(run("").status, 2);
+  EXPECT_EQ(run("frobnicate").status, 2);
+  EXPECT_EQ(run("solve " + plate).status, 2);
+  EXPECT_EQ(run("edit " + plate + " --op fill_hole --surfaces 1 --param exact").status, 2);
+}
+
+TEST(Program, BadInputEndsWith65AndJsonNamesTheCause) {
+  const auto result = run("info --json " TEDIT_TEST_DATA "/bad/coord_nan.msh");
+
+  EXPECT_EQ(result.status, 65);
+  const auto error = result.parsed()["error"];
+  EXPECT_EQ(error["code"], "bad_input");
+  EXPECT_THAT(error["message"], HasSubstr("node 41"));
+  EXPECT_THAT(error["where"], HasSubstr("line"));
+  EXPECT_EQ(run("info /nowhere.msh").status, 65);
+}
+
+TEST(Info, HasTheDocumentedKeys) {
+  const auto result = run("info --json " + plate);
+
+  ASSERT_EQ(result.status, 0);
+  const auto info = result.parsed();
+  EXPECT_EQ(info["tets"], 21750);
+  EXPECT_EQ(info["vertices"], 5683);
+  EXPECT_EQ(info["boundary_facets"], 8398);
+  EXPECT_EQ(info["surfaces"].size(), 117u);
+  EXPECT_EQ(info["regions"].size(), 1u);
+  EXPECT_NEAR(info["volume_m3"], 0.0146833715, 1e-10);
+  EXPECT_NEAR(info["radius_ratio"]["min"], 0.17361, 1e-4);
+  EXPECT_EQ(info["version_id"].get<std::string>().size(), 32u);
+}
+
+TEST(Edit, WritesAMeshThatReadsBackAndSolves) {
+  const auto file = scratch("filled.msh");
+
+  const auto edit = run("edit --json " + plate + " --op fill_hole --surfaces 1,2 --load-case " +
+                        plate_loads + " -o " + file.string());
+
+  ASSERT_EQ(edit.status, 0) << edit.out;
+  const auto report = edit.parsed();
+  EXPECT_EQ(report["surfaces_removed"], json({1, 2}));
+  EXPECT_EQ(report["surfaces_changed"], json({3, 98}));
+  EXPECT_GT(report["volume_change_m3"], 2e-5);
+  EXPECT_GE(report["radius_ratio_touched"]["after_min"], 0.15);
+  EXPECT_EQ(report["receipt"].size(), 2u);
+  EXPECT_NE(report["from_version"], report["to_version"]);
+  const auto info = run("info --json " + file.string()).parsed();
+  EXPECT_EQ(info["surfaces"].size(), 115u);
+  const auto solve =
+    run("solve --json --device cpu " + file.string() + " --load-case " + plate_loads);
+  ASSERT_EQ(solve.status, 0);
+  EXPECT_LE(solve.parsed()["true_relative_residual"], 1e-6);
+}
+
+TEST(Edit, ARefusalNamesTheRimAndWritesNothing) {
+  const auto file = scratch("never.msh");
+
+  const auto edit =
+    run("edit --json " + parts +
+        "foot_cup/foot_cup.coarse.msh --op fill_hole --surfaces 15,91 -o " + file.string());
+
+  EXPECT_EQ(edit.status, 1);
+  EXPECT_EQ(edit.parsed()["error"]["code"], "mixed_rim");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Solve, HasTheDocumentedKeysAndWritesAField) {
+  const auto file = scratch("field.vtu");
+
+  const auto solve = run("solve --json --device cpu " + plate + " --load-case " + plate_loads +
+                         " -o " + file.string());
+
+  ASSERT_EQ(solve.status, 0);
+  const auto result = solve.parsed();
+  for (const auto* key :
+       {"version_id", "device", "element_order", "dofs", "iterations", "true_relative_residual",
+        "max_displacement_m", "compliance_j", "max_von_mises_pa", "reaction_n", "applied_n"})
+    EXPECT_TRUE(result.contains(key)) << key;
+  for (const auto* key : {"import", "assembly", "setup", "solve", "recovery", "total"})
+    EXPECT_TRUE(result["timings_ms"].contains(key)) << key;
+  EXPECT_NEAR(result["max_displacement_m"], 3.484500e-05, 1e-10);
+  EXPECT_TRUE(result["preview"]);
+  EXPECT_GT(std::filesystem::file_size(file), 1000000u);
+}
+
+TEST(Solve, AnUnheldPartEndsWith1AndSaysWhatMoves) {
+  const auto file = scratch("free.json");
+  std::ifstream in(plate_loads);
+  auto loads = json::parse(in);
+  loads["constraints"] = json::array();
+  std::ofstream(file) << loads;
+
+  const auto solve = run("solve --json --device cpu " + plate + " --load-case " + file.string());
+
+  EXPECT_EQ(solve.status, 1);
+  EXPECT_EQ(solve.parsed()["error"]["code"], "under_constrained");
+}
+
+TEST(Solve, AnInterruptEndsWith130) {
+  const pid_t child = fork();
+  if (child == 0) {
+    (void)freopen("/dev/null", "w", stdout);
+    (void)freopen("/dev/null", "w", stderr);
+    execl(program.c_str(), "tedit", "solve", (parts + "foot_cup/foot_cup.coarse.msh").c_str(),
+          "--load-case", (parts + "foot_cup/load_case.json").c_str(), "--device", "cpu",
+          "--tolerance", "1e-12", nullptr);
+    _exit(127);
+  }
+  // The signal may come before the handlers stand; then the default action ends the program.
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+
+  const bool by_handler = WIFEXITED(status) && WEXITSTATUS(status) == 130;
+  const bool by_default = WIFSIGNALED(status) && WTERMSIG(status) == SIGINT;
+  EXPECT_TRUE(by_handler || by_default) << status;
+}
+
+TEST(Run, CarriesOutARecipeWithUndo) {
+  const auto file = scratch("recipe.json");
+  std::ofstream(file) << json{{"device", "cpu"},
+                              {"steps",
+                               {{{"import", {{"mesh", plate}}}},
+                                {{"load_case", {{"file", plate_loads}}}},
+                                {{"edit", {{"operation", "fill_hole"}, {"surfaces", {1, 2}}}}},
+                                {{"undo", json::object()}},
+                                {{"solve", json::object()}},
+                                {{"export", {{"msh", "v{version}.msh"}}}}}}};
+
+  const auto result = run("run --json " + file.string() + " --out " + scratch("out").string());
+
+  ASSERT_EQ(result.status, 0);
+  const auto steps = result.parsed()["steps"];
+  // Undo gives back the very version that was imported.
+  EXPECT_EQ(steps[0]["version_id"], steps[3]["version_id"]);
+  EXPECT_EQ(steps[4]["version_id"], steps[0]["version_id"]);
+  EXPECT_TRUE(std::filesystem::exists(scratch("out") / "v0.msh"));
+}
+
+TEST(Run, ATypingMistakeInARecipeIsNamed) {
+  const auto file = scratch("recipe.json");
+  std::ofstream(file) << R"({"steps": [{"import": {"mash": "a.msh", "mesh": "a.msh"}}]})";
+
+  const auto result = run("run --json " + file.string());
+
+  EXPECT_EQ(result.status, 65);
+  EXPECT_THAT(result.parsed()["error"]["message"], HasSubstr("mash"));
+}
+
+TEST(Ops, ListsFillHoleWithItsParameters) {
+  const auto ops = run("ops --json").parsed();
+
+  ASSERT_EQ(ops["operations"].size(), 1u);
+  EXPECT_EQ(ops["operations"][0]["id"], "fill_hole");
+  EXPECT_EQ(ops["operations"][0]["parameters"].size(), 2u);
+}
+
+TEST(Doctor, FindsNothingMissing) {
+  EXPECT_TRUE(run("doctor --json").parsed().contains("checks"));
+}
+
+}  // namespace

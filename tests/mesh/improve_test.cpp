@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/improve.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/checks.hpp"
+#include "mesh/finish_edit.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit {
+namespace {
+
+/// A box whose middle vertex (13 of 27) was dragged almost onto a neighbour.
+version_ptr spoiled() {
+  return test::box_mesh({2, 2, 2}, {1, 1, 1}, [](vec3 p) {
+    return p == vec3{0.5, 0.5, 0.5} ? vec3{0.95, 0.52, 0.53} : p;
+  });
+}
+
+std::vector<tet_id> all_tets(const mesh_version& mesh) {
+  std::vector<tet_id> result(mesh.tet_slots());
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    result[t] = t;
+  return result;
+}
+
+TEST(Improve, LiftsTheWorstTetAndKeepsTheBoundary) {
+  const auto mesh = spoiled();
+  mesh_builder builder(mesh);
+
+  const auto report = improve(builder, all_tets(*mesh), {}, {});
+  const auto after = builder.freeze();
+
+  ASSERT_TRUE(report.has_value());
+  EXPECT_LT(report->min_before, 0.15);
+  EXPECT_GT(report->min_after, 0.3);
+  EXPECT_EQ(report->min_after, radius_ratios(*after).min);
+  EXPECT_TRUE(check_version(*after).ok());
+  EXPECT_NEAR(total_volume(*after), 1, 1e-14);
+  EXPECT_EQ(after->data().facets.pages().front()->bytes().size(),
+            mesh->data().facets.pages().front()->bytes().size());
+}
+
+TEST(Improve, RepeatsItself) {
+  const auto mesh = spoiled();
+  mesh_builder first(mesh);
+  mesh_builder second(mesh);
+
+  (void)improve(first, all_tets(*mesh), {}, {});
+  (void)improve(second, all_tets(*mesh), {}, {});
+
+  EXPECT_EQ(first.freeze()->id(), second.freeze()->id());
+}
+
+TEST(Improve, LeavesInterfacesBetweenRegionsAlone) {
+  raw_mesh raw;
+  const auto mesh = spoiled();
+  for (vertex_id v = 0; v < mesh->vertex_slots(); ++v)
+    raw.positions.push_back(mesh->position(v));
+  for (tet_id t = 0; t < mesh->tet_slots(); ++t) {
+    raw.tets.push_back(mesh->tet_at(t));
+    // Every second tet another material: no face may be flipped.
+    raw.tet_regions.push_back(static_cast<region_id>(t % 2));
+  }
+  const auto mixed = build_version(std::move(raw), 1)->version;
+  mesh_builder builder(mixed);
+
+  const auto report = improve(builder, all_tets(*mixed), {}, {});
+
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->relocations, 0u);
+  EXPECT_EQ(builder.freeze()->tet_count(), mixed->tet_count());
+}
+
+TEST(Improve, CancelIsObeyed) {
+  const auto mesh = spoiled();
+  mesh_builder builder(mesh);
+  execution run;
+  run.cancel.cancel();
+
+  const auto report = improve(builder, all_tets(*mesh), {}, run);
+
+  ASSERT_FALSE(report.has_value());
+  EXPECT_EQ(report.error().code, ec::cancelled);
+}
+
+TEST(FinishEdit, AFaultyCandidateGivesNoVersion) {
+  const auto base = spoiled();
+  mesh_builder builder(base);
+  builder.set_position(13, {3, 3, 3});
+  edit_claim claim;
+  claim.touched = builder.touched();
+
+  const auto finished = finish_edit(base, builder.freeze(), claim, false, {}, {});
+
+  ASSERT_FALSE(finished.has_value());
+  EXPECT_EQ(finished.error().code, ec::postcondition_failed);
+}
+
+}  // namespace
+}  // namespace tedit

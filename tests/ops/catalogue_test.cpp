@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/loader/catalogue.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tedit::ops {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path good_plugins = TEDIT_BIN "/../lib/tedit/plugins";
+const std::filesystem::path bad_plugins = TEDIT_BAD_PLUGINS;
+
+std::string refusal(const char* file) {
+  catalogue c;
+  c.load_directory(good_plugins);
+  const auto loaded = c.load_file(bad_plugins / file);
+  EXPECT_FALSE(loaded.has_value());
+  EXPECT_EQ(c.refused().size(), 1u);
+  return loaded ? "" : loaded.error().message;
+}
+
+TEST(Catalogue, LoadsTheBuiltInOperation) {
+  catalogue c;
+
+  c.load_directory(good_plugins);
+
+  ASSERT_TRUE(c.find("fill_hole").has_value());
+  EXPECT_TRUE(c.refused().empty());
+}
+
+TEST(Catalogue, EachFaultyPluginIsRefusedWithItsReason) {
+  EXPECT_THAT(refusal("no_entry.so"), HasSubstr("no entry tedit_plugin_query"));
+  EXPECT_THAT(refusal("wrong_magic.so"), HasSubstr("wrong magic number"));
+  EXPECT_THAT(refusal("newer_sdk.so"), HasSubstr("SDK 1.1, this host offers 1.0"));
+  EXPECT_THAT(refusal("other_compiler.so"), HasSubstr("built with gcc-1.0"));
+  EXPECT_THAT(refusal("throws.so"), HasSubstr("no licence file"));
+  EXPECT_THAT(refusal("duplicate.so"), HasSubstr("fill_hole is taken"));
+  EXPECT_THAT(refusal("not_there.so"), HasSubstr("not_there.so"));
+}
+
+TEST(Catalogue, AFaultyPluginDoesNotKeepTheOthersOut) {
+  catalogue c;
+
+  c.load_directory(bad_plugins);
+  c.load_directory(good_plugins);
+
+  // One of the faulty ones loads as fill_hole; the others are noted.
+  EXPECT_TRUE(c.find("fill_hole").has_value());
+  EXPECT_GE(c.refused().size(), 5u);
+}
+
+TEST(Catalogue, AnUnknownOperationNamesTheNearest) {
+  catalogue c;
+  c.load_directory(good_plugins);
+
+  const auto found = c.find("fil_hole");
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_THAT(found.error().remedy, HasSubstr("fill_hole"));
+}
+
+operation_description sample() {
+  operation_description d;
+  d.id = "sample";
+  d.parameters = {
+    {"depth", "", "", parameter_type::real, "m", 0.0, 1.0, {}, 0.5},
+    {"layers", "", "", parameter_type::integer, "", 1.0, 9.0, {}, std::int64_t{2}},
+    {"exact", "", "", parameter_type::boolean, "", {}, {}, {}, false},
+    {"side", "", "", parameter_type::choice, "", {}, {}, {"in", "out"}, std::string("in")},
+  };
+  return d;
+}
+
+TEST(Parameters, DefaultsFillWhatIsNotGiven) {
+  const auto values = complete_parameters(sample(), {{"depth", std::string("0.25")}});
+
+  ASSERT_TRUE(values.has_value());
+  EXPECT_EQ(std::get<double>(values->at("depth")), 0.25);
+  EXPECT_EQ(std::get<std::int64_t>(values->at("layers")), 2);
+  EXPECT_EQ(std::get<bool>(values->at("exact")), false);
+}
+
+TEST(Parameters, WhatDoesNotFitIsRefusedByName) {
+  const auto refused = [](const char* name, parameter_value value) {
+    const auto values = complete_parameters(sample(), {{name, std::move(value)}});
+    EXPECT_FALSE(values.has_value());
+    return values ? "" : render(values.error());
+  };
+
+  EXPECT_THAT(refused("depth", 1.5), HasSubstr("1.5 is out of range"));
+  EXPECT_THAT(refused("depth", std::string("deep")), HasSubstr("depth: it is a number"));
+  EXPECT_THAT(refused("layers", 1.5), HasSubstr("whole number"));
+  EXPECT_THAT(refused("exact", std::string("maybe")), HasSubstr("true or false"));
+  EXPECT_THAT(refused("side", std::string("up")), HasSubstr("Choose one of in out"));
+  EXPECT_THAT(refused("dept", 0.1), HasSubstr("Did you mean depth?"));
+  EXPECT_THAT(refused("depth", std::nan("")), HasSubstr("finite"));
+}
+
+}  // namespace
+}  // namespace tedit::ops

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fstream>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "mesh/finish_edit.hpp"
+#include "mesh/io/import.hpp"
+#include "mesh/quality.hpp"
+#include "ops/loader/catalogue.hpp"
+#include "ops/services/host_services.hpp"
+
+namespace tedit::ops {
+namespace {
+
+const std::filesystem::path parts_folder = TEDIT_TEST_DATA "/parts";
+
+class RealParts : public ::testing::TestWithParam<const char*> {
+protected:
+  void SetUp() override {
+    setenv("TEDIT_LIBEXEC", TEDIT_BIN, 1);
+    plugins_.load_directory(TEDIT_BIN "/../lib/tedit/plugins");
+    const auto folder = parts_folder / GetParam();
+    auto imported = import_mesh(folder / (std::string(GetParam()) + ".coarse.msh"), "mm");
+    ASSERT_TRUE(imported.has_value());
+    mesh_ = imported->version;
+    std::ifstream in(folder / "features.json");
+    features_ = nlohmann::json::parse(in);
+  }
+
+  expected<edit_result> fill(const std::vector<surface_id>& walls) {
+    context ctx;
+    ctx.host = host_.get();
+    return run_operation(plugins_, "fill_hole", *mesh_, {walls}, {}, ctx);
+  }
+
+  catalogue plugins_;
+  std::unique_ptr<services> host_ = make_host_services();
+  version_ptr mesh_;
+  nlohmann::json features_;
+};
+
+/// Holes whose rim is not flat, or part convex and part concave: refused by name.
+const std::map<std::pair<std::string, surface_id>, ec> refused{
+  {{"holes_block", 52}, ec::non_planar_rim}, {{"foot_cup", 9}, ec::non_planar_rim},
+  {{"foot_cup", 15}, ec::mixed_rim},         {{"foot_cup", 17}, ec::mixed_rim},
+  {{"fork_thin", 6}, ec::non_planar_rim},    {{"fork_thin", 12}, ec::non_planar_rim},
+};
+
+TEST_P(RealParts, EveryListedHoleIsFilledOrRefusedByName) {
+  const double before = total_volume(*mesh_);
+  for (const auto& hole : features_["holes"]) {
+    const auto walls = hole["surfaces"].get<std::vector<surface_id>>();
+    SCOPED_TRACE(hole["surfaces"].dump());
+    const auto result = fill(walls);
+    if (const auto row = refused.find({GetParam(), walls.front()}); row != refused.end()) {
+      ASSERT_FALSE(result.has_value());
+      EXPECT_EQ(result.error().code, row->second);
+      continue;
+    }
+    ASSERT_TRUE(result.has_value()) << render(result.error());
+    edit_claim claim;
+    claim.touched = result->touched;
+    claim.volume_change = result->volume_change;
+
+    const auto done = finish_edit(mesh_, result->candidate, claim, result->improve, {}, {});
+
+    ASSERT_TRUE(done.has_value()) << render(done.error());
+    EXPECT_NEAR(total_volume(*done->version), before + result->volume_change, 1e-9 * before);
+    EXPECT_GE(done->touched_min_after, std::min(0.15, done->touched_min_before) * (1 - 1e-9));
+    for (const auto id : walls)
+      EXPECT_EQ(done->version->find_surface(id), nullptr);
+  }
+}
+
+TEST_P(RealParts, AnySurfaceAloneGetsAnAnswerAndLeavesTheVersionAlone) {
+  const auto id = mesh_->id();
+  int answers = 0;
+  for (const auto& row : mesh_->surfaces()) {
+    if (row.id % 3 != 0)  // a third of them here; all of them in bench/fill_sweep --alone
+      continue;
+    const auto result = fill({row.id});
+    EXPECT_TRUE(result.has_value() || !result.error().message.empty());
+    ++answers;
+  }
+  EXPECT_GT(answers, 0);
+  EXPECT_EQ(mesh_->id(), id);
+}
+
+INSTANTIATE_TEST_SUITE_P(Open, RealParts,
+                         ::testing::Values("as1_assembly", "bracket_4040", "ctc01_plate",
+                                           "foot_cup", "fork_thin", "heatsink_125", "holes_block",
+                                           "inch_block"));
+
+}  // namespace
+}  // namespace tedit::ops
