@@ -1,16 +1,145 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "base/hash.hpp"
+#include "base/stopwatch.hpp"
 #include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
+#include "fem/vulkan/vulkan_backend.hpp"
 
 namespace tedit::fem {
 
+namespace {
+
+/// A bar of n x m x m cells for the trial: some thousand nodes, solved in a blink.
+problem trial_problem() {
+  constexpr int n = 48;
+  constexpr int m = 10;
+  problem p;
+  const auto index = [&](int x, int y, int z) {
+    return static_cast<std::uint32_t>((x * (m + 1) + y) * (m + 1) + z);
+  };
+  for (int x = 0; x <= n; ++x)
+    for (int y = 0; y <= m; ++y)
+      for (int z = 0; z <= m; ++z)
+        p.nodes.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+  // Kuhn's six tets of a cell; odd permutations have two corners swapped.
+  constexpr std::array<std::array<int, 3>, 6> paths{
+    {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
+  for (int x = 0; x < n; ++x)
+    for (int y = 0; y < m; ++y)
+      for (int z = 0; z < m; ++z)
+        for (std::size_t path = 0; path < paths.size(); ++path) {
+          std::array<int, 3> at{x, y, z};
+          std::array<std::uint32_t, 4> corner{index(x, y, z)};
+          for (int step = 0; step < 3; ++step) {
+            ++at[paths[path][step]];
+            corner[step + 1] = index(at[0], at[1], at[2]);
+          }
+          if (path >= 3)
+            std::swap(corner[2], corner[3]);
+          p.element_nodes.insert(p.element_nodes.end(), corner.begin(), corner.end());
+          p.element_tets.push_back(static_cast<tet_id>(p.element_tets.size()));
+          p.element_materials.push_back(0);
+        }
+  p.constants = {{1, 1}};
+  p.loads.assign(p.dofs(), 0);
+  p.prescribed.assign(p.dofs(), 0);
+  p.filter.assign(p.node_count(), {1, 0, 0, 1, 0, 1});
+  for (std::size_t i = 0; i < (m + 1) * (m + 1); ++i) {
+    p.filter[i] = {0, 0, 0, 0, 0, 0};
+    p.loads[3 * (p.node_count() - 1 - i) + 2] = 1;
+  }
+  return p;
+}
+
+/// Milliseconds of 100 iterations, the second time round; infinite when the device fails.
+double trial_ms(backend& device, const problem& p) {
+  const auto system = device.assemble(p, {});
+  std::vector<double> correction(p.dofs());
+  if (!system || !(*system)->solve(p.loads, correction, 1e-30, 32, {}))
+    return std::numeric_limits<double>::infinity();
+  const stopwatch clock;
+  if (!(*system)->solve(p.loads, correction, 1e-30, 100, {}))
+    return std::numeric_limits<double>::infinity();
+  return clock.milliseconds();
+}
+
+std::filesystem::path cache_file() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"))
+    return std::filesystem::path(cache) / "tedit/fastest-device";
+  const char* home = std::getenv("HOME");
+  return home ? std::filesystem::path(home) / ".cache/tedit/fastest-device"
+              : std::filesystem::path{};
+}
+
+/// What the choice depends on: the devices and their drivers.
+std::string fingerprint(const std::vector<device_info>& devices) {
+  std::string text;
+  for (const auto& device : devices)
+    text += device.name + "|" + device.driver + "\n";
+  return to_hex(hash_bytes(std::as_bytes(std::span(text))));
+}
+
+std::string measure_fastest(const std::vector<device_info>& devices) {
+  const auto p = trial_problem();
+  std::string best = "cpu";
+  double least = trial_ms(*make_native_backend(), p);
+  for (const auto& device : devices) {
+    if (device.kind == "native")
+      continue;
+    const auto opened = open_vulkan(device.name);
+    const double ms = opened ? trial_ms(**opened, p) : std::numeric_limits<double>::infinity();
+    if (ms < least) {
+      least = ms;
+      best = device.name;
+    }
+  }
+  return best;
+}
+
+std::string fastest_device() {
+  const auto devices = list_devices();
+  if (devices.size() == 1)
+    return "cpu";
+  const auto print = fingerprint(devices);
+  const auto file = cache_file();
+  std::ifstream in(file);
+  std::string known;
+  std::string name;
+  if (std::getline(in, known) && known == print && std::getline(in, name) && !name.empty())
+    return name;
+  name = measure_fastest(devices);
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  // Losing the note costs another trial, nothing else.
+  std::ofstream(file) << print << '\n' << name << '\n';
+  return name;
+}
+
+}  // namespace
+
 std::vector<device_info> list_devices() {
-  return {make_native_backend()->info()};
+  std::vector<device_info> result{make_native_backend()->info()};
+  for (auto& device : list_vulkan_devices())
+    result.push_back(std::move(device));
+  return result;
 }
 
 expected<std::unique_ptr<backend>> open_backend(const std::string& name) {
-  if (name == "cpu" || name == "auto")
+  if (name == "cpu")
     return make_native_backend();
+  if (name == "auto") {
+    const auto fastest = fastest_device();
+    return fastest == "cpu" ? make_native_backend() : open_vulkan(fastest);
+  }
+  if (auto opened = open_vulkan(name); opened || opened.error().code != ec::device_unavailable)
+    return opened;
   std::string known;
   for (const auto& device : list_devices())
     known += (known.empty() ? "" : ", ") + device.name;

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "gpu/kernels.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace tedit::gpu {
+
+// -- layout ----------------------------------------------------------------------------
+
+expected<std::shared_ptr<kernel_layout>> kernel_layout::make(std::shared_ptr<device> on,
+                                                             std::uint32_t bindings,
+                                                             std::uint32_t push_bytes,
+                                                             std::uint32_t most_sets) {
+  std::shared_ptr<kernel_layout> result(new kernel_layout);
+  result->device_ = std::move(on);
+  result->bindings_ = bindings;
+  result->push_bytes_ = push_bytes;
+  const auto& calls = result->device_->calls();
+  const auto handle = result->device_->handle();
+  std::vector<VkDescriptorSetLayoutBinding> rows(bindings);
+  for (std::uint32_t i = 0; i < bindings; ++i)
+    rows[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+  VkDescriptorSetLayoutCreateInfo set{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  set.bindingCount = bindings;
+  set.pBindings = rows.data();
+  if (const auto r = calls.vkCreateDescriptorSetLayout(handle, &set, nullptr, &result->set_layout_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "describing kernels"));
+  const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes};
+  VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  layout.setLayoutCount = 1;
+  layout.pSetLayouts = &result->set_layout_;
+  layout.pushConstantRangeCount = 1;
+  layout.pPushConstantRanges = &range;
+  if (const auto r = calls.vkCreatePipelineLayout(handle, &layout, nullptr, &result->layout_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "describing kernels"));
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bindings * most_sets};
+  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.maxSets = most_sets;
+  pool.poolSizeCount = 1;
+  pool.pPoolSizes = &size;
+  if (const auto r = calls.vkCreateDescriptorPool(handle, &pool, nullptr, &result->pool_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "describing kernels"));
+  return result;
+}
+
+kernel_layout::~kernel_layout() {
+  const auto& calls = device_->calls();
+  if (pool_)
+    calls.vkDestroyDescriptorPool(device_->handle(), pool_, nullptr);
+  if (layout_)
+    calls.vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
+  if (set_layout_)
+    calls.vkDestroyDescriptorSetLayout(device_->handle(), set_layout_, nullptr);
+}
+
+expected<VkDescriptorSet> kernel_layout::bind(std::span<const buffer* const> buffers) {
+  const auto& calls = device_->calls();
+  VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  allocate.descriptorPool = pool_;
+  allocate.descriptorSetCount = 1;
+  allocate.pSetLayouts = &set_layout_;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  if (const auto r = calls.vkAllocateDescriptorSets(device_->handle(), &allocate, &set);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "binding buffers"));
+  std::vector<VkDescriptorBufferInfo> infos(buffers.size());
+  std::vector<VkWriteDescriptorSet> writes(buffers.size());
+  for (std::uint32_t i = 0; i < buffers.size(); ++i) {
+    infos[i] = {buffers[i]->handle(), 0,
+                std::min(buffers[i]->bytes(), device_->limits().storage_buffer_range)};
+    writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    writes[i].dstSet = set;
+    writes[i].dstBinding = i;
+    writes[i].descriptorCount = 1;
+    writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    writes[i].pBufferInfo = &infos[i];
+  }
+  calls.vkUpdateDescriptorSets(device_->handle(), static_cast<std::uint32_t>(writes.size()),
+                               writes.data(), 0, nullptr);
+  return set;
+}
+
+// -- kernel ----------------------------------------------------------------------------
+
+expected<kernel> kernel::make(std::shared_ptr<kernel_layout> layout,
+                              std::span<const std::uint32_t> spirv,
+                              const std::vector<std::uint32_t>& constants) {
+  kernel result;
+  result.layout_ = std::move(layout);
+  const auto& on = *result.layout_->on();
+  VkShaderModuleCreateInfo code{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  code.codeSize = spirv.size_bytes();
+  code.pCode = spirv.data();
+  VkShaderModule module = VK_NULL_HANDLE;
+  if (const auto r = on.calls().vkCreateShaderModule(on.handle(), &code, nullptr, &module);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "loading a kernel"));
+  std::vector<VkSpecializationMapEntry> entries;
+  for (std::uint32_t i = 0; i < constants.size(); ++i)
+    entries.push_back({i, 4 * i, 4});
+  const VkSpecializationInfo values{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                    4 * constants.size(), constants.data()};
+  VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.module = module;
+  info.stage.pName = "main";
+  info.stage.pSpecializationInfo = &values;
+  info.layout = result.layout_->handle();
+  const auto r = on.calls().vkCreateComputePipelines(on.handle(), VK_NULL_HANDLE, 1, &info, nullptr,
+                                                     &result.pipeline_);
+  on.calls().vkDestroyShaderModule(on.handle(), module, nullptr);
+  if (r != VK_SUCCESS)
+    return fail(to_error(r, "loading a kernel"));
+  return result;
+}
+
+kernel& kernel::operator=(kernel&& other) noexcept {
+  std::swap(layout_, other.layout_);
+  std::swap(pipeline_, other.pipeline_);
+  return *this;
+}
+
+kernel::~kernel() {
+  if (pipeline_)
+    layout_->on()->calls().vkDestroyPipeline(layout_->on()->handle(), pipeline_, nullptr);
+}
+
+// -- commands --------------------------------------------------------------------------
+
+expected<commands> commands::begin(std::shared_ptr<kernel_layout> layout) {
+  commands result;
+  result.layout_ = std::move(layout);
+  const auto& on = *result.layout_->on();
+  VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  allocate.commandPool = on.pool();
+  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  allocate.commandBufferCount = 1;
+  if (const auto r = on.calls().vkAllocateCommandBuffers(on.handle(), &allocate, &result.buffer_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "recording commands"));
+  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, nullptr, 0};
+  if (const auto r = on.calls().vkCreateFence(on.handle(), &fence, nullptr, &result.fence_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "recording commands"));
+  const VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, nullptr, 0,
+                                      nullptr};
+  if (const auto r = on.calls().vkBeginCommandBuffer(result.buffer_, &info); r != VK_SUCCESS)
+    return fail(to_error(r, "recording commands"));
+  return result;
+}
+
+commands::commands(commands&& other) noexcept
+    : layout_(std::move(other.layout_)),
+      buffer_(std::exchange(other.buffer_, VK_NULL_HANDLE)),
+      fence_(std::exchange(other.fence_, VK_NULL_HANDLE)) {}
+
+commands::~commands() {
+  if (!layout_)
+    return;
+  const auto& on = *layout_->on();
+  if (fence_)
+    on.calls().vkDestroyFence(on.handle(), fence_, nullptr);
+  if (buffer_)
+    on.calls().vkFreeCommandBuffers(on.handle(), on.pool(), 1, &buffer_);
+}
+
+void commands::use(VkDescriptorSet set) {
+  layout_->on()->calls().vkCmdBindDescriptorSets(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE,
+                                                 layout_->handle(), 0, 1, &set, 0, nullptr);
+}
+
+void commands::barrier() {
+  VkMemoryBarrier all{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+  all.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
+  all.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                      VK_ACCESS_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_TRANSFER_READ_BIT |
+                      VK_ACCESS_TRANSFER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT;
+  const VkPipelineStageFlags work =
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+  layout_->on()->calls().vkCmdPipelineBarrier(
+    buffer_, work, work | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+    &all, 0, nullptr, 0, nullptr);
+}
+
+void commands::dispatch(const kernel& k, std::uint32_t groups, const void* push) {
+  const auto& calls = layout_->on()->calls();
+  calls.vkCmdBindPipeline(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, k.handle());
+  calls.vkCmdPushConstants(buffer_, layout_->handle(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           layout_->push_bytes(), push);
+  calls.vkCmdDispatch(buffer_, groups, 1, 1);
+  barrier();
+}
+
+void commands::dispatch_indirect(const kernel& k, const buffer& counts, const void* push) {
+  const auto& calls = layout_->on()->calls();
+  calls.vkCmdBindPipeline(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, k.handle());
+  calls.vkCmdPushConstants(buffer_, layout_->handle(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           layout_->push_bytes(), push);
+  calls.vkCmdDispatchIndirect(buffer_, counts.handle(), 0);
+  barrier();
+}
+
+void commands::copy(const buffer& from, std::uint64_t from_offset, const buffer& to,
+                    std::uint64_t to_offset, std::uint64_t bytes) {
+  const VkBufferCopy region{from_offset, to_offset, bytes};
+  layout_->on()->calls().vkCmdCopyBuffer(buffer_, from.handle(), to.handle(), 1, &region);
+  barrier();
+}
+
+expected<void> commands::end() {
+  if (const auto r = layout_->on()->calls().vkEndCommandBuffer(buffer_); r != VK_SUCCESS)
+    return fail(to_error(r, "recording commands"));
+  return {};
+}
+
+expected<void> commands::run() {
+  const auto& on = *layout_->on();
+  VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+  submit.commandBufferCount = 1;
+  submit.pCommandBuffers = &buffer_;
+  if (const auto r = on.calls().vkResetFences(on.handle(), 1, &fence_); r != VK_SUCCESS)
+    return fail(to_error(r, "submitting work"));
+  if (const auto r = on.calls().vkQueueSubmit(on.queue(), 1, &submit, fence_); r != VK_SUCCESS)
+    return fail(to_error(r, "submitting work"));
+  constexpr std::uint64_t two_seconds = 2'000'000'000;
+  for (int waits = 0; waits < 30; ++waits) {
+    const auto r = on.calls().vkWaitForFences(on.handle(), 1, &fence_, VK_TRUE, two_seconds);
+    if (r == VK_SUCCESS)
+      return {};
+    if (r != VK_TIMEOUT)
+      return fail(to_error(r, "working"));
+  }
+  return fail(ec::device_lost, "the device has not answered for 60 s", "Use --device cpu");
+}
+
+// -- transfers -------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::uint64_t staging_bytes = 32ull << 20;
+
+}  // namespace
+
+expected<void> upload(const std::shared_ptr<kernel_layout>& layout, buffer& to,
+                      std::span<const std::byte> bytes) {
+  auto staging = buffer::make(layout->on(), std::min<std::uint64_t>(bytes.size(), staging_bytes),
+                              buffer::place::host);
+  if (!staging)
+    return fail(staging.error());
+  for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
+    const auto part = bytes.subspan(at, std::min<std::uint64_t>(staging_bytes, bytes.size() - at));
+    std::memcpy(staging->mapped().data(), part.data(), part.size());
+    auto work = commands::begin(layout);
+    if (!work)
+      return fail(work.error());
+    work->copy(*staging, 0, to, at, part.size());
+    if (auto ok = work->end(); !ok)
+      return ok;
+    if (auto ok = work->run(); !ok)
+      return ok;
+  }
+  return {};
+}
+
+expected<void> download(const std::shared_ptr<kernel_layout>& layout, const buffer& from,
+                        std::span<std::byte> bytes) {
+  auto staging = buffer::make(layout->on(), std::min<std::uint64_t>(bytes.size(), staging_bytes),
+                              buffer::place::host);
+  if (!staging)
+    return fail(staging.error());
+  for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
+    const auto part = bytes.subspan(at, std::min<std::uint64_t>(staging_bytes, bytes.size() - at));
+    auto work = commands::begin(layout);
+    if (!work)
+      return fail(work.error());
+    work->copy(from, at, *staging, 0, part.size());
+    if (auto ok = work->end(); !ok)
+      return ok;
+    if (auto ok = work->run(); !ok)
+      return ok;
+    std::memcpy(part.data(), staging->mapped().data(), part.size());
+  }
+  return {};
+}
+
+}  // namespace tedit::gpu
