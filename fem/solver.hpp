@@ -12,7 +12,7 @@ struct solve_settings {
   double tolerance =
     1e-6;  ///< True relative residual |S(f - Ku)| / |S(f - K z)| of a final result.
   double inner_reduction =
-    1e-2;  ///< Reduction of each inner solve; fp32 allows no more than about 1e-4.
+    1e-4;  ///< Reduction of each inner solve; 1e-4 measured best in fp32 (bench/FIGURES.md).
   int max_inner_iterations = 20000;
   int max_outer_rounds = 12;
   /// A start value, 3 per node; empty for zero.

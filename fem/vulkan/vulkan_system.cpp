@@ -55,7 +55,8 @@ expected<void> vulkan_system::build() {
   for (std::size_t n = 0; n < problem_.node_count(); ++n)
     most_corners = std::max(most_corners, corners.of_node(n).size());
   // Around an inner node t tets have t/2 + 2 other corners; t + 3 is safe on a boundary.
-  most_columns_ = static_cast<std::uint32_t>(most_corners + 3);
+  // Rounded up, so that similar parts share compiled kernels.
+  most_columns_ = (static_cast<std::uint32_t>(most_corners + 3) + 31) / 32 * 32;
   auto kernels = make_kernels(device_, most_columns_);
   if (!kernels)
     return fail(kernels.error());

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Each kernel of a Vulkan device against the native backend.
+#include "fem/vulkan/vulkan_backend.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "fem/native/native_backend.hpp"
+#include "fem/solver.hpp"
+#include "gpu/device.hpp"
+#include "mesh/io/import.hpp"
+#include "protocol/convert.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::fem {
+namespace {
+
+/// Single precision: 24 bits, a few of them lost in sums over some dozen blocks.
+constexpr double kFloatTolerance = 2e-5;
+
+/// 7 x 9 x 11 nodes (693: no multiple of any group size), bent so that no two tets are alike, with
+/// one planted sliver; two materials' worth of stiffness jump is in `constants`.
+problem bent_bar() {
+  load_case loads;
+  loads.materials = {{"a", 70e9, 0.33, 2700, 0, {}}};
+  loads.constraints = {
+    {{1}, fixed{}}, {{3}, roller{}}, {{6}, prescribed_displacement{{}, {}, 0.0}}};
+  loads.loads = {{{2}, force{{100, 50, -200}}}};
+  const auto place = [](vec3 p) {
+    vec3 q = p + 0.02 * vec3{std::sin(5 * p.y), std::sin(4 * p.z), std::sin(3 * p.x)};
+    if (norm(p - vec3{0.5, 0.5, 0.5}) < 1e-9)
+      q.x += 0.16;  // close to the opposite face of its cells
+    return 0.05 * q;
+  };
+  auto p = make_problem(*test::box_mesh({6, 8, 10}, {1, 1, 1}, place), loads);
+  EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
+  p->constants.push_back({p->constants[0].lambda * 1e-3, p->constants[0].mu * 1e-3});
+  for (std::size_t e = 0; e < p->element_count(); e += 3)
+    p->element_materials[e] = 1;
+  return *p;
+}
+
+std::vector<double> wave(std::size_t size, double step) {
+  std::vector<double> result(size);
+  for (std::size_t i = 0; i < size; ++i)
+    result[i] = std::sin(1 + step * static_cast<double>(i));
+  return result;
+}
+
+double largest(std::span<const double> x) {
+  double result = 0;
+  for (const double value : x)
+    result = std::max(result, std::abs(value));
+  return result;
+}
+
+void expect_near_all(std::span<const double> a, std::span<const double> b, double relative) {
+  ASSERT_EQ(a.size(), b.size());
+  const double allowed = relative * largest(b);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ASSERT_NEAR(a[i], b[i], allowed) << i;
+}
+
+class VulkanSystem : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (list_vulkan_devices().empty())
+      GTEST_SKIP() << "no Vulkan device on this machine";
+    before_ = gpu::device::validation_messages();
+    p_ = bent_bar();
+    native_ = std::move(*make_native_backend()->assemble(p_, {}));
+    device_ = open();
+  }
+
+  void TearDown() override { EXPECT_EQ(gpu::device::validation_messages(), before_); }
+
+  std::unique_ptr<linear_system> open(const vulkan_settings& settings = {}) {
+    // The backend may go: its device lives on in the system.
+    auto made = (*open_vulkan("", settings))->assemble(p_, {});
+    EXPECT_TRUE(made.has_value()) << (made ? "" : render(made.error()));
+    return std::move(*made);
+  }
+
+  int before_ = 0;
+  problem p_;
+  std::unique_ptr<linear_system> native_;
+  std::unique_ptr<linear_system> device_;
+};
+
+TEST_F(VulkanSystem, MultiplyIsEquivalentToNative) {
+  const auto x = wave(p_.dofs(), 0.7);
+  std::vector<double> expected_y(p_.dofs());
+  std::vector<double> y(p_.dofs());
+
+  ASSERT_TRUE(native_->multiply(x, expected_y).has_value());
+  ASSERT_TRUE(device_->multiply(x, y).has_value());
+
+  expect_near_all(y, expected_y, kFloatTolerance);
+}
+
+TEST_F(VulkanSystem, ATranslationGivesNoForceAtAll) {
+  std::vector<double> x(p_.dofs(), 0.25);
+  std::vector<double> y(p_.dofs(), 1);
+
+  ASSERT_TRUE(device_->multiply(x, y).has_value());
+
+  EXPECT_EQ(largest(y), 0);  // difference form: exactly zero
+}
+
+TEST_F(VulkanSystem, SolveIsEquivalentToNative) {
+  const auto b = wave(p_.dofs(), 1.3);
+  std::vector<double> expected_d(p_.dofs());
+  std::vector<double> d(p_.dofs());
+
+  const auto reference = native_->solve(b, expected_d, 1e-6, 5000, {});
+  const auto result = device_->solve(b, d, 1e-6, 5000, {});
+
+  ASSERT_TRUE(reference.has_value());
+  ASSERT_TRUE(result.has_value());
+  EXPECT_FALSE(result->broke_down);
+  EXPECT_LE(result->recurrence_reduction, 1.01e-6);
+  EXPECT_NEAR(result->iterations, reference->iterations, 0.35 * reference->iterations);
+  expect_near_all(d, expected_d, 1e-3);
+}
+
+TEST_F(VulkanSystem, HeldDirectionsStayAtZero) {
+  const auto b = wave(p_.dofs(), 0.9);
+  std::vector<double> d(p_.dofs());
+
+  ASSERT_TRUE(device_->solve(b, d, 1e-4, 5000, {}).has_value());
+
+  for (std::size_t n = 0; n < p_.node_count(); ++n)
+    if (p_.filter[n] == std::array<double, 6>{}) {
+      EXPECT_EQ(d[3 * n], 0);
+      EXPECT_EQ(d[3 * n + 1], 0);
+      EXPECT_EQ(d[3 * n + 2], 0);
+    }
+}
+
+TEST_F(VulkanSystem, RepeatsBitForBit) {
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> first(p_.dofs());
+  std::vector<double> second(p_.dofs());
+  const auto again = open();
+
+  ASSERT_TRUE(device_->solve(b, first, 1e-5, 5000, {}).has_value());
+  ASSERT_TRUE(again->solve(b, second, 1e-5, 5000, {}).has_value());
+
+  EXPECT_EQ(first, second);
+}
+
+TEST_F(VulkanSystem, AMatrixInManyBindingsGivesTheSame) {
+  vulkan_settings small;
+  small.most_bytes_per_binding = 40'000;  // about a dozen pieces
+  const auto pieces = open(small);
+  const auto x = wave(p_.dofs(), 0.7);
+  std::vector<double> whole(p_.dofs());
+  std::vector<double> cut(p_.dofs());
+
+  ASSERT_TRUE(device_->multiply(x, whole).has_value());
+  ASSERT_TRUE(pieces->multiply(x, cut).has_value());
+  EXPECT_EQ(whole, cut);
+
+  std::vector<double> d(p_.dofs());
+  const auto result = pieces->solve(x, d, 1e-4, 5000, {});
+  ASSERT_TRUE(result.has_value());
+  EXPECT_FALSE(result->broke_down);
+}
+
+TEST_F(VulkanSystem, StressesAreEquivalentToNative) {
+  const auto u = wave(p_.dofs(), 0.01);
+  std::vector<double> expected_s(6 * p_.element_count());
+  std::vector<double> s(6 * p_.element_count());
+  std::vector<double> expected_n(6 * p_.node_count());
+  std::vector<double> n(6 * p_.node_count());
+
+  ASSERT_TRUE(native_->element_stress(u, expected_s).has_value());
+  ASSERT_TRUE(device_->element_stress(u, s).has_value());
+  ASSERT_TRUE(native_->nodal_stress(expected_s, expected_n).has_value());
+  ASSERT_TRUE(device_->nodal_stress(expected_s, n).has_value());
+
+  expect_near_all(s, expected_s, kFloatTolerance);
+  expect_near_all(n, expected_n, kFloatTolerance);
+}
+
+TEST_F(VulkanSystem, StressKeepsItsDigitsUnderALargeRigidMotion) {
+  auto u = wave(p_.dofs(), 0.01);
+  std::vector<double> plain(6 * p_.element_count());
+  std::vector<double> moved(6 * p_.element_count());
+
+  ASSERT_TRUE(device_->element_stress(u, plain).has_value());
+  for (double& value : u)
+    value += 1000;
+  ASSERT_TRUE(device_->element_stress(u, moved).has_value());
+
+  expect_near_all(moved, plain, 1e-3);
+}
+
+TEST_F(VulkanSystem, CancelIsObeyed) {
+  execution run;
+  run.cancel.cancel();
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> d(p_.dofs());
+
+  const auto result = device_->solve(b, d, 1e-5, 5000, run);
+
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ec::cancelled);
+}
+
+TEST_F(VulkanSystem, AnotherFilterNeedsNoNewMatrix) {
+  std::vector<std::array<double, 6>> free(p_.node_count(), {1, 0, 0, 1, 0, 1});
+  free[0] = free[1] = free[2] = {0, 0, 0, 0, 0, 0};
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> d(p_.dofs());
+
+  ASSERT_TRUE(device_->set_filter(free).has_value());
+  ASSERT_TRUE(device_->solve(b, d, 1e-3, 20000, {}).has_value());
+
+  EXPECT_EQ(d[0], 0);
+  EXPECT_EQ(d[8], 0);
+  EXPECT_NE(d[9], 0);
+}
+
+TEST(VulkanParts, ARealPartWithSliversAgreesWithNative) {
+  if (list_vulkan_devices().empty())
+    GTEST_SKIP() << "no Vulkan device on this machine";
+  const std::filesystem::path folder = TEDIT_TEST_DATA "/parts/bracket_4040";
+  const auto mesh = import_mesh(folder / "bracket_4040.coarse.msh", "mm");
+  const auto loads = protocol::load_case_from_file(folder / "load_case.json");
+  const auto p = make_problem(*mesh->version, *loads);
+  ASSERT_TRUE(p.has_value());
+
+  const auto result = solve(*p, **open_vulkan(""), {}, {});
+
+  ASSERT_TRUE(result.has_value()) << render(result.error());
+  EXPECT_LE(result->true_relative_residual, 1e-6);
+  EXPECT_NEAR(result->max_displacement_m, 5.0108e-5, 1e-9);  // reference.json
+  EXPECT_NEAR(result->compliance_j, 7.41635e-3, 1e-8);
+}
+
+}  // namespace
+}  // namespace tedit::fem
