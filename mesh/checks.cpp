@@ -331,37 +331,21 @@ private:
   void check_quality() {
     double after = 1;
     tet_id worst = no_id;
-    std::unordered_set<vertex_id> corners;
     for (const auto t : touched_) {
       if (t >= mesh_.tet_slots() || !mesh_.is_live_tet(t))
         continue;
-      corners.insert(mesh_.tet_at(t).v.begin(), mesh_.tet_at(t).v.end());
       const double q = radius_ratio(mesh_.corners(t));
       if (q < after)
         std::tie(after, worst) = std::tuple(q, t);
     }
     if (worst == no_id || after >= claim_.quality_floor)
       return;
-    const double before = worst_around(base_, corners);
+    const double before = worst_quality_before(base_, mesh_, claim_.touched);
     if (after < std::min(claim_.quality_floor, before) * (1 - 1e-9))
       slots_.add(ec::postcondition_failed, "worst quality of the touched region",
                  named("tet", worst),
                  "q = " + number(after) + ", before " + number(before) + ", floor " +
                    number(claim_.quality_floor));
-  }
-
-public:
-  static double worst_around(const mesh_version& mesh,
-                             const std::unordered_set<vertex_id>& corners) {
-    double worst = 1;
-    for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
-      if (!mesh.is_live_tet(t))
-        continue;
-      const auto& v = mesh.tet_at(t).v;
-      if (std::ranges::any_of(v, [&](vertex_id i) { return corners.contains(i); }))
-        worst = std::min(worst, radius_ratio(mesh.corners(t)));
-    }
-    return worst;
   }
 
 private:
@@ -402,6 +386,19 @@ check_report check_version(const mesh_version& mesh) {
 check_report check_edit(const mesh_version& base, const mesh_version& candidate,
                         const edit_claim& claim) {
   return edit_checks(base, candidate, claim).run();
+}
+
+double worst_quality_before(const mesh_version& base, const mesh_version& candidate,
+                            const std::vector<tet_id>& touched) {
+  std::unordered_set<vertex_id> corners;
+  for (const auto t : touched)
+    if (t < candidate.tet_slots() && candidate.is_live_tet(t))
+      corners.insert(candidate.tet_at(t).v.begin(), candidate.tet_at(t).v.end());
+  const std::vector<vertex_id> list(corners.begin(), corners.end());
+  double worst = 1;
+  for (const auto t : tets_around(base, list))
+    worst = std::min(worst, radius_ratio(base.corners(t)));
+  return worst;
 }
 
 error to_error(const check_report& report) {

@@ -53,6 +53,11 @@ struct edit_claim {
 [[nodiscard]] check_report check_edit(const mesh_version& base, const mesh_version& candidate,
                                       const edit_claim& claim);
 
+/// Worst q among the base's tets at the corners of a candidate's touched tets; 1 when there are
+/// none.
+[[nodiscard]] double worst_quality_before(const mesh_version& base, const mesh_version& candidate,
+                                          const std::vector<tet_id>& touched);
+
 /// One error out of a report: `postcondition_failed`, the first findings in the message.
 [[nodiscard]] error to_error(const check_report& report);
 

@@ -9,24 +9,6 @@
 
 namespace tedit {
 
-namespace {
-
-/// Worst q among the base's tets that share a vertex with the touched region.
-double worst_before(const mesh_version& base, const mesh_version& after,
-                    const std::vector<tet_id>& touched) {
-  std::unordered_set<vertex_id> corners;
-  for (const auto t : touched)
-    corners.insert(after.tet_at(t).v.begin(), after.tet_at(t).v.end());
-  double worst = 1;
-  for (tet_id t = 0; t < base.tet_slots(); ++t)
-    if (base.is_live_tet(t) &&
-        std::ranges::any_of(base.tet_at(t).v, [&](vertex_id v) { return corners.contains(v); }))
-      worst = std::min(worst, radius_ratio(base.corners(t)));
-  return worst;
-}
-
-}  // namespace
-
 expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& candidate,
                                     const edit_claim& claim, bool improve_region,
                                     const finish_settings& settings, const execution& run) {
@@ -56,7 +38,7 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   const auto report = check_edit(*base, *result.version, final_claim);
   if (!report.ok())
     return fail(to_error(report));
-  result.touched_min_before = worst_before(*base, *result.version, result.touched);
+  result.touched_min_before = worst_quality_before(*base, *result.version, result.touched);
   const auto quality = radius_ratios(*result.version, result.touched);
   result.touched_min_after = quality.min;
   result.touched_median_after = quality.median;

@@ -123,6 +123,28 @@ std::vector<facet_id> facets_of(const mesh_version& mesh, std::span<const surfac
   return result;
 }
 
+std::vector<tet_id> tets_around(const mesh_version& mesh, std::span<const vertex_id> vertices) {
+  std::unordered_set<tet_id> found;
+  std::vector<tet_id> star;
+  for (const auto v : vertices) {
+    if (v >= mesh.vertex_slots() || !mesh.is_live_vertex(v))
+      continue;
+    star.assign(1, mesh.incident_tet(v));
+    for (std::size_t next = 0; next < star.size(); ++next) {
+      const auto& corner = mesh.tet_at(star[next]).v;
+      for (int i = 0; i < 4; ++i) {
+        const auto behind = mesh.neighbours(star[next])[i];
+        if (corner[i] != v && !is_facet(behind) && std::ranges::find(star, behind) == star.end())
+          star.push_back(behind);
+      }
+    }
+    found.insert(star.begin(), star.end());
+  }
+  std::vector<tet_id> result(found.begin(), found.end());
+  std::ranges::sort(result);
+  return result;
+}
+
 vec3 area_vector(vec3 a, vec3 b, vec3 c) {
   return 0.5 * cross(b - a, c - a);
 }

@@ -127,6 +127,11 @@ using version_ptr = std::shared_ptr<const mesh_version>;
 [[nodiscard]] std::vector<facet_id> facets_of(const mesh_version& mesh,
                                               std::span<const surface_id> surfaces);
 
+/// The live tets that hold one of the vertices, found over faces from each vertex' incident tet,
+/// ascending; free vertices are skipped. Cost: O(stars), not O(mesh).
+[[nodiscard]] std::vector<tet_id> tets_around(const mesh_version& mesh,
+                                              std::span<const vertex_id> vertices);
+
 /// Area vector (outward normal times area, m^2) of a triangle.
 [[nodiscard]] vec3 area_vector(vec3 a, vec3 b, vec3 c);
 [[nodiscard]] vec3 area_vector(const mesh_version& mesh, const boundary_facet& facet);
