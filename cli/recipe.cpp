@@ -63,6 +63,16 @@ public:
     return result;
   }
 
+  std::optional<std::pair<double, double>> range(const char* field) {
+    known_.insert(field);
+    if (!body_.contains(field))
+      return std::nullopt;
+    const auto& given = body_[field];
+    if (!given.is_array() || given.size() != 2 || !given[0].is_number() || !given[1].is_number())
+      throw error{ec::bad_input, where_ + ": \"" + field + "\" must be [least, largest]", {}, {}};
+    return std::pair(given[0].get<double>(), given[1].get<double>());
+  }
+
   void finish() const {
     for (const auto& [name, value] : body_.items())
       if (!known_.contains(name))
@@ -89,8 +99,8 @@ recipe_step make_step(const std::string& kind, step_reader& in) {
     return redo_step{};
   if (kind == "solve")
     return solve_step{};
-  return export_step{in.text("vtu", {}), in.text("png", {}), in.text("msh", {}), in.text("stl", {}),
-                     in.text("title", {})};
+  return export_step{in.text("vtu", {}), in.text("png", {}),   in.text("msh", {}),
+                     in.text("stl", {}), in.text("title", {}), in.range("range_mpa")};
 }
 
 recipe parse(const json& body, const std::filesystem::path& folder) {

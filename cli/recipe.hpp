@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +33,7 @@ struct export_step {
   std::string msh;
   std::string stl;
   std::string title;
+  std::optional<std::pair<double, double>> range_mpa;  ///< Legend of the picture.
 };
 
 using recipe_step = std::variant<import_step, load_case_step, edit_step, undo_step, redo_step,

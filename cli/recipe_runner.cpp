@@ -209,9 +209,19 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
     "max von Mises " + pretty(1e-6 * shown.solution.max_von_mises_pa, 4) +
     " MPa (element),  residual " + pretty(shown.solution.true_relative_residual, 2) +
     ",  version " + to_hex(states_[head_].version->id()).substr(0, 8);
-  const auto drawn = run_child({(executable_folder() / "tedit-render").string(), vtu.string(), "-o",
-                                png.string(), "--title", s.title, "--caption", caption},
-                               {}, {std::chrono::minutes(2), 0}, make_execution(session_));
+  std::vector<std::string> command{(executable_folder() / "tedit-render").string(),
+                                   vtu.string(),
+                                   "-o",
+                                   png.string(),
+                                   "--title",
+                                   s.title,
+                                   "--caption",
+                                   caption};
+  if (s.range_mpa) {
+    command.push_back("--range");
+    command.push_back(pretty(s.range_mpa->first, 9) + "," + pretty(s.range_mpa->second, 9));
+  }
+  const auto drawn = run_child(command, {}, {std::chrono::minutes(2), 0}, make_execution(session_));
   std::error_code ignored;
   if (s.vtu.empty())
     std::filesystem::remove(vtu, ignored);
