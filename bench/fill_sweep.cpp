@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// fill_sweep PART_FOLDER MESH [--alone]: fills every hole that PART_FOLDER/features.json lists, one
-// by one on the original mesh, given the walls alone; with --alone, every surface of the mesh alone
-// instead. Prints a line for each refusal or fault and a summary; ends with status 1 when an
-// invariant broke.
+// fill_sweep PART_FOLDER MESH [--alone | --solve]: fills every hole that PART_FOLDER/features.json
+// lists, one by one on the original mesh, given the walls alone, and with --solve solves the part's
+// load case after each; with --alone, every surface of the mesh alone instead. Prints a line for
+// each refusal or fault and a summary; ends with status 1 when an invariant broke.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -13,7 +13,9 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/local_edit.hpp"
+#include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
+#include "protocol/convert.hpp"
 
 namespace {
 
@@ -30,7 +32,32 @@ struct tally {
   double worst_volume_error = 0;
   double slowest_answer_ms = 0;
   std::map<std::string, int> reasons;
+  std::vector<fem::load_case> loads;  ///< With --solve: carried over and solved after each fill.
+  std::unique_ptr<fem::backend> device;
+  int solved = 0;
+  double worst_residual = 0;
+  double worst_balance = 0;  ///< |reactions + loads| / |loads|.
 };
+
+void solve(const cli::edit_outcome& outcome, const std::string& name, tally& sum) {
+  const auto& loads = outcome.load_cases.front();
+  if (loads.loads.empty() || loads.constraints.empty()) {
+    std::cout << "  no load or support is left after " << name << '\n';
+    return;
+  }
+  const auto problem = fem::make_problem(*outcome.version, loads);
+  const auto result = problem ? fem::solve(*problem, *sum.device, {}, {})
+                              : expected<fem::solution>(tl::unexpected(problem.error()));
+  if (!result) {
+    ++sum.faults;
+    std::cout << "  NOT SOLVED after " << name << ": " << render(result.error()) << '\n';
+    return;
+  }
+  ++sum.solved;
+  sum.worst_residual = std::max(sum.worst_residual, result->true_relative_residual);
+  sum.worst_balance = std::max(
+    sum.worst_balance, norm(result->reaction_n + result->applied_n) / norm(result->applied_n));
+}
 
 void try_selection(const ops::catalogue& plugins, const version_ptr& base, double base_volume,
                    const std::vector<surface_id>& surfaces, const std::string& name, bool verbose,
@@ -38,7 +65,7 @@ void try_selection(const ops::catalogue& plugins, const version_ptr& base, doubl
   ++sum.tried;
   const stopwatch clock;
   const auto before_id = base->id();
-  const auto outcome = cli::apply_edit(plugins, base, {"fill_hole", surfaces, {}}, {}, {});
+  const auto outcome = cli::apply_edit(plugins, base, {"fill_hole", surfaces, {}}, sum.loads, {});
   const double ms = clock.milliseconds();
   sum.slowest_answer_ms = std::max(sum.slowest_answer_ms, ms);
   if (base->id() != before_id)
@@ -54,18 +81,20 @@ void try_selection(const ops::catalogue& plugins, const version_ptr& base, doubl
   }
   ++sum.filled;
   sum.ms.push_back(ms);
-  const auto& done = outcome->finished;
+  const auto& done = outcome->report;
   sum.worst_after.push_back(done.touched_min_after);
   if (done.touched_min_after < std::min(0.15, done.touched_min_before) * (1 - 1e-9))
     ++sum.below_floor;
   const double volume = total_volume(*outcome->version);
-  const double error = std::abs(volume - base_volume - outcome->volume_change) / base_volume;
+  const double error = std::abs(volume - base_volume - done.volume_change) / base_volume;
   sum.worst_volume_error = std::max(sum.worst_volume_error, error);
   if (const auto report = check_version(*outcome->version);
       !report.ok() && check_version(*base).total < report.total) {
     ++sum.faults;
     std::cout << "  FAULT " << name << ": " << to_error(report).message << '\n';
   }
+  if (!outcome->load_cases.empty())
+    solve(*outcome, name, sum);
 }
 
 double percentile(std::vector<double> values, double share) {
@@ -79,10 +108,11 @@ double percentile(std::vector<double> values, double share) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::cerr << "usage: fill_sweep PART_FOLDER MESH [--alone]\n";
+    std::cerr << "usage: fill_sweep PART_FOLDER MESH [--alone | --solve]\n";
     return 2;
   }
-  const bool alone = argc > 3;
+  const std::string mode = argc > 3 ? argv[3] : "";
+  const bool alone = mode == "--alone";
   const auto imported = import_mesh(std::filesystem::path(argv[2]), "mm");
   if (!imported) {
     std::cerr << render(imported.error()) << '\n';
@@ -91,6 +121,15 @@ int main(int argc, char** argv) {
   const auto plugins = ops::load_default_catalogue();
   const double volume = total_volume(*imported->version);
   tally sum;
+  if (mode == "--solve") {
+    auto loads = protocol::load_case_from_file(std::filesystem::path(argv[1]) / "load_case.json");
+    if (!loads) {
+      std::cerr << render(loads.error()) << '\n';
+      return 65;
+    }
+    sum.loads = {*loads};
+    sum.device = std::move(*fem::open_backend("cpu"));
+  }
   if (alone) {
     for (const auto& row : imported->version->surfaces())
       try_selection(plugins, imported->version, volume, {row.id},
@@ -113,6 +152,9 @@ int main(int argc, char** argv) {
             << cli::pretty(percentile(sum.worst_after, 0), 3) << " median "
             << cli::pretty(percentile(sum.worst_after, 0.5), 3) << "; volume error "
             << cli::pretty(sum.worst_volume_error, 2);
+  if (sum.device)
+    std::cout << "; solved " << sum.solved << ", residual <= " << cli::pretty(sum.worst_residual, 2)
+              << ", balance <= " << cli::pretty(sum.worst_balance, 2);
   for (const auto& [reason, count] : sum.reasons)
     std::cout << "; " << reason << " " << count;
   std::cout << '\n';

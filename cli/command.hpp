@@ -32,6 +32,8 @@ void add_ops(CLI::App& app, action& chosen);
 void add_edit(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);
 void add_run(CLI::App& app, action& chosen);
+void add_serve(CLI::App& app, action& chosen);
+void add_worker(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);
 

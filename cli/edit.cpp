@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/local_edit.hpp"
+#include "cli/reports.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/io/msh_writer.hpp"
 #include "mesh/io/stl_writer.hpp"
@@ -58,10 +59,10 @@ int run_edit(const edit_options& options, session& s) {
     if (!written)
       return print_error(s, written.error());
   }
-  auto json = to_json(*imported->version, *outcome);
+  auto json = to_json(outcome->report);
   json["timings_ms"]["import"] = import_ms;
   json["timings_ms"]["export"] = clock.milliseconds();
-  print_result(s, json, describe(*outcome));
+  print_result(s, json, describe(outcome->report));
   return 0;
 }
 

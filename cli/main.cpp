@@ -55,6 +55,8 @@ int main(int argc, char** argv) {
   tedit::cli::add_edit(app, chosen);
   tedit::cli::add_solve(app, chosen);
   tedit::cli::add_run(app, chosen);
+  tedit::cli::add_serve(app, chosen);
+  tedit::cli::add_worker(app, chosen);
   tedit::cli::add_render(app, chosen);
   tedit::cli::add_ops(app, chosen);
   tedit::cli::add_doctor(app, chosen);

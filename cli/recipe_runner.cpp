@@ -1,30 +1,46 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/recipe_runner.hpp"
 
+#include <fstream>
+
 #include "base/child_process.hpp"
 #include "base/stopwatch.hpp"
-#include "cli/field_file.hpp"
-#include "mesh/io/import.hpp"
-#include "mesh/io/msh_writer.hpp"
-#include "mesh/io/stl_writer.hpp"
-#include "mesh/quality.hpp"
+#include "cli/reports.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::cli {
 
 namespace {
 
+constexpr auto surface_patience = std::chrono::minutes(2);
+
 std::string place(vec3 p) {
   return pretty(1e3 * p.x, 3) + "," + pretty(1e3 * p.y, 3) + "," + pretty(1e3 * p.z, 3);
 }
 
-nlohmann::ordered_json triple(vec3 v) {
-  return {v.x, v.y, v.z};
+std::string kibibytes(const client::traffic& moved) {
+  return pretty(static_cast<double>(moved.bytes) / 1024, 3);
+}
+
+nlohmann::ordered_json to_json(const client::traffic& moved) {
+  return {{"bytes", moved.bytes}, {"messages", moved.messages}, {"ms", moved.ms}};
 }
 
 }  // namespace
 
+void failed_solves::add(const std::string& version) {
+  const std::lock_guard lock(mutex_);
+  versions_.insert(version);
+}
+
+bool failed_solves::contains(const std::string& version) const {
+  const std::lock_guard lock(mutex_);
+  return versions_.contains(version);
+}
+
 expected<void> recipe_runner::run() {
+  if (auto opened = server_.open("", true, true); !opened)
+    return fail(opened.error());
   for (std::size_t i = 0; i < recipe_.steps.size(); ++i) {
     if (session_.cancel.cancelled())
       return fail(ec::cancelled, "interrupted");
@@ -38,177 +54,166 @@ expected<void> recipe_runner::run() {
   return {};
 }
 
-expected<void> recipe_runner::need_version() const {
-  if (states_.empty())
-    return fail(ec::bad_input, "there is no mesh yet", "Put an import step first");
-  return {};
-}
-
-void recipe_runner::add_row(const std::string& what, const std::string& edit,
-                            const std::string& quality, const fem::solution* solved) {
-  std::vector<std::string> row{what, edit, quality};
-  if (solved) {
-    row.push_back(pretty(solved->assembly_ms, 3));
-    row.push_back(pretty(solved->solve_ms, 4));
-    row.push_back(std::to_string(solved->iterations));
-    row.push_back(pretty(solved->true_relative_residual, 2));
-    row.push_back(pretty(1e-6 * solved->max_von_mises_pa, 4));
-    row.push_back(place(solved->max_von_mises_at));
-    row.push_back(pretty(1e3 * solved->max_displacement_m, 5));
-  }
-  rows_.push_back(std::move(row));
-}
-
 std::string recipe_runner::table() const {
   auto rows = rows_;
-  rows.insert(rows.begin(),
-              {"step", "edit ms", "worst q (before)", "assembly ms", "solve ms", "iterations",
-               "residual", "max von Mises MPa", "at mm", "max displ. mm"});
+  rows.insert(rows.begin(), {"step", "edit ms", "sent KiB", "transfer ms", "worst q (before)",
+                             "assembly ms", "solve ms", "iterations", "residual",
+                             "max von Mises MPa", "at mm", "max displ. mm"});
   return format_table(rows);
 }
 
-expected<void> recipe_runner::step(const import_step& s) {
-  auto imported = import_mesh(s.mesh, s.length_unit);
-  if (!imported)
-    return fail(imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(session_, "note: " + warning);
-  states_ = {{imported->version, {}, 0, 0, 0}};
-  head_ = 0;
-  const auto quality = radius_ratios(*imported->version);
-  add_row("import v0", "", pretty(quality.min, 3), nullptr);
-  report_.push_back({{"step", "import"},
-                     {"version_id", to_hex(imported->version->id())},
-                     {"tets", imported->version->tet_count()},
-                     {"import_ms", imported->read_ms + imported->build_ms}});
+/// Notes a new head, once its surface is here.
+expected<void> recipe_runner::take_head(const std::string& what, const client::committed& done,
+                                        double ms) {
+  head_ = done.head;
+  const auto surface = server_.wait_surface(head_.version_id, surface_patience);
+  if (!surface)
+    return fail(surface.error());
+  nlohmann::ordered_json json{{"version_id", head_.version_id}};
+  std::string quality;
+  if (done.report) {
+    json = cli::to_json(*done.report);
+    quality = pretty(done.report->touched_min_after, 3) + " (" +
+              pretty(done.report->touched_min_before, 3) + ")";
+    details_ += what + " -> " + version_name() + "\n" + describe(*done.report);
+  }
+  json["step"] = done.cause;
+  json["tets"] = head_.tets;
+  json["round_trip_ms"] = ms;
+  json["commit_ms"] = done.commit_ms;
+  json["surface"] = to_json(surface->moved);
+  json["surface"]["full"] = surface->full;
+  report_.push_back(std::move(json));
+  rows_.push_back({what + " -> " + version_name(), pretty(ms, 3), kibibytes(surface->moved),
+                   pretty(surface->moved.ms, 3), quality});
   return {};
+}
+
+expected<void> recipe_runner::step(const import_step& s) {
+  const stopwatch clock;
+  const auto done = server_.import_file(s.mesh, s.length_unit, make_execution(session_));
+  end_progress(session_);
+  if (!done)
+    return fail(done.error());
+  for (const auto& warning : done->warnings)
+    notice(session_, "note: " + warning);
+  return take_head("import", *done, clock.milliseconds());
 }
 
 expected<void> recipe_runner::step(const load_case_step& s) {
-  if (auto ok = need_version(); !ok)
-    return ok;
-  auto loads = protocol::load_case_from_file(s.file);
+  const auto loads = protocol::load_case_from_file(s.file);
   if (!loads)
     return fail(loads.error());
   report_.push_back({{"step", "load_case"}, {"name", loads->name}});
-  states_[head_].load_cases = {std::move(*loads)};
-  return {};
+  return server_.set_load_case(*loads);
 }
 
 expected<void> recipe_runner::step(const edit_step& s) {
-  if (auto ok = need_version(); !ok)
-    return ok;
-  if (!plugins_)
-    plugins_ = ops::load_default_catalogue();
-  const auto& base = states_[head_];
-  auto outcome =
-    apply_edit(*plugins_, base.version, s.request, base.load_cases, make_execution(session_));
-  if (!outcome)
-    return fail(outcome.error());
-  auto json = to_json(*base.version, *outcome);
-  json["step"] = "edit";
-  report_.push_back(std::move(json));
-  const auto& done = outcome->finished;
-  states_.resize(head_ + 1);
-  states_.push_back({outcome->version, outcome->load_cases, outcome->total_ms,
-                     done.touched_min_before, done.touched_min_after});
-  ++head_;
+  const stopwatch clock;
+  const auto done = server_.edit(s.request.operation, s.request.surfaces, s.request.parameters,
+                                 make_execution(session_));
+  end_progress(session_);
+  if (!done)
+    return fail(done.error());
   std::string name = s.request.operation;
   for (const auto id : s.request.surfaces)
     name += (id == s.request.surfaces.front() ? " " : ",") + std::to_string(id);
-  add_row(name + " -> v" + std::to_string(head_), pretty(outcome->total_ms, 3),
-          pretty(done.touched_min_after, 3) + " (" + pretty(done.touched_min_before, 3) + ")",
-          nullptr);
-  notice(session_, name + "\n" + describe(*outcome));
-  return {};
+  return take_head(name, *done, clock.milliseconds());
 }
 
 expected<void> recipe_runner::step(const undo_step&) {
-  if (head_ == 0)
-    return fail(ec::conflict, "there is nothing to undo");
-  --head_;
-  add_row("undo -> v" + std::to_string(head_), "0", "", nullptr);
-  report_.push_back({{"step", "undo"}, {"version_id", to_hex(states_[head_].version->id())}});
-  return {};
+  const stopwatch clock;
+  const auto done = server_.undo();
+  return done ? take_head("undo", *done, clock.milliseconds()) : fail(done.error());
 }
 
 expected<void> recipe_runner::step(const redo_step&) {
-  if (head_ + 1 >= states_.size())
-    return fail(ec::conflict, "there is nothing to redo");
-  ++head_;
-  add_row("redo -> v" + std::to_string(head_), "0", "", nullptr);
-  report_.push_back({{"step", "redo"}, {"version_id", to_hex(states_[head_].version->id())}});
-  return {};
+  const stopwatch clock;
+  const auto done = server_.redo();
+  return done ? take_head("redo", *done, clock.milliseconds()) : fail(done.error());
+}
+
+/// The head's field. Asked for once; from then on it comes by itself after every edit.
+expected<client::field_event> recipe_runner::await_field() {
+  constexpr auto interval = std::chrono::milliseconds(200);
+  const auto ask = [&] {
+    return server_.solve("", recipe_.tolerance, recipe_.device, make_execution(session_));
+  };
+  if (!follows_) {
+    const auto done = ask();
+    end_progress(session_);
+    if (!done)
+      return fail(done.error());
+    follows_ = true;
+  }
+  while (true) {
+    auto field = server_.wait_field(head_.version_id, interval);
+    if (field || field.error().code != ec::timeout)
+      return field;
+    if (session_.cancel.cancelled())
+      return fail(ec::cancelled, "interrupted");
+    if (failures_->contains(head_.version_id))
+      if (const auto again = ask(); !again)  // Says why.
+        return fail(again.error());
+  }
 }
 
 expected<void> recipe_runner::step(const solve_step&) {
-  if (auto ok = need_version(); !ok)
-    return ok;
-  const auto& now = states_[head_];
-  if (now.load_cases.empty())
-    return fail(ec::bad_input, "there is no load case to solve", "Put a load_case step first");
-  const auto id = now.version->id();
-  const bool known = results_.contains(id);
-  if (!known) {
-    auto problem = fem::make_problem(*now.version, now.load_cases.front());
-    if (!problem)
-      return fail(problem.error());
-    if (!device_) {
-      auto opened = fem::open_backend(recipe_.device);
-      if (!opened)
-        return fail(opened.error());
-      device_ = std::move(*opened);
-    }
-    fem::solve_settings settings;
-    settings.tolerance = recipe_.tolerance;
-    auto solved = fem::solve(*problem, *device_, settings, make_execution(session_));
-    if (!solved)
-      return fail(solved.error());
-    results_.emplace(id, result{std::move(*problem), std::move(*solved)});
-  }
-  const auto& solved = results_.at(id).solution;
-  add_row("field of v" + std::to_string(head_) + (known ? " (kept)" : ""), "", "", &solved);
-  report_.push_back({{"step", "solve"},
-                     {"version_id", to_hex(id)},
-                     {"from_cache", known},
-                     {"device", solved.device},
-                     {"element_order", solved.element_order},
-                     {"preview", solved.preview()},
-                     {"iterations", solved.iterations},
-                     {"true_relative_residual", solved.true_relative_residual},
-                     {"max_displacement_m", solved.max_displacement_m},
-                     {"compliance_j", solved.compliance_j},
-                     {"max_von_mises_pa", solved.max_von_mises_pa},
-                     {"max_von_mises_at_m", triple(solved.max_von_mises_at)},
-                     {"reaction_n", triple(solved.reaction_n)},
-                     {"applied_n", triple(solved.applied_n)},
-                     {"timings_ms",
-                      {{"assembly", solved.assembly_ms},
-                       {"setup", solved.setup_ms},
-                       {"solve", solved.solve_ms},
-                       {"recovery", solved.recovery_ms}}}});
+  const bool known = solved_.contains(head_.version_id);
+  const auto field = await_field();
+  if (!field)
+    return fail(field.error());
+  const auto& report = field->report;
+  solved_[head_.version_id] = report;
+  auto json = cli::to_json(report);
+  json["step"] = "solve";
+  json["from_cache"] = known;
+  json["field"] = to_json(field->moved);
+  report_.push_back(std::move(json));
+  rows_.push_back({"field of " + version_name() + (known ? " (kept)" : ""), "",
+                   kibibytes(field->moved), pretty(field->moved.ms, 3), "",
+                   pretty(report.assembly_ms, 3), pretty(report.solve_ms, 4),
+                   std::to_string(report.iterations), pretty(report.true_relative_residual, 2),
+                   pretty(1e-6 * report.max_von_mises_pa, 4), place(report.max_von_mises_at),
+                   pretty(1e3 * report.max_displacement_m, 5)});
   return {};
 }
+
+// -- files -------------------------------------------------------------------------------------
 
 std::filesystem::path recipe_runner::path_of(const std::string& name) const {
   std::string text = name;
   const std::string mark = "{version}";
   if (const auto at = text.find(mark); at != std::string::npos)
-    text.replace(at, mark.size(), std::to_string(head_));
+    text.replace(at, mark.size(), std::to_string(head_.number));
   return out_ / text;
 }
 
-expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::path& png,
-                                   const result& shown) {
+expected<void> recipe_runner::write(client::file_format format, const std::filesystem::path& path) {
+  const auto bytes = server_.export_file(format, head_.version_id, "mm", make_execution(session_));
+  end_progress(session_);
+  if (!bytes)
+    return fail(bytes.error());
+  std::error_code ignored;
+  std::filesystem::create_directories(path.parent_path(), ignored);
+  std::ofstream out(path, std::ios::binary);
+  out.write(bytes->data(), static_cast<std::streamsize>(bytes->size()));
+  out.close();
+  if (!out)
+    return fail(ec::io_error, "cannot write " + path.string(), "Choose another folder with --out");
+  return {};
+}
+
+expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::path& png) {
   const auto vtu = s.vtu.empty() ? std::filesystem::path(png.string() + ".vtu") : path_of(s.vtu);
   if (s.vtu.empty())
-    if (auto ok = write_field(vtu, *states_[head_].version, shown.problem, shown.solution); !ok)
+    if (auto ok = write(client::file_format::vtu, vtu); !ok)
       return ok;
+  const auto& shown = solved_.at(head_.version_id);
   const auto caption =
-    std::string(shown.solution.preview() ? "Preview: linear tets understate bending.  " : "") +
-    "max von Mises " + pretty(1e-6 * shown.solution.max_von_mises_pa, 4) +
-    " MPa (element),  residual " + pretty(shown.solution.true_relative_residual, 2) +
-    ",  version " + to_hex(states_[head_].version->id()).substr(0, 8);
+    std::string(shown.preview ? "Preview: linear tets understate bending.  " : "") +
+    "max von Mises " + pretty(1e-6 * shown.max_von_mises_pa, 4) + " MPa (element),  residual " +
+    pretty(shown.true_relative_residual, 2) + ",  version " + head_.version_id.substr(0, 8);
   std::vector<std::string> command{(executable_folder() / "tedit-render").string(),
                                    vtu.string(),
                                    "-o",
@@ -233,38 +238,24 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
 }
 
 expected<void> recipe_runner::step(const export_step& s) {
-  if (auto ok = need_version(); !ok)
-    return ok;
-  const auto& mesh = *states_[head_].version;
-  std::error_code ignored;
-  std::filesystem::create_directories(out_, ignored);
-  const auto wrote = [&](const std::filesystem::path& path) { files_.push_back(path.string()); };
-  if (!s.msh.empty()) {
-    if (auto ok = write_msh(path_of(s.msh), mesh, "mm"); !ok)
-      return ok;
-    wrote(path_of(s.msh));
-  }
-  if (!s.stl.empty()) {
-    if (auto ok = write_stl(path_of(s.stl), mesh, "mm"); !ok)
-      return ok;
-    wrote(path_of(s.stl));
-  }
-  if (s.vtu.empty() && s.png.empty())
-    return {};
-  const auto shown = results_.find(mesh.id());
-  if (shown == results_.end())
+  if ((!s.vtu.empty() || !s.png.empty()) && !solved_.contains(head_.version_id))
     return fail(ec::bad_input, "this version has no field to export", "Put a solve step first");
-  if (!s.vtu.empty()) {
-    if (auto ok = write_field(path_of(s.vtu), mesh, shown->second.problem, shown->second.solution);
-        !ok)
+  const std::array<std::pair<const std::string*, client::file_format>, 3> wanted{
+    {{&s.msh, client::file_format::msh},
+     {&s.stl, client::file_format::stl},
+     {&s.vtu, client::file_format::vtu}}};
+  for (const auto& [name, format] : wanted) {
+    if (name->empty())
+      continue;
+    if (auto ok = write(format, path_of(*name)); !ok)
       return ok;
-    wrote(path_of(s.vtu));
+    files_.push_back(path_of(*name).string());
   }
-  if (!s.png.empty()) {
-    if (auto ok = draw(s, path_of(s.png), shown->second); !ok)
-      return ok;
-    wrote(path_of(s.png));
-  }
+  if (s.png.empty())
+    return {};
+  if (auto ok = draw(s, path_of(s.png)); !ok)
+    return ok;
+  files_.push_back(path_of(s.png).string());
   return {};
 }
 

@@ -2,43 +2,49 @@
 #pragma once
 
 #include <map>
-#include <optional>
+#include <mutex>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "cli/recipe.hpp"
-#include "fem/solver.hpp"
+#include "client/client.hpp"
 
 namespace tedit::cli {
 
-/// Carries out a recipe in this process: a list of versions with undo and redo, the load cases that
-/// belong to each, and the results.
+/// Versions whose solve failed, as the server tells without being asked. Thread-safe.
+class failed_solves {
+public:
+  void add(const std::string& version);
+  [[nodiscard]] bool contains(const std::string& version) const;
+
+private:
+  mutable std::mutex mutex_;
+  std::set<std::string> versions_;
+};
+
+/// Carries out a recipe as a client of a server.
 class recipe_runner {
 public:
-  recipe_runner(const recipe& steps, session& s, std::filesystem::path out)
-      : recipe_(steps), session_(s), out_(std::move(out)) {}
+  recipe_runner(const recipe& steps, session& s, client::client& server,
+                std::shared_ptr<const failed_solves> failures, std::filesystem::path out)
+      : recipe_(steps),
+        session_(s),
+        server_(server),
+        failures_(std::move(failures)),
+        out_(std::move(out)) {}
 
   /// Stops at the first step that fails; its error names the step.
   [[nodiscard]] expected<void> run();
 
   [[nodiscard]] const nlohmann::ordered_json& report() const { return report_; }
   [[nodiscard]] std::string table() const;
+  /// What each edit did to surfaces and load cases.
+  [[nodiscard]] const std::string& details() const { return details_; }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
 private:
-  struct state {
-    version_ptr version;
-    std::vector<fem::load_case> load_cases;
-    double edit_ms = 0;
-    double quality_before = 0;
-    double quality_after = 0;
-  };
-  struct result {
-    fem::problem problem;
-    fem::solution solution;
-  };
-
   expected<void> step(const import_step& s);
   expected<void> step(const load_case_step& s);
   expected<void> step(const edit_step& s);
@@ -46,22 +52,24 @@ private:
   expected<void> step(const redo_step& s);
   expected<void> step(const solve_step& s);
   expected<void> step(const export_step& s);
-  expected<void> need_version() const;
-  expected<void> draw(const export_step& s, const std::filesystem::path& png, const result& shown);
+  expected<void> take_head(const std::string& what, const client::committed& done, double ms);
+  expected<client::field_event> await_field();
+  expected<void> write(client::file_format format, const std::filesystem::path& path);
+  expected<void> draw(const export_step& s, const std::filesystem::path& png);
   [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
-  void add_row(const std::string& what, const std::string& edit, const std::string& quality,
-               const fem::solution* solved);
+  [[nodiscard]] std::string version_name() const { return "v" + std::to_string(head_.number); }
 
   const recipe& recipe_;
   session& session_;
+  client::client& server_;
+  std::shared_ptr<const failed_solves> failures_;
   std::filesystem::path out_;
-  std::vector<state> states_;
-  std::size_t head_ = 0;
-  std::map<hash128, result> results_;
-  std::unique_ptr<fem::backend> device_;
-  std::optional<ops::catalogue> plugins_;
+  client::version_info head_;
+  bool follows_ = false;                        ///< The server solves every new head by itself.
+  std::map<std::string, solve_report> solved_;  ///< By version.
   std::vector<std::vector<std::string>> rows_;
   nlohmann::ordered_json report_ = nlohmann::ordered_json::array();
+  std::string details_;
   std::vector<std::string> files_;
 };
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <cstdlib>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 
+#include "actors/node/server.hpp"
 #include "base/stopwatch.hpp"
+#include "cli/config.hpp"
+#include "cli/logging.hpp"
 #include "cli/recipe_runner.hpp"
+#include "cli/token.hpp"
 
 namespace tedit::cli {
 
@@ -14,28 +19,114 @@ struct run_options {
   std::string recipe;
   std::string out = "out";
   std::string device;
+  std::string server;
+  std::string token_file;
 };
 
+/// A server inside this program, with a folder for its documents that goes with it.
+class embedded_server {
+public:
+  embedded_server() = default;
+  embedded_server(const embedded_server&) = delete;
+  embedded_server& operator=(const embedded_server&) = delete;
+  ~embedded_server() {
+    server_.reset();
+    std::error_code ignored;
+    if (!folder_.empty())
+      std::filesystem::remove_all(folder_, ignored);
+  }
+
+  expected<client::connect_options> start() {
+    std::error_code code;
+    auto name = (std::filesystem::temp_directory_path(code) / "tedit-run-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      return fail(ec::io_error,
+                  "cannot make a folder in " + std::filesystem::temp_directory_path(code).string(),
+                  "Set TMPDIR to a folder that can be written");
+    folder_ = name;
+    auto token = make_token();
+    if (!token)
+      return fail(token.error());
+    server_options options;
+    options.documents = folder_;
+    options.token = *token;
+    options.worker_processes = false;
+    auto started = server::start(options);
+    if (!started)
+      return fail(started.error());
+    server_ = std::move(*started);
+    client::connect_options how;
+    how.url = server_->url();
+    how.token = *token;
+    return how;
+  }
+
+private:
+  std::filesystem::path folder_;
+  std::unique_ptr<server> server_;
+};
+
+expected<client::connect_options> reach(const run_options& options, embedded_server& own) {
+  if (options.server.empty())
+    return own.start();
+  std::filesystem::path file = options.token_file;
+  if (file.empty()) {
+    const auto config = load_config({});
+    if (!config)
+      return fail(config.error());
+    const auto usual = token_path(*config);
+    if (!usual)
+      return fail(usual.error());
+    file = *usual;
+  }
+  const auto token = read_token(file);
+  if (!token)
+    return fail(token.error());
+  client::connect_options how;
+  how.url = options.server;
+  how.token = *token;
+  return how;
+}
+
+std::string describe(const recipe& steps, const recipe_runner& runner, double ms) {
+  std::string text = steps.name + "\n\n" + runner.table() + "\n" + runner.details() + "\n";
+  for (const auto& file : runner.files())
+    text += "  wrote " + file + "\n";
+  return text + "  " + pretty(ms / 1000, 3) +
+         " s in all. Fields of linear tets are previews: they understate bending.\n";
+}
+
 int run_recipe(const run_options& options, session& s) {
+  start_logging("warn");
   const stopwatch clock;
   auto steps = read_recipe(options.recipe);
   if (!steps)
     return print_error(s, steps.error());
   if (!options.device.empty())
     steps->device = options.device;
-  recipe_runner runner(*steps, s, options.out);
+  embedded_server own;
+  auto how = reach(options, own);
+  if (!how)
+    return print_error(s, how.error());
+  how->client_name = "tedit run " TEDIT_VERSION;
+  const auto failures = std::make_shared<failed_solves>();
+  client::events handlers;
+  handlers.on_solve_status = [failures](const client::solve_status& status) {
+    if (status.phase == client::solve_phase::failed)
+      failures->add(status.version_id);
+  };
+  auto connected = client::client::connect(*how, handlers);
+  if (!connected)
+    return print_error(s, connected.error());
+  recipe_runner runner(*steps, s, **connected, failures, options.out);
   if (auto done = runner.run(); !done)
     return print_error(s, done.error());
-  nlohmann::ordered_json json{{"name", steps->name},
-                              {"steps", runner.report()},
-                              {"files", runner.files()},
-                              {"total_ms", clock.milliseconds()}};
-  std::string text = steps->name + "\n\n" + runner.table() + "\n";
-  for (const auto& file : runner.files())
-    text += "  wrote " + file + "\n";
-  text += "  " + pretty(clock.milliseconds() / 1000, 3) +
-          " s in all. Fields of linear tets are previews: they understate bending.\n";
-  print_result(s, json, text);
+  const nlohmann::ordered_json json{{"name", steps->name},
+                                    {"server", how->url},
+                                    {"steps", runner.report()},
+                                    {"files", runner.files()},
+                                    {"total_ms", clock.milliseconds()}};
+  print_result(s, json, describe(*steps, runner, clock.milliseconds()));
   return 0;
 }
 
@@ -48,6 +139,10 @@ void add_run(CLI::App& app, action& chosen) {
     ->required();
   command->add_option("--out", options->out, "Folder for exported files")->capture_default_str();
   command->add_option("--device", options->device, "Device instead of the recipe's");
+  command->add_option("--server", options->server,
+                      "Work on this server (ws://HOST:PORT/v1) instead of one inside this program");
+  command->add_option("--token-file", options->token_file,
+                      "The server's token; default: where \"tedit serve\" puts it");
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_recipe(*options, s); }; });
 }

@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/field_file.hpp"
+#include "cli/reports.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
@@ -24,64 +25,25 @@ struct solve_options {
   double tolerance = 1e-6;
 };
 
-struct solve_times {
+/// A report with the caller's times in it.
+struct timed_report {
+  solve_report report;
   double import_ms = 0;
-  double problem_ms = 0;
-  double total_ms = 0;
 };
 
-nlohmann::ordered_json to_json(const mesh_version& mesh, const fem::problem& problem,
-                               const fem::solution& result, const solve_times& times) {
-  const auto triple = [](vec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
-  return {{"version_id", to_hex(mesh.id())},
-          {"device", result.device},
-          {"element_order", result.element_order},
-          {"preview", result.preview()},
-          {"dofs", problem.dofs()},
-          {"iterations", result.iterations},
-          {"true_relative_residual", result.true_relative_residual},
-          {"max_displacement_m", result.max_displacement_m},
-          {"max_displacement_at_m", triple(result.max_displacement_at)},
-          {"compliance_j", result.compliance_j},
-          {"max_von_mises_pa", result.max_von_mises_pa},
-          {"max_von_mises_at_m", triple(result.max_von_mises_at)},
-          {"reaction_n", triple(result.reaction_n)},
-          {"applied_n", triple(result.applied_n)},
-          {"timings_ms",
-           {{"import", times.import_ms},
-            {"assembly", result.assembly_ms},
-            {"setup", times.problem_ms + result.setup_ms},
-            {"solve", result.solve_ms},
-            {"recovery", result.recovery_ms},
-            {"total", times.total_ms}}}};
+nlohmann::ordered_json to_json(const timed_report& timed) {
+  auto json = cli::to_json(timed.report);
+  json["timings_ms"]["import"] = timed.import_ms;
+  return json;
 }
 
-std::string describe(const fem::problem& problem, const fem::solution& result,
-                     const solve_times& times) {
-  const auto mm = [](vec3 p) {
-    return "(" + pretty(1e3 * p.x) + ", " + pretty(1e3 * p.y) + ", " + pretty(1e3 * p.z) + ") mm";
-  };
-  std::string text;
-  const auto line = [&](const std::string& label, const std::string& value) {
-    text += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
-  };
-  line("device", result.device);
-  line("unknowns", std::to_string(problem.dofs()) + " (linear tets)");
-  line("iterations", std::to_string(result.iterations));
-  line("residual", pretty(result.true_relative_residual, 2) + " (true, relative)");
-  line("max displacement",
-       pretty(1e3 * result.max_displacement_m, 6) + " mm at " + mm(result.max_displacement_at));
-  line("max von Mises",
-       pretty(1e-6 * result.max_von_mises_pa, 5) + " MPa at " + mm(result.max_von_mises_at));
-  line("compliance", pretty(result.compliance_j, 6) + " J");
-  const auto& r = result.reaction_n;
-  const auto& a = result.applied_n;
-  line("reaction", pretty(r.x, 6) + ", " + pretty(r.y, 6) + ", " + pretty(r.z, 6) + " N");
-  line("applied", pretty(a.x, 6) + ", " + pretty(a.y, 6) + ", " + pretty(a.z, 6) + " N");
-  line("time", pretty(times.total_ms) + " ms (import " + pretty(times.import_ms, 3) +
-                 ", assembly " + pretty(result.assembly_ms, 3) + ", solve " +
-                 pretty(result.solve_ms, 4) + ", recovery " + pretty(result.recovery_ms, 3) + ")");
-  if (result.preview())
+std::string describe(const timed_report& timed) {
+  const auto& report = timed.report;
+  auto text = cli::describe(report);
+  text += "  time              " + pretty(report.total_ms) + " ms (import " +
+          pretty(timed.import_ms, 3) + ", assembly " + pretty(report.assembly_ms, 3) + ", solve " +
+          pretty(report.solve_ms, 4) + ", recovery " + pretty(report.recovery_ms, 3) + ")\n";
+  if (report.preview)
     text +=
       "  PREVIEW: linear tets are too stiff in bending; displacements of thin parts can be\n"
       "  several times too small.\n";
@@ -91,7 +53,7 @@ std::string describe(const fem::problem& problem, const fem::solution& result,
 int run_solve(const solve_options& options, session& s) {
   const stopwatch total;
   stopwatch clock;
-  solve_times times;
+  timed_report timed;
   const auto loads = protocol::load_case_from_file(options.load_case);
   if (!loads)
     return print_error(s, loads.error());
@@ -101,12 +63,12 @@ int run_solve(const solve_options& options, session& s) {
   for (const auto& warning : imported->warnings)
     notice(s, "note: " + warning);
   const auto& mesh = *imported->version;
-  times.import_ms = clock.restart();
+  timed.import_ms = clock.restart();
 
   const auto problem = fem::make_problem(mesh, *loads);
   if (!problem)
     return print_error(s, problem.error());
-  times.problem_ms = clock.restart();
+  const double problem_ms = clock.restart();
   const auto device = fem::open_backend(options.device);
   if (!device)
     return print_error(s, device.error());
@@ -118,8 +80,10 @@ int run_solve(const solve_options& options, session& s) {
   if (!options.output.empty())
     if (auto written = write_field(options.output, mesh, *problem, *result); !written)
       return print_error(s, written.error());
-  times.total_ms = total.milliseconds();
-  print_result(s, to_json(mesh, *problem, *result, times), describe(*problem, *result, times));
+  timed.report = make_report(mesh, loads->name, *problem, *result);
+  timed.report.setup_ms += problem_ms;
+  timed.report.total_ms = total.milliseconds();
+  print_result(s, to_json(timed), describe(timed));
   return 0;
 }
 

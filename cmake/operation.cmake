@@ -4,7 +4,7 @@
 # link, and the loadable module lib/tedit/plugins/<NAME>.so. The first source holds TEDIT_PLUGIN.
 function(tedit_add_operation)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;TESTS;LINK" ${ARGN})
-  list(POP_FRONT ARG_SOURCES entry)
+  list(GET ARG_SOURCES 0 entry)
   add_library(tedit_op_${ARG_NAME}_code STATIC ${ARG_SOURCES})
   target_link_libraries(tedit_op_${ARG_NAME}_code PUBLIC tedit_options tedit_mesh ${ARG_LINK})
   add_library(tedit_op_${ARG_NAME} MODULE ${entry})

@@ -29,6 +29,8 @@ public:
     if (auto ok = check_extent(); !ok)
       return fail(ok.error());
     drop_flat_extras();
+    if (auto ok = drop_unused_vertices(); !ok)  // Those that only a dropped tet had.
+      return fail(ok.error());
     if (auto ok = orient(); !ok)
       return fail(ok.error());
     if (auto ok = link(); !ok)
@@ -170,13 +172,20 @@ private:
                         " tets of zero volume lie on faces that other tets share and were left "
                         "out: " +
                         list_tets(flat));
-    for (const auto t : flat | std::views::reverse) {
-      const auto at = static_cast<std::ptrdiff_t>(t);
-      raw_.tets.erase(raw_.tets.begin() + at);
-      raw_.tet_regions.erase(raw_.tet_regions.begin() + at);
-      if (!raw_.tet_numbers.empty())
-        raw_.tet_numbers.erase(raw_.tet_numbers.begin() + at);
-    }
+    const auto compact = [&](auto& column) {
+      auto dropped = flat.begin();
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < column.size(); ++i)
+        if (dropped != flat.end() && *dropped == i)
+          ++dropped;
+        else
+          column[kept++] = column[i];
+      column.resize(kept);
+    };
+    compact(raw_.tets);
+    compact(raw_.tet_regions);
+    if (!raw_.tet_numbers.empty())
+      compact(raw_.tet_numbers);
   }
 
   /// The sign of a tet's volume means nothing when rounding alone can turn it.

@@ -366,6 +366,8 @@ void mesh_builder::detach(const cavity_change& change, const link_plan& links) {
     free_facet_slot(f);
   auto removed = change.removed;
   std::ranges::sort(removed, std::greater{});
+  const auto repeated = std::ranges::unique(removed);
+  removed.erase(repeated.begin(), repeated.end());
   for (const auto t : removed)
     free_tet_slot(t);
 }

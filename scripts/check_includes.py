@@ -38,7 +38,7 @@ ROOMS = {
     ),
     "cli": (
         ("actors", "client", "protocol", "fem", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
-        ("CLI/", "nlohmann/", "spdlog/", "fmt/"),
+        ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
     "cli/render": (("base",), ("vtk", "CLI/", "nlohmann/")),
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/io/import.hpp"
 
+#include <new>
+
 #include "base/stopwatch.hpp"
 #include "base/units.hpp"
 #include "mesh/build_version.hpp"
@@ -26,8 +28,10 @@ expected<imported_mesh> import_mesh(const std::filesystem::path& path,
   return result;
 }
 
-expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
-                                          const std::string& length_unit) {
+namespace {
+
+expected<imported_mesh> read_and_build(std::span<const char> bytes,
+                                       const std::string& length_unit) {
   const auto unit = metres_per_unit(length_unit);
   if (!unit)
     return fail(unit.error());
@@ -45,6 +49,18 @@ expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
   result.warnings = std::move(read->notices);
   result.warnings.insert(result.warnings.end(), built->warnings.begin(), built->warnings.end());
   return result;
+}
+
+}  // namespace
+
+expected<imported_mesh> import_mesh_bytes(std::span<const char> bytes,
+                                          const std::string& length_unit) {
+  try {
+    return read_and_build(bytes, length_unit);
+  } catch (const std::bad_alloc&) {
+    return fail(ec::out_of_memory, "there is not enough memory for this mesh",
+                "Close other programs or take a coarser mesh");
+  }
 }
 
 }  // namespace tedit

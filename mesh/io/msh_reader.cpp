@@ -177,6 +177,8 @@ private:
     in_.check_count(physical, in_.binary ? 4 : 2, "physical tags");
     for (std::uint64_t i = 0; i < physical; ++i) {
       const auto group = in_.integer("physical tag");
+      if (group < INT32_MIN || group > INT32_MAX)
+        in_.fail_here(ec::bad_input, "physical tag " + std::to_string(group) + " is out of range");
       if (const auto name = names_.find({dimension, std::abs(group)}); name != names_.end())
         entity_names_[{dimension, tag}] = name->second;
     }
@@ -279,11 +281,11 @@ private:
 
   void add_element(const element_kind& kind, std::uint64_t number, std::int64_t entity, bool tagged,
                    const std::array<std::uint64_t, 4>& nodes) {
+    if (entity < INT32_MIN || entity > INT32_MAX)
+      in_.fail_here(ec::bad_input, "entity tag " + std::to_string(entity) + " is out of range");
     if (kind.purpose == element_use::triangle) {
       triangles_.push_back({{nodes[0], nodes[1], nodes[2]}, entity, tagged});
     } else if (kind.purpose == element_use::tet) {
-      if (entity < INT32_MIN || entity > INT32_MAX)
-        in_.fail_here(ec::bad_input, "region id " + std::to_string(entity) + " is out of range");
       tets_.push_back(nodes);
       out_.mesh.tet_numbers.push_back(number);
       out_.mesh.tet_regions.push_back(static_cast<region_id>(entity));

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/errors.hpp"
+
+#include <caf/actor_system.hpp>
+#include <caf/atom.hpp>
+#include <caf/message.hpp>
+#include <caf/make_message.hpp>
+#include <caf/sec.hpp>
+
+namespace tedit::actors {
+
+namespace {
+
+constexpr caf::atom_value category = caf::atom("tedit");
+
+}  // namespace
+
+caf::error to_caf(const error& e) {
+  return {static_cast<std::uint8_t>(e.code), category,
+          caf::make_message(e.message, e.remedy, e.where)};
+}
+
+error from_caf(const caf::error& e, const std::string& what) {
+  if (e.category() == category) {
+    error result{static_cast<ec>(e.code()), what, {}, {}};
+    const auto& context = e.context();
+    if (context.match_elements<std::string, std::string, std::string>()) {
+      result.message = context.get_as<std::string>(0);
+      result.remedy = context.get_as<std::string>(1);
+      result.where = context.get_as<std::string>(2);
+    }
+    return result;
+  }
+  if (e == caf::sec::request_timeout)
+    return {ec::timeout, what + " did not end within its time limit", "Try again", {}};
+  return {ec::service_unavailable,
+          what + " failed: its worker is gone (" + caf::to_string(e) + ")",
+          "The server restarts workers by itself; try again",
+          {}};
+}
+
+bool worth_a_retry(const error& e) {
+  return e.code == ec::service_unavailable || e.code == ec::not_found;
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/gateway/client_actor.hpp"
+
+#include <atomic>
+
+#include <google/protobuf/io/coded_stream.h>
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+#include "protocol/json.hpp"
+
+namespace tedit::gateway {
+
+namespace {
+
+constexpr int protobuf_depth = 32;
+constexpr std::size_t most_requests = 64;
+
+bool parse(const std::string& bytes, v1::ClientMessage& message) {
+  google::protobuf::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                            static_cast<int>(bytes.size()));
+  in.SetRecursionLimit(protobuf_depth);
+  return message.ParseFromCodedStream(&in) && in.ConsumedEntireMessage();
+}
+
+}  // namespace
+
+void client_state::start(client_pointer owner, std::shared_ptr<connection> peer,
+                         gateway_parts with) {
+  self = owner;
+  to = std::move(peer);
+  parts = std::move(with);
+  bulk_out.emplace(to);
+}
+
+void client_state::on_message(const std::string& bytes) {
+  v1::ClientMessage message;
+  if (!parse(bytes, message)) {
+    refuse(0, {ec::protocol_error, "this is no message of tedit.v1", "Use the schema of the server's version", {}});
+    return to->close(1007, "no message of tedit.v1");
+  }
+  const auto id = message.request_id();
+  if (!known) {
+    if (message.has_hello())
+      return hello(id, message.hello());
+    refuse(id, {ec::protocol_error, "the first message must be Hello", {}, {}});
+    return to->close(1008, "no Hello");
+  }
+  const bool uploading = message.has_upload_chunk();
+  if (id == 0 && !uploading)
+    return refuse(id, {ec::protocol_error, "a request needs a request_id", {}, {}});
+  if (requests.contains(id) && !uploading)
+    return refuse(id, {ec::protocol_error, "this request_id is in use", {}, {}});
+  if (requests.size() >= most_requests)
+    return refuse(id, {ec::conflict, "too many requests at once (" +
+                                       std::to_string(most_requests) + ")",
+                       "Wait for answers before asking more", {}});
+  dispatch(id, message);
+}
+
+void client_state::on_closed() {
+  // What runs for this client alone is ended; what it has committed stays.
+  for (const auto& [id, request] : requests)
+    if (request.session)
+      caf::anon_send(request.session, actors::cancel_atom::value, request.ticket);
+  for (const auto& [key, document] : documents)
+    caf::anon_send(document.session, actors::detach_atom::value, caf::actor_cast<caf::actor>(self));
+  self->quit();
+}
+
+void client_state::answer(std::uint64_t id, v1::ServerMessage message) {
+  end(id);
+  message.set_request_id(id);
+  send(*to, message);
+}
+
+void client_state::refuse(std::uint64_t id, const error& e) {
+  v1::ServerMessage message;
+  to_message(e, message.mutable_error());
+  answer(id, std::move(message));
+}
+
+client_state::open_document* client_state::find(std::uint64_t id, const std::string& document) {
+  const auto found = documents.find(document);
+  if (found != documents.end())
+    return &found->second;
+  refuse(id, {ec::not_found, "the document \"" + document + "\" is not open in this connection",
+              "Send OpenDocument first", {}});
+  return nullptr;
+}
+
+std::uint64_t client_state::begin(std::uint64_t id, const actors::session_actor& session) {
+  static std::atomic<std::uint64_t> last{0};
+  const auto ticket = ++last;
+  requests[id] = {ticket, session};
+  return ticket;
+}
+
+// -- events ----------------------------------------------------------------------------------
+
+void client_state::on_head(const actors::head_moved& event) {
+  const auto found = documents.find(event.document);
+  if (found == documents.end())
+    return;
+  v1::ServerMessage message;
+  to_message(event, message.mutable_committed());
+  send(*to, message);
+  want_surface(event.document, event.version);
+}
+
+void client_state::want_surface(const std::string& document, const version_ptr& mesh) {
+  auto& open = documents.at(document);
+  if (!open.watch_surface || !mesh)
+    return;
+  const bool queued = open.wanted_surface != nullptr;
+  open.wanted_surface = mesh;
+  if (!queued)
+    bulk_out->add([this, document]() -> std::optional<bulk> {
+      const auto found = documents.find(document);
+      if (found == documents.end())
+        return std::nullopt;
+      const auto newest = std::exchange(found->second.wanted_surface, nullptr);
+      return newest ? found->second.surface.update_to(document, newest) : std::nullopt;
+    });
+  bulk_out->pump();
+}
+
+void client_state::on_solved(const actors::solved& event) {
+  const auto found = documents.find(event.document);
+  if (found == documents.end())
+    return;
+  v1::ServerMessage message;
+  message.mutable_solved()->set_document(event.document);
+  if (auto report = protocol::message_from_json<v1::SolveReport>(event.report))
+    *message.mutable_solved()->mutable_report() = std::move(*report);
+  send(*to, message);
+  auto& open = found->second;
+  if (!open.watch_fields)
+    return;
+  const bool queued = open.wanted_fields.has_value();
+  open.wanted_fields = event;
+  if (!queued)
+    bulk_out->add([this, document = event.document]() -> std::optional<bulk> {
+      const auto still = documents.find(document);
+      if (still == documents.end() || !still->second.wanted_fields)
+        return std::nullopt;
+      const auto newest = std::move(*still->second.wanted_fields);
+      still->second.wanted_fields.reset();
+      return surface_stream::fields_of(document, *newest.version, *newest.fields, newest.report);
+    });
+  bulk_out->pump();
+}
+
+void client_state::on_note(const actors::solve_note& event) {
+  if (!documents.contains(event.document))
+    return;
+  v1::ServerMessage message;
+  to_message(event, message.mutable_solve_status());
+  send(*to, message);
+}
+
+void client_state::on_progress(const actors::request_progress& event) {
+  const auto found = std::ranges::find_if(
+    requests, [&](const auto& row) { return row.second.ticket == event.ticket; });
+  if (found == requests.end() || event.ticket == 0)
+    return;
+  v1::ServerMessage message;
+  message.set_request_id(found->first);
+  message.mutable_progress()->set_fraction(event.fraction);
+  message.mutable_progress()->set_stage(event.stage);
+  send(*to, message);
+}
+
+caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
+                          gateway_parts parts) {
+  auto& state = self->state;
+  state.start(self, std::move(to), std::move(parts));
+  return {[&state](const std::string& bytes) { state.on_message(bytes); },
+          [&state](drained_atom) { state.bulk_out->pump(); },
+          [&state](closed_atom) { state.on_closed(); },
+          [&state](const actors::head_moved& event) { state.on_head(event); },
+          [&state](const actors::solved& event) { state.on_solved(event); },
+          [&state](const actors::solve_note& event) { state.on_note(event); },
+          [&state](const actors::request_progress& event) { state.on_progress(event); }};
+}
+
+}  // namespace tedit::gateway

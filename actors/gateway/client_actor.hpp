@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include <caf/event_based_actor.hpp>
+#include <caf/send.hpp>
+#include <caf/stateful_actor.hpp>
+
+#include "actors/gateway/bulk.hpp"
+#include "actors/gateway/surface_stream.hpp"
+#include "actors/interfaces.hpp"
+
+namespace tedit::gateway {
+
+/// The connection can take more; the connection is gone.
+using drained_atom = caf::atom_constant<caf::atom("drained")>;
+using closed_atom = caf::atom_constant<caf::atom("closed")>;
+
+struct client_state;
+using client_pointer = caf::stateful_actor<client_state>*;
+
+/// What all clients of a gateway share.
+struct gateway_parts {
+  actors::hub_actor hub;
+  std::string token;  ///< Empty: nobody is asked for one (tests and servers inside a program).
+  std::string server_name;
+  std::function<std::size_t()> connections;
+};
+
+/// One client: what it has open, what runs for it, what is on its way to it. The members are called
+/// by the actor's handlers and by nothing else.
+struct client_state {
+  struct open_document {
+    actors::session_actor session;
+    bool watch_surface = false;
+    bool watch_fields = false;
+    surface_stream surface;
+    version_ptr wanted_surface;           ///< The newest head, when it was not sent yet.
+    std::optional<actors::solved> wanted_fields;
+  };
+
+  struct upload {
+    std::vector<page_ptr> pages;
+    std::string rest;  ///< Less than a page.
+    std::uint64_t size = 0;
+  };
+
+  struct running_request {
+    std::uint64_t ticket = 0;
+    actors::session_actor session;
+  };
+
+  void start(client_pointer owner, std::shared_ptr<connection> to, gateway_parts with);
+  void on_message(const std::string& bytes);
+  void on_closed();
+
+  // -- requests (requests.cpp) ---------------------------------------------------------------
+
+  void hello(std::uint64_t id, const v1::Hello& body);
+  void dispatch(std::uint64_t id, const v1::ClientMessage& message);
+  void list_operations(std::uint64_t id);
+  void get_status(std::uint64_t id);
+  void cancel(std::uint64_t id, const v1::Cancel& body);
+  void open(std::uint64_t id, const v1::OpenDocument& body);
+  void close(std::uint64_t id, const v1::CloseDocument& body);
+  void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
+  void import(std::uint64_t id, const v1::ImportMesh& body);
+  void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
+  void edit(std::uint64_t id, const v1::ApplyEdit& body);
+  void move(std::uint64_t id, const std::string& document, actors::move_kind kind);
+  void solve(std::uint64_t id, const v1::Solve& body);
+  void export_file(std::uint64_t id, const v1::ExportFile& body);
+  void history(std::uint64_t id, const v1::GetHistory& body);
+
+  // -- events and answers ----------------------------------------------------------------------
+
+  void on_head(const actors::head_moved& event);
+  void on_solved(const actors::solved& event);
+  void on_note(const actors::solve_note& event);
+  void on_progress(const actors::request_progress& event);
+  void want_surface(const std::string& document, const version_ptr& mesh);
+  void answer(std::uint64_t id, v1::ServerMessage message);
+  void refuse(std::uint64_t id, const error& e);
+
+  /// The document with this name; refuses the request when it is not open here.
+  open_document* find(std::uint64_t id, const std::string& document);
+  /// Notes a request that can be cancelled; returns its ticket.
+  std::uint64_t begin(std::uint64_t id, const actors::session_actor& session);
+  void end(std::uint64_t id) { requests.erase(id); }
+
+  client_pointer self = nullptr;
+  std::shared_ptr<connection> to;
+  gateway_parts parts;
+  std::optional<outbox> bulk_out;
+  bool known = false;  ///< Has said hello and proved its right.
+  std::map<std::string, open_document> documents;
+  std::map<std::uint64_t, upload> uploads;
+  std::uint64_t uploaded_bytes = 0;
+  std::map<std::uint64_t, running_request> requests;
+
+  static inline const char* name = "client";
+};
+
+/// Speaks the protocol `tedit.v1` with one client.
+caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
+                          gateway_parts parts);
+
+// -- messages.cpp: what the actors say, as messages of the protocol --------------------------------
+
+void to_message(const actors::version_info& info, v1::VersionInfo* out);
+void to_message(const actors::head_moved& moved, v1::Committed* out);
+void to_message(const actors::solve_note& note, v1::SolveStatus* out);
+void to_message(const error& e, v1::Error* out);
+void to_message(const actors::server_status& status, v1::ServerStatus* out);
+
+}  // namespace tedit::gateway
+
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(std::shared_ptr<tedit::gateway::connection>)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::gateway::gateway_parts)

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/gateway/gateway.hpp"
+
+#include <caf/actor_system.hpp>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+namespace tedit::gateway {
+
+namespace {
+
+/// Hands what a connection receives to its actor. Nothing is decoded on the I/O thread.
+class forwarder : public connection_handler {
+public:
+  forwarder(caf::actor client, std::string peer)
+      : client_(std::move(client)), peer_(std::move(peer)) {}
+
+  void on_message(std::string bytes) override { caf::anon_send(client_, std::move(bytes)); }
+  void on_drained() override { caf::anon_send(client_, drained_atom::value); }
+  void on_closed(const std::string& reason) override {
+    spdlog::info("client {}: gone: {}", peer_, reason);
+    caf::anon_send(client_, closed_atom::value);
+  }
+
+private:
+  caf::actor client_;
+  std::string peer_;
+};
+
+}  // namespace
+
+expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
+                                                   transport_options options, gateway_parts parts) {
+  const auto server_name = parts.server_name;
+  options.health = [server_name] {
+    return nlohmann::ordered_json{{"status", "ok"}, {"server", server_name}}.dump();
+  };
+  options.accept = [&system, parts](std::shared_ptr<connection> to) {
+    const auto peer = to->peer();
+    return std::make_unique<forwarder>(system.spawn(make_client, std::move(to), parts), peer);
+  };
+  return transport::start(std::move(options));
+}
+
+}  // namespace tedit::gateway

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/gateway/client_actor.hpp"
+#include "protocol/json.hpp"
+
+namespace tedit::gateway {
+
+void to_message(const actors::version_info& info, v1::VersionInfo* out) {
+  out->set_number(info.number);
+  out->set_version_id(to_hex(info.id));
+  if (info.parent)
+    out->set_parent(*info.parent);
+  out->set_operation(info.operation);
+  out->set_tets(info.tets);
+  out->set_vertices(info.vertices);
+  out->set_boundary_facets(info.boundary_facets);
+  out->mutable_load_cases()->Assign(info.load_cases.begin(), info.load_cases.end());
+}
+
+void to_message(const actors::head_moved& moved, v1::Committed* out) {
+  out->set_document(moved.document);
+  to_message(moved.head, out->mutable_head());
+  out->set_cause(moved.cause);
+  if (!moved.report.empty())
+    if (auto report = protocol::message_from_json<v1::EditReport>(moved.report))
+      *out->mutable_report() = std::move(*report);
+  out->mutable_warnings()->Assign(moved.warnings.begin(), moved.warnings.end());
+  out->set_can_undo(moved.can_undo);
+  out->set_can_redo(moved.can_redo);
+  out->set_commit_ms(moved.commit_ms);
+}
+
+void to_message(const actors::solve_note& note, v1::SolveStatus* out) {
+  static_assert(static_cast<int>(actors::solve_phase::started) + 1 == v1::SolveStatus::STARTED &&
+                static_cast<int>(actors::solve_phase::failed) + 1 == v1::SolveStatus::FAILED);
+  out->set_document(note.document);
+  out->set_version_id(note.version);
+  out->set_load_case(note.load_case);
+  out->set_phase(static_cast<v1::SolveStatus::Phase>(static_cast<int>(note.phase) + 1));
+  out->set_iterations(static_cast<std::uint32_t>(note.iterations));
+  out->set_true_relative_residual(note.residual);
+  out->set_message(note.message);
+}
+
+void to_message(const error& e, v1::Error* out) {
+  out->set_code(std::string(code_name(e.code)));
+  out->set_message(e.message);
+  out->set_remedy(e.remedy);
+  out->set_where(e.where);
+}
+
+void to_message(const actors::server_status& status, v1::ServerStatus* out) {
+  for (const auto& worker : status.workers) {
+    auto* row = out->add_workers();
+    row->set_role(worker.role);
+    row->set_state(worker.state);
+    row->set_pid(static_cast<std::uint32_t>(worker.pid));
+    row->set_restarts(worker.restarts);
+    row->set_jobs(worker.jobs);
+    row->set_detail(worker.detail);
+  }
+  out->set_documents(status.documents);
+}
+
+}  // namespace tedit::gateway

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <openssl/crypto.h>
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+#include "actors/gateway/client_actor.hpp"
+#include "actors/session/session.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/json.hpp"
+#include "protocol/operation_message.hpp"
+
+namespace tedit::gateway {
+
+namespace {
+
+using namespace actors;
+
+constexpr std::uint32_t protocol_major = 1;
+constexpr std::uint32_t protocol_minor = 0;
+constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
+
+/// Uploaded and not yet imported, per connection.
+constexpr std::uint64_t most_upload_bytes = std::uint64_t{4} << 30;
+
+bool same_secret(const std::string& a, const std::string& b) {
+  return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+constexpr auto short_limit = std::chrono::seconds(60);
+
+}  // namespace
+
+void client_state::hello(std::uint64_t id, const v1::Hello& body) {
+  if (body.protocol_major() != protocol_major) {
+    refuse(id, {ec::protocol_error,
+                "the client speaks version " + std::to_string(body.protocol_major()) +
+                  " of the protocol, this server version " + std::to_string(protocol_major),
+                "Use a client and a server of the same release", {}});
+    return to->close(1008, "protocol version");
+  }
+  if (!parts.token.empty() && !same_secret(body.token(), parts.token)) {
+    spdlog::warn("client {}: wrong token", to->peer());
+    refuse(id, {ec::invalid_argument, "the token is wrong",
+                "Give the token that the server wrote when it started (tedit serve --help)", {}});
+    return to->close(1008, "wrong token");
+  }
+  known = true;
+  to->authenticated();
+  spdlog::info("client {}: {}", to->peer(), body.client().substr(0, 100));
+  v1::ServerMessage message;
+  auto* welcome = message.mutable_welcome();
+  welcome->set_protocol_major(protocol_major);
+  welcome->set_protocol_minor(protocol_minor);
+  welcome->set_server(parts.server_name);
+  welcome->set_max_message_bytes(max_client_message);
+  answer(id, std::move(message));
+}
+
+void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {
+  using body = v1::ClientMessage;
+  switch (message.body_case()) {
+    case body::kListOperations:
+      return list_operations(id);
+    case body::kCancel:
+      return cancel(id, message.cancel());
+    case body::kGetStatus:
+      return get_status(id);
+    case body::kOpenDocument:
+      return open(id, message.open_document());
+    case body::kCloseDocument:
+      return close(id, message.close_document());
+    case body::kUploadChunk:
+      return receive_upload(id, message.upload_chunk());
+    case body::kImportMesh:
+      return import(id, message.import_mesh());
+    case body::kSetLoadCase:
+      return set_load_case(id, message.set_load_case());
+    case body::kApplyEdit:
+      return edit(id, message.apply_edit());
+    case body::kUndo:
+      return move(id, message.undo().document(), move_kind::undo);
+    case body::kRedo:
+      return move(id, message.redo().document(), move_kind::redo);
+    case body::kSolve:
+      return solve(id, message.solve());
+    case body::kExportFile:
+      return export_file(id, message.export_file());
+    case body::kGetHistory:
+      return history(id, message.get_history());
+    case body::kHello:
+      return refuse(id, {ec::protocol_error, "Hello was said already", {}, {}});
+    case body::BODY_NOT_SET:
+      return refuse(id, {ec::protocol_error, "this server does not know this request",
+                         "Use a client of the server's release", {}});
+  }
+}
+
+void client_state::list_operations(std::uint64_t id) {
+  begin(id, {});
+  self->request(parts.hub, short_limit, catalog_atom::value)
+    .then(
+      [=, this](const std::string& json) {
+        auto catalogue = protocol::message_from_json<v1::Catalogue>(json);
+        if (!catalogue)
+          return refuse(id, catalogue.error());
+        v1::ServerMessage message;
+        *message.mutable_catalogue() = std::move(*catalogue);
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "listing the operations")); });
+}
+
+void client_state::get_status(std::uint64_t id) {
+  begin(id, {});
+  self->request(parts.hub, short_limit, status_atom::value)
+    .then(
+      [=, this](const server_status& status) {
+        v1::ServerMessage message;
+        to_message(status, message.mutable_server_status());
+        message.mutable_server_status()->set_connections(
+          static_cast<std::uint32_t>(parts.connections()));
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "asking for the status")); });
+}
+
+void client_state::cancel(std::uint64_t id, const v1::Cancel& body) {
+  const auto found = requests.find(body.request_id());
+  if (found != requests.end() && found->second.session)
+    caf::anon_send(found->second.session, cancel_atom::value, found->second.ticket);
+  v1::ServerMessage message;
+  message.mutable_done();
+  answer(id, std::move(message));
+}
+
+// -- documents -----------------------------------------------------------------------------------
+
+void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
+  begin(id, {});
+  const bool surface = body.watch_surface();
+  const bool fields = body.watch_fields();
+  const auto failed = [=, this](const caf::error& e) {
+    refuse(id, from_caf(e, "opening the document"));
+  };
+  const auto attached = [=, this](const session_snapshot& snapshot, const session_actor& session) {
+    auto& document = documents[snapshot.document];
+    document.session = session;
+    document.watch_surface = surface;
+    document.watch_fields = fields;
+    document.surface = {};
+    v1::ServerMessage message;
+    auto* state = message.mutable_document_state();
+    state->set_document(snapshot.document);
+    if (snapshot.head)
+      to_message(*snapshot.head, state->mutable_head());
+    state->set_can_undo(snapshot.can_undo);
+    state->set_can_redo(snapshot.can_redo);
+    answer(id, std::move(message));
+    want_surface(snapshot.document, snapshot.version);
+  };
+  self->request(parts.hub, std::chrono::minutes(10), body.name())
+    .then(
+      [=, this](const opened_document& opened) {
+        const auto session = caf::actor_cast<session_actor>(opened.session);
+        self
+          ->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(self)})
+          .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, failed);
+      },
+      failed);
+}
+
+void client_state::close(std::uint64_t id, const v1::CloseDocument& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  caf::anon_send(document->session, detach_atom::value, caf::actor_cast<caf::actor>(self));
+  documents.erase(body.document());
+  v1::ServerMessage message;
+  message.mutable_done();
+  answer(id, std::move(message));
+}
+
+void client_state::receive_upload(std::uint64_t id, const v1::UploadChunk& body) {
+  auto& target = uploads[body.upload()];
+  const auto drop = [&](const std::string& why) {
+    uploaded_bytes -= target.size;
+    uploads.erase(body.upload());
+    refuse(id, {ec::protocol_error, why, "Send the file again", {}});
+  };
+  if (body.offset() != target.size)
+    return drop("a piece of an upload is missing");
+  if (uploaded_bytes + body.data().size() > most_upload_bytes)
+    return drop("the upload is too large (more than 4 GiB)");
+  uploaded_bytes += body.data().size();
+  target.size += body.data().size();
+  target.rest += body.data();
+  std::size_t used = 0;
+  for (; target.rest.size() - used >= max_page_bytes; used += max_page_bytes)
+    target.pages.push_back(
+      page::from_bytes(std::as_bytes(std::span(target.rest).subspan(used, max_page_bytes))));
+  target.rest.erase(0, used);
+}
+
+void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
+  const auto* document = find(id, body.document());
+  const auto found = uploads.find(body.upload());
+  if (!document)
+    return;
+  if (found == uploads.end() || found->second.size != body.size())
+    return refuse(id, {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
+  import_request request;
+  request.file = std::move(found->second.pages);
+  if (!found->second.rest.empty())
+    request.file.push_back(page::from_bytes(std::as_bytes(std::span(found->second.rest))));
+  uploaded_bytes -= found->second.size;
+  uploads.erase(found);
+  request.ticket = begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(self);
+  request.size = body.size();
+  request.file_name = body.file_name().substr(0, 200);
+  request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
+  self->request(document->session, answer_limit, std::move(request))
+    .then(
+      [=, this](const head_moved& moved) {
+        v1::ServerMessage message;
+        to_message(moved, message.mutable_committed());
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the import")); });
+}
+
+void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  const auto json = protocol::message_to_json(body.load_case());
+  const auto checked = protocol::load_case_from_json(json, "load case");
+  if (!checked)
+    return refuse(id, checked.error());
+  begin(id, {});
+  self->request(document->session, answer_limit, load_case_request{json})
+    .then(
+      [=, this](acknowledged) {
+        v1::ServerMessage message;
+        message.mutable_done();
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "setting the load case")); });
+}
+
+void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  ops::parameters parameters;
+  for (const auto& [key, value] : body.parameters())
+    parameters[key] = protocol::from_message(value);
+  edit_request request;
+  request.ticket = begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(self);
+  request.operation = body.operation();
+  request.surfaces.assign(body.surfaces().begin(), body.surfaces().end());
+  request.parameters = protocol::parameters_to_json(parameters);
+  request.expected_version = body.expected_version();
+  self->request(document->session, answer_limit, std::move(request))
+    .then(
+      [=, this](const head_moved& moved) {
+        v1::ServerMessage message;
+        to_message(moved, message.mutable_committed());
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the edit")); });
+}
+
+void client_state::move(std::uint64_t id, const std::string& document_name, move_kind kind) {
+  const auto* document = find(id, document_name);
+  if (!document)
+    return;
+  begin(id, {});
+  self->request(document->session, answer_limit, move_request{kind})
+    .then(
+      [=, this](const head_moved& moved) {
+        v1::ServerMessage message;
+        to_message(moved, message.mutable_committed());
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "moving the head")); });
+}
+
+void client_state::solve(std::uint64_t id, const v1::Solve& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  const double tolerance = body.tolerance() == 0 ? 1e-6 : body.tolerance();
+  if (!(tolerance >= 1e-12 && tolerance <= 0.1))
+    return refuse(id, {ec::invalid_argument, "the tolerance must lie between 1e-12 and 0.1", {}, {}});
+  solve_request request;
+  request.ticket = begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(self);
+  request.load_case = body.load_case();
+  request.tolerance = tolerance;
+  request.device = body.device();
+  self->request(document->session, answer_limit, std::move(request))
+    .then(
+      [=, this](const solved& done) {
+        v1::ServerMessage message;
+        message.mutable_solved()->set_document(done.document);
+        if (auto report = protocol::message_from_json<v1::SolveReport>(done.report))
+          *message.mutable_solved()->mutable_report() = std::move(*report);
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the solve")); });
+}
+
+void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  const std::map<v1::ExportFile::Format, std::string> formats{
+    {v1::ExportFile::MSH, "msh"}, {v1::ExportFile::STL, "stl"}, {v1::ExportFile::VTU, "vtu"}};
+  const auto format = formats.find(body.format());
+  if (format == formats.end())
+    return refuse(id, {ec::invalid_argument, "there is no such file format", "Take MSH, STL or VTU", {}});
+  export_request request;
+  request.ticket = begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(self);
+  request.version = body.version_id();
+  request.format = format->second;
+  request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
+  const auto deliver = [=, this](const exported& file) {
+    bulk_out->add([=, this]() -> std::optional<bulk> {
+      end(id);
+      bulk result;
+      result.header.set_request_id(id);
+      auto* ready = result.header.mutable_file_ready();
+      ready->set_file_name(file.file_name);
+      result.stream = ready->mutable_stream();
+      result.stream->set_bytes(file.size);
+      auto* info = result.stream->add_arrays();
+      info->set_name("file");
+      info->set_type(v1::ArrayInfo::UINT8);
+      info->set_components(1);
+      info->set_items(file.size);
+      const auto pages = std::make_shared<const std::vector<page_ptr>>(file.pages);
+      for (const auto& p : *pages)
+        result.parts.push_back(p->bytes());
+      result.owner = pages;
+      return result;
+    });
+    bulk_out->pump();
+  };
+  self->request(document->session, answer_limit, std::move(request))
+    .then(deliver,
+          [=, this](const caf::error& e) { refuse(id, from_caf(e, "writing the file")); });
+}
+
+void client_state::history(std::uint64_t id, const v1::GetHistory& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  begin(id, {});
+  self->request(document->session, short_limit, history_atom::value)
+    .then(
+      [=, this](const session_history& all) {
+        v1::ServerMessage message;
+        auto* out = message.mutable_history();
+        out->set_document(all.document);
+        out->set_head(all.head);
+        for (const auto& info : all.versions)
+          to_message(info, out->add_versions());
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "asking for the history")); });
+}
+
+}  // namespace tedit::gateway

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <unordered_set>
+
+#include "actors/gateway/bulk.hpp"
+#include "mesh/field.hpp"
+#include "mesh/version.hpp"
+
+namespace tedit::gateway {
+
+/// What a client holds of a document's surface: the next update is the difference to it.
+class surface_stream {
+public:
+  /// The update from what the client holds to `mesh`; the whole surface when it holds nothing.
+  /// Nothing when it holds `mesh` already. Cost: O(changed pages) for differences, else
+  /// O(boundary).
+  [[nodiscard]] std::optional<bulk> update_to(const std::string& document, const version_ptr& mesh);
+
+  /// Displacement and von Mises stress at the boundary vertices of `mesh`. `report` is the JSON of
+  /// the SolveReport.
+  [[nodiscard]] static std::optional<bulk> fields_of(const std::string& document,
+                                                     const mesh_version& mesh,
+                                                     const std::vector<field>& fields,
+                                                     const std::string& report);
+
+private:
+  bulk whole(const std::string& document, const mesh_version& mesh);
+  bulk difference(const std::string& document, const mesh_version& mesh);
+
+  version_ptr held_;
+  std::unordered_set<vertex_id> vertices_;  ///< Whose positions the client has.
+};
+
+}  // namespace tedit::gateway

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <caf/atom.hpp>
+#include <caf/replies_to.hpp>
+#include <caf/typed_actor.hpp>
+
+#include "actors/local_messages.hpp"
+#include "actors/messages.hpp"
+
+/// Every actor of the system by what it answers. Read this file first; docs/actors.md draws it.
+namespace tedit::actors {
+
+using cancel_atom = caf::atom_constant<caf::atom("cancel")>;
+using catalog_atom = caf::atom_constant<caf::atom("catalogue")>;
+using detach_atom = caf::atom_constant<caf::atom("detach")>;
+using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
+using get_atom = caf::atom_constant<caf::atom("get")>;
+using history_atom = caf::atom_constant<caf::atom("history")>;
+using load_atom = caf::atom_constant<caf::atom("load")>;
+using status_atom = caf::atom_constant<caf::atom("status")>;
+using tick_atom = caf::atom_constant<caf::atom("tick")>;
+
+// -- on every node -----------------------------------------------------------------------
+
+/// Holds and moves pages; one on every node.
+using page_store_actor = caf::typed_actor<
+  // The pages with these identities, at most 256 KiB; `not_found` names a missing one.
+  caf::replies_to<get_atom, hash_list>::with<page_batch>,
+  // Pulls what this node lacks from another store, under a credit, and holds all that was named.
+  caf::replies_to<fetch_atom, caf::actor, hash_list>::with<page_set>>;
+
+// -- workers: each may die at any time; its pool does the work again ----------------------
+
+/// Reads and writes files and runs the plugins of operations.
+using modeling_actor = caf::typed_actor<
+  // Reads a mesh file.
+  caf::replies_to<job_id, import_order>::with<import_result>,
+  // Runs an operation; what it yields is checked elsewhere.
+  caf::replies_to<job_id, edit_order>::with<edit_candidate>,
+  // Writes a file.
+  caf::replies_to<job_id, export_order>::with<export_result>,
+  // The operations there are, as JSON of the protocol's Catalogue.
+  caf::replies_to<catalog_atom>::with<std::string>,
+  // Ends a job early; it is then answered with `cancelled`.
+  caf::reacts_to<cancel_atom, job_id>,
+  // How it is.
+  caf::replies_to<status_atom>::with<worker_status>>;
+
+/// Improves the region of an edit and checks the postconditions; runs no plugin.
+using optimizer_actor = caf::typed_actor<
+  // Improves and checks a candidate; carries the load cases over.
+  caf::replies_to<job_id, finish_order>::with<finish_result>,
+  // Ends a job early.
+  caf::reacts_to<cancel_atom, job_id>,
+  // How it is.
+  caf::replies_to<status_atom>::with<worker_status>>;
+
+/// Solves load cases on one device.
+using solver_actor = caf::typed_actor<
+  // Solves; sends a frame to the order's listener after every outer round.
+  caf::replies_to<job_id, solve_order>::with<solve_result>,
+  // Ends a job early.
+  caf::reacts_to<cancel_atom, job_id>,
+  // How it is.
+  caf::replies_to<status_atom>::with<worker_status>>;
+
+/// The three kinds of workers, or the pools that stand for them.
+struct worker_set {
+  modeling_actor modeling;
+  optimizer_actor optimizer;
+  solver_actor solver;
+};
+
+// -- in the server's process ---------------------------------------------------------------
+
+/// The only writer of one document's file.
+using store_actor = caf::typed_actor<
+  // Reads the whole document, pages included; asked once, when it is opened.
+  caf::replies_to<load_atom>::with<stored_document>,
+  // Writes one transaction; the answer means that it is durable.
+  caf::replies_to<stored_change>::with<acknowledged>>;
+
+/// One open document: the order of its edits, its version graph, its subscribers.
+using session_actor = caf::typed_actor<
+  // Hears the document's events from now on; the answer is its present state.
+  caf::replies_to<attach_request>::with<session_snapshot>,
+  // Hears no more.
+  caf::reacts_to<detach_atom, caf::actor>,
+  // Reads a mesh and makes it the head.
+  caf::replies_to<import_request>::with<head_moved>,
+  // Applies an operation to the head.
+  caf::replies_to<edit_request>::with<head_moved>,
+  // Undo and redo.
+  caf::replies_to<move_request>::with<head_moved>,
+  // Replaces or adds a load case at the head.
+  caf::replies_to<load_case_request>::with<acknowledged>,
+  // Solves the head, and from then on every new head.
+  caf::replies_to<solve_request>::with<solved>,
+  // Writes a version as a file.
+  caf::replies_to<export_request>::with<exported>,
+  // All versions.
+  caf::replies_to<history_atom>::with<session_history>,
+  // Ends a request early; it is then answered with `cancelled`.
+  caf::reacts_to<cancel_atom, std::uint64_t>>;
+
+/// Opens documents and finds those that are open.
+using hub_actor = caf::typed_actor<
+  // The session of a document; it is made when it is not there.
+  caf::replies_to<std::string>::with<opened_document>,
+  // How the workers are, and how many documents are open.
+  caf::replies_to<status_atom>::with<server_status>,
+  // The operations there are.
+  caf::replies_to<catalog_atom>::with<std::string>>;
+
+}  // namespace tedit::actors

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <caf/actor.hpp>
+#include <caf/allowed_unsafe_message_type.hpp>
+
+#include "actors/messages.hpp"
+#include "actors/store/document.hpp"
+#include "mesh/field.hpp"
+
+/// What actors of one process hand each other: values and shared pointers, never serialised.
+namespace tedit::actors {
+
+/// The answer of requests that have no other.
+struct acknowledged {};
+
+using page_map = std::unordered_map<hash128, page_ptr>;
+
+/// Pages that a fetch holds in memory for as long as the set lives.
+struct page_set {
+  std::shared_ptr<const page_map> pages;
+  std::size_t moved = 0;  ///< Pages that came over the network.
+
+  [[nodiscard]] page_ptr find(const hash128& id) const {
+    const auto found = pages->find(id);
+    return found == pages->end() ? nullptr : found->second;
+  }
+};
+
+/// One row of a document's version list.
+struct version_info {
+  std::uint32_t number = 0;
+  hash128 id;
+  std::optional<std::uint32_t> parent;
+  std::string operation;
+  std::uint64_t tets = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t boundary_facets = 0;
+  std::vector<std::string> load_cases;  ///< Names.
+};
+
+// -- requests to a session; `ticket` names the request for progress and cancel -----------------
+
+struct attach_request {
+  caf::actor subscriber;
+};
+
+struct import_request {
+  std::uint64_t ticket = 0;
+  caf::actor client;
+  std::vector<page_ptr> file;
+  std::uint64_t size = 0;
+  std::string file_name;
+  std::string length_unit;
+};
+
+struct edit_request {
+  std::uint64_t ticket = 0;
+  caf::actor client;
+  std::string operation;
+  std::vector<std::int64_t> surfaces;
+  std::string parameters;        ///< JSON.
+  std::string expected_version;  ///< Hexadecimal; empty: any.
+};
+
+enum class move_kind { undo, redo };
+
+struct move_request {
+  move_kind kind = move_kind::undo;
+};
+
+struct load_case_request {
+  std::string load_case;  ///< JSON.
+};
+
+struct solve_request {
+  std::uint64_t ticket = 0;
+  caf::actor client;
+  std::string load_case;  ///< Name; empty: the first.
+  double tolerance = 1e-6;
+  std::string device;
+};
+
+struct export_request {
+  std::uint64_t ticket = 0;
+  caf::actor client;
+  std::string version;  ///< Hexadecimal; empty: the head.
+  std::string format;
+  std::string length_unit;
+};
+
+// -- what a session answers and tells its subscribers ---------------------------------------------
+
+struct session_snapshot {
+  std::string document;
+  std::optional<version_info> head;
+  version_ptr version;
+  bool can_undo = false;
+  bool can_redo = false;
+};
+
+struct head_moved {
+  std::string document;
+  version_info head;
+  version_ptr version;
+  std::string cause;
+  std::string report;  ///< JSON of EditReport; empty unless `cause` is "edit".
+  std::vector<std::string> warnings;
+  bool can_undo = false;
+  bool can_redo = false;
+  double commit_ms = 0;
+};
+
+enum class solve_phase { started, converging, superseded, cancelled, failed };
+
+struct solve_note {
+  std::string document;
+  std::string version;
+  std::string load_case;
+  solve_phase phase = solve_phase::started;
+  std::int32_t iterations = 0;
+  double residual = 1;
+  std::string message;
+};
+
+struct solved {
+  std::string document;
+  version_ptr version;
+  std::string report;  ///< JSON of SolveReport.
+  std::shared_ptr<const std::vector<field>> fields;
+};
+
+struct request_progress {
+  std::uint64_t ticket = 0;
+  double fraction = 0;
+  std::string stage;
+};
+
+struct exported {
+  std::string file_name;
+  std::vector<page_ptr> pages;
+  std::uint64_t size = 0;
+};
+
+struct session_history {
+  std::string document;
+  std::vector<version_info> versions;
+  std::uint32_t head = 0;
+};
+
+struct server_status {
+  std::vector<worker_status> workers;
+  std::uint32_t documents = 0;
+};
+
+/// A change of a document that is to be made durable.
+struct stored_change {
+  std::shared_ptr<const store::change> change;
+};
+
+/// A version as it stands in a document, with its mesh.
+struct graph_node {
+  version_info info;
+  version_ptr mesh;
+  std::vector<std::string> load_cases;  ///< JSON each.
+  std::string report;                   ///< JSON of EditReport; empty for imports.
+  std::optional<std::uint32_t> redo;    ///< The child that a redo goes to.
+};
+
+/// What a document holds when it is opened.
+struct stored_document {
+  std::vector<graph_node> nodes;  ///< By number.
+  std::optional<std::uint32_t> head;
+};
+
+/// A session, with the name that the server gave it.
+struct opened_document {
+  std::string name;
+  caf::actor session;
+};
+
+}  // namespace tedit::actors
+
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::acknowledged)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::page_set)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::attach_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::import_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::edit_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::move_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_case_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solved)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::request_progress)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::exported)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_history)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::server_status)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_change)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_document)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::opened_document)

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <caf/actor.hpp>
+#include <caf/error.hpp>
+#include <caf/meta/type_name.hpp>
+
+#include "mesh/field.hpp"
+#include "mesh/version.hpp"
+
+/// What travels between nodes: small control messages. Mesh bytes travel only as `page_batch`.
+namespace tedit {
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, hash128& h) {
+  return f(caf::meta::type_name("hash128"), h.high, h.low);
+}
+
+}  // namespace tedit
+
+namespace tedit::actors {
+
+using hash_list = std::vector<hash128>;
+
+/// Names one piece of work for its whole life: progress, cancel and answer carry it.
+struct job_id {
+  std::uint64_t value = 0;
+
+  friend bool operator==(job_id, job_id) = default;
+  friend auto operator<=>(job_id, job_id) = default;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, job_id& x) {
+  return f(caf::meta::type_name("job_id"), x.value);
+}
+
+/// A version without its pages: the manifest's bytes and the hash that they must have.
+struct version_ref {
+  hash128 id;
+  std::vector<char> manifest;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, version_ref& x) {
+  return f(caf::meta::type_name("version_ref"), x.id, x.manifest);
+}
+
+/// Pages in the order in which they were asked for.
+struct page_batch {
+  std::vector<std::uint32_t> sizes;
+  std::vector<char> bytes;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, page_batch& x) {
+  return f(caf::meta::type_name("page_batch"), x.sizes, x.bytes);
+}
+
+// -- orders to workers and what comes back -------------------------------------------------
+
+/// Every order carries the page store that has its pages, and who hears of progress.
+struct order_base {
+  caf::actor source;
+  caf::actor listener;
+};
+
+/// A mesh file, cut into pages, to be read.
+struct import_order {
+  order_base base;
+  hash_list file;
+  std::uint64_t size = 0;
+  std::string file_name;
+  std::string length_unit;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, import_order& x) {
+  return f(caf::meta::type_name("import_order"), x.base.source, x.base.listener, x.file, x.size,
+           x.file_name, x.length_unit);
+}
+
+struct import_result {
+  version_ref version;
+  std::vector<std::string> warnings;
+  caf::actor source;  ///< The page store that has the version's pages.
+  double import_ms = 0;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, import_result& x) {
+  return f(caf::meta::type_name("import_result"), x.version, x.warnings, x.source, x.import_ms);
+}
+
+/// An operation to apply.
+struct edit_order {
+  order_base base;
+  version_ref version;
+  std::string operation;
+  std::vector<std::int64_t> surfaces;
+  std::string parameters;  ///< JSON, see protocol/operation_message.hpp.
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
+  return f(caf::meta::type_name("edit_order"), x.base.source, x.base.listener, x.version,
+           x.operation, x.surfaces, x.parameters);
+}
+
+/// What an operation made and what it says about it; nothing of it is trusted before the checks.
+struct edit_candidate {
+  version_ref version;
+  std::vector<char> touched;  ///< Tet ids, 4 bytes each.
+  double volume_change = 0;
+  bool improve = true;
+  std::vector<std::string> notices;
+  caf::actor source;
+  double operation_ms = 0;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, edit_candidate& x) {
+  return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change,
+           x.improve, x.notices, x.source, x.operation_ms);
+}
+
+/// A candidate to improve and to check.
+struct finish_order {
+  order_base base;
+  version_ref before;
+  edit_candidate candidate;
+  std::vector<std::string> load_cases;  ///< JSON each; carried over by surface ids.
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, finish_order& x) {
+  return f(caf::meta::type_name("finish_order"), x.base.source, x.base.listener, x.before,
+           x.candidate, x.load_cases);
+}
+
+/// A version that passed every postcondition.
+struct finish_result {
+  version_ref version;
+  std::vector<std::string> load_cases;
+  std::string report;  ///< JSON of EditReport; operation, selection and total time are not set.
+  caf::actor source;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, finish_result& x) {
+  return f(caf::meta::type_name("finish_result"), x.version, x.load_cases, x.report, x.source);
+}
+
+struct solve_order {
+  order_base base;
+  version_ref version;
+  std::string load_case;  ///< JSON.
+  std::string device;
+  double tolerance = 1e-6;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, solve_order& x) {
+  return f(caf::meta::type_name("solve_order"), x.base.source, x.base.listener, x.version,
+           x.load_case, x.device, x.tolerance);
+}
+
+/// A field without its pages.
+struct field_ref {
+  std::string name;
+  bool on_vertices = true;
+  std::int32_t components = 1;
+  std::uint64_t size = 0;  ///< Values.
+  hash_list pages;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, field_ref& x) {
+  return f(caf::meta::type_name("field_ref"), x.name, x.on_vertices, x.components, x.size, x.pages);
+}
+
+struct solve_result {
+  std::string report;  ///< JSON of SolveReport.
+  std::vector<field_ref> fields;
+  caf::actor source;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, solve_result& x) {
+  return f(caf::meta::type_name("solve_result"), x.report, x.fields, x.source);
+}
+
+/// A version, with fields when there are any, to write as a file.
+struct export_order {
+  order_base base;
+  version_ref version;
+  std::vector<field_ref> fields;
+  std::string report;  ///< JSON of the fields' SolveReport; empty without fields.
+  std::string format;  ///< "msh", "stl", "vtu".
+  std::string length_unit;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, export_order& x) {
+  return f(caf::meta::type_name("export_order"), x.base.source, x.base.listener, x.version,
+           x.fields, x.report, x.format, x.length_unit);
+}
+
+/// A file's bytes, cut into pages.
+struct export_result {
+  hash_list pages;
+  std::uint64_t size = 0;
+  caf::actor source;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, export_result& x) {
+  return f(caf::meta::type_name("export_result"), x.pages, x.size, x.source);
+}
+
+// -- notes on the way ------------------------------------------------------------------------
+
+struct job_progress {
+  job_id job;
+  double fraction = 0;
+  std::string stage;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, job_progress& x) {
+  return f(caf::meta::type_name("job_progress"), x.job, x.fraction, x.stage);
+}
+
+/// A solve that converges.
+struct job_frame {
+  job_id job;
+  std::int32_t iterations = 0;
+  double residual = 1;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, job_frame& x) {
+  return f(caf::meta::type_name("job_frame"), x.job, x.iterations, x.residual);
+}
+
+/// A worker process that says that it is there.
+struct enlistment {
+  std::string ticket;  ///< Proves that the supervisor started it.
+  std::int32_t pid = 0;
+  caf::actor worker;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, enlistment& x) {
+  return f(caf::meta::type_name("enlistment"), x.ticket, x.pid, x.worker);
+}
+
+/// How a worker, or the pool that stands for several, is.
+struct worker_status {
+  std::string role;
+  std::string state;  ///< "ready", "starting", "degraded".
+  std::int32_t pid = 0;
+  std::uint32_t restarts = 0;
+  std::uint32_t jobs = 0;
+  std::string detail;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, worker_status& x) {
+  return f(caf::meta::type_name("worker_status"), x.role, x.state, x.pid, x.restarts, x.jobs,
+           x.detail);
+}
+
+}  // namespace tedit::actors

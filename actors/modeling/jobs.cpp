@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <unistd.h>
+
+#include <fstream>
+
+#include "actors/modeling/modeling.hpp"
+#include "base/stopwatch.hpp"
+#include "mesh/io/field_writer.hpp"
+#include "mesh/io/import.hpp"
+#include "mesh/io/msh_writer.hpp"
+#include "mesh/io/stl_writer.hpp"
+#include "protocol/operation_message.hpp"
+#include "protocol/report.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+/// A file's path that nobody else uses; the file goes with the object.
+class temporary_file {
+public:
+  temporary_file() {
+    path_ = (std::filesystem::temp_directory_path() / "tedit-export-XXXXXX").string();
+    const int fd = mkstemp(path_.data());
+    if (fd >= 0)
+      close(fd);
+  }
+  temporary_file(const temporary_file&) = delete;
+  temporary_file& operator=(const temporary_file&) = delete;
+  ~temporary_file() { unlink(path_.c_str()); }
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+  std::string path_;
+};
+
+expected<std::vector<char>> read_all(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in)
+    return fail(ec::io_error, "cannot read back " + path);
+  return bytes;
+}
+
+expected<void> write_fields(const std::string& path, const mesh_version& mesh,
+                            const export_order& order, const page_set& pages) {
+  std::vector<field> fields;
+  for (const auto& ref : order.fields) {
+    auto opened = open_field(ref, pages);
+    if (!opened)
+      return fail(opened.error());
+    fields.push_back(std::move(*opened));
+  }
+  std::vector<std::pair<std::string, std::string>> notes{{"version_id", to_hex(mesh.id())}};
+  if (!order.report.empty()) {
+    const auto report = protocol::solve_report_from_json(order.report);
+    if (!report)
+      return fail(report.error());
+    notes.emplace_back("load_case", report->load_case);
+    notes.emplace_back("quality", report->preview ? "preview (linear tets)" : "final");
+    notes.emplace_back("device", report->device);
+  }
+  return write_vtu(path, mesh, fields, notes);
+}
+
+}  // namespace
+
+expected<job_output<import_result>> read_mesh(const import_order& order, const page_set& pages,
+                                              const execution& run) {
+  run.report(0, "reading " + order.file_name);
+  const stopwatch clock;
+  const auto bytes = join(order.file, order.size, pages);
+  if (!bytes)
+    return fail(bytes.error());
+  auto mesh = import_mesh_bytes(*bytes, order.length_unit);
+  if (!mesh) {
+    auto e = mesh.error();
+    e.where = order.file_name + (e.where.empty() ? "" : ": " + e.where);
+    return fail(std::move(e));
+  }
+  job_output<import_result> output;
+  output.result.version = make_ref(*mesh->version);
+  output.result.warnings = std::move(mesh->warnings);
+  output.result.import_ms = clock.milliseconds();
+  output.keep = mesh->version;
+  return output;
+}
+
+expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugins,
+                                                     ops::services& services,
+                                                     const edit_order& order, const page_set& pages,
+                                                     const execution& run) {
+  const stopwatch clock;
+  const auto base = open_version(order.version, pages);
+  if (!base)
+    return fail(base.error());
+  const auto parameters = protocol::parameters_from_json(order.parameters);
+  if (!parameters)
+    return fail(parameters.error());
+  ops::context ctx;
+  ctx.host = &services;
+  ctx.run = run;
+  auto edit = ops::run_operation(plugins, order.operation, **base, {order.surfaces}, *parameters, ctx);
+  if (!edit)
+    return fail(edit.error());
+  job_output<edit_candidate> output;
+  auto& result = output.result;
+  result.version = make_ref(*edit->candidate);
+  const auto* first = reinterpret_cast<const char*>(edit->touched.data());
+  result.touched.assign(first, first + edit->touched.size() * sizeof(tet_id));
+  result.volume_change = edit->volume_change;
+  result.improve = edit->improve;
+  result.notices = edit->notices;
+  result.operation_ms = clock.milliseconds();
+  output.keep = edit->candidate;
+  return output;
+}
+
+expected<job_output<export_result>> write_mesh(const export_order& order, const page_set& pages,
+                                               const execution& run) {
+  run.report(0, "writing " + order.format);
+  const auto mesh = open_version(order.version, pages);
+  if (!mesh)
+    return fail(mesh.error());
+  const temporary_file file;
+  expected<void> written =
+    fail(ec::invalid_argument, "there is no file format \"" + order.format + "\"",
+         "Take msh, stl or vtu");
+  if (order.format == "msh")
+    written = write_msh(file.path(), **mesh, order.length_unit);
+  else if (order.format == "stl")
+    written = write_stl(file.path(), **mesh, order.length_unit);
+  else if (order.format == "vtu")
+    written = write_fields(file.path(), **mesh, order, pages);
+  if (!written)
+    return fail(written.error());
+  const auto bytes = read_all(file.path());
+  if (!bytes)
+    return fail(bytes.error());
+  auto cut_up = std::make_shared<const std::vector<page_ptr>>(cut(*bytes));
+  job_output<export_result> output;
+  output.result.size = bytes->size();
+  for (const auto& p : *cut_up)
+    output.result.pages.push_back(p->id());
+  output.keep = cut_up;
+  return output;
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "actors/worker/job_desk.hpp"
+#include "ops/loader/catalogue.hpp"
+
+namespace tedit::actors {
+
+struct modeling_state {
+  job_desk desk;
+  std::shared_ptr<const ops::catalogue> plugins;
+  std::shared_ptr<ops::services> services;
+
+  static inline const char* name = "modeling";
+};
+
+/// Reads and writes files and runs operations, one after the other.
+modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<modeling_state> self,
+                                            std::shared_ptr<page_cache> cache,
+                                            page_store_actor pages,
+                                            std::shared_ptr<const ops::catalogue> plugins);
+
+// -- the jobs, without actors -----------------------------------------------------------------
+
+[[nodiscard]] expected<job_output<import_result>> read_mesh(const import_order& order,
+                                                            const page_set& pages,
+                                                            const execution& run);
+
+[[nodiscard]] expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugins,
+                                                                   ops::services& services,
+                                                                   const edit_order& order,
+                                                                   const page_set& pages,
+                                                                   const execution& run);
+
+[[nodiscard]] expected<job_output<export_result>> write_mesh(const export_order& order,
+                                                             const page_set& pages,
+                                                             const execution& run);
+
+}  // namespace tedit::actors

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/node/hub.hpp"
+
+#include <chrono>
+
+#include "actors/errors.hpp"
+#include "actors/session/session.hpp"
+#include "actors/store/store.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+using self_pointer = hub_actor::stateful_pointer<hub_state>;
+
+void answer_all(self_pointer self, const std::string& name, const session_actor& session) {
+  auto promises = std::move(self->state.opening[name]);
+  self->state.opening.erase(name);
+  for (auto& promise : promises)
+    promise.deliver(opened_document{name, caf::actor_cast<caf::actor>(session)});
+}
+
+void refuse_all(self_pointer self, const std::string& name, const error& e) {
+  auto promises = std::move(self->state.opening[name]);
+  self->state.opening.erase(name);
+  for (auto& promise : promises)
+    promise.deliver(to_caf(e));
+}
+
+void start_opening(self_pointer self, const std::string& name) {
+  auto& parts = self->state.parts;
+  const auto store =
+    self->spawn<caf::detached + caf::linked>(make_store, parts.documents / (name + ".tedit"));
+  self->request(store, std::chrono::minutes(10), load_atom::value)
+    .then(
+      [=](const stored_document& stored) {
+        const auto& with = self->state.parts;
+        const auto session = self->spawn<caf::linked>(
+          make_session,
+          session_parts{name, store, with.pages, with.cache, with.workers, with.device}, stored);
+        self->state.open.emplace(name, session);
+        answer_all(self, name, session);
+      },
+      [=](const caf::error& e) {
+        self->send_exit(store, caf::exit_reason::user_shutdown);
+        refuse_all(self, name, from_caf(e, "opening the document " + name));
+      });
+}
+
+caf::result<opened_document> open(self_pointer self, const std::string& given) {
+  auto& state = self->state;
+  std::string name = given;
+  if (name.empty())
+    name = "unnamed-" + std::to_string(std::chrono::system_clock::now().time_since_epoch().count()) +
+           "-" + std::to_string(++state.unnamed);
+  if (auto ok = check_document_name(name); !ok)
+    return to_caf(ok.error());
+  if (const auto found = state.open.find(name); found != state.open.end())
+    return opened_document{name, caf::actor_cast<caf::actor>(found->second)};
+  const bool first = !state.opening.contains(name);
+  auto promise = self->make_response_promise<opened_document>();
+  state.opening[name].push_back(promise);
+  if (first)
+    start_opening(self, name);
+  return promise;
+}
+
+/// Asks one worker after the other and answers when all have.
+caf::result<server_status> status(self_pointer self) {
+  struct gathering {
+    server_status result;
+    std::size_t missing = 3;
+    caf::typed_response_promise<server_status> promise;
+  };
+  auto all = std::make_shared<gathering>();
+  all->promise = self->make_response_promise<server_status>();
+  all->result.documents = static_cast<std::uint32_t>(self->state.open.size());
+  all->result.workers.resize(3);
+  const auto ask = [=](const auto& worker, std::size_t row, const std::string& role) {
+    const auto receive = [=](const worker_status& one) {
+      all->result.workers[row] = one;
+      if (--all->missing == 0)
+        all->promise.deliver(all->result);
+    };
+    self->request(worker, std::chrono::seconds(2), status_atom::value)
+      .then(receive, [=](const caf::error& e) {
+        receive({role, "degraded", 0, 0, 0, from_caf(e, role).message});
+      });
+  };
+  ask(self->state.parts.workers.modeling, 0, "modeling");
+  ask(self->state.parts.workers.optimizer, 1, "optimizer");
+  ask(self->state.parts.workers.solver, 2, "solver");
+  return all->promise;
+}
+
+caf::result<std::string> catalogue(self_pointer self) {
+  if (!self->state.catalogue.empty())
+    return self->state.catalogue;
+  auto promise =
+    std::make_shared<caf::typed_response_promise<std::string>>(self->make_response_promise<std::string>());
+  self->request(self->state.parts.workers.modeling, std::chrono::seconds(30), catalog_atom::value)
+    .then(
+      [=](const std::string& json) {
+        self->state.catalogue = json;
+        promise->deliver(json);
+      },
+      [=](const caf::error& e) { promise->deliver(to_caf(from_caf(e, "listing the operations"))); });
+  return *promise;
+}
+
+}  // namespace
+
+expected<void> check_document_name(const std::string& name) {
+  const auto good = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
+  };
+  if (name.empty() || name.size() > 64 || name.front() == '.' || !std::ranges::all_of(name, good))
+    return fail(ec::invalid_argument, "\"" + name + "\" cannot name a document",
+                "Take at most 64 letters, digits, '.', '_' and '-', not beginning with a dot");
+  return {};
+}
+
+hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts) {
+  self->state.parts = std::move(parts);
+  return {[=](const std::string& name) { return open(self, name); },
+          [=](status_atom) { return status(self); },
+          [=](catalog_atom) { return catalogue(self); }};
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include <caf/stateful_actor.hpp>
+#include <caf/typed_event_based_actor.hpp>
+#include <caf/typed_response_promise.hpp>
+
+#include "actors/interfaces.hpp"
+#include "actors/pages/page_cache.hpp"
+
+namespace tedit::actors {
+
+/// What all sessions of a server share.
+struct hub_parts {
+  std::filesystem::path documents;  ///< The folder of the document files.
+  worker_set workers;
+  page_store_actor pages;
+  std::shared_ptr<page_cache> cache;
+  std::string device = "auto";
+};
+
+struct hub_state {
+  using promise = caf::typed_response_promise<opened_document>;
+
+  hub_parts parts;
+  std::map<std::string, session_actor> open;
+  std::map<std::string, std::vector<promise>> opening;
+  std::string catalogue;  ///< JSON; asked for once.
+  std::uint64_t unnamed = 0;
+
+  static inline const char* name = "hub";
+};
+
+/// Opens documents: each gets its store and its session once.
+hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts);
+
+/// Errors: `invalid_argument` unless the name is 1 to 64 letters, digits, '.', '_' or '-' and does
+/// not begin with a dot.
+[[nodiscard]] expected<void> check_document_name(const std::string& name);
+
+}  // namespace tedit::actors

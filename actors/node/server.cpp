@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/node/server.hpp"
+
+#include <sys/random.h>
+
+#include <caf/actor_system.hpp>
+#include <caf/scoped_actor.hpp>
+#include <spdlog/spdlog.h>
+
+#include "actors/gateway/gateway.hpp"
+#include "actors/modeling/modeling.hpp"
+#include "actors/node/hub.hpp"
+#include "actors/node/system_config.hpp"
+#include "actors/optimizer/optimizer.hpp"
+#include "actors/pages/page_store.hpp"
+#include "actors/solver/solver.hpp"
+#include "actors/supervisor/pool.hpp"
+#include "base/child_process.hpp"
+
+namespace tedit {
+
+namespace {
+
+using namespace actors;
+
+/// Pages kept beyond what documents hold: what workers are about to ask for.
+constexpr std::size_t cache_bytes = std::size_t{64} << 20;
+
+worker_set start_threads(caf::actor_system& system, const std::shared_ptr<page_cache>& cache,
+                         const page_store_actor& pages) {
+  auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue());
+  return {system.spawn(make_modeling, cache, pages, plugins),
+          system.spawn(make_optimizer, cache, pages), system.spawn(make_solver, cache, pages)};
+}
+
+pool_options options_of(const server_options& options, const std::string& role, unsigned workers,
+                        std::chrono::milliseconds limit) {
+  const auto program =
+    options.program.empty() ? executable_folder() / "tedit" : options.program;
+  pool_options result;
+  result.role = role;
+  result.command = {program.string(), "worker", "--role", role};
+  result.workers = workers;
+  result.job_limit = limit;
+  return result;
+}
+
+worker_set start_pools(caf::actor_system& system, const server_options& options) {
+  const auto of = [&](const char* role, unsigned workers, std::chrono::milliseconds limit) {
+    return options_of(options, role, workers, limit);
+  };
+  return {make_modeling_pool(system, of("modeling", options.modeling_workers,
+                                        std::max(options.import_limit, options.edit_limit))),
+          make_optimizer_pool(system,
+                              of("optimizer", options.optimizer_workers, options.edit_limit)),
+          make_solver_pool(system, of("solver", options.solver_workers, options.solve_limit))};
+}
+
+}  // namespace
+
+struct server::impl {
+  explicit impl(bool networked) : config(networked), system(config) {}
+
+  void stop() {
+    if (stopped)
+      return;
+    stopped = true;
+    if (door)
+      door->stop();
+    // Pools and sessions hold each other's handles: all are told to end.
+    caf::scoped_actor self(system);
+    for (const auto& a : to_end)
+      self->send_exit(a, caf::exit_reason::user_shutdown);
+    self->wait_for(to_end);
+  }
+
+  system_config config;
+  caf::actor_system system;
+  std::unique_ptr<gateway::transport> door;
+  std::vector<caf::actor> to_end;
+  std::string address;
+  bool stopped = false;
+};
+
+server::server(std::unique_ptr<impl> made) : impl_(std::move(made)) {}
+
+server::~server() {
+  impl_->stop();
+}
+
+std::uint16_t server::port() const {
+  return impl_->door->port();
+}
+
+std::string server::url() const {
+  const bool v6 = impl_->address.find(':') != std::string::npos;
+  return "ws://" + (v6 ? "[" + impl_->address + "]" : impl_->address) + ":" +
+         std::to_string(port()) + "/v1";
+}
+
+void server::stop() {
+  impl_->stop();
+}
+
+expected<std::unique_ptr<server>> server::start(const server_options& options) {
+  if (options.token.empty())
+    return fail(ec::invalid_argument, "a server needs a token");
+  std::error_code code;
+  std::filesystem::create_directories(options.documents, code);
+  if (code)
+    return fail(ec::io_error,
+                "cannot make the folder " + options.documents.string() + ": " + code.message(),
+                "Choose another folder with --documents");
+  auto made = std::make_unique<impl>(options.worker_processes);
+  auto& system = made->system;
+  auto cache = std::make_shared<page_cache>(cache_bytes);
+  const auto pages = system.spawn(make_page_store, cache);
+  const auto workers =
+    options.worker_processes ? start_pools(system, options) : start_threads(system, cache, pages);
+  const auto hub =
+    system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device});
+  made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(workers.modeling),
+                  caf::actor_cast<caf::actor>(workers.optimizer),
+                  caf::actor_cast<caf::actor>(workers.solver),
+                  caf::actor_cast<caf::actor>(pages)};
+  made->address = options.address;
+  gateway::transport_options door;
+  door.address = options.address;
+  door.port = options.port;
+  door.allowed_origins = options.allowed_origins;
+  auto* state = made.get();
+  auto opened = gateway::start_gateway(
+    system, std::move(door),
+    {hub, options.token, "tedit " TEDIT_VERSION,
+     [state] { return state->door ? state->door->connections() : std::size_t{0}; }});
+  if (!opened) {
+    made->stop();
+    return fail(opened.error());
+  }
+  made->door = std::move(*opened);
+  return std::unique_ptr<server>(new server(std::move(made)));
+}
+
+expected<std::string> make_token() {
+  std::array<unsigned char, 32> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    return fail(ec::io_error, "the system gives no random numbers");
+  constexpr auto digits = "0123456789abcdef";
+  std::string text;
+  for (const auto b : bytes) {
+    text += digits[b >> 4];
+    text += digits[b & 15];
+  }
+  return text;
+}
+
+}  // namespace tedit

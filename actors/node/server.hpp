@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace tedit {
+
+struct server_options {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 0;                    ///< 0: any free one.
+  std::vector<std::string> allowed_origins;  ///< Web pages that may connect.
+  std::filesystem::path documents;           ///< The folder of the document files; it is made.
+  std::string token;                         ///< What clients must prove to know; not empty.
+  std::string device = "auto";               ///< For solves that name none.
+
+  /// Workers in processes of their own, which may die; else on threads of this process.
+  bool worker_processes = true;
+  std::filesystem::path program;  ///< The tedit program; empty: beside this executable.
+  unsigned modeling_workers = 1;
+  unsigned optimizer_workers = 1;
+  unsigned solver_workers = 1;
+  std::chrono::milliseconds import_limit{10 * 60 * 1000};  ///< Also for exports.
+  std::chrono::milliseconds edit_limit{2 * 60 * 1000};
+  std::chrono::milliseconds solve_limit{2 * 60 * 60 * 1000};
+};
+
+/// The whole server: gateway, hub, sessions, page store, workers or their pools. It runs on threads
+/// of its own until `stop`.
+class server {
+public:
+  /// Errors: `invalid_argument`, `io_error` for the folder, `service_unavailable` for the port.
+  [[nodiscard]] static expected<std::unique_ptr<server>> start(const server_options& options);
+
+  ~server();  ///< Stops.
+  server(const server&) = delete;
+  server& operator=(const server&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const;
+
+  /// "ws://ADDRESS:PORT/v1".
+  [[nodiscard]] std::string url() const;
+
+  /// Says goodbye to all clients and ends all workers. What was acknowledged is in the documents.
+  void stop();
+
+private:
+  struct impl;
+  explicit server(std::unique_ptr<impl> made);
+
+  std::unique_ptr<impl> impl_;
+};
+
+/// 64 random hexadecimal digits. Errors: `io_error` when the system has no randomness.
+[[nodiscard]] expected<std::string> make_token();
+
+}  // namespace tedit

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/node/system_config.hpp"
+
+#include <caf/io/middleman.hpp>
+
+#include "actors/interfaces.hpp"
+
+namespace tedit::actors {
+
+system_config::system_config(bool networked) {
+  add_message_type<hash128>("hash128");
+  add_message_type<hash_list>("hash_list");
+  add_message_type<job_id>("job_id");
+  add_message_type<version_ref>("version_ref");
+  add_message_type<page_batch>("page_batch");
+  add_message_type<import_order>("import_order");
+  add_message_type<import_result>("import_result");
+  add_message_type<edit_order>("edit_order");
+  add_message_type<edit_candidate>("edit_candidate");
+  add_message_type<finish_order>("finish_order");
+  add_message_type<finish_result>("finish_result");
+  add_message_type<solve_order>("solve_order");
+  add_message_type<field_ref>("field_ref");
+  add_message_type<solve_result>("solve_result");
+  add_message_type<export_order>("export_order");
+  add_message_type<export_result>("export_result");
+  add_message_type<job_progress>("job_progress");
+  add_message_type<job_frame>("job_frame");
+  add_message_type<enlistment>("enlistment");
+  add_message_type<worker_status>("worker_status");
+  if (networked) {
+    // CAF's defaults never notice a frozen peer.
+    set("middleman.heartbeat-interval", caf::timespan(std::chrono::seconds(1)));
+    set("middleman.connection-timeout", caf::timespan(std::chrono::seconds(5)));
+    set("middleman.workers", std::size_t{1});
+    load<caf::io::middleman>();
+  }
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/node/worker.hpp"
+
+#include <unistd.h>
+
+#include <thread>
+
+#include <caf/actor_system.hpp>
+#include <caf/io/middleman.hpp>
+#include <caf/scoped_actor.hpp>
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+#include "actors/modeling/modeling.hpp"
+#include "actors/node/system_config.hpp"
+#include "actors/optimizer/optimizer.hpp"
+#include "actors/pages/page_store.hpp"
+#include "actors/solver/solver.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+/// Pages of recent versions that stay in a worker, so that the next order moves only what is new.
+constexpr std::size_t cache_bytes = std::size_t{768} << 20;
+
+expected<caf::actor> connect(caf::actor_system& system, const worker_options& options) {
+  // A connect can fail when a heartbeat falls into its handshake: a few tries.
+  caf::error last;
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    auto gate = system.middleman().remote_actor(options.host, options.port);
+    if (gate)
+      return *gate;
+    last = gate.error();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100 << attempt));
+  }
+  return fail(ec::service_unavailable, "cannot reach the server at " + options.host + ":" +
+                                         std::to_string(options.port) + " (" +
+                                         caf::to_string(last) + ")");
+}
+
+expected<caf::actor> spawn_role(caf::actor_system& system, const std::string& role) {
+  auto cache = std::make_shared<page_cache>(cache_bytes);
+  const auto pages = system.spawn(make_page_store, cache);
+  if (role == "modeling") {
+    auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue());
+    for (const auto& refused : plugins->refused())
+      spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
+    return caf::actor_cast<caf::actor>(system.spawn(make_modeling, cache, pages, plugins));
+  }
+  if (role == "optimizer")
+    return caf::actor_cast<caf::actor>(system.spawn(make_optimizer, cache, pages));
+  if (role == "solver")
+    return caf::actor_cast<caf::actor>(system.spawn(make_solver, cache, pages));
+  return fail(ec::invalid_argument, "there is no role \"" + role + "\"",
+              "Take modeling, optimizer or solver");
+}
+
+}  // namespace
+
+expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
+  system_config config(true);
+  caf::actor_system system(config);
+  const auto worker = spawn_role(system, options.role);
+  if (!worker)
+    return fail(worker.error());
+  const auto gate = connect(system, options);
+  if (!gate)
+    return fail(gate.error());
+  caf::scoped_actor self(system);
+  self->monitor(*gate);
+  std::optional<error> refused;
+  self
+    ->request(*gate, std::chrono::seconds(10),
+              enlistment{options.ticket, static_cast<std::int32_t>(getpid()), *worker})
+    .receive(
+      [&](bool accepted) {
+        if (!accepted)
+          refused = error{ec::service_unavailable, "the server turned this worker away",
+                          "Workers are started by \"tedit serve\"", {}};
+      },
+      [&](const caf::error& e) { refused = from_caf(e, "enlisting"); });
+  if (refused)
+    return fail(*refused);
+  bool gone = false;
+  while (!gone && !stop.cancelled())
+    self->receive([&](const caf::down_msg&) { gone = true; },
+                  caf::after(std::chrono::milliseconds(200)) >> [] {});
+  // Work that still runs belongs to nobody any more; its threads must not keep the process.
+  std::_Exit(0);
+}
+
+}  // namespace tedit::actors

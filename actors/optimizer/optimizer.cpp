@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/optimizer/optimizer.hpp"
+
+#include "actors/optimizer/finish.hpp"
+#include "protocol/convert.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+using self_pointer = optimizer_actor::stateful_pointer<optimizer_state>;
+
+caf::result<finish_result> handle(self_pointer self, job_id job, const finish_order& order) {
+  auto needed = pages_of(order.before);
+  const auto more = pages_of(order.candidate.version);
+  if (!needed || !more)
+    return to_caf(needed ? more.error() : needed.error());
+  needed->insert(needed->end(), more->begin(), more->end());
+  auto cache = self->state.desk.cache;
+  auto source = self->state.desk.pages_handle;
+  return perform<finish_result>(
+    self, job, order.base, *needed,
+    [=](const page_set& pages, const execution& run) -> expected<job_output<finish_result>> {
+      auto output = finish(order, pages, run);
+      if (output) {
+        cache->put(*std::static_pointer_cast<const mesh_version>(output->keep));
+        output->result.source = source;
+      }
+      return output;
+    });
+}
+
+expected<edit_claim> claim_of(const edit_candidate& candidate) {
+  if (candidate.touched.size() % sizeof(tet_id) != 0)
+    return fail(ec::protocol_error, "the list of touched tets is cut off");
+  edit_claim claim;
+  claim.volume_change = candidate.volume_change;
+  claim.touched.resize(candidate.touched.size() / sizeof(tet_id));
+  std::memcpy(claim.touched.data(), candidate.touched.data(), candidate.touched.size());
+  return claim;
+}
+
+}  // namespace
+
+expected<job_output<finish_result>> finish(const finish_order& order, const page_set& pages,
+                                           const execution& run) {
+  const auto base = open_version(order.before, pages);
+  if (!base)
+    return fail(base.error());
+  const auto candidate = open_version(order.candidate.version, pages);
+  if (!candidate)
+    return fail(ec::postcondition_failed,
+                "the operation made no readable version: " + candidate.error().message,
+                "This is a defect of the operation: please report it");
+  const auto claim = claim_of(order.candidate);
+  if (!claim)
+    return fail(claim.error());
+  std::vector<fem::load_case> load_cases;
+  for (const auto& text : order.load_cases) {
+    auto loads = protocol::load_case_from_json(text, "load case");
+    if (!loads)
+      return fail(loads.error());
+    load_cases.push_back(std::move(*loads));
+  }
+  auto done =
+    finish_candidate(*base, *candidate, *claim, order.candidate.improve, load_cases, run);
+  if (!done)
+    return fail(done.error());
+  done->report.notices = order.candidate.notices;
+  done->report.operation_ms = order.candidate.operation_ms;
+  job_output<finish_result> output;
+  output.result.version = make_ref(*done->version);
+  for (const auto& loads : done->load_cases)
+    output.result.load_cases.push_back(protocol::load_case_to_json(loads));
+  output.result.report = protocol::to_json(done->report);
+  output.keep = done->version;
+  return output;
+}
+
+optimizer_actor::behavior_type make_optimizer(
+  optimizer_actor::stateful_pointer<optimizer_state> self, std::shared_ptr<page_cache> cache,
+  page_store_actor pages) {
+  self->state.desk = make_desk(self, "optimizer", std::move(cache), std::move(pages));
+  return {[=](job_id job, const finish_order& order) { return handle(self, job, order); },
+          [=](cancel_atom, job_id job) { self->state.desk.cancel(job); },
+          [=](status_atom) { return self->state.desk.status(); }};
+}
+
+}  // namespace tedit::actors

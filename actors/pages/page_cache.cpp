@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/pages/page_cache.hpp"
+
+namespace tedit::actors {
+
+void page_cache::put(const page_ptr& p) {
+  const auto& id = p->id();  // Hashes outside the lock.
+  const std::lock_guard lock(mutex_);
+  auto& e = entries_.try_emplace(id, entry{p, recent_.end()}).first->second;
+  const auto known = e.alive.lock();
+  if (!known)
+    e.alive = p;
+  keep(e, known ? known : p);
+  if (++puts_ % 65536 == 0)
+    forget_dead_entries();
+}
+
+void page_cache::put(const mesh_version& version) {
+  version.for_each_page([&](const page_ptr& p) { put(p); });
+}
+
+page_ptr page_cache::find(const hash128& id) {
+  const std::lock_guard lock(mutex_);
+  const auto found = entries_.find(id);
+  if (found == entries_.end())
+    return nullptr;
+  auto p = found->second.alive.lock();
+  if (p)
+    keep(found->second, p);
+  return p;
+}
+
+std::size_t page_cache::kept_bytes() const {
+  const std::lock_guard lock(mutex_);
+  return kept_;
+}
+
+void page_cache::keep(entry& e, const page_ptr& p) {
+  if (e.kept != recent_.end()) {
+    recent_.splice(recent_.begin(), recent_, e.kept);
+    return;
+  }
+  recent_.push_front(p);
+  e.kept = recent_.begin();
+  kept_ += p->bytes().size();
+  while (kept_ > budget_) {
+    const auto last = recent_.back();
+    kept_ -= last->bytes().size();
+    entries_.at(last->id()).kept = recent_.end();
+    recent_.pop_back();
+  }
+}
+
+void page_cache::forget_dead_entries() {
+  std::erase_if(entries_, [](const auto& row) { return row.second.alive.expired(); });
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+#include "actors/session/session.hpp"
+#include "actors/store/store.hpp"
+#include "actors/versions.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/report.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+/// Pages that were lost with their worker are made again this often.
+constexpr int most_retries = 2;
+
+error no_head() {
+  return {ec::conflict, "the document is empty", "Import a mesh first", {}};
+}
+
+void describe_mesh(graph_node& node, version_ptr mesh) {
+  node.info.id = mesh->id();
+  node.info.tets = mesh->tet_count();
+  node.info.vertices = mesh->vertex_count();
+  node.info.boundary_facets = mesh->facet_count();
+  node.mesh = std::move(mesh);
+}
+
+}  // namespace
+
+struct session_state::import_run {
+  import_request request;
+  caf::typed_response_promise<head_moved> promise;
+  int retries = 0;
+};
+
+struct session_state::edit_run {
+  edit_request request;
+  caf::typed_response_promise<head_moved> promise;
+  int retries = 0;
+  stopwatch total;
+};
+
+// -- import ----------------------------------------------------------------------------------
+
+caf::result<head_moved> session_state::import(const import_request& request) {
+  auto run = std::make_shared<import_run>();
+  run->request = request;
+  run->promise = self->make_response_promise<head_moved>();
+  enqueue({request.ticket, [=, this] { begin_import(run); },
+           [=](const error& e) { run->promise.deliver(to_caf(e)); }});
+  return run->promise;
+}
+
+void session_state::begin_import(const std::shared_ptr<import_run>& run) {
+  const auto& request = run->request;
+  const auto job = new_job(request.ticket, request.client);
+  const auto fail_import = [=, this](const error& e) {
+    progress_of.erase(job);
+    if (worth_a_retry(e) && !running->cancelled && run->retries++ < most_retries)
+      return begin_import(run);
+    run->promise.deliver(to_caf(e));
+    finish_command();
+  };
+  import_order order{base_order(), {}, request.size, request.file_name, request.length_unit};
+  for (const auto& p : request.file) {
+    parts.cache->put(p);
+    order.file.push_back(p->id());
+  }
+  running->cancel_job = [=, this] {
+    caf::anon_send(parts.workers.modeling, cancel_atom::value, job);
+  };
+  const auto accept = [=, this](const import_result& result, const page_set& pages) {
+    auto mesh = open_version(result.version, pages);
+    if (!mesh)
+      return fail_import(mesh.error());
+    progress_of.erase(job);
+    auto node = graph.draft();
+    node.info.operation = "import";
+    describe_mesh(node, *mesh);
+    const nlohmann::json details{{"file", run->request.file_name},
+                                 {"length_unit", run->request.length_unit}};
+    commit_node(std::move(node), "import", details.dump(), result.warnings, run->promise);
+  };
+  self->request(parts.workers.modeling, answer_limit, job, std::move(order))
+    .then(
+      [=, this](const import_result& result) {
+        const auto ids = pages_of(result.version);
+        if (!ids)
+          return fail_import(ids.error());
+        pull(result.source, *ids, [=](const page_set& pages) { accept(result, pages); },
+             fail_import);
+      },
+      [=](const caf::error& e) { fail_import(from_caf(e, "the import")); });
+}
+
+// -- edit --------------------------------------------------------------------------------------
+
+caf::result<head_moved> session_state::edit(const edit_request& request) {
+  auto run = std::make_shared<edit_run>();
+  run->request = request;
+  run->promise = self->make_response_promise<head_moved>();
+  enqueue({request.ticket, [=, this] { begin_edit(run); },
+           [=](const error& e) { run->promise.deliver(to_caf(e)); }});
+  return run->promise;
+}
+
+void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
+  const auto& request = run->request;
+  const auto refuse = [=, this](const error& e) {
+    run->promise.deliver(to_caf(e));
+    finish_command();
+  };
+  const auto* head = graph.head();
+  if (!head)
+    return refuse(no_head());
+  if (!request.expected_version.empty() && request.expected_version != to_hex(head->info.id))
+    return refuse({ec::conflict,
+                   "the head is version " + to_hex(head->info.id) + ", not " +
+                     request.expected_version,
+                   "Look at the new head, then edit again",
+                   {}});
+  const auto job = new_job(request.ticket, request.client);
+  edit_order order{base_order(), make_ref(*head->mesh), request.operation, request.surfaces,
+                   request.parameters};
+  running->cancel_job = [=, this] {
+    caf::anon_send(parts.workers.modeling, cancel_atom::value, job);
+  };
+  self->request(parts.workers.modeling, answer_limit, job, std::move(order))
+    .then(
+      [=, this](const edit_candidate& candidate) {
+        progress_of.erase(job);
+        const auto ids = pages_of(candidate.version);
+        if (!ids)
+          return refuse(ids.error());
+        // The pages are taken over at once: the plugin's process may die now.
+        pull(candidate.source, *ids,
+             [=, this](const page_set& pages) {
+               auto mine = candidate;
+               mine.source = nullptr;
+               (void)pages;
+               check_candidate(run, mine);
+             },
+             [=, this](const error& e) { retry_edit(run, e); });
+      },
+      [=, this](const caf::error& e) {
+        progress_of.erase(job);
+        refuse(from_caf(e, "the operation " + run->request.operation));
+      });
+}
+
+void session_state::check_candidate(const std::shared_ptr<edit_run>& run,
+                                    const edit_candidate& candidate) {
+  if (running->cancelled) {
+    run->promise.deliver(to_caf({ec::cancelled, "the edit was cancelled", {}, {}}));
+    return finish_command();
+  }
+  const auto job = new_job(run->request.ticket, run->request.client);
+  const auto* head = graph.head();
+  finish_order order{base_order(), make_ref(*head->mesh), candidate, head->load_cases};
+  running->cancel_job = [=, this] {
+    caf::anon_send(parts.workers.optimizer, cancel_atom::value, job);
+  };
+  self->request(parts.workers.optimizer, answer_limit, job, std::move(order))
+    .then(
+      [=, this](const finish_result& result) {
+        progress_of.erase(job);
+        accept_edit(run, result);
+      },
+      [=, this](const caf::error& e) {
+        progress_of.erase(job);
+        retry_edit(run, from_caf(e, "checking the edit"));
+      });
+}
+
+void session_state::accept_edit(const std::shared_ptr<edit_run>& run, const finish_result& result) {
+  const auto ids = pages_of(result.version);
+  auto report = protocol::edit_report_from_json(result.report);
+  if (!ids || !report)
+    return retry_edit(run, ids ? report.error() : ids.error());
+  const auto use = [=, this](const page_set& pages) {
+    auto mesh = open_version(result.version, pages);
+    if (!mesh)
+      return retry_edit(run, mesh.error());
+    auto node = graph.draft();
+    node.info.operation = run->request.operation;
+    node.info.load_cases = graph.head()->info.load_cases;
+    node.load_cases = result.load_cases;
+    describe_mesh(node, *mesh);
+    auto full = *report;
+    full.operation = run->request.operation;
+    full.surfaces = run->request.surfaces;
+    full.total_ms = run->total.milliseconds();
+    node.report = protocol::to_json(full);
+    const nlohmann::json details{{"operation", run->request.operation},
+                                 {"surfaces", run->request.surfaces},
+                                 {"parameters", run->request.parameters}};
+    commit_node(std::move(node), "edit", details.dump(), {}, run->promise);
+  };
+  pull(result.source, *ids, use, [=, this](const error& e) { retry_edit(run, e); });
+}
+
+void session_state::retry_edit(const std::shared_ptr<edit_run>& run, const error& e) {
+  if (worth_a_retry(e) && !running->cancelled && run->retries++ < most_retries) {
+    spdlog::warn("{}: {}: doing the edit again", parts.document, render(e));
+    return begin_edit(run);
+  }
+  run->promise.deliver(to_caf(e));
+  finish_command();
+}
+
+// -- the head moves ------------------------------------------------------------------------------
+
+void session_state::commit_node(graph_node node, const std::string& cause,
+                                const std::string& details, std::vector<std::string> warnings,
+                                caf::typed_response_promise<head_moved> promise) {
+  const auto* head = graph.head();
+  auto change = change_of(node, head ? head->mesh.get() : nullptr);
+  change.what = cause;
+  change.details = details;
+  parts.cache->put(*node.mesh);
+  auto shared = std::make_shared<graph_node>(std::move(node));
+  commit(
+    std::move(change),
+    [=, this](double ms) mutable {
+      graph.add(std::move(*shared));
+      auto moved = describe_head(cause);
+      moved.commit_ms = ms;
+      moved.warnings = warnings;
+      broadcast(moved);
+      promise.deliver(std::move(moved));
+      follow_head();
+      finish_command();
+    },
+    [=, this](const error& e) mutable {
+      promise.deliver(to_caf(e));
+      finish_command();
+    });
+}
+
+head_moved session_state::describe_head(const std::string& cause) const {
+  const auto* head = graph.head();
+  head_moved moved;
+  moved.document = parts.document;
+  moved.head = head->info;
+  moved.version = head->mesh;
+  moved.cause = cause;
+  if (cause == "edit")
+    moved.report = head->report;
+  moved.can_undo = graph.can_undo();
+  moved.can_redo = graph.can_redo();
+  return moved;
+}
+
+caf::result<head_moved> session_state::move(const move_request& request) {
+  auto promise = self->make_response_promise<head_moved>();
+  const auto kind = request.kind;
+  enqueue({0, [=, this] { begin_move(kind, promise); },
+           [=](const error& e) mutable { promise.deliver(to_caf(e)); }});
+  return promise;
+}
+
+void session_state::begin_move(move_kind kind, caf::typed_response_promise<head_moved> promise) {
+  const bool undo = kind == move_kind::undo;
+  const auto target = undo ? graph.undo_target() : graph.redo_target();
+  if (!target) {
+    promise.deliver(to_caf({ec::conflict, undo ? "there is nothing to undo" : "there is nothing to redo", {}, {}}));
+    return finish_command();
+  }
+  const std::string cause = undo ? "undo" : "redo";
+  store::change change;
+  change.head = target;
+  change.what = cause;
+  // Undo remembers where it came from, so that redo returns to this branch.
+  const auto from = graph.head()->info.number;
+  if (undo)
+    change.redo.emplace_back(*target, from);
+  commit(
+    std::move(change),
+    [=, this](double ms) mutable {
+      if (undo)
+        graph.set_redo(*target, from);
+      graph.move_to(*target);
+      auto moved = describe_head(cause);
+      moved.commit_ms = ms;
+      broadcast(moved);
+      promise.deliver(std::move(moved));
+      follow_head();
+      finish_command();
+    },
+    [=, this](const error& e) mutable {
+      promise.deliver(to_caf(e));
+      finish_command();
+    });
+}
+
+caf::result<acknowledged> session_state::set_load_case(const load_case_request& request) {
+  const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
+    self->make_response_promise<acknowledged>());
+  const auto refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
+  const auto begin = [=, this] {
+    const auto* head = graph.head();
+    const auto given = protocol::load_case_from_json(request.load_case, "load case");
+    if (!head || !given) {
+      refuse(head ? given.error() : no_head());
+      return finish_command();
+    }
+    auto texts = head->load_cases;
+    auto names = head->info.load_cases;
+    const auto same = std::ranges::find(names, given->name) - names.begin();
+    if (same == std::ssize(names)) {
+      names.push_back(given->name);
+      texts.emplace_back();
+    }
+    texts[static_cast<std::size_t>(same)] = request.load_case;
+    const auto number = head->info.number;
+    store::change change;
+    change.load_cases.emplace_back(number, join_load_cases(texts));
+    change.what = "load_case";
+    change.details = request.load_case;
+    commit(
+      std::move(change),
+      [=, this](double) {
+        graph.set_load_cases(number, texts, names);
+        promise->deliver(acknowledged{});
+        finish_command();
+      },
+      [=, this](const error& e) {
+        refuse(e);
+        finish_command();
+      });
+  };
+  enqueue({0, begin, refuse});
+  return *promise;
+}
+
+// -- files -----------------------------------------------------------------------------------------
+
+caf::result<exported> session_state::write_file(const export_request& request) {
+  const auto* node = request.version.empty() ? graph.head() : graph.find(request.version);
+  if (!node)
+    return to_caf(request.version.empty()
+                    ? no_head()
+                    : error{ec::not_found, "there is no version " + request.version, {}, {}});
+  const auto promise = std::make_shared<caf::typed_response_promise<exported>>(
+    self->make_response_promise<exported>());
+  const auto job = new_job(request.ticket, request.client);
+  export_order order{base_order(), make_ref(*node->mesh), {}, {}, request.format,
+                     request.length_unit};
+  const auto version = to_hex(node->info.id);
+  const auto fields = std::ranges::find(results, version, &kept_result::version);
+  if (fields != results.end()) {
+    order.fields = fields->refs;
+    order.report = fields->event.report;
+  }
+  const auto refuse = [=, this](const error& e) {
+    progress_of.erase(job);
+    promise->deliver(to_caf(e));
+  };
+  const auto file_name = parts.document + "_v" + std::to_string(node->info.number) + "." +
+                         request.format;
+  self->request(parts.workers.modeling, answer_limit, job, std::move(order))
+    .then(
+      [=, this](const export_result& result) {
+        pull(result.source, result.pages,
+             [=, this](const page_set& pages) {
+               exported file{file_name, {}, result.size};
+               for (const auto& id : result.pages)
+                 file.pages.push_back(pages.find(id));
+               progress_of.erase(job);
+               promise->deliver(std::move(file));
+             },
+             refuse);
+      },
+      [=](const caf::error& e) { refuse(from_caf(e, "writing the file")); });
+  return *promise;
+}
+
+}  // namespace tedit::actors

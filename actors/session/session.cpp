@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/session/session.hpp"
+
+#include <atomic>
+
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+
+namespace tedit::actors {
+
+void session_state::start(session_pointer owner, session_parts with, stored_document stored) {
+  self = owner;
+  parts = std::move(with);
+  graph = version_graph(std::move(stored));
+  for (const auto& node : graph.nodes())
+    parts.cache->put(*node.mesh);
+}
+
+session_snapshot session_state::attach(const attach_request& request) {
+  if (subscribers.insert(request.subscriber).second)
+    self->monitor(request.subscriber);
+  session_snapshot snapshot;
+  snapshot.document = parts.document;
+  if (const auto* head = graph.head()) {
+    snapshot.head = head->info;
+    snapshot.version = head->mesh;
+  }
+  snapshot.can_undo = graph.can_undo();
+  snapshot.can_redo = graph.can_redo();
+  return snapshot;
+}
+
+void session_state::detach(const caf::actor& subscriber) {
+  subscribers.erase(subscriber);
+}
+
+session_history session_state::history() const {
+  session_history result;
+  result.document = parts.document;
+  for (const auto& node : graph.nodes())
+    result.versions.push_back(node.info);
+  result.head = graph.head() ? graph.head()->info.number : 0;
+  return result;
+}
+
+// -- the order of commands ---------------------------------------------------------------------
+
+void session_state::enqueue(command c) {
+  waiting.push_back(std::move(c));
+  if (!running)
+    next_command();
+}
+
+void session_state::next_command() {
+  if (waiting.empty())
+    return;
+  auto c = std::move(waiting.front());
+  waiting.pop_front();
+  running = running_command{c.ticket, false, {}};
+  c.start();
+}
+
+void session_state::finish_command() {
+  running.reset();
+  next_command();
+}
+
+void session_state::cancel(std::uint64_t ticket) {
+  if (running && running->ticket == ticket) {
+    running->cancelled = true;
+    if (running->cancel_job)
+      running->cancel_job();
+    return;
+  }
+  if (active && active->ticket == ticket) {
+    followed.reset();
+    return end_active_solve(ec::cancelled, "the solve was cancelled", solve_phase::cancelled);
+  }
+  const auto found = std::ranges::find(waiting, ticket, &command::ticket);
+  if (found == waiting.end())
+    return;
+  const auto refuse = std::move(found->refuse);
+  waiting.erase(found);
+  refuse({ec::cancelled, "the request was cancelled before it began", {}, {}});
+}
+
+// -- what all commands use -----------------------------------------------------------------------
+
+job_id session_state::new_job(std::uint64_t ticket, const caf::actor& client) {
+  static std::atomic<std::uint64_t> last{0};
+  const job_id job{++last};
+  progress_of[job] = {ticket, client};
+  return job;
+}
+
+order_base session_state::base_order() const {
+  return {caf::actor_cast<caf::actor>(parts.pages), caf::actor_cast<caf::actor>(self)};
+}
+
+void session_state::on_progress(const job_progress& note) {
+  const auto found = progress_of.find(note.job);
+  if (found == progress_of.end() || !found->second.second)
+    return;
+  caf::anon_send(found->second.second,
+             request_progress{found->second.first, note.fraction, note.stage});
+}
+
+void session_state::commit(store::change change, std::function<void(double ms)> done,
+                           std::function<void(const error&)> failed) {
+  if (running)
+    running->cancel_job = nullptr;
+  const stopwatch clock;
+  auto shared = std::make_shared<const store::change>(std::move(change));
+  self->request(parts.store, std::chrono::minutes(5), stored_change{shared})
+    .then([=](acknowledged) { done(clock.milliseconds()); },
+          [=](const caf::error& e) { failed(from_caf(e, "storing the document")); });
+}
+
+void session_state::pull(const caf::actor& source, const hash_list& ids,
+                         std::function<void(const page_set&)> done,
+                         std::function<void(const error&)> failed) {
+  self->request(parts.pages, std::chrono::minutes(5), fetch_atom::value, source, ids)
+    .then([=](const page_set& pages) { done(pages); },
+          [=](const caf::error& e) { failed(from_caf(e, "fetching the result")); });
+}
+
+session_actor::behavior_type make_session(session_pointer self, session_parts parts,
+                                          stored_document stored) {
+  auto& state = self->state;
+  state.start(self, std::move(parts), std::move(stored));
+  self->set_down_handler([=](caf::down_msg& down) {
+    std::erase_if(self->state.subscribers,
+                  [&](const caf::actor& a) { return a.address() == down.source; });
+  });
+  // Notes of workers are no part of the typed interface: they have no answer and may be lost.
+  self->set_default_handler([=](caf::scheduled_actor*,
+                                caf::message_view& view) -> caf::result<caf::message> {
+    auto message = view.move_content_to_message();
+    message.apply({[&](const job_progress& note) { self->state.on_progress(note); },
+                   [&](const job_frame& frame) { self->state.on_frame(frame); }});
+    return caf::message{};
+  });
+  return {[&state](const attach_request& request) { return state.attach(request); },
+          [&state](detach_atom, const caf::actor& subscriber) { state.detach(subscriber); },
+          [&state](const import_request& request) { return state.import(request); },
+          [&state](const edit_request& request) { return state.edit(request); },
+          [&state](const move_request& request) { return state.move(request); },
+          [&state](const load_case_request& request) { return state.set_load_case(request); },
+          [&state](const solve_request& request) { return state.solve(request); },
+          [&state](const export_request& request) { return state.write_file(request); },
+          [&state](history_atom) { return state.history(); },
+          [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); }};
+}
+
+}  // namespace tedit::actors

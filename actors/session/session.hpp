@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <list>
+#include <map>
+#include <set>
+
+#include <caf/send.hpp>
+#include <caf/stateful_actor.hpp>
+#include <caf/typed_event_based_actor.hpp>
+#include <caf/typed_response_promise.hpp>
+
+#include "actors/interfaces.hpp"
+#include "actors/pages/page_cache.hpp"
+#include "actors/session/version_graph.hpp"
+#include "base/stopwatch.hpp"
+
+namespace tedit::actors {
+
+/// Longer than any work may take: the pools of workers end what takes too long, each by its own
+/// limit, and answer then.
+inline constexpr std::chrono::minutes answer_limit{24 * 60};
+
+/// What a session works with.
+struct session_parts {
+  std::string document;
+  store_actor store;
+  page_store_actor pages;
+  std::shared_ptr<page_cache> cache;
+  worker_set workers;
+  std::string device = "auto";  ///< For solves that name none.
+};
+
+struct session_state;
+using session_pointer = session_actor::stateful_pointer<session_state>;
+
+/// The state of a session. Its members are what the handlers call; they are split over three files:
+/// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head) and
+/// solves.cpp.
+struct session_state {
+  /// Something that changes the document. One at a time, in the order of arrival.
+  struct command {
+    std::uint64_t ticket = 0;
+    std::function<void()> start;
+    std::function<void(const error&)> refuse;
+  };
+
+  /// The command that runs.
+  struct running_command {
+    std::uint64_t ticket = 0;
+    bool cancelled = false;
+    std::function<void()> cancel_job;  ///< Empty while nothing can be cancelled.
+  };
+
+  struct import_run;
+  struct edit_run;
+
+  struct solve_settings {
+    std::string load_case;
+    double tolerance = 1e-6;
+    std::string device;
+  };
+
+  struct active_solve {
+    job_id job;
+    std::string key;
+    std::string version;
+    std::string load_case;
+    version_ptr mesh;
+    std::uint64_t ticket = 0;
+    std::vector<caf::typed_response_promise<solved>> waiting;
+  };
+
+  /// A result, with what is needed to write it to a file.
+  struct kept_result {
+    std::string key;
+    std::string version;
+    solved event;
+    std::vector<field_ref> refs;
+  };
+
+  // -- session.cpp ---------------------------------------------------------------------------
+
+  void start(session_pointer owner, session_parts with, stored_document stored);
+  session_snapshot attach(const attach_request& request);
+  void detach(const caf::actor& subscriber);
+  [[nodiscard]] session_history history() const;
+  void cancel(std::uint64_t ticket);
+  void enqueue(command c);
+  void next_command();
+  void finish_command();
+  void on_progress(const job_progress& note);
+  template <class Event>
+  void broadcast(const Event& event);
+  /// Makes a change durable, then calls `done`, or `failed`.
+  void commit(store::change change, std::function<void(double ms)> done,
+              std::function<void(const error&)> failed);
+  /// Fetches pages into this process, then calls `done`, or `failed`.
+  void pull(const caf::actor& source, const hash_list& ids,
+            std::function<void(const page_set&)> done, std::function<void(const error&)> failed);
+  job_id new_job(std::uint64_t ticket, const caf::actor& client);
+  [[nodiscard]] order_base base_order() const;
+
+  // -- edits.cpp ------------------------------------------------------------------------------
+
+  caf::result<head_moved> import(const import_request& request);
+  caf::result<head_moved> edit(const edit_request& request);
+  caf::result<head_moved> move(const move_request& request);
+  caf::result<acknowledged> set_load_case(const load_case_request& request);
+  caf::result<exported> write_file(const export_request& request);
+
+  void begin_import(const std::shared_ptr<import_run>& run);
+  void begin_edit(const std::shared_ptr<edit_run>& run);
+  void check_candidate(const std::shared_ptr<edit_run>& run, const edit_candidate& candidate);
+  void accept_edit(const std::shared_ptr<edit_run>& run, const finish_result& result);
+  void retry_edit(const std::shared_ptr<edit_run>& run, const error& e);
+  void commit_node(graph_node node, const std::string& cause, const std::string& details,
+                   std::vector<std::string> warnings,
+                   caf::typed_response_promise<head_moved> promise);
+  void begin_move(move_kind kind, caf::typed_response_promise<head_moved> promise);
+  [[nodiscard]] head_moved describe_head(const std::string& cause) const;
+
+  // -- solves.cpp -----------------------------------------------------------------------------
+
+  caf::result<solved> solve(const solve_request& request);
+  /// Solves the new head when somebody has asked for a solve before.
+  void follow_head();
+  void start_solve(const solve_settings& settings, std::uint64_t ticket, const caf::actor& client,
+                   std::optional<caf::typed_response_promise<solved>> promise);
+  void launch(active_solve next, const solve_order& order);
+  void end_active_solve(ec code, const std::string& why, solve_phase phase);
+  void receive_result(job_id job, const solve_result& result);
+  void fail_solve(job_id job, const error& e);
+  void on_frame(const job_frame& frame);
+  void note(const active_solve& which, solve_phase phase, const std::string& message = {});
+
+  session_pointer self = nullptr;
+  session_parts parts;
+  version_graph graph;
+  std::set<caf::actor> subscribers;
+  std::deque<command> waiting;
+  std::optional<running_command> running;
+  std::map<job_id, std::pair<std::uint64_t, caf::actor>> progress_of;
+  std::optional<solve_settings> followed;
+  std::optional<active_solve> active;
+  std::list<kept_result> results;  ///< Used last at the front.
+
+  static inline const char* name = "session";
+};
+
+/// One document, opened. See architecture section 4, "One edit" and "One solve".
+session_actor::behavior_type make_session(session_pointer self, session_parts parts,
+                                          stored_document stored);
+
+template <class Event>
+void session_state::broadcast(const Event& event) {
+  for (const auto& subscriber : subscribers)
+    caf::anon_send(subscriber, event);
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "actors/local_messages.hpp"
+
+namespace tedit::actors {
+
+/// The versions of a document as a tree, and where its head is. Nodes are never taken away: an edit
+/// after an undo begins a branch.
+class version_graph {
+public:
+  version_graph() = default;
+  explicit version_graph(stored_document stored)
+      : nodes_(std::move(stored.nodes)), head_(stored.head) {}
+
+  [[nodiscard]] const std::vector<graph_node>& nodes() const { return nodes_; }
+  [[nodiscard]] const graph_node* head() const { return head_ ? &nodes_[*head_] : nullptr; }
+  [[nodiscard]] bool can_undo() const { return undo_target().has_value(); }
+  [[nodiscard]] bool can_redo() const { return redo_target().has_value(); }
+  [[nodiscard]] std::optional<std::uint32_t> undo_target() const;
+  [[nodiscard]] std::optional<std::uint32_t> redo_target() const;
+
+  /// The node that was made last with this version id (hexadecimal), or null.
+  [[nodiscard]] const graph_node* find(const std::string& version) const;
+
+  /// A node that would become the head's child: number and parent are set.
+  [[nodiscard]] graph_node draft() const;
+
+  /// Adds what `draft` began and makes it the head; its parent's redo leads to it.
+  void add(graph_node node);
+
+  /// Makes an existing node the head.
+  void move_to(std::uint32_t number) { head_ = number; }
+
+  void set_redo(std::uint32_t number, std::uint32_t child) { nodes_[number].redo = child; }
+
+  void set_load_cases(std::uint32_t number, std::vector<std::string> load_cases,
+                      std::vector<std::string> names);
+
+private:
+  std::vector<graph_node> nodes_;  ///< By number.
+  std::optional<std::uint32_t> head_;
+};
+
+}  // namespace tedit::actors

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/solver/solver.hpp"
+
+#include "base/stopwatch.hpp"
+#include "fem/fields.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/report.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+using self_pointer = solver_actor::stateful_pointer<solver_state>;
+
+expected<fem::backend*> open_device(device_map& devices, const std::string& name) {
+  auto& device = devices[name];
+  if (!device) {
+    auto opened = fem::open_backend(name);
+    if (!opened)
+      return fail(opened.error());
+    device = std::move(*opened);
+  }
+  return device.get();
+}
+
+caf::result<solve_result> handle(self_pointer self, job_id job, const solve_order& order) {
+  const auto needed = pages_of(order.version);
+  if (!needed)
+    return to_caf(needed.error());
+  auto cache = self->state.desk.cache;
+  auto source = self->state.desk.pages_handle;
+  auto devices = self->state.devices;
+  return perform<solve_result>(
+    self, job, order.base, *needed,
+    [=](const page_set& pages, const execution& run) -> expected<job_output<solve_result>> {
+      const auto tell = [&](const fem::solve_frame& frame) {
+        if (order.base.listener)
+          caf::anon_send(order.base.listener,
+                         job_frame{job, frame.iterations, frame.true_relative_residual});
+      };
+      auto output = solve(order, *devices, pages, run, tell);
+      if (output) {
+        for (const auto& f : *std::static_pointer_cast<const std::vector<field>>(output->keep))
+          for (const auto& p : f.values.pages())
+            cache->put(p);
+        output->result.source = source;
+      }
+      return output;
+    });
+}
+
+}  // namespace
+
+expected<job_output<solve_result>> solve(
+  const solve_order& order, device_map& devices, const page_set& pages, const execution& run,
+  const std::function<void(const fem::solve_frame&)>& on_frame) {
+  const stopwatch total;
+  const auto mesh = open_version(order.version, pages);
+  if (!mesh)
+    return fail(mesh.error());
+  const auto loads = protocol::load_case_from_json(order.load_case, "load case");
+  if (!loads)
+    return fail(loads.error());
+  stopwatch clock;
+  const auto problem = fem::make_problem(**mesh, *loads);
+  if (!problem)
+    return fail(problem.error());
+  const double problem_ms = clock.restart();
+  const auto device = open_device(devices, order.device);
+  if (!device)
+    return fail(device.error());
+  fem::solve_settings settings;
+  settings.tolerance = order.tolerance;
+  const auto solution = fem::solve(*problem, **device, settings, run, on_frame);
+  if (!solution)
+    return fail(solution.error());
+  auto fields =
+    std::make_shared<const std::vector<field>>(fem::make_fields(**mesh, *problem, *solution));
+  auto report = make_report(**mesh, loads->name, *problem, *solution);
+  report.setup_ms += problem_ms;
+  report.total_ms = total.milliseconds();
+  job_output<solve_result> output;
+  output.result.report = protocol::to_json(report);
+  for (const auto& f : *fields)
+    output.result.fields.push_back(make_ref(f));
+  output.keep = fields;
+  return output;
+}
+
+solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,
+                                        std::shared_ptr<page_cache> cache, page_store_actor pages) {
+  self->state.desk = make_desk(self, "solver", std::move(cache), std::move(pages));
+  return {[=](job_id job, const solve_order& order) { return handle(self, job, order); },
+          [=](cancel_atom, job_id job) { self->state.desk.cancel(job); },
+          [=](status_atom) { return self->state.desk.status(); }};
+}
+
+}  // namespace tedit::actors

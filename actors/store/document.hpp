@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "mesh/page.hpp"
+
+namespace tedit::store {
+
+/// A version of the document as it is stored. The texts are JSON that the store does not look into.
+struct version_row {
+  std::uint32_t number = 0;             ///< Unique in the document.
+  std::optional<std::uint32_t> parent;  ///< The version it was made from; must be stored.
+  hash128 id;                           ///< The hash of the manifest; two rows may share it.
+  std::vector<std::byte> manifest;      ///< `manifest::to_bytes`.
+  std::string operation;                ///< What made it.
+  std::string load_cases;               ///< An array.
+  std::string report;                   ///< What the operation reported.
+  std::optional<std::uint32_t> redo;    ///< The child that a redo goes to.
+};
+
+/// One line of the document's history, oldest first by `sequence`, which is never reused.
+struct log_row {
+  std::uint64_t sequence = 0;
+  std::string what;  ///< "import", "edit", "undo", "redo" or "load_case".
+  std::string details;
+};
+
+/// What one transaction writes: all of it or nothing. Applied in declaration order.
+struct change {
+  std::vector<page_ptr> new_pages;         ///< Those that are stored already are skipped.
+  std::optional<version_row> new_version;  ///< Its number must be new.
+  std::optional<std::uint32_t> head;       ///< The new head; without it the head stays.
+  /// Version number and the JSON that replaces its load cases.
+  std::vector<std::pair<std::uint32_t, std::string>> load_cases;
+  /// Version number and the child that its redo goes to from now on; none clears it.
+  std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>> redo;
+  std::string what;  ///< Becomes a log row with `details`; an empty one is not logged.
+  std::string details;
+};
+
+/// All that a document holds but its pages.
+struct contents {
+  std::vector<version_row> versions;  ///< Ascending by number.
+  std::optional<std::uint32_t> head;  ///< None in a new document.
+  std::vector<log_row> log;           ///< Ascending by sequence.
+};
+
+/// One session document in one SQLite file, its pages compressed with zstd. While it is open an
+/// exclusive lock on FILE-lock keeps every other `open` out; the lock file stays when it is closed.
+/// Not thread-safe: one thread at a time.
+class document {
+public:
+  /// Opens the document in `file`, or creates it when the file is absent or empty. A file that is
+  /// no document is left as it is.
+  /// Errors: `storage_error` when the file is no SQLite database, no TEdit document, damaged or of
+  /// a newer format; `io_error` when the system refuses to read or write it; `conflict` when it is
+  /// open already, here or in another process.
+  [[nodiscard]] static expected<std::unique_ptr<document>> open(const std::filesystem::path& file);
+
+  ~document();
+  document(const document&) = delete;
+  document& operator=(const document&) = delete;
+
+  /// Writes `c` in one transaction, which is durable when this returns.
+  /// Errors: `storage_error` when a number is taken, names no stored version, a page is null or
+  /// over `max_page_bytes`, another program holds the file, or the disk fails; then nothing of `c`
+  /// is stored. Cost: one compression per new page and one fsync; now and then a checkpoint.
+  [[nodiscard]] expected<void> commit(const change& c);
+
+  /// Reads all rows but the pages. Errors: `storage_error`. Cost: O(rows), with all manifests.
+  [[nodiscard]] expected<contents> read() const;
+
+  /// Reads a page and checks its size and hash.
+  /// Errors: `not_found`; `storage_error` when the stored bytes are damaged.
+  [[nodiscard]] expected<page_ptr> read_page(const hash128& id) const;
+
+  /// Whether a page with this identity is stored; its bytes are not checked. False, too, when the
+  /// database cannot be read. Cost: one index look-up.
+  [[nodiscard]] bool has_page(const hash128& id) const;
+
+private:
+  struct impl;
+  document();
+
+  std::unique_ptr<impl> impl_;
+};
+
+}  // namespace tedit::store

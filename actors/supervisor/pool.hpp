@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <list>
+
+#include <caf/stateful_actor.hpp>
+#include <caf/typed_event_based_actor.hpp>
+
+#include "actors/interfaces.hpp"
+
+namespace tedit::actors {
+
+/// How a pool keeps its workers.
+struct pool_options {
+  std::string role;                  ///< "modeling", "optimizer", "solver".
+  std::vector<std::string> command;  ///< Starts a worker; "--join HOST:PORT" is added.
+  unsigned workers = 1;
+  std::chrono::milliseconds job_limit{2 * 60 * 1000};  ///< A job that takes longer is ended.
+  std::chrono::milliseconds cancel_grace{5000};  ///< For a cancelled job to notice that it is.
+  std::chrono::milliseconds start_limit{20000};  ///< For a process to enlist.
+  unsigned restart_budget = 3;                   ///< Restarts within `restart_window`.
+  std::chrono::milliseconds restart_window{60000};
+  int retries = 2;  ///< A job whose worker dies is given to another this often.
+};
+
+/// The restarts of the recent past, against a budget.
+class restart_budget {
+public:
+  using clock = std::chrono::steady_clock;
+
+  restart_budget(unsigned most, std::chrono::milliseconds window) : most_(most), window_(window) {}
+
+  /// Takes one restart from the budget; false when none is left now.
+  [[nodiscard]] bool take(clock::time_point now);
+
+private:
+  unsigned most_;
+  std::chrono::milliseconds window_;
+  std::deque<clock::time_point> taken_;
+};
+
+struct pool_state {
+  using clock = std::chrono::steady_clock;
+
+  /// A job from its order to its answer. Order and result types live in the closures.
+  struct job {
+    job_id id;
+    std::function<void(const caf::actor& worker, int attempt)> send;
+    std::function<void(const error&)> refuse;
+    int deaths = 0;
+    bool cancelled = false;
+    clock::time_point deadline;  ///< Once it runs.
+  };
+
+  /// A worker process, starting, idle or with a job.
+  struct child {
+    pid_t pid = 0;
+    std::string ticket;
+    clock::time_point started;
+    caf::actor worker;  ///< Null until it has enlisted.
+    std::optional<job> work;
+  };
+
+  void start(caf::scheduled_actor* owner, pool_options with);
+  void stop();
+  /// Takes a job; it is sent as soon as a worker is free.
+  void add(job j);
+  void cancel(job_id id);
+  /// Whether this attempt at a job still runs.
+  [[nodiscard]] bool is_current(job_id id, int attempt);
+  /// The job of a worker was answered, by result or by an error of ours.
+  void complete(job_id id);
+  /// A worker failed in a way that says that it cannot be trusted any more.
+  void give_up_on(job_id id, const std::string& why);
+  bool enlist(const enlistment& who);
+  void on_down(const caf::actor_addr& source);
+  /// Looks after processes and time limits; called ten times a second.
+  void tick();
+  [[nodiscard]] worker_status status() const;
+
+  void spawn_child();
+  void spawn_missing();
+  void dispatch();
+  void bury(std::list<child>::iterator dead, const std::string& how);
+  [[nodiscard]] std::list<child>::iterator child_with(job_id id);
+
+  caf::scheduled_actor* self = nullptr;
+  pool_options options;
+  std::optional<restart_budget> budget;
+  std::string address;  ///< Where workers enlist, host:port.
+  std::list<child> children;
+  std::deque<job> waiting;
+  std::uint32_t restarts = 0;
+  bool started_once = false;
+  bool degraded = false;
+  std::string last_failure;
+
+  static inline const char* name = "pool";
+};
+
+/// Pools keep worker processes and answer as if they were one worker that never dies: a job whose
+/// worker dies is done again by the next one. When workers die too often the pool is degraded: it
+/// refuses work and tries again when its budget allows.
+modeling_actor make_modeling_pool(caf::actor_system& system, pool_options options);
+optimizer_actor make_optimizer_pool(caf::actor_system& system, pool_options options);
+solver_actor make_solver_pool(caf::actor_system& system, pool_options options);
+
+}  // namespace tedit::actors

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <caf/event_based_actor.hpp>
+#include <caf/io/middleman.hpp>
+#include <caf/send.hpp>
+#include <caf/typed_response_promise.hpp>
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+#include "actors/supervisor/pool.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+constexpr auto tick_interval = std::chrono::milliseconds(100);
+
+template <class Role>
+using pool_pointer = typename Role::template stateful_pointer<pool_state>;
+
+/// The handler of one kind of order: queues it and answers when some worker has done it.
+template <class Role, class Order, class Result>
+auto job_handler(pool_pointer<Role> self) {
+  return [=](job_id id, const Order& order) -> caf::result<Result> {
+    using promise_type = caf::typed_response_promise<Result>;
+    auto promise = std::make_shared<promise_type>(self->template make_response_promise<Result>());
+    pool_state::job job;
+    job.id = id;
+    job.refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
+    job.send = [=](const caf::actor& worker, int attempt) {
+      // The pool's own clock ends what takes too long; this limit is only a net below it.
+      const auto limit = self->state.options.job_limit + std::chrono::minutes(1);
+      self->request(caf::actor_cast<Role>(worker), limit, id, order)
+        .then(
+          [=](Result& result) {
+            if (!self->state.is_current(id, attempt))
+              return;
+            promise->deliver(std::move(result));
+            self->state.complete(id);
+          },
+          [=](const caf::error& e) {
+            if (!self->state.is_current(id, attempt))
+              return;  // Its worker died long ago and another has the job.
+            const auto failure = from_caf(e, "the work");
+            if (e.category() != caf::atom("tedit"))
+              return self->state.give_up_on(id, "failed: " + failure.message);
+            promise->deliver(to_caf(failure));
+            self->state.complete(id);
+          });
+    };
+    self->state.add(std::move(job));
+    return *promise;
+  };
+}
+
+/// What workers talk to before they are workers; it has a port of its own.
+caf::behavior make_gate(caf::event_based_actor* self, const caf::actor& pool) {
+  return {[=](const enlistment& who) {
+    auto promise = self->make_response_promise<bool>();
+    self->request(pool, std::chrono::seconds(5), who)
+      .then([=](bool accepted) mutable { promise.deliver(accepted); },
+            [=](const caf::error&) mutable { promise.deliver(false); });
+    return promise;
+  }};
+}
+
+/// Notes, processes and time: what a pool handles beside its role.
+template <class Role>
+void start_pool(pool_pointer<Role> self, pool_options options) {
+  auto& state = self->state;
+  state.start(self, std::move(options));
+  const auto own = caf::actor_cast<caf::actor>(self);
+  self->set_down_handler([=](caf::down_msg& down) { self->state.on_down(down.source); });
+  self->set_exit_handler([=](caf::exit_msg& message) {
+    self->state.stop();
+    self->quit(std::move(message.reason));
+  });
+  self->set_default_handler(
+    [=](caf::scheduled_actor*, caf::message_view& view) -> caf::result<caf::message> {
+      auto message = view.move_content_to_message();
+      caf::message answer;
+      message.apply({[&](const enlistment& who) {
+                       answer = caf::make_message(self->state.enlist(who));
+                     },
+                     [&](tick_atom) {
+                       self->state.tick();
+                       caf::delayed_anon_send(own, tick_interval, tick_atom::value);
+                     }});
+      return answer;
+    });
+  const auto gate = self->template spawn<caf::linked>(make_gate, own);
+  const auto port = self->system().middleman().publish(gate, 0, "127.0.0.1");
+  if (!port) {
+    spdlog::critical("{} pool: no port on 127.0.0.1 to listen on", state.options.role);
+    return;
+  }
+  state.address = "127.0.0.1:" + std::to_string(*port);
+  state.spawn_missing();
+  caf::delayed_anon_send(own, tick_interval, tick_atom::value);
+}
+
+modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
+                                            pool_options options) {
+  start_pool<modeling_actor>(self, std::move(options));
+  return {job_handler<modeling_actor, import_order, import_result>(self),
+          job_handler<modeling_actor, edit_order, edit_candidate>(self),
+          job_handler<modeling_actor, export_order, export_result>(self),
+          [=](catalog_atom) -> caf::result<std::string> {
+            for (const auto& c : self->state.children)
+              if (c.worker)
+                return self->delegate(caf::actor_cast<modeling_actor>(c.worker),
+                                      catalog_atom::value);
+            return to_caf({ec::service_unavailable, "the modeling worker is still starting",
+                           "Try again in a moment", {}});
+          },
+          [=](cancel_atom, job_id id) { self->state.cancel(id); },
+          [=](status_atom) { return self->state.status(); }};
+}
+
+optimizer_actor::behavior_type optimizer_pool(pool_pointer<optimizer_actor> self,
+                                              pool_options options) {
+  start_pool<optimizer_actor>(self, std::move(options));
+  return {job_handler<optimizer_actor, finish_order, finish_result>(self),
+          [=](cancel_atom, job_id id) { self->state.cancel(id); },
+          [=](status_atom) { return self->state.status(); }};
+}
+
+solver_actor::behavior_type solver_pool(pool_pointer<solver_actor> self, pool_options options) {
+  start_pool<solver_actor>(self, std::move(options));
+  return {job_handler<solver_actor, solve_order, solve_result>(self),
+          [=](cancel_atom, job_id id) { self->state.cancel(id); },
+          [=](status_atom) { return self->state.status(); }};
+}
+
+}  // namespace
+
+modeling_actor make_modeling_pool(caf::actor_system& system, pool_options options) {
+  return system.spawn(modeling_pool, std::move(options));
+}
+
+optimizer_actor make_optimizer_pool(caf::actor_system& system, pool_options options) {
+  return system.spawn(optimizer_pool, std::move(options));
+}
+
+solver_actor make_solver_pool(caf::actor_system& system, pool_options options) {
+  return system.spawn(solver_pool, std::move(options));
+}
+
+}  // namespace tedit::actors

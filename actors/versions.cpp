@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/versions.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+expected<manifest> read_manifest(const version_ref& ref) {
+  const auto bytes = std::as_bytes(std::span(ref.manifest));
+  if (hash_bytes(bytes) != ref.id)
+    return fail(ec::protocol_error, "a version's manifest was damaged on its way");
+  return manifest::from_bytes(bytes);
+}
+
+}  // namespace
+
+version_ref make_ref(const mesh_version& version) {
+  const auto bytes = version.pages().to_bytes();
+  const auto* first = reinterpret_cast<const char*>(bytes.data());
+  return {version.id(), {first, first + bytes.size()}};
+}
+
+expected<hash_list> pages_of(const version_ref& ref) {
+  return read_manifest(ref).map([](const manifest& list) { return list.page_ids(); });
+}
+
+expected<version_ptr> open_version(const version_ref& ref, const page_set& pages) {
+  const auto list = read_manifest(ref);
+  if (!list)
+    return fail(list.error());
+  return mesh_version::from_manifest(*list, [&](const hash128& id) { return pages.find(id); });
+}
+
+field_ref make_ref(const field& f) {
+  field_ref ref{f.name, f.location == field_location::vertex, f.components, f.values.size(), {}};
+  for (const auto& p : f.values.pages())
+    ref.pages.push_back(p->id());
+  return ref;
+}
+
+expected<field> open_field(const field_ref& ref, const page_set& pages) {
+  std::vector<page_ptr> list;
+  for (const auto& id : ref.pages) {
+    list.push_back(pages.find(id));
+    if (!list.back())
+      return fail(ec::not_found, "a page of the field " + ref.name + " is missing");
+  }
+  auto values = paged_array<double>::from_pages(std::move(list), ref.size);
+  if (!values)
+    return fail(values.error());
+  return field{ref.name, ref.on_vertices ? field_location::vertex : field_location::tet,
+               ref.components, std::move(*values)};
+}
+
+std::vector<page_ptr> cut(std::span<const char> bytes) {
+  std::vector<page_ptr> pages;
+  for (std::size_t first = 0; first < bytes.size(); first += max_page_bytes)
+    pages.push_back(page::from_bytes(
+      std::as_bytes(bytes.subspan(first, std::min(max_page_bytes, bytes.size() - first)))));
+  return pages;
+}
+
+expected<std::vector<char>> join(const hash_list& ids, std::uint64_t size, const page_set& pages) {
+  std::vector<char> bytes;
+  for (const auto& id : ids) {
+    const auto p = pages.find(id);
+    if (!p)
+      return fail(ec::not_found, "a piece of the file is missing");
+    const auto part = p->bytes();
+    const auto* first = reinterpret_cast<const char*>(part.data());
+    bytes.insert(bytes.end(), first, first + part.size());
+  }
+  if (bytes.size() != size)
+    return fail(ec::protocol_error, "the file has " + std::to_string(bytes.size()) +
+                                      " bytes, not " + std::to_string(size) + " as announced");
+  return bytes;
+}
+
+}  // namespace tedit::actors

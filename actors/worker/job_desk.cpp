@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/worker/job_desk.hpp"
+
+#include <unistd.h>
+
+namespace tedit::actors {
+
+bench_actor::behavior_type make_bench(bench_actor::pointer) {
+  return {[](const job_task& task) {
+    task.run();
+    return acknowledged{};
+  }};
+}
+
+worker_status job_desk::status() const {
+  return {role, "ready", static_cast<std::int32_t>(getpid()), 0,
+          static_cast<std::uint32_t>(running.size()), {}};
+}
+
+execution make_execution(job_id job, const order_base& order, cancel_token token) {
+  using clock = std::chrono::steady_clock;
+  constexpr auto interval = std::chrono::milliseconds(50);
+  execution run;
+  run.cancel = std::move(token);
+  auto last = std::make_shared<clock::time_point>(clock::now() - interval);
+  run.progress = [=](double fraction, std::string_view stage) {
+    const auto now = clock::now();
+    if (!order.listener || now - *last < interval)
+      return;
+    *last = now;
+    caf::anon_send(order.listener, job_progress{job, fraction, std::string(stage)});
+  };
+  return run;
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "base/process.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace tedit {
+
+namespace {
+
+/// Pointers to the texts and a null behind them, as exec wants them.
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const auto& text : texts)
+    result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+std::vector<std::string> environment_with(const std::vector<std::string>& added) {
+  std::vector<std::string> all = added;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    const auto name = text.substr(0, text.find('=') + 1);
+    bool replaced = false;
+    for (const auto& other : added)
+      replaced = replaced || other.starts_with(name);
+    if (!replaced)
+      all.push_back(text);
+  }
+  return all;
+}
+
+}  // namespace
+
+expected<pid_t> spawn_process(const std::vector<std::string>& command,
+                              const std::vector<std::string>& environment) {
+  if (access(command.front().c_str(), X_OK) != 0)
+    return fail(ec::service_unavailable, "the program " + command.front() + " is not there",
+                "Build or install TEdit again");
+  // Everything that allocates stands before the fork: other threads may hold the allocator's locks.
+  const auto arguments = pointers(command);
+  const auto all = environment_with(environment);
+  const auto variables = pointers(all);
+  const int nowhere = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+      _exit(127);
+    dup2(nowhere, STDIN_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    close_range(3, ~0U, 0);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    execve(arguments.front(), arguments.data(), variables.data());
+    _exit(127);
+  }
+  const int reason = errno;
+  close(nowhere);
+  if (child < 0)
+    return fail(ec::service_unavailable,
+                command.front() + " cannot be started: " + std::strerror(reason));
+  return child;
+}
+
+std::optional<std::string> reap_process(pid_t pid) {
+  int status = 0;
+  const pid_t ended = waitpid(pid, &status, WNOHANG);
+  if (ended == 0 || (ended < 0 && errno == EINTR))
+    return std::nullopt;
+  if (ended < 0)
+    return "is gone";
+  if (WIFSIGNALED(status))
+    return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
+           strsignal(WTERMSIG(status)) + ")";
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+void kill_process(pid_t pid) {
+  kill(pid, SIGKILL);
+  while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+    // Interrupted by a signal of ours: wait on.
+  }
+}
+
+}  // namespace tedit

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace tedit {
+
+/// Starts a program that runs beside this one: stdin is empty, stdout and stderr are this
+/// process's stderr, no other file is inherited, and it is killed when the thread that started it
+/// ends. `environment` adds NAME=VALUE entries. Errors: `service_unavailable`.
+[[nodiscard]] expected<pid_t> spawn_process(const std::vector<std::string>& command,
+                                            const std::vector<std::string>& environment = {});
+
+/// How a process that has ended did so, for people: "was killed by signal 9 (Killed)" or "ended
+/// with status 1"; nothing while it runs. The process is reaped.
+[[nodiscard]] std::optional<std::string> reap_process(pid_t pid);
+
+/// Kills a process and waits for its end.
+void kill_process(pid_t pid);
+
+}  // namespace tedit

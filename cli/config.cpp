@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/config.hpp"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+#include "ops/loader/catalogue.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+constexpr auto manual = "config/tedit.toml explains every option";
+
+/// Puts a value into the options; says what it must be instead when it does not fit.
+using setter = std::function<std::string(const toml::node&, server_config&)>;
+
+struct option {
+  std::string table;
+  std::string key;
+  setter set;
+};
+
+/// Empty when a text is fine, else what it must be.
+using text_rule = std::string (*)(const std::string&);
+
+setter text(std::string server_config::*member, text_rule rule) {
+  return [=](const toml::node& given, server_config& config) -> std::string {
+    const auto value = given.value_exact<std::string>();
+    if (!value)
+      return "must be a text";
+    config.*member = *value;
+    return rule(*value);
+  };
+}
+
+std::string number(double value) {
+  std::ostringstream out;
+  out << std::setprecision(12) << value;
+  return out.str();
+}
+
+std::string range(double least, double most) {
+  return number(least) + " to " + number(most);
+}
+
+setter whole(int server_config::*member, int least, int most) {
+  return [=](const toml::node& given, server_config& config) -> std::string {
+    const auto value = given.value_exact<std::int64_t>();
+    if (!value)
+      return "must be a whole number, " + range(least, most);
+    if (*value < least || *value > most)
+      return "must be " + range(least, most) + ", not " + std::to_string(*value);
+    config.*member = static_cast<int>(*value);
+    return {};
+  };
+}
+
+setter seconds(double server_config::*member) {
+  constexpr double least = 0.1;
+  constexpr double most = 7 * 24 * 3600;
+  return [=](const toml::node& given, server_config& config) -> std::string {
+    if (!given.is_number())
+      return "must be a number of seconds, " + range(least, most);
+    const double value = given.value<double>().value_or(0);
+    if (!(value >= least && value <= most))  // false for nan, too
+      return "must be " + range(least, most) + " seconds, not " + number(value);
+    config.*member = value;
+    return {};
+  };
+}
+
+std::string address_fault(const std::string& text) {
+  in6_addr scratch{};
+  if (inet_pton(AF_INET, text.c_str(), &scratch) == 1 ||
+      inet_pton(AF_INET6, text.c_str(), &scratch) == 1)
+    return {};
+  return "must be an IPv4 or IPv6 address in numbers such as \"127.0.0.1\", not \"" + text + "\"";
+}
+
+std::string path_fault(const std::string& text) {
+  if (text.empty() || text.front() == '/')
+    return {};
+  return "must be an absolute path or empty, not \"" + text + "\"";
+}
+
+std::string device_fault(const std::string& text) {
+  return text.empty() ? "must be \"auto\", \"cpu\" or part of a device's name" : "";
+}
+
+std::string level_fault(const std::string& text) {
+  static const std::vector<std::string> levels{"trace", "debug",    "info", "warning",
+                                               "error", "critical", "off"};
+  if (std::ranges::find(levels, text) != levels.end())
+    return {};
+  std::string list;
+  for (const auto& level : levels)
+    list += (list.empty() ? "\"" : ", \"") + level + "\"";
+  const auto near = ops::nearest_name(text, levels);
+  return "must be one of " + list + ", not \"" + text + "\"" +
+         (near.empty() ? "" : "; did you mean \"" + near + "\"?");
+}
+
+/// scheme://host[:port], as a browser sends it.
+bool is_origin(const std::string& text) {
+  const auto colon = text.find("://");
+  if (colon == std::string::npos || colon == 0)
+    return false;
+  const auto host = text.substr(colon + 3);
+  return !host.empty() && host.find_first_of("/?#@* \t") == std::string::npos;
+}
+
+std::string set_origins(const toml::node& given, server_config& config) {
+  const auto* list = given.as_array();
+  if (!list)
+    return "must be a list of texts";
+  std::vector<std::string> origins;
+  for (const auto& item : *list) {
+    const auto origin = item.value_exact<std::string>();
+    if (!origin)
+      return "must list texts only";
+    if (!is_origin(*origin))
+      return "must list origins such as \"http://localhost:5173\" (scheme, host and port, no "
+             "path), not \"" +
+             *origin + "\"";
+    origins.push_back(*origin);
+  }
+  config.allowed_origins = std::move(origins);
+  return {};
+}
+
+/// All that a file may hold, in the order of config/tedit.toml.
+const std::vector<option>& options() {
+  using c = server_config;
+  static const std::vector<option> list{
+    {"server", "address", text(&c::address, address_fault)},
+    {"server", "port", whole(&c::port, 0, 65535)},
+    {"server", "allowed_origins", set_origins},
+    {"server", "token_file", text(&c::token_file, path_fault)},
+    {"server", "documents", text(&c::documents, path_fault)},
+    {"work", "device", text(&c::device, device_fault)},
+    {"work", "modeling_workers", whole(&c::modeling_workers, 1, 64)},
+    {"work", "optimizer_workers", whole(&c::optimizer_workers, 1, 64)},
+    {"work", "solver_workers", whole(&c::solver_workers, 1, 64)},
+    {"limits", "edit_timeout_s", seconds(&c::edit_timeout_s)},
+    {"limits", "import_timeout_s", seconds(&c::import_timeout_s)},
+    {"limits", "solve_timeout_s", seconds(&c::solve_timeout_s)},
+    {"log", "level", text(&c::log_level, level_fault)},
+  };
+  return list;
+}
+
+/// Goes through the tables of one file and stops at the first fault that it meets.
+class config_reader {
+public:
+  explicit config_reader(const std::filesystem::path& file) : file_(file.string()) {}
+
+  expected<server_config> read(const toml::table& root) {
+    for (const auto& [name, node] : root) {
+      const auto* table = node.as_table();
+      if (!is_table(name.str()))
+        return fail(unknown_top_level(name, table != nullptr));
+      if (!table)
+        return fail(fault(node.source(), std::string(name.str()) + " must be a table: [" +
+                                           std::string(name.str()) + "]"));
+      if (auto ok = read_table(std::string(name.str()), *table); !ok)
+        return fail(ok.error());
+    }
+    return config_;
+  }
+
+  [[nodiscard]] error fault(const toml::source_region& at, std::string message,
+                            std::string remedy = manual) const {
+    return {ec::bad_input, std::move(message), std::move(remedy),
+            file_ + ":" + std::to_string(at.begin.line)};
+  }
+
+private:
+  static bool is_table(std::string_view name) {
+    return std::ranges::any_of(options(), [&](const option& o) { return o.table == name; });
+  }
+
+  expected<void> read_table(const std::string& table, const toml::table& body) {
+    for (const auto& [key, node] : body) {
+      const auto same = [&](const option& o) { return o.table == table && o.key == key.str(); };
+      const auto found = std::ranges::find_if(options(), same);
+      if (found == options().end())
+        return fail(unknown_key(table, key));
+      if (const auto wrong = found->set(node, config_); !wrong.empty())
+        return fail(fault(node.source(), table + "." + found->key + " " + wrong));
+    }
+    return {};
+  }
+
+  /// A name that stands in another table is shown with that table.
+  static std::optional<std::string> home_of(std::string_view key) {
+    const auto found = std::ranges::find(options(), key, &option::key);
+    if (found == options().end())
+      return std::nullopt;
+    return found->key + " belongs under [" + found->table + "]";
+  }
+
+  [[nodiscard]] error unknown_key(const std::string& table, const toml::key& key) const {
+    const std::string name(key.str());
+    std::vector<std::string> known;
+    for (const auto& o : options())
+      if (o.table == table)
+        known.push_back(o.key);
+    auto remedy = home_of(name).value_or(suggestion(name, known, "[" + table + "]"));
+    return fault(key.source(), "[" + table + "] has no option \"" + name + "\"", remedy);
+  }
+
+  [[nodiscard]] error unknown_top_level(const toml::key& key, bool table) const {
+    const std::string name(key.str());
+    std::vector<std::string> known;
+    for (const auto& o : options())
+      if (known.empty() || known.back() != o.table)
+        known.push_back(o.table);
+    if (table)
+      return fault(key.source(), "there is no table [" + name + "]",
+                   suggestion(name, known, "the file"));
+    for (const auto& o : options())
+      known.push_back(o.key);
+    const auto near = ops::nearest_name(name, known);
+    const auto home = home_of(near);
+    return fault(key.source(), "there is no option \"" + name + "\" outside the tables",
+                 home ? *home : suggestion(name, known, "the file"));
+  }
+
+  static std::string suggestion(const std::string& name, const std::vector<std::string>& known,
+                                const std::string& place) {
+    if (const auto near = ops::nearest_name(name, known); !near.empty())
+      return "Did you mean " + near + "?";
+    std::string list;
+    for (const auto& candidate : known)
+      list += (list.empty() ? "" : ", ") + candidate;
+    return place + " takes " + list;
+  }
+
+  std::string file_;
+  server_config config_;
+};
+
+/// The content of a file; nothing when it cannot be read (a folder opens, but does not read).
+std::optional<std::string> content_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (in.is_open() && in.peek() != std::ifstream::traits_type::eof())
+    text << in.rdbuf();
+  if (!in.is_open() || in.bad() || text.bad() || text.fail())
+    return std::nullopt;
+  return text.str();
+}
+
+/// $variable when it is an absolute path (the XDG rule), else `below` in $HOME; empty without one.
+std::filesystem::path xdg_folder(const char* variable, const char* below) {
+  if (const char* given = std::getenv(variable); given && *given == '/')
+    return given;
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / below;
+  return {};
+}
+
+expected<std::filesystem::path> state_path(const std::string& given, const char* option_name,
+                                           const char* below) {
+  if (!given.empty())
+    return std::filesystem::path(given);
+  const auto state = xdg_folder("XDG_STATE_HOME", ".local/state");
+  if (state.empty())
+    return fail(ec::invalid_argument, "neither XDG_STATE_HOME nor HOME is set",
+                std::string("Set server.") + option_name + " in the configuration");
+  return state / "tedit" / below;
+}
+
+}  // namespace
+
+expected<server_config> read_config(const std::filesystem::path& file) {
+  const auto content = content_of(file);
+  if (!content)
+    return fail(ec::io_error, "cannot read the configuration " + file.string(),
+                "Check the path and its permissions");
+  config_reader reader(file);
+  try {
+    return reader.read(toml::parse(*content, file.string()));
+  } catch (const toml::parse_error& e) {
+    return fail(reader.fault(e.source(), "this is no TOML: " + std::string(e.description())));
+  }
+}
+
+expected<server_config> load_config(const std::optional<std::filesystem::path>& explicit_file) {
+  if (explicit_file)
+    return read_config(*explicit_file);
+  for (const auto& file : config_files()) {
+    std::error_code code;  // A place that may not be looked into holds no file.
+    if (std::filesystem::exists(file, code))
+      return read_config(file);
+  }
+  return server_config{};
+}
+
+std::vector<std::filesystem::path> config_files() {
+  std::vector<std::filesystem::path> result;
+  if (const auto folder = xdg_folder("XDG_CONFIG_HOME", ".config"); !folder.empty())
+    result.push_back(folder / "tedit/config.toml");
+  result.emplace_back("/etc/tedit/tedit.toml");
+  return result;
+}
+
+std::vector<std::string> config_keys() {
+  std::vector<std::string> result;
+  for (const auto& o : options())
+    result.push_back(o.table + "." + o.key);
+  return result;
+}
+
+expected<std::filesystem::path> documents_folder(const server_config& config) {
+  return state_path(config.documents, "documents", "documents");
+}
+
+expected<std::filesystem::path> token_path(const server_config& config) {
+  return state_path(config.token_file, "token_file", "token");
+}
+
+}  // namespace tedit::cli

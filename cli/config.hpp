@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace tedit::cli {
+
+/// The server's options; config/tedit.toml explains each and holds the same defaults.
+struct server_config {
+  // [server]
+  std::string address = "127.0.0.1";
+  int port = 7464;
+  std::vector<std::string> allowed_origins;
+  std::string token_file;  ///< Empty: see `token_path`.
+  std::string documents;   ///< Empty: see `documents_folder`.
+  // [work]
+  std::string device = "auto";
+  int modeling_workers = 1;
+  int optimizer_workers = 1;
+  int solver_workers = 1;
+  // [limits]
+  double edit_timeout_s = 120;
+  double import_timeout_s = 600;
+  double solve_timeout_s = 7200;
+  // [log]
+  std::string log_level = "info";  ///< In the file: level.
+
+  friend bool operator==(const server_config&, const server_config&) = default;
+};
+
+/// Reads one TOML file; what it leaves out keeps its default. Errors: `io_error`; `bad_input` with
+/// file:line in `where` for bad TOML, an unknown name (the remedy has the nearest one), a value of
+/// the wrong type or out of range.
+[[nodiscard]] expected<server_config> read_config(const std::filesystem::path& file);
+
+/// The options from `explicit_file` (--config) when given, else from the first of `config_files`
+/// that is there, else the defaults. Errors: those of `read_config`.
+[[nodiscard]] expected<server_config> load_config(
+  const std::optional<std::filesystem::path>& explicit_file);
+
+/// Where a file is looked for: $XDG_CONFIG_HOME/tedit/config.toml (~/.config without the variable),
+/// then /etc/tedit/tedit.toml.
+[[nodiscard]] std::vector<std::filesystem::path> config_files();
+
+/// Every option as the file has it: "server.address", "server.port", ...
+[[nodiscard]] std::vector<std::string> config_keys();
+
+/// `documents`, or $XDG_STATE_HOME/tedit/documents (~/.local/state without the variable) when it is
+/// empty. Errors: `invalid_argument` when neither XDG_STATE_HOME nor HOME is set.
+[[nodiscard]] expected<std::filesystem::path> documents_folder(const server_config& config);
+
+/// `token_file`, or tedit/token in the same place. Errors: as above.
+[[nodiscard]] expected<std::filesystem::path> token_path(const server_config& config);
+
+}  // namespace tedit::cli

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <sys/stat.h>
+
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "actors/node/server.hpp"
+#include "cli/command.hpp"
+#include "cli/config.hpp"
+#include "cli/logging.hpp"
+#include "cli/token.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+struct serve_options {
+  std::optional<std::filesystem::path> config_file;
+  std::optional<std::string> address;
+  std::optional<int> port;
+  std::optional<std::string> documents;
+  std::optional<std::string> token_file;
+  std::optional<std::string> device;
+  std::string ready_file;
+  bool in_process = false;
+};
+
+server_options to_server_options(const server_config& config) {
+  const auto limit = [](double seconds) {
+    return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * seconds));
+  };
+  server_options options;
+  options.address = config.address;
+  options.port = static_cast<std::uint16_t>(config.port);
+  options.allowed_origins = config.allowed_origins;
+  options.device = config.device;
+  options.modeling_workers = static_cast<unsigned>(config.modeling_workers);
+  options.optimizer_workers = static_cast<unsigned>(config.optimizer_workers);
+  options.solver_workers = static_cast<unsigned>(config.solver_workers);
+  options.import_limit = limit(config.import_timeout_s);
+  options.edit_limit = limit(config.edit_timeout_s);
+  options.solve_limit = limit(config.solve_timeout_s);
+  return options;
+}
+
+expected<server_config> effective_config(const serve_options& given) {
+  auto config = load_config(given.config_file);
+  if (!config)
+    return config;
+  if (given.address)
+    config->address = *given.address;
+  if (given.port)
+    config->port = *given.port;
+  if (given.documents)
+    config->documents = *given.documents;
+  if (given.token_file)
+    config->token_file = *given.token_file;
+  if (given.device)
+    config->device = *given.device;
+  return config;
+}
+
+/// Written when the server is ready, so that scripts need not guess; it appears whole or not at all.
+expected<void> write_ready_file(const std::string& path, const nlohmann::ordered_json& state) {
+  const auto draft = path + ".part";
+  std::ofstream out(draft);
+  out << state.dump() << "\n";
+  out.close();
+  std::error_code code;
+  std::filesystem::rename(draft, path, code);
+  if (!out || code)
+    return fail(ec::io_error, "cannot write " + path);
+  return {};
+}
+
+int run_serve(const serve_options& given, session& s) {
+  const auto config = effective_config(given);
+  if (!config)
+    return print_error(s, config.error());
+  start_logging(s.quiet ? "warn" : config->log_level);
+  auto options = to_server_options(*config);
+  options.worker_processes = !given.in_process;
+  const auto documents = documents_folder(*config);
+  const auto token_file = token_path(*config);
+  if (!documents || !token_file)
+    return print_error(s, documents ? token_file.error() : documents.error());
+  options.documents = *documents;
+  const auto token = read_or_make_token(*token_file);
+  if (!token)
+    return print_error(s, token.error());
+  options.token = *token;
+  auto started = server::start(options);
+  if (!started)
+    return print_error(s, started.error());
+  const nlohmann::ordered_json state{{"url", (*started)->url()},
+                                     {"token_file", token_file->string()},
+                                     {"documents", options.documents.string()},
+                                     {"pid", getpid()}};
+  if (!given.ready_file.empty())
+    if (auto written = write_ready_file(given.ready_file, state); !written)
+      return print_error(s, written.error());
+  print_result(s, state,
+               "listening on " + (*started)->url() + "\n  token     " + token_file->string() +
+                 "\n  documents " + options.documents.string() +
+                 "\n  end with Ctrl-C; clients: tedit run RECIPE.json --server " +
+                 (*started)->url() + "\n");
+  std::fflush(stdout);
+  while (!s.cancel.cancelled())
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  notice(s, "stopping");
+  (*started)->stop();
+  return 0;
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, action& chosen) {
+  auto options = std::make_shared<serve_options>();
+  auto* command = app.add_subcommand("serve", "Serve clients over WebSocket until Ctrl-C");
+  command->add_option("--config", options->config_file,
+                      "Configuration (TOML) instead of $XDG_CONFIG_HOME/tedit/config.toml");
+  command->add_option("--address", options->address, "Address to listen on (default 127.0.0.1)");
+  command->add_option("--port", options->port, "Port; 0 takes a free one (default 7464)")
+    ->check(CLI::Range(0, 65535));
+  command->add_option("--documents", options->documents, "Folder of the documents");
+  command->add_option("--token-file", options->token_file,
+                      "File with the secret that clients must give; it is made when missing");
+  command->add_option("--device", options->device, "Device for solves that name none");
+  command->add_option("--ready-file", options->ready_file,
+                      "Write URL and token file here (JSON) when clients can connect");
+  command->add_flag("--in-process", options->in_process,
+                    "Workers on threads: a crash of one ends the server");
+  command->callback(
+    [options, &chosen] { chosen = [options](session& s) { return run_serve(*options, s); }; });
+}
+
+}  // namespace tedit::cli

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client/client.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <system_error>
+
+#include "client/connection.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/json.hpp"
+#include "protocol/operation_message.hpp"
+
+namespace tedit::client {
+
+namespace {
+
+using body = v1::ServerMessage;
+
+constexpr std::uint64_t piece_bytes = std::uint64_t{256} << 10;
+/// Room for all of an UploadChunk message beside its data.
+constexpr std::uint64_t piece_overhead = 256;
+
+}  // namespace
+
+struct client::impl {
+  impl(const connect_options& given, events handlers) : options(given), link(std::move(handlers)) {}
+
+  /// A request that is answered soon.
+  expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted) {
+    return link.ask(std::move(request), wanted, options.request_timeout, {});
+  }
+
+  /// A request that takes its time.
+  expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted,
+                                   const execution& run) {
+    return link.ask(std::move(request), wanted, options.long_request_timeout, run);
+  }
+
+  /// Errors: `invalid_argument` when no document is open.
+  expected<std::string> open_document() {
+    const std::lock_guard lock(mutex);
+    if (document.empty())
+      return fail(ec::invalid_argument, "no document is open", "Open a document first.");
+    return document;
+  }
+
+  expected<void> close_document();
+  expected<void> send_pieces(std::ifstream& file, std::uint64_t size, std::uint64_t upload,
+                             std::uint64_t first_id, const execution& run);
+  expected<connection::answer> import_mesh(std::ifstream& file, std::uint64_t size,
+                                           v1::ImportMesh import, const execution& run);
+
+  [[nodiscard]] std::uint64_t piece() const {
+    const auto largest = link.max_message();
+    return std::min(piece_bytes, largest > 2 * piece_overhead ? largest - piece_overhead : 1);
+  }
+
+  const connect_options options;
+  connection link;
+  std::atomic<std::uint64_t> next_upload{1};
+  std::mutex mutex;
+  std::string document;  ///< The open one; guarded.
+};
+
+namespace {
+
+/// The answer as the caller's data; `get` is the accessor of its body.
+template <class Body>
+auto convert(const expected<connection::answer>& got, const Body& (v1::ServerMessage::*get)() const)
+  -> expected<decltype(from_message(std::declval<const Body&>()))> {
+  if (!got)
+    return fail(got.error());
+  return from_message((got->message.*get)());
+}
+
+}  // namespace
+
+// -- the connection ------------------------------------------------------------------
+
+client::client(std::unique_ptr<impl> made) : impl_(std::move(made)) {}
+
+client::~client() = default;
+
+expected<std::unique_ptr<client>> client::connect(const connect_options& options, events handlers) {
+  auto made = std::make_unique<impl>(options, std::move(handlers));
+  if (auto ok = made->link.start(options); !ok)
+    return fail(std::move(ok.error()));
+  return std::unique_ptr<client>(new client(std::move(made)));
+}
+
+bool client::connected() const noexcept {
+  return impl_->link.connected();
+}
+
+expected<std::string> client::catalogue_json() {
+  v1::ClientMessage request;
+  request.mutable_list_operations();
+  const auto got = impl_->ask(std::move(request), body::kCatalogue);
+  if (!got)
+    return fail(got.error());
+  return protocol::message_to_json(got->message.catalogue());
+}
+
+expected<server_status> client::status() {
+  v1::ClientMessage request;
+  request.mutable_get_status();
+  return convert(impl_->ask(std::move(request), body::kServerStatus), &body::server_status);
+}
+
+// -- the document --------------------------------------------------------------------
+
+expected<void> client::impl::close_document() {
+  v1::ClientMessage request;
+  {
+    const std::lock_guard lock(mutex);
+    if (document.empty())
+      return {};
+    request.mutable_close_document()->set_document(document);
+    document.clear();
+  }
+  const auto got = ask(std::move(request), body::kDone);
+  if (!got && got.error().code != ec::not_found)
+    return fail(got.error());
+  return {};
+}
+
+expected<document_state> client::open(const std::string& name, bool watch_surface,
+                                      bool watch_fields) {
+  if (auto ok = impl_->close_document(); !ok)
+    return fail(std::move(ok.error()));
+  impl_->link.arrivals().open(name);
+  v1::ClientMessage request;
+  auto* open = request.mutable_open_document();
+  open->set_name(name);
+  open->set_watch_surface(watch_surface);
+  open->set_watch_fields(watch_fields);
+  auto state = convert(impl_->ask(std::move(request), body::kDocumentState), &body::document_state);
+  if (state) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->document = state->document;
+  }
+  return state;
+}
+
+expected<void> client::impl::send_pieces(std::ifstream& file, std::uint64_t size,
+                                         std::uint64_t upload, std::uint64_t first_id,
+                                         const execution& run) {
+  const auto step = piece();
+  for (std::uint64_t offset = 0; offset < size; offset += step) {
+    std::string data(std::min(step, size - offset), '\0');
+    if (!file.read(data.data(), static_cast<std::streamsize>(data.size())))
+      return fail(ec::io_error,
+                  "the file ends or cannot be read near byte " + std::to_string(offset));
+    v1::ClientMessage message;
+    auto* chunk = message.mutable_upload_chunk();
+    chunk->set_upload(upload);
+    chunk->set_offset(offset);
+    chunk->set_data(std::move(data));
+    if (auto ok = link.send_unanswered(first_id, first_id + offset / step, std::move(message),
+                                       options.request_timeout, run);
+        !ok)
+      return ok;
+  }
+  return {};
+}
+
+expected<connection::answer> client::impl::import_mesh(std::ifstream& file, std::uint64_t size,
+                                                       v1::ImportMesh import,
+                                                       const execution& run) {
+  import.set_upload(next_upload++);
+  import.set_size(size);
+  const auto first_id = link.begin_unanswered((size + piece() - 1) / piece());
+  if (auto sent = send_pieces(file, size, import.upload(), first_id, run); !sent) {
+    (void)link.end_unanswered(first_id);
+    return fail(std::move(sent.error()));
+  }
+  v1::ClientMessage request;
+  *request.mutable_import_mesh() = std::move(import);
+  auto got = ask(std::move(request), body::kCommitted, run);
+  // A piece that was refused is the reason for the import's failure.
+  if (auto refused = link.end_unanswered(first_id); refused && !got)
+    return fail(std::move(*refused));
+  return got;
+}
+
+expected<committed> client::import_file(const std::filesystem::path& path, const std::string& unit,
+                                        const execution& run) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  std::error_code code;
+  const auto size = std::filesystem::file_size(path, code);
+  std::ifstream file(path, std::ios::binary);
+  if (code || !file)
+    return fail(ec::io_error, "the file cannot be read" + (code ? ": " + code.message() : ""), {},
+                path.string());
+  if (size == 0)
+    return fail(ec::bad_input, "the file is empty", {}, path.string());
+  v1::ImportMesh import;
+  import.set_document(*document);
+  import.set_file_name(path.filename().string());
+  import.set_length_unit(unit);
+  run.report(0, "uploading");
+  return convert(impl_->import_mesh(file, size, std::move(import), run), &body::committed);
+}
+
+expected<void> client::set_load_case(const fem::load_case& loads) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  auto message = protocol::message_from_json<v1::LoadCase>(protocol::load_case_to_json(loads));
+  if (!message)
+    return fail(std::move(message.error()));
+  v1::ClientMessage request;
+  request.mutable_set_load_case()->set_document(*document);
+  *request.mutable_set_load_case()->mutable_load_case() = std::move(*message);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
+expected<committed> client::edit(const std::string& operation,
+                                 const std::vector<surface_id>& surfaces,
+                                 const ops::parameters& values, const execution& run,
+                                 const std::string& expected_version) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* edit = request.mutable_apply_edit();
+  edit->set_document(*document);
+  edit->set_operation(operation);
+  edit->mutable_surfaces()->Add(surfaces.begin(), surfaces.end());
+  for (const auto& [id, value] : values)
+    protocol::to_message(value, &(*edit->mutable_parameters())[id]);
+  edit->set_expected_version(expected_version);
+  return convert(impl_->ask(std::move(request), body::kCommitted, run), &body::committed);
+}
+
+expected<committed> client::undo() {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_undo()->set_document(*document);
+  return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
+}
+
+expected<committed> client::redo() {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_redo()->set_document(*document);
+  return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
+}
+
+expected<solve_report> client::solve(const std::string& load_case, double tolerance,
+                                     const std::string& device, const execution& run) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* solve = request.mutable_solve();
+  solve->set_document(*document);
+  solve->set_load_case(load_case);
+  solve->set_tolerance(tolerance);
+  solve->set_device(device);
+  impl_->link.arrivals().forget_fields();
+  const auto got = impl_->ask(std::move(request), body::kSolved, run);
+  if (!got)
+    return fail(got.error());
+  return protocol::from_message(got->message.solved().report());
+}
+
+expected<std::vector<char>> client::export_file(file_format format, const std::string& version_id,
+                                                const std::string& unit, const execution& run) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* wanted = request.mutable_export_file();
+  wanted->set_document(*document);
+  wanted->set_version_id(version_id);
+  wanted->set_format(static_cast<v1::ExportFile::Format>(format));
+  wanted->set_length_unit(unit);
+  auto got = impl_->ask(std::move(request), body::kFileReady, run);
+  if (!got)
+    return fail(std::move(got.error()));
+  return std::move(got->file);
+}
+
+expected<history> client::get_history() {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_get_history()->set_document(*document);
+  return convert(impl_->ask(std::move(request), body::kHistory), &body::history);
+}
+
+// -- what is sent unasked ----------------------------------------------------------------
+
+expected<surface_event> client::wait_surface(const std::string& version_id,
+                                             std::chrono::milliseconds patience) {
+  if (impl_->link.on_io_thread())
+    return fail(ec::internal, "a blocking call from one of the client's own events");
+  return impl_->link.arrivals().wait_surface(version_id, patience);
+}
+
+expected<field_event> client::wait_field(const std::string& version_id,
+                                         std::chrono::milliseconds patience) {
+  if (impl_->link.on_io_thread())
+    return fail(ec::internal, "a blocking call from one of the client's own events");
+  return impl_->link.arrivals().wait_field(version_id, patience);
+}
+
+surface_model client::surface() const {
+  return impl_->link.arrivals().surface();
+}
+
+}  // namespace tedit::client

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/execution.hpp"
+#include "client/surface.hpp"
+#include "client/types.hpp"
+#include "fem/load_case.hpp"
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::client {
+
+/// A connection to a server, with one document open at a time. Blocking calls, one background I/O
+/// thread; thread-safe, but no call may run when it is destroyed. Lengths are m, as everywhere.
+///
+/// Errors of every request: what the server says, `service_unavailable` at once when the connection
+/// breaks (it does not come back: connect anew), `protocol_error` when the server breaks the
+/// protocol, `timeout` when the time limit of `connect_options` passes (the request is cancelled
+/// then). Requests about a document also: `invalid_argument` when none is open.
+/// Requests with an `execution` end with `cancelled` once the server has confirmed it (30 s at
+/// most), or with their result when that came first; progress is reported by the calling thread.
+class client {
+public:
+  /// Connects and introduces itself. Errors: `invalid_argument` for the URL, `service_unavailable`
+  /// when no server can be reached there, `protocol_error` when it speaks another major version,
+  /// what it says when it refuses the token.
+  [[nodiscard]] static expected<std::unique_ptr<client>> connect(const connect_options& options,
+                                                                 events handlers);
+
+  ~client();  ///< Closes the connection; 2 s at most.
+  client(const client&) = delete;
+  client& operator=(const client&) = delete;
+
+  [[nodiscard]] bool connected() const noexcept;
+
+  /// The operations that the server offers: the message Catalogue as canonical JSON.
+  [[nodiscard]] expected<std::string> catalogue_json();
+
+  [[nodiscard]] expected<server_status> status();
+
+  // -- the document -----------------------------------------------------------------------
+
+  /// Opens a document instead of the one before; it is made when it is not there. An empty name
+  /// makes a new unnamed one. `watch_surface` and `watch_fields` say what is sent unasked.
+  [[nodiscard]] expected<document_state> open(const std::string& name, bool watch_surface,
+                                              bool watch_fields);
+
+  /// Uploads a mesh file in pieces of 256 KiB, of which 4 MiB at most wait in memory, and makes it
+  /// the new head. `unit` is the file's length unit, "mm" when empty.
+  /// Errors: also `io_error`, `bad_input` for an empty file.
+  [[nodiscard]] expected<committed> import_file(const std::filesystem::path& path,
+                                                const std::string& unit, const execution& run);
+
+  /// Replaces the load case of this name at the head, or adds it.
+  [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads);
+
+  /// Applies an operation to the head and returns once the new version is durable. When
+  /// `expected_version` is given and not the head, the edit is refused (`conflict`).
+  [[nodiscard]] expected<committed> edit(const std::string& operation,
+                                         const std::vector<surface_id>& surfaces,
+                                         const ops::parameters& values, const execution& run,
+                                         const std::string& expected_version = {});
+
+  [[nodiscard]] expected<committed> undo();
+  [[nodiscard]] expected<committed> redo();
+
+  /// Solves on the head; from then on the server solves every new head with these settings.
+  /// `load_case` empty: the first one; `tolerance` 0: 1e-6 (true relative residual); `device`
+  /// empty: the server's default. Fields that arrived before the call are forgotten.
+  [[nodiscard]] expected<solve_report> solve(const std::string& load_case, double tolerance,
+                                             const std::string& device, const execution& run);
+
+  /// A version as a file's bytes; `version_id` empty: the head; `unit` as for import.
+  [[nodiscard]] expected<std::vector<char>> export_file(file_format format,
+                                                        const std::string& version_id,
+                                                        const std::string& unit,
+                                                        const execution& run);
+
+  [[nodiscard]] expected<history> get_history();
+
+  // -- what is sent unasked -----------------------------------------------------------------
+
+  /// Waits until the surface of this version has arrived completely; at once when it is the one
+  /// that is held. When it has been replaced since, each arrival is handed out once.
+  /// Errors: `timeout`, `service_unavailable`; `protocol_error` when an update did not fit to what
+  /// was held (open the document again).
+  [[nodiscard]] expected<surface_event> wait_surface(const std::string& version_id,
+                                                     std::chrono::milliseconds patience);
+
+  /// Waits until the fields of this version have arrived completely; the latest when there are
+  /// several. The last four arrivals are kept, but none from before the version became the head.
+  /// Errors: `timeout`, `service_unavailable`. Cost: a copy of the arrays.
+  [[nodiscard]] expected<field_event> wait_field(const std::string& version_id,
+                                                 std::chrono::milliseconds patience);
+
+  /// The surface that is held now. Cheap: the copy shares the values.
+  [[nodiscard]] surface_model surface() const;
+
+private:
+  struct impl;
+  explicit client(std::unique_ptr<impl> made);
+
+  std::unique_ptr<impl> impl_;
+};
+
+}  // namespace tedit::client

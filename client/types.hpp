@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/report.hpp"
+
+/// What the client hands to its caller: the protocol's messages as plain data.
+namespace tedit::client {
+
+struct connect_options {
+  std::string url;                          ///< "ws://HOST:PORT/PATH".
+  std::string token;                        ///< Proves that the client may use the server.
+  std::string client_name;                  ///< Program and version, for the server's log.
+  std::chrono::milliseconds timeout{5000};  ///< For connecting, and again for Welcome.
+  std::chrono::milliseconds request_timeout{30'000};          ///< For requests that are short.
+  std::chrono::milliseconds long_request_timeout{3'600'000};  ///< For import, edit, solve, export.
+};
+
+/// What was received for one stream: its header message and its chunks.
+struct traffic {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;  ///< WebSocket payload.
+  double ms = 0;            ///< From the header to the last chunk.
+};
+
+/// The surface of a new head has arrived completely and `client::surface` gives it.
+struct surface_event {
+  std::string version_id;
+  bool full = false;  ///< The whole surface was sent, not a difference.
+  traffic moved;
+  std::size_t facets_changed = 0;  ///< Facets that were sent plus slots that were emptied.
+  std::size_t vertices_sent = 0;
+};
+
+/// The fields of a solve on the boundary.
+struct field_event {
+  solve_report report;
+  std::vector<std::uint32_t> vertices;  ///< Slots, ascending.
+  std::vector<float> displacement;      ///< m, 3 per vertex.
+  std::vector<float> von_mises;         ///< Pa, 1 per vertex.
+  traffic moved;
+};
+
+/// One version of a document (message `tedit.v1.VersionInfo`).
+struct version_info {
+  std::uint32_t number = 0;  ///< In the order in which they were made.
+  std::string version_id;    ///< 32 hexadecimal digits.
+  std::optional<std::uint32_t> parent;
+  std::string operation;  ///< "import" or an operation's id.
+  std::uint64_t tets = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t boundary_facets = 0;
+  std::vector<std::string> load_cases;
+};
+
+/// The head moved; what it says is durable (message `tedit.v1.Committed`).
+struct committed {
+  version_info head;
+  std::string cause;                  ///< "import", "edit", "undo", "redo".
+  std::optional<edit_report> report;  ///< For an edit.
+  std::vector<std::string> warnings;  ///< For an import.
+  bool can_undo = false;
+  bool can_redo = false;
+  double commit_ms = 0;  ///< Waiting for the storage.
+};
+
+/// The numbers of `tedit.v1.SolveStatus.Phase`.
+enum class solve_phase {
+  unspecified = 0,
+  started = 1,
+  converging = 2,
+  superseded = 3,
+  cancelled = 4,
+  failed = 5
+};
+
+/// A solve began, converges, or ended without a result.
+struct solve_status {
+  solve_phase phase = solve_phase::unspecified;
+  std::string version_id;
+  std::string load_case;
+  std::uint32_t iterations = 0;
+  double true_relative_residual = 0;
+  std::string message;  ///< For failed: the reason.
+};
+
+struct document_state {
+  std::string document;              ///< Its name; made up by the server for an unnamed one.
+  std::optional<version_info> head;  ///< None before the first import.
+  bool can_undo = false;
+  bool can_redo = false;
+};
+
+struct history {
+  std::vector<version_info> versions;
+  std::uint32_t head = 0;  ///< The head's number.
+};
+
+/// One kind of worker process of the server.
+struct worker_status {
+  std::string role;   ///< "modeling", "optimizer", "solver".
+  std::string state;  ///< "ready", "starting", "degraded".
+  std::uint32_t pid = 0;
+  std::uint32_t restarts = 0;
+  std::uint32_t jobs = 0;  ///< Running and waiting.
+  std::string detail;
+};
+
+struct server_status {
+  std::vector<worker_status> workers;
+  std::uint32_t documents = 0;
+  std::uint32_t connections = 0;
+};
+
+/// What a document's file is asked for as; the numbers of `tedit.v1.ExportFile.Format`.
+enum class file_format { msh = 1, stl = 2, vtu = 3 };
+
+/// What happens to the open document without being asked for. All are called from the client's I/O
+/// thread, one at a time; they must be quick and must not call the client's blocking functions
+/// (those fail with `internal`) nor destroy it. Each may be empty.
+struct events {
+  std::function<void(const surface_event&)> on_surface;
+  std::function<void(const field_event&)> on_field;
+  std::function<void(const committed&)> on_committed;  ///< By another client.
+  std::function<void(const solve_status&)> on_solve_status;
+  std::function<void(const solve_report&)> on_solved;  ///< Not the answer to `client::solve`.
+};
+
+}  // namespace tedit::client

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "protocol/report.hpp"
+
+#include "protocol/json.hpp"
+#include "tedit/v1/report.pb.h"
+
+namespace tedit {
+
+solve_report make_report(const mesh_version& mesh, const std::string& load_case,
+                         const fem::problem& problem, const fem::solution& result) {
+  solve_report report;
+  report.version_id = to_hex(mesh.id());
+  report.load_case = load_case;
+  report.device = result.device;
+  report.element_order = result.element_order;
+  report.preview = result.preview();
+  report.dofs = problem.dofs();
+  report.iterations = result.iterations;
+  report.true_relative_residual = result.true_relative_residual;
+  report.max_displacement_m = result.max_displacement_m;
+  report.max_displacement_at = result.max_displacement_at;
+  report.compliance_j = result.compliance_j;
+  report.max_von_mises_pa = result.max_von_mises_pa;
+  report.max_von_mises_at = result.max_von_mises_at;
+  report.reaction_n = result.reaction_n;
+  report.applied_n = result.applied_n;
+  report.assembly_ms = result.assembly_ms;
+  report.setup_ms = result.setup_ms;
+  report.solve_ms = result.solve_ms;
+  report.recovery_ms = result.recovery_ms;
+  return report;
+}
+
+namespace protocol {
+
+namespace {
+
+vec3 from_message(const v1::Vector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+void to_message(vec3 v, v1::Vector3* out) {
+  out->set_x(v.x);
+  out->set_y(v.y);
+  out->set_z(v.z);
+}
+
+// The message's enumerations start with one for "unspecified"; ours with `kept`, which no list of
+// changes holds, and with `kept` for receipts, which they do hold.
+v1::SurfaceChange::Fate fate_to(surface_fate fate) {
+  return static_cast<v1::SurfaceChange::Fate>(static_cast<int>(fate));
+}
+
+static_assert(static_cast<int>(surface_fate::changed) == v1::SurfaceChange::CHANGED &&
+              static_cast<int>(surface_fate::split_from) == v1::SurfaceChange::SPLIT_FROM);
+static_assert(static_cast<int>(fem::receipt_fate::dropped) + 1 == v1::ReceiptLine::DROPPED);
+
+void to_message(const surface_change& change, v1::SurfaceChange* out) {
+  out->set_id(change.id);
+  out->set_name(change.name);
+  out->set_fate(fate_to(change.fate));
+  out->set_other(change.other);
+  out->set_area_before_m2(change.area_before);
+  out->set_area_after_m2(change.area_after);
+}
+
+surface_change from_message(const v1::SurfaceChange& m) {
+  return {m.id(), static_cast<surface_fate>(m.fate()), m.other(), m.name(), m.area_before_m2(),
+          m.area_after_m2()};
+}
+
+void to_message(const fem::receipt_line& line, v1::ReceiptLine* out) {
+  out->set_load_case(line.load_case);
+  out->set_item(line.item);
+  out->set_fate(static_cast<v1::ReceiptLine::Fate>(static_cast<int>(line.fate) + 1));
+  out->mutable_surfaces_lost()->Assign(line.surfaces_lost.begin(), line.surfaces_lost.end());
+  out->set_area_before_m2(line.area_before);
+  out->set_area_after_m2(line.area_after);
+  out->set_text(line.text);
+}
+
+fem::receipt_line from_message(const v1::ReceiptLine& m) {
+  return {m.load_case(),
+          m.item(),
+          static_cast<fem::receipt_fate>(std::max(0, static_cast<int>(m.fate()) - 1)),
+          {m.surfaces_lost().begin(), m.surfaces_lost().end()},
+          m.area_before_m2(),
+          m.area_after_m2(),
+          m.text()};
+}
+
+}  // namespace
+
+void to_message(const edit_report& report, v1::EditReport* out) {
+  out->set_from_version(report.from_version);
+  out->set_to_version(report.to_version);
+  out->set_operation(report.operation);
+  out->mutable_surfaces()->Assign(report.surfaces.begin(), report.surfaces.end());
+  for (const auto& change : report.surface_map)
+    to_message(change, out->add_surface_map());
+  for (const auto& line : report.receipt)
+    to_message(line, out->add_receipt());
+  out->mutable_notices()->Assign(report.notices.begin(), report.notices.end());
+  out->set_tets_added(report.tets_added);
+  out->set_tets_removed(report.tets_removed);
+  out->set_volume_change_m3(report.volume_change);
+  out->set_touched_min_before(report.touched_min_before);
+  out->set_touched_min_after(report.touched_min_after);
+  out->set_touched_median_after(report.touched_median_after);
+  out->set_operation_ms(report.operation_ms);
+  out->set_improve_ms(report.improve_ms);
+  out->set_check_ms(report.check_ms);
+  out->set_total_ms(report.total_ms);
+}
+
+edit_report from_message(const v1::EditReport& m) {
+  edit_report report;
+  report.from_version = m.from_version();
+  report.to_version = m.to_version();
+  report.operation = m.operation();
+  report.surfaces.assign(m.surfaces().begin(), m.surfaces().end());
+  for (const auto& change : m.surface_map())
+    report.surface_map.push_back(from_message(change));
+  for (const auto& line : m.receipt())
+    report.receipt.push_back(from_message(line));
+  report.notices.assign(m.notices().begin(), m.notices().end());
+  report.tets_added = m.tets_added();
+  report.tets_removed = m.tets_removed();
+  report.volume_change = m.volume_change_m3();
+  report.touched_min_before = m.touched_min_before();
+  report.touched_min_after = m.touched_min_after();
+  report.touched_median_after = m.touched_median_after();
+  report.operation_ms = m.operation_ms();
+  report.improve_ms = m.improve_ms();
+  report.check_ms = m.check_ms();
+  report.total_ms = m.total_ms();
+  return report;
+}
+
+void to_message(const solve_report& report, v1::SolveReport* out) {
+  out->set_version_id(report.version_id);
+  out->set_load_case(report.load_case);
+  out->set_device(report.device);
+  out->set_element_order(static_cast<std::uint32_t>(report.element_order));
+  out->set_preview(report.preview);
+  out->set_dofs(report.dofs);
+  out->set_iterations(static_cast<std::uint32_t>(report.iterations));
+  out->set_true_relative_residual(report.true_relative_residual);
+  out->set_max_displacement_m(report.max_displacement_m);
+  to_message(report.max_displacement_at, out->mutable_max_displacement_at_m());
+  out->set_compliance_j(report.compliance_j);
+  out->set_max_von_mises_pa(report.max_von_mises_pa);
+  to_message(report.max_von_mises_at, out->mutable_max_von_mises_at_m());
+  to_message(report.reaction_n, out->mutable_reaction_n());
+  to_message(report.applied_n, out->mutable_applied_n());
+  out->set_assembly_ms(report.assembly_ms);
+  out->set_setup_ms(report.setup_ms);
+  out->set_solve_ms(report.solve_ms);
+  out->set_recovery_ms(report.recovery_ms);
+  out->set_total_ms(report.total_ms);
+}
+
+solve_report from_message(const v1::SolveReport& m) {
+  solve_report report;
+  report.version_id = m.version_id();
+  report.load_case = m.load_case();
+  report.device = m.device();
+  report.element_order = static_cast<int>(m.element_order());
+  report.preview = m.preview();
+  report.dofs = m.dofs();
+  report.iterations = static_cast<int>(m.iterations());
+  report.true_relative_residual = m.true_relative_residual();
+  report.max_displacement_m = m.max_displacement_m();
+  report.max_displacement_at = from_message(m.max_displacement_at_m());
+  report.compliance_j = m.compliance_j();
+  report.max_von_mises_pa = m.max_von_mises_pa();
+  report.max_von_mises_at = from_message(m.max_von_mises_at_m());
+  report.reaction_n = from_message(m.reaction_n());
+  report.applied_n = from_message(m.applied_n());
+  report.assembly_ms = m.assembly_ms();
+  report.setup_ms = m.setup_ms();
+  report.solve_ms = m.solve_ms();
+  report.recovery_ms = m.recovery_ms();
+  report.total_ms = m.total_ms();
+  return report;
+}
+
+std::string to_json(const edit_report& report) {
+  v1::EditReport message;
+  to_message(report, &message);
+  return message_to_json(message);
+}
+
+std::string to_json(const solve_report& report) {
+  v1::SolveReport message;
+  to_message(report, &message);
+  return message_to_json(message);
+}
+
+expected<edit_report> edit_report_from_json(std::string_view json) {
+  return message_from_json<v1::EditReport>(json).map(
+    [](const v1::EditReport& message) { return from_message(message); });
+}
+
+expected<solve_report> solve_report_from_json(std::string_view json) {
+  return message_from_json<v1::SolveReport>(json).map(
+    [](const v1::SolveReport& message) { return from_message(message); });
+}
+
+}  // namespace protocol
+
+}  // namespace tedit

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fem/receipt.hpp"
+#include "fem/solver.hpp"
+#include "mesh/finish_edit.hpp"
+#include "mesh/surface_map.hpp"
+
+namespace tedit::v1 {
+class EditReport;
+class SolveReport;
+}  // namespace tedit::v1
+
+namespace tedit {
+
+/// All that a person wants to know about an edit that was made (message `tedit.v1.EditReport`).
+struct edit_report {
+  std::string from_version;  ///< 32 hexadecimal digits.
+  std::string to_version;
+  std::string operation;
+  std::vector<surface_id> surfaces;
+  std::vector<surface_change> surface_map;
+  std::vector<fem::receipt_line> receipt;
+  std::vector<std::string> notices;
+  std::uint64_t tets_added = 0;
+  std::uint64_t tets_removed = 0;
+  double volume_change = 0;  ///< m^3.
+  double touched_min_before = 0;
+  double touched_min_after = 0;
+  double touched_median_after = 0;
+  double operation_ms = 0;
+  double improve_ms = 0;
+  double check_ms = 0;
+  double total_ms = 0;
+};
+
+/// All that a person wants to know about a solve, without its fields (`tedit.v1.SolveReport`).
+struct solve_report {
+  std::string version_id;
+  std::string load_case;
+  std::string device;
+  int element_order = 1;
+  bool preview = true;
+  std::uint64_t dofs = 0;
+  int iterations = 0;
+  double true_relative_residual = 1;
+  double max_displacement_m = 0;
+  vec3 max_displacement_at;
+  double compliance_j = 0;
+  double max_von_mises_pa = 0;
+  vec3 max_von_mises_at;
+  vec3 reaction_n;
+  vec3 applied_n;
+  double assembly_ms = 0;
+  double setup_ms = 0;
+  double solve_ms = 0;
+  double recovery_ms = 0;
+  double total_ms = 0;
+};
+
+/// The report of a solution, without `total_ms`.
+[[nodiscard]] solve_report make_report(const mesh_version& mesh, const std::string& load_case,
+                                       const fem::problem& problem, const fem::solution& result);
+
+namespace protocol {
+
+void to_message(const edit_report& report, v1::EditReport* out);
+[[nodiscard]] edit_report from_message(const v1::EditReport& message);
+void to_message(const solve_report& report, v1::SolveReport* out);
+[[nodiscard]] solve_report from_message(const v1::SolveReport& message);
+
+// -- as canonical JSON, the form in which reports are stored and travel between actors ----
+
+[[nodiscard]] std::string to_json(const edit_report& report);
+[[nodiscard]] std::string to_json(const solve_report& report);
+
+/// Errors: `protocol_error`.
+[[nodiscard]] expected<edit_report> edit_report_from_json(std::string_view json);
+[[nodiscard]] expected<solve_report> solve_report_from_json(std::string_view json);
+
+}  // namespace protocol
+
+}  // namespace tedit

@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/gateway/transport.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <utility>  // Boost.Asio 1.74 uses it without including it.
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace tedit::gateway {
+namespace {
+
+namespace net = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using boost::system::error_code;
+using tcp = net::ip::tcp;
+using namespace std::chrono_literals;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+constexpr auto patience = 20s;  ///< For what must happen; reached only by a failing test.
+constexpr std::size_t mib = std::size_t{1} << 20;
+
+std::string noise(std::size_t size) {
+  std::string bytes(size, '\0');
+  for (std::size_t i = 0; i < size; ++i)
+    bytes[i] = static_cast<char>(i * 2654435761u >> 20);
+  return bytes;
+}
+
+frame make_frame(std::size_t size, char fill = 'x') {
+  return std::make_shared<const std::string>(size, fill);
+}
+
+/// What the handlers saw, for the test's thread.
+struct log {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<std::shared_ptr<connection>> opened;
+  std::vector<std::string> closed;
+  std::vector<int> drained;
+
+  template <class T>
+  void update(std::vector<T>& list, std::type_identity_t<T> entry) {
+    const std::lock_guard lock(mutex);
+    list.push_back(std::move(entry));
+    changed.notify_all();
+  }
+
+  /// The entry at `index` once it is there.
+  template <class T>
+  T wait(const std::vector<T>& list, std::size_t index = 0) {
+    std::unique_lock lock(mutex);
+    EXPECT_TRUE(changed.wait_for(lock, patience, [&] { return list.size() > index; }));
+    return list.at(index);
+  }
+};
+
+/// Takes the first message as the hello and sends every message back; "throw" throws.
+class echo final : public connection_handler {
+public:
+  echo(std::shared_ptr<connection> c, std::shared_ptr<log> l)
+      : connection_(std::move(c)), log_(std::move(l)) {}
+
+  void on_message(std::string bytes) override {
+    if (bytes == "throw")
+      throw std::runtime_error("a test");
+    if (bytes != "stranger")
+      connection_->authenticated();
+    connection_->send(std::make_shared<const std::string>(std::move(bytes)));
+  }
+  void on_drained() override { log_->update(log_->drained, 1); }
+  void on_closed(const std::string& reason) override { log_->update(log_->closed, reason); }
+
+private:
+  std::shared_ptr<connection> connection_;
+  std::shared_ptr<log> log_;
+};
+
+/// Polls what has no event of its own.
+template <class Condition>
+[[nodiscard]] bool eventually(Condition condition) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (!condition() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(2ms);
+  return std::chrono::steady_clock::now() < end;
+}
+
+/// One client with blocking calls, each of which ends after `patience`.
+class client {
+public:
+  explicit client(std::uint16_t port, int receive_buffer = 0) {
+    auto& socket = beast::get_lowest_layer(ws_).socket();
+    socket.open(tcp::v4());
+    if (receive_buffer > 0)
+      socket.set_option(net::socket_base::receive_buffer_size(receive_buffer));
+    socket.connect({net::ip::address_v4::loopback(), port});
+    ws_.read_message_max(64 * mib);
+    ws_.binary(true);
+  }
+
+  /// The HTTP status of the answer.
+  int upgrade(const std::string& host, const std::string& origin = {},
+              const std::string& path = "/v1") {
+    ws_.set_option(websocket::stream_base::decorator([&](websocket::request_type& r) {
+      if (!origin.empty())
+        r.set(http::field::origin, origin);
+    }));
+    websocket::response_type response;
+    run([&](auto done) { ws_.async_handshake(response, host, path, std::move(done)); });
+    return static_cast<int>(response.result_int());
+  }
+
+  error_code write(const std::string& bytes) {
+    return run([&](auto done) { ws_.async_write(net::buffer(bytes), std::move(done)); });
+  }
+
+  /// The next message, or nothing once the connection is over.
+  std::optional<std::string> read() {
+    std::string bytes;
+    auto buffer = net::dynamic_buffer(bytes);
+    problem_ = run([&](auto done) { ws_.async_read(buffer, std::move(done)); });
+    return problem_ ? std::nullopt : std::optional(std::move(bytes));
+  }
+
+  std::optional<std::string> round_trip(const std::string& bytes) {
+    return write(bytes) ? std::nullopt : read();
+  }
+
+  /// Reads to the end; the close code that came, 0 when the connection broke without one.
+  int close_code() {
+    while (read()) {
+    }
+    return problem_ == websocket::error::closed ? ws_.reason().code : 0;
+  }
+
+  /// Sends bytes as they are and reads until the server closes.
+  std::string raw(const std::string& bytes) {
+    auto& stream = beast::get_lowest_layer(ws_);
+    run([&](auto done) { net::async_write(stream, net::buffer(bytes), std::move(done)); });
+    std::string answer;
+    run([&](auto done) { net::async_read(stream, net::dynamic_buffer(answer), std::move(done)); });
+    return answer;
+  }
+
+  websocket::stream<beast::tcp_stream>& stream() { return ws_; }
+
+  template <class Start>
+  error_code run(Start start) {
+    error_code result = net::error::timed_out;
+    io_.restart();
+    start([&](error_code e, auto...) { result = e; });
+    io_.run_for(patience);
+    if (!io_.stopped()) {
+      ADD_FAILURE() << "the server did not answer";
+      beast::get_lowest_layer(ws_).close();
+      io_.run();
+    }
+    return result;
+  }
+
+private:
+  net::io_context io_{1};
+  websocket::stream<beast::tcp_stream> ws_{io_};
+  error_code problem_;
+};
+
+class transport_fixture : public ::testing::Test {
+protected:
+  void start() {
+    options.health = [] { return std::string(R"({"ok":true})"); };
+    options.accept = [l = seen](std::shared_ptr<connection> c) {
+      l->update(l->opened, c);
+      return std::make_unique<echo>(std::move(c), l);
+    };
+    auto started = transport::start(options);
+    ASSERT_TRUE(started) << render(started.error());
+    server = *std::move(started);
+    host = "localhost:" + std::to_string(server->port());
+  }
+
+  std::unique_ptr<client> connect(int receive_buffer = 0) {
+    auto c = std::make_unique<client>(server->port(), receive_buffer);
+    EXPECT_EQ(c->upgrade(host), 101);
+    return c;
+  }
+
+  /// A client that has said its hello.
+  std::unique_ptr<client> connect_known(int receive_buffer = 0) {
+    auto c = connect(receive_buffer);
+    EXPECT_EQ(c->round_trip("hello"), "hello");
+    return c;
+  }
+
+  std::string ask(const std::string& first_line, const std::string& more = {}) {
+    return client(server->port())
+      .raw(first_line + " HTTP/1.1\r\nHost: " + host + "\r\n" + more + "\r\n");
+  }
+
+  transport_options options;
+  std::shared_ptr<log> seen = std::make_shared<log>();
+  std::unique_ptr<transport> server;
+  std::string host;
+};
+
+using transport_http = transport_fixture;
+using transport_ws = transport_fixture;
+using transport_limit = transport_fixture;
+using transport_stop = transport_fixture;
+
+TEST_F(transport_http, health) {
+  start();
+  EXPECT_THAT(ask("GET /healthz"), AllOf(HasSubstr("HTTP/1.1 200 "), HasSubstr("application/json"),
+                                         EndsWith("\r\n\r\n{\"ok\":true}")));
+  EXPECT_THAT(ask("HEAD /healthz"), AllOf(HasSubstr("HTTP/1.1 200 "), EndsWith("\r\n\r\n"),
+                                          HasSubstr("Content-Length: 11")));
+}
+
+TEST_F(transport_http, what_is_not_there) {
+  start();
+  EXPECT_THAT(ask("GET /"), HasSubstr("HTTP/1.1 404 "));
+  EXPECT_THAT(ask("GET /v1/more"), HasSubstr("HTTP/1.1 404 "));
+  EXPECT_THAT(ask("GET /v1"), HasSubstr("HTTP/1.1 426 "));
+  EXPECT_THAT(ask("POST /healthz", "Content-Length: 3\r\n"), HasSubstr("HTTP/1.1 405 "));
+  EXPECT_THAT(ask("OPTIONS /v1"), HasSubstr("HTTP/1.1 405 "));
+  EXPECT_EQ(client(server->port()).upgrade(host, "", "/v2"), 404);
+}
+
+TEST_F(transport_http, foreign_host_is_refused) {
+  start();
+  const std::string port = host.substr(host.find(':'));
+  const std::string others[] = {"evil.example" + port, "localhost:1", "localhost.evil" + port};
+  for (const std::string& bad : others) {
+    EXPECT_EQ(client(server->port()).upgrade(bad), 403) << bad;
+    EXPECT_THAT(client(server->port()).raw("GET /healthz HTTP/1.1\r\nHost: " + bad + "\r\n\r\n"),
+                HasSubstr("HTTP/1.1 403 "));
+  }
+  EXPECT_THAT(client(server->port()).raw("GET /healthz HTTP/1.1\r\n\r\n"),
+              HasSubstr("HTTP/1.1 403 "));
+  EXPECT_THAT(ask("GET /healthz", "Host: evil.example\r\n"), HasSubstr("HTTP/1.1 403 "));
+}
+
+TEST_F(transport_http, foreign_origin_is_refused) {
+  options.allowed_origins = {"https://mesh.example"};
+  start();
+  EXPECT_EQ(client(server->port()).upgrade(host, "https://evil.example"), 403);
+  EXPECT_EQ(client(server->port()).upgrade(host, "null"), 403);
+  EXPECT_EQ(client(server->port()).upgrade(host, "http://" + host + ".evil.example"), 403);
+  EXPECT_EQ(client(server->port()).upgrade(host, "http://" + host), 101);
+  EXPECT_EQ(client(server->port()).upgrade(host, "https://mesh.example"), 101);
+  EXPECT_THAT(ask("GET /healthz", "Origin: https://evil.example\r\n"),
+              HasSubstr("not allowed here"));
+}
+
+TEST_F(transport_http, an_endless_header_is_refused) {
+  start();
+  EXPECT_THAT(ask("GET /healthz", "X: " + std::string(20'000, 'x') + "\r\n"),
+              HasSubstr("HTTP/1.1 431 "));
+}
+
+TEST_F(transport_ws, echo_small_and_large) {
+  start();
+  const auto c = connect_known();
+  EXPECT_EQ(server->connections(), 1u);
+  EXPECT_THAT(seen->wait(seen->opened)->peer(), HasSubstr("127.0.0.1:"));
+  EXPECT_EQ(c->round_trip(""), "");
+  const std::string large = noise(8 * mib);
+  EXPECT_TRUE(c->round_trip(large) == large);
+  EXPECT_TRUE(eventually([&] { return seen->wait(seen->opened)->queued_bytes() == 0; }));
+}
+
+TEST_F(transport_ws, the_clients_close_is_told) {
+  start();
+  const auto c = connect_known();
+  c->run([&](auto done) {
+    c->stream().async_close({websocket::close_code::normal, "bye"}, std::move(done));
+  });
+  EXPECT_THAT(seen->wait(seen->closed), HasSubstr("1000 bye"));
+  EXPECT_TRUE(eventually([&] { return server->connections() == 0; }));
+}
+
+TEST_F(transport_ws, closes_after_what_is_queued) {
+  start();
+  const auto c = connect_known();
+  const auto remote = seen->wait(seen->opened);
+  for (int i = 0; i < 3; ++i)
+    remote->send(make_frame(2 * mib, static_cast<char>('a' + i)));
+  remote->close(4000, std::string(200, 'r'));
+  remote->send(make_frame(9));
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(c->read() == std::string(2 * mib, static_cast<char>('a' + i)));
+  EXPECT_EQ(c->close_code(), 4000);
+  EXPECT_EQ(c->stream().reason().reason.size(), 123u);
+  EXPECT_THAT(seen->wait(seen->closed), HasSubstr("4000 rrr"));
+  EXPECT_EQ(remote->queued_bytes(), 0u);
+}
+
+TEST_F(transport_ws, tells_when_the_queue_has_drained) {
+  start();
+  const auto c = connect_known();
+  for (int i = 0; i < 8; ++i)
+    seen->wait(seen->opened)->send(make_frame(mib));
+  for (int i = 0; i < 8; ++i)
+    EXPECT_TRUE(c->read().has_value());
+  EXPECT_EQ(seen->wait(seen->drained), 1);
+}
+
+TEST_F(transport_ws, text_and_exceptions_close) {
+  start();
+  const auto text = connect_known();
+  text->stream().text(true);
+  EXPECT_FALSE(text->write("words"));
+  EXPECT_EQ(text->close_code(), 1003);
+  const auto thrower = connect_known();
+  thrower->write("throw");
+  EXPECT_EQ(thrower->close_code(), 1011);
+}
+
+TEST_F(transport_limit, the_first_message_is_small) {
+  start();
+  const auto c = connect();
+  c->write(std::string(4097, 'x'));
+  EXPECT_EQ(c->close_code(), 1009);
+  const auto stranger = connect();
+  EXPECT_EQ(stranger->round_trip("stranger"), "stranger");
+  stranger->write(std::string(4097, 'x'));
+  EXPECT_EQ(stranger->close_code(), 1009);
+  EXPECT_THAT(seen->wait(seen->closed), HasSubstr("4096"));
+}
+
+TEST_F(transport_limit, a_message_too_large_closes) {
+  options.limits.max_message = mib;
+  start();
+  const auto c = connect_known();
+  EXPECT_TRUE(c->round_trip(std::string(mib, 'x')).has_value());
+  c->write(std::string(mib + 1, 'x'));
+  EXPECT_EQ(c->close_code(), 1009);
+}
+
+TEST_F(transport_limit, no_hello_closes) {
+  options.limits.hello_timeout = 500ms;
+  start();
+  const auto known = connect_known();
+  const auto c = connect();
+  EXPECT_EQ(c->close_code(), 1008);
+  const auto stranger = connect();
+  EXPECT_EQ(stranger->round_trip("stranger"), "stranger");
+  EXPECT_EQ(stranger->close_code(), 1008);
+  EXPECT_EQ(known->round_trip("x"), "x");
+}
+
+TEST_F(transport_limit, a_slow_reader_is_closed_and_others_go_on) {
+  options.limits.max_queue = mib;
+  options.limits.slow_client = 300ms;
+  options.limits.close_timeout = 10s;
+  start();
+  const auto slow = connect_known(64 << 10);
+  const auto other = connect_known();
+  const auto remote = seen->wait(seen->opened);
+  for (int i = 0; i < 32; ++i)
+    remote->send(make_frame(mib));
+  EXPECT_GT(remote->queued_bytes(), 16 * mib);
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_EQ(other->round_trip("ping"), "ping");
+    return remote->queued_bytes() < mib;
+  }));
+  EXPECT_EQ(slow->close_code(), 1013);
+  EXPECT_EQ(seen->wait(seen->closed), "1013 the client reads too slowly");
+  EXPECT_EQ(remote->queued_bytes(), 0u);
+}
+
+TEST_F(transport_limit, a_reader_that_never_reads_is_cut_off) {
+  options.limits.max_queue = mib;
+  options.limits.slow_client = 100ms;
+  options.limits.close_timeout = 100ms;
+  start();
+  const auto deaf = connect_known(64 << 10);
+  for (int i = 0; i < 32; ++i)
+    seen->wait(seen->opened)->send(make_frame(mib));
+  EXPECT_THAT(seen->wait(seen->closed), HasSubstr("1013"));
+  EXPECT_TRUE(eventually([&] { return seen->opened[0]->queued_bytes() == 0; }));
+  EXPECT_EQ(server->connections(), 0u);
+}
+
+TEST_F(transport_limit, silence_is_pinged_and_then_dropped) {
+  options.limits.ping_after = 50ms;
+  options.limits.idle_timeout = 1s;
+  start();
+  const auto alive = connect_known();
+  const auto silent = connect_known();  // Never reads, so never answers a ping.
+  int pings = 0;
+  alive->stream().control_callback([&](websocket::frame_type kind, beast::string_view) {
+    pings += kind == websocket::frame_type::ping ? 1 : 0;
+  });
+  std::thread closer([&] {
+    EXPECT_THAT(seen->wait(seen->closed), HasSubstr("no sign of life"));
+    seen->wait(seen->opened)->send(std::make_shared<const std::string>("end"));
+  });
+  EXPECT_EQ(alive->read(), "end");
+  closer.join();
+  EXPECT_GT(pings, 0);
+}
+
+TEST_F(transport_limit, connections_are_counted) {
+  for (const bool by_address : {false, true}) {
+    options.limits.max_connections = by_address ? 100 : 2;
+    options.limits.max_per_address = by_address ? 2 : 100;
+    start();
+    auto first = connect_known();
+    const auto second = connect_known();
+    EXPECT_EQ(client(server->port()).upgrade(host), 503);
+    EXPECT_THAT(ask("GET /healthz"), HasSubstr("HTTP/1.1 503 "));
+    first.reset();
+    EXPECT_TRUE(eventually([&] { return client(server->port()).upgrade(host) == 101; }));
+  }
+}
+
+TEST_F(transport_limit, garbage_and_half_handshakes_disturb_nobody) {
+  options.limits.handshake_timeout = 500ms;
+  start();
+  const auto good = connect_known();
+  EXPECT_EQ(client(server->port()).raw("GET /v1 HTTP/1.1\r\nHost: loc"),
+            "");  // Cut off after the timeout.
+  EXPECT_EQ(client(server->port()).raw(""), "");
+  EXPECT_THAT(client(server->port()).raw(noise(5000)), HasSubstr("HTTP/1.1 400 "));
+  EXPECT_THAT(client(server->port()).raw("\x16\x03\x01\x02\x00\x01\r\n\r\n"),
+              HasSubstr("HTTP/1.1 400 "));
+  const auto broken = connect_known();  // Random bytes where frames should be.
+  broken->raw(noise(5000));
+  { const auto gone = connect_known(); }  // Closes without a close frame.
+  EXPECT_EQ(good->round_trip("still here"), "still here");
+  EXPECT_TRUE(eventually([&] { return server->connections() == 1; }));
+}
+
+TEST_F(transport_stop, closes_all_in_time) {
+  start();
+  const auto polite = connect_known();
+  const auto deaf = connect_known(64 << 10);  // Never reads; its queue is full.
+  for (int i = 0; i < 32; ++i)
+    seen->wait(seen->opened, 1)->send(make_frame(mib));
+  const client half(server->port());
+  const auto begin = std::chrono::steady_clock::now();
+  std::thread stopper([&] { server->stop(); });
+  EXPECT_EQ(polite->close_code(), 1001);
+  stopper.join();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s);
+  EXPECT_EQ(seen->closed.size(), 2u);
+}
+
+TEST_F(transport_stop, a_handle_may_outlive_the_transport) {
+  options.limits.close_timeout = 100ms;
+  start();
+  const auto c = connect_known();
+  const auto remote = seen->wait(seen->opened);
+  server.reset();
+  remote->send(make_frame(9));
+  remote->authenticated();
+  remote->close(1000, "");
+  EXPECT_THAT(remote->peer(), HasSubstr("127.0.0.1"));
+}
+
+TEST_F(transport_stop, a_port_is_listened_on_once) {
+  start();
+  options.port = server->port();
+  const error problem = transport::start(options).error();
+  EXPECT_EQ(problem.code, ec::service_unavailable);
+  EXPECT_THAT(problem.message, HasSubstr("127.0.0.1:" + std::to_string(options.port)));
+  EXPECT_FALSE(problem.remedy.empty());
+  server.reset();
+  EXPECT_TRUE(transport::start(options));
+}
+
+TEST_F(transport_stop, bad_options_are_refused) {
+  EXPECT_EQ(transport::start({}).error().code, ec::invalid_argument);
+  options.accept = [](std::shared_ptr<connection>) { return nullptr; };
+  options.address = "no.address";
+  EXPECT_EQ(transport::start(options).error().code, ec::invalid_argument);
+  options.address = "localhost";
+  const auto refusing = transport::start(options).value();
+  client c(refusing->port());
+  EXPECT_EQ(c.upgrade("localhost"), 101);
+  EXPECT_EQ(c.close_code(), 1013);
+}
+
+}  // namespace
+}  // namespace tedit::gateway

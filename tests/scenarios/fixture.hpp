@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "actors/node/server.hpp"
+#include "client/client.hpp"
+#include "protocol/convert.hpp"
+
+namespace tedit::test {
+
+inline const std::filesystem::path plate_mesh = TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh";
+inline const std::filesystem::path plate_loads = TEDIT_EXAMPLES "/ctc01_plate/load_case.json";
+inline constexpr auto patience = std::chrono::seconds(60);
+
+/// A fresh folder that goes with the test.
+class scratch_folder {
+public:
+  scratch_folder() {
+    auto name = (std::filesystem::temp_directory_path() / "tedit-test-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  scratch_folder(const scratch_folder&) = delete;
+  scratch_folder& operator=(const scratch_folder&) = delete;
+  ~scratch_folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+/// A server on a free port, with workers as processes of the built program or as threads.
+inline server_options options_for(const scratch_folder& folder, bool processes) {
+  server_options options;
+  options.documents = folder.path();
+  options.token = "secret-of-the-test";
+  options.device = "cpu";
+  options.worker_processes = processes;
+  options.program = TEDIT_BIN "/tedit";
+  return options;
+}
+
+inline std::unique_ptr<server> start(const server_options& options) {
+  auto started = server::start(options);
+  EXPECT_TRUE(started.has_value()) << render(started.error());
+  return started ? std::move(*started) : nullptr;
+}
+
+inline std::unique_ptr<client::client> connect(const std::string& url,
+                                               client::events handlers = {}) {
+  client::connect_options options;
+  options.url = url;
+  options.token = "secret-of-the-test";
+  options.client_name = "test";
+  auto connected = client::client::connect(options, std::move(handlers));
+  EXPECT_TRUE(connected.has_value()) << render(connected.error());
+  return connected ? std::move(*connected) : nullptr;
+}
+
+/// The value of an expected; the test fails with the error's words when there is none.
+template <class T>
+T value(expected<T> result) {
+  if (!result)
+    throw std::runtime_error(render(result.error()));
+  return std::move(*result);
+}
+
+inline void value(expected<void> result) {
+  if (!result)
+    throw std::runtime_error(render(result.error()));
+}
+
+}  // namespace tedit::test

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The main job over a real WebSocket: a server with its workers on threads, a client, a real part.
+#include <thread>
+
+#include "tests/scenarios/fixture.hpp"
+
+namespace tedit::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class MainJob : public ::testing::Test {
+protected:
+  scratch_folder folder;
+  std::unique_ptr<server> host = start(options_for(folder, false));
+  std::unique_ptr<client::client> user = connect(host->url());
+
+  client::committed import_plate() {
+    value(user->open("plate", true, true));
+    auto done = value(user->import_file(plate_mesh, "mm", {}));
+    value(user->set_load_case(value(protocol::load_case_from_file(plate_loads))));
+    return done;
+  }
+};
+
+TEST_F(MainJob, FillsSolvesAndUndoesOverWebSocket) {
+  const auto imported = import_plate();
+  const auto first = value(user->wait_surface(imported.head.version_id, patience));
+  EXPECT_TRUE(first.full);
+  const auto before = value(user->solve("", 1e-6, "cpu", {}));
+  value(user->wait_field(imported.head.version_id, patience));
+
+  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
+  EXPECT_EQ(filled.head.parent, imported.head.number);
+  ASSERT_TRUE(filled.report.has_value());
+  EXPECT_GT(filled.report->volume_change, 0);
+  const auto update = value(user->wait_surface(filled.head.version_id, patience));
+  EXPECT_FALSE(update.full);
+  // What is sent follows the edit: two rims of some dozen facets against the whole boundary.
+  EXPECT_LT(update.moved.bytes * 10, first.moved.bytes);
+  EXPECT_EQ(user->surface().total_facets(), filled.head.boundary_facets);
+
+  // The new field arrives without being asked for.
+  const auto field = value(user->wait_field(filled.head.version_id, patience));
+  EXPECT_EQ(field.report.version_id, filled.head.version_id);
+  EXPECT_LT(field.report.true_relative_residual, 1e-6);
+  EXPECT_NE(field.report.compliance_j, before.compliance_j);
+
+  const auto undone = value(user->undo());
+  EXPECT_EQ(undone.head.version_id, imported.head.version_id);
+  EXPECT_TRUE(undone.can_redo);
+  const auto again = value(user->wait_field(imported.head.version_id, patience));
+  EXPECT_EQ(again.report.compliance_j, before.compliance_j);
+}
+
+TEST_F(MainJob, TheSurfaceAfterUpdatesIsTheSurfaceSentWhole) {
+  import_plate();
+  value(user->edit("fill_hole", {1, 2}, {}, {}));
+  const auto head = value(user->edit("fill_hole", {92, 93}, {}, {}));
+  value(user->wait_surface(head.head.version_id, patience));
+
+  auto other = connect(host->url());
+  value(other->open("plate", true, false));
+  const auto whole = value(other->wait_surface(head.head.version_id, patience));
+  EXPECT_TRUE(whole.full);
+  const auto updated = user->surface();
+  const auto fresh = other->surface();
+  EXPECT_EQ(updated.total_facets(), fresh.total_facets());
+  ASSERT_EQ(updated.surfaces().size(), fresh.surfaces().size());
+  for (const auto& [id, row] : fresh.surfaces())
+    EXPECT_NEAR(updated.area(id), fresh.area(id), 1e-15) << id;
+}
+
+TEST_F(MainJob, RefusalsNameCauseAndRemedyAndChangeNothing) {
+  const auto imported = import_plate();
+
+  const auto no_hole = user->edit("fill_hole", {5}, {}, {});
+  ASSERT_FALSE(no_hole.has_value());
+  EXPECT_FALSE(no_hole.error().message.empty());
+  const auto no_operation = user->edit("fil_hole", {1}, {}, {});
+  ASSERT_FALSE(no_operation.has_value());
+  EXPECT_EQ(no_operation.error().code, ec::operation_not_found);
+  EXPECT_THAT(render(no_operation.error()), HasSubstr("fill_hole"));
+  const auto stale = user->edit("fill_hole", {1, 2}, {}, {}, std::string(32, '0'));
+  ASSERT_FALSE(stale.has_value());
+  EXPECT_EQ(stale.error().code, ec::conflict);
+  EXPECT_FALSE(user->undo().has_value());
+  EXPECT_FALSE(user->redo().has_value());
+  EXPECT_EQ(user->solve("no such case", 1e-6, "cpu", {}).error().code, ec::not_found);
+
+  const auto versions = value(user->get_history()).versions;
+  ASSERT_EQ(versions.size(), 1U);
+  EXPECT_EQ(versions.front().version_id, imported.head.version_id);
+}
+
+TEST_F(MainJob, RedoAndBranchesKeepEveryVersion) {
+  const auto imported = import_plate();
+  const auto one = value(user->edit("fill_hole", {1, 2}, {}, {}));
+  value(user->undo());
+  EXPECT_EQ(value(user->redo()).head.version_id, one.head.version_id);
+  value(user->undo());
+  const auto two = value(user->edit("fill_hole", {92, 93}, {}, {}));
+
+  EXPECT_EQ(two.head.parent, imported.head.number);
+  EXPECT_FALSE(two.can_redo);
+  EXPECT_EQ(value(user->get_history()).versions.size(), 3U);
+}
+
+TEST_F(MainJob, ANewerHeadSupersedesARunningSolve) {
+  import_plate();
+  auto other = connect(host->url());
+  value(other->open("plate", false, false));
+  std::thread solving([&] {
+    // 1e-12 takes long enough to be overtaken; either answer is right when it is not.
+    const auto result = other->solve("", 1e-12, "cpu", {});
+    if (!result) {
+      EXPECT_THAT((std::array{ec::superseded, ec::not_converged}),
+                  ::testing::Contains(result.error().code));
+    }
+  });
+  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
+  solving.join();
+  EXPECT_EQ(value(user->get_history()).head, filled.head.number);
+}
+
+TEST_F(MainJob, ExportsWhatWasMade) {
+  const auto imported = import_plate();
+  value(user->solve("", 1e-6, "cpu", {}));
+  const auto vtu = value(user->export_file(client::file_format::vtu, "", "", {}));
+  EXPECT_THAT(std::string(vtu.data(), 2000), HasSubstr("von_mises_pa"));
+  const auto msh = value(user->export_file(client::file_format::msh, imported.head.version_id, "mm", {}));
+  EXPECT_THAT(std::string(msh.data(), 20), HasSubstr("$MeshFormat"));
+}
+
+TEST_F(MainJob, ABadFileIsRefusedWithItsPlace) {
+  value(user->open("bad", false, false));
+  const auto refused =
+    user->import_file(TEDIT_TEST_DATA "/bad/coord_nan.msh", "mm", {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::bad_input);
+  EXPECT_THAT(refused.error().where, HasSubstr("coord_nan.msh"));
+  EXPECT_THAT(refused.error().where, HasSubstr("line"));
+}
+
+TEST_F(MainJob, DocumentsSurviveTheServer) {
+  const auto imported = import_plate();
+  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
+  user.reset();
+  host.reset();
+
+  host = start(options_for(folder, false));
+  user = connect(host->url());
+  const auto state = value(user->open("plate", true, false));
+  ASSERT_TRUE(state.head.has_value());
+  EXPECT_EQ(state.head->version_id, filled.head.version_id);
+  EXPECT_EQ(state.head->load_cases.size(), 1U);
+  EXPECT_TRUE(state.can_undo);
+  value(user->wait_surface(filled.head.version_id, patience));
+  EXPECT_EQ(value(user->undo()).head.version_id, imported.head.version_id);
+  value(user->solve("", 1e-6, "cpu", {}));
+}
+
+TEST_F(MainJob, AWrongTokenIsTurnedAway) {
+  client::connect_options options;
+  options.url = host->url();
+  options.token = "another";
+  const auto refused = client::client::connect(options, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(render(refused.error()), HasSubstr("token"));
+}
+
+TEST_F(MainJob, DocumentNamesCannotLeaveTheFolder) {
+  for (const auto* name : {"../x", "a/b", ".hidden", "a b", "x\n"}) {
+    const auto refused = user->open(name, false, false);
+    ASSERT_FALSE(refused.has_value()) << name;
+    EXPECT_EQ(refused.error().code, ec::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace tedit::test

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Workers that are killed or frozen in the middle of their work: it is done again, nothing is lost.
+#include <csignal>
+#include <future>
+#include <thread>
+
+#include "tests/scenarios/fixture.hpp"
+
+namespace tedit::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class WorkerDeath : public ::testing::Test {
+protected:
+  scratch_folder folder;
+  std::unique_ptr<server> host = start(options_for(folder, true));
+  std::unique_ptr<client::client> user = connect(host->url());
+  std::unique_ptr<client::client> watcher = connect(host->url());
+  client::committed imported;
+
+  void SetUp() override {
+    value(user->open("plate", true, true));
+    imported = value(user->import_file(plate_mesh, "mm", {}));
+    value(user->set_load_case(value(protocol::load_case_from_file(plate_loads))));
+  }
+
+  client::worker_status status_of(const std::string& role) {
+    for (auto& worker : value(watcher->status()).workers)
+      if (worker.role == role)
+        return worker;
+    return {};
+  }
+
+  /// Waits until the role's status satisfies `wanted`; the last status seen.
+  client::worker_status wait_for(const std::string& role,
+                                 const std::function<bool(const client::worker_status&)>& wanted) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    auto seen = status_of(role);
+    while (!wanted(seen) && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      seen = status_of(role);
+    }
+    EXPECT_TRUE(wanted(seen)) << role << " is " << seen.state << ": " << seen.detail;
+    return seen;
+  }
+
+  /// Freezes the role's process, so that `work` is surely in its hands, and kills it then.
+  template <class Work>
+  auto kill_in_the_middle(const std::string& role, Work work) {
+    const auto ready = wait_for(role, [](const auto& w) { return w.state == "ready"; });
+    const auto pid = static_cast<pid_t>(ready.pid);
+    EXPECT_EQ(::kill(pid, SIGSTOP), 0);
+    auto result = std::async(std::launch::async, work);
+    wait_for(role, [](const auto& w) { return w.jobs == 1; });
+    EXPECT_EQ(::kill(pid, SIGKILL), 0);
+    auto done = result.get();
+    const auto after = wait_for(role, [](const auto& w) { return w.state == "ready"; });
+    EXPECT_NE(after.pid, ready.pid);
+    EXPECT_GE(after.restarts, 1U);
+    return done;
+  }
+
+  expected<client::committed> fill() { return user->edit("fill_hole", {1, 2}, {}, {}); }
+};
+
+TEST_F(WorkerDeath, AnEditWhoseModelingWorkerIsKilledIsDoneAgain) {
+  const auto filled = value(kill_in_the_middle("modeling", [&] { return fill(); }));
+
+  EXPECT_EQ(filled.head.parent, imported.head.number);
+  EXPECT_EQ(value(user->get_history()).versions.size(), 2U);
+}
+
+TEST_F(WorkerDeath, AnEditWhoseOptimizerIsKilledIsDoneAgain) {
+  const auto filled = value(kill_in_the_middle("optimizer", [&] { return fill(); }));
+
+  EXPECT_EQ(value(user->get_history()).head, filled.head.number);
+}
+
+TEST_F(WorkerDeath, ASolveWhoseWorkerIsKilledIsDoneAgain) {
+  const auto report =
+    value(kill_in_the_middle("solver", [&] { return user->solve("", 1e-6, "cpu", {}); }));
+
+  EXPECT_EQ(report.version_id, imported.head.version_id);
+  EXPECT_LT(report.true_relative_residual, 1e-6);
+}
+
+TEST_F(WorkerDeath, KillsAtAnyMomentOfAnEditAndSolveLoseNothing) {
+  // No freeze here: the moment of the kill is wherever the work happens to be.
+  const std::array roles{"modeling", "optimizer", "solver"};
+  std::string head = imported.head.version_id;
+  for (int delay = 0; delay < 3; ++delay) {
+    auto work = std::async(std::launch::async, [&] { return fill(); });
+    auto solve = std::async(std::launch::async, [&] { return user->solve("", 1e-6, "cpu", {}); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(7 * delay));
+    ::kill(static_cast<pid_t>(status_of(roles[static_cast<std::size_t>(delay)]).pid), SIGKILL);
+    const auto filled = value(work.get());
+    // A solve of the head before the edit is superseded by the edit.
+    const auto solved = solve.get();
+    EXPECT_TRUE(solved || solved.error().code == ec::superseded) << (solved ? "" : render(solved.error()));
+    EXPECT_EQ(value(user->wait_field(filled.head.version_id, patience)).report.version_id,
+              filled.head.version_id);
+    EXPECT_EQ(value(user->undo()).head.version_id, head);
+  }
+}
+
+TEST_F(WorkerDeath, AFrozenWorkerIsReplaced) {
+  const auto frozen = wait_for("modeling", [](const auto& w) { return w.state == "ready"; });
+  ::kill(static_cast<pid_t>(frozen.pid), SIGSTOP);
+
+  const auto filled = value(fill());  // The heartbeat notices after some seconds.
+
+  EXPECT_EQ(filled.head.number, 1U);
+  EXPECT_NE(status_of("modeling").pid, frozen.pid);
+  EXPECT_NE(::kill(static_cast<pid_t>(frozen.pid), 0), 0);  // It does not come back.
+}
+
+TEST_F(WorkerDeath, ACancelledJobOfAFrozenWorkerEndsSoon) {
+  const auto frozen = wait_for("modeling", [](const auto& w) { return w.state == "ready"; });
+  ::kill(static_cast<pid_t>(frozen.pid), SIGSTOP);
+  execution run;
+  auto work = std::async(std::launch::async,
+                         [&] { return user->edit("fill_hole", {1, 2}, {}, run); });
+  wait_for("modeling", [](const auto& w) { return w.jobs == 1; });
+  run.cancel.cancel();
+
+  const auto result = work.get();
+
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ec::cancelled);
+  EXPECT_EQ(value(user->get_history()).versions.size(), 1U);
+  EXPECT_EQ(value(fill()).head.number, 1U);
+}
+
+TEST_F(WorkerDeath, TooManyDeathsDegradeTheRoleAndOthersGoOn) {
+  for (int death = 0; death < 4; ++death) {
+    const auto ready =
+      wait_for("modeling", [](const auto& w) { return w.state == "ready" && w.pid != 0; });
+    ::kill(static_cast<pid_t>(ready.pid), SIGKILL);
+    wait_for("modeling", [&](const auto& w) { return w.pid != ready.pid; });
+  }
+  wait_for("modeling", [](const auto& w) { return w.state == "degraded"; });
+
+  const auto refused = fill();
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::service_unavailable);
+  EXPECT_THAT(render(refused.error()), HasSubstr("signal 9"));
+  value(user->solve("", 1e-6, "cpu", {}));
+}
+
+}  // namespace
+}  // namespace tedit::test
