@@ -3,8 +3,8 @@
 
 #include <caf/actor_system.hpp>
 #include <caf/atom.hpp>
-#include <caf/message.hpp>
 #include <caf/make_message.hpp>
+#include <caf/message.hpp>
 #include <caf/sec.hpp>
 
 namespace tedit::actors {

@@ -125,8 +125,8 @@ struct edit_candidate {
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_candidate& x) {
-  return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change,
-           x.improve, x.notices, x.source, x.operation_ms);
+  return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change, x.improve,
+           x.notices, x.source, x.operation_ms);
 }
 
 /// A candidate to improve and to check.

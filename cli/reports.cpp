@@ -105,15 +105,15 @@ std::string describe(const edit_report& report) {
   lines.add("surfaces added", list_ids(report.surface_map, {added, split_from}));
   lines.add("surfaces changed", list_ids(report.surface_map, {changed}));
   lines.add("tets",
-       "+" + std::to_string(report.tets_added) + " -" + std::to_string(report.tets_removed));
+            "+" + std::to_string(report.tets_added) + " -" + std::to_string(report.tets_removed));
   lines.add("volume",
-       (report.volume_change > 0 ? "+" : "") + pretty(1e9 * report.volume_change, 6) + " mm3");
+            (report.volume_change > 0 ? "+" : "") + pretty(1e9 * report.volume_change, 6) + " mm3");
   lines.add("radius ratio", "worst touched " + pretty(report.touched_min_after, 3) + " (before " +
-                         pretty(report.touched_min_before, 3) + "), median " +
-                         pretty(report.touched_median_after, 3));
-  lines.add("time", pretty(report.total_ms, 3) + " ms (operation " + pretty(report.operation_ms, 3) +
-                 ", improve " + pretty(report.improve_ms, 3) + ", check " + pretty(report.check_ms, 3) +
-                 ")");
+                              pretty(report.touched_min_before, 3) + "), median " +
+                              pretty(report.touched_median_after, 3));
+  lines.add("time", pretty(report.total_ms, 3) + " ms (operation " +
+                      pretty(report.operation_ms, 3) + ", improve " + pretty(report.improve_ms, 3) +
+                      ", check " + pretty(report.check_ms, 3) + ")");
   for (const auto& row : report.receipt)
     lines.add("load case", row.text);
   for (const auto& notice : report.notices)

@@ -64,7 +64,8 @@ expected<server_config> effective_config(const serve_options& given) {
   return config;
 }
 
-/// Written when the server is ready, so that scripts need not guess; it appears whole or not at all.
+/// Written when the server is ready, so that scripts need not guess; it appears whole or not at
+/// all.
 expected<void> write_ready_file(const std::string& path, const nlohmann::ordered_json& state) {
   const auto draft = path + ".part";
   std::ofstream out(draft);

@@ -17,8 +17,7 @@ field scatter(const char* name, field_location location, int components, std::si
 
 }  // namespace
 
-std::vector<field> make_fields(const mesh_version& mesh, const problem& p,
-                               const solution& result) {
+std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const solution& result) {
   using enum field_location;
   const auto at_vertices = [&](const char* name, int components, const auto& values) {
     return scatter(name, vertex, components, mesh.vertex_slots(), p.node_vertices, values);

@@ -6,6 +6,7 @@
 #include <ranges>
 #include <set>
 
+#include "base/erase_places.hpp"
 #include "mesh/boundary_patches.hpp"
 #include "mesh/face_table.hpp"
 #include "mesh/quality.hpp"
@@ -172,20 +173,9 @@ private:
                         " tets of zero volume lie on faces that other tets share and were left "
                         "out: " +
                         list_tets(flat));
-    const auto compact = [&](auto& column) {
-      auto dropped = flat.begin();
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < column.size(); ++i)
-        if (dropped != flat.end() && *dropped == i)
-          ++dropped;
-        else
-          column[kept++] = column[i];
-      column.resize(kept);
-    };
-    compact(raw_.tets);
-    compact(raw_.tet_regions);
-    if (!raw_.tet_numbers.empty())
-      compact(raw_.tet_numbers);
+    erase_places(raw_.tets, flat);
+    erase_places(raw_.tet_regions, flat);
+    erase_places(raw_.tet_numbers, flat);
   }
 
   /// The sign of a tet's volume means nothing when rounding alone can turn it.

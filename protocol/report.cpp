@@ -65,8 +65,9 @@ void to_message(const surface_change& change, v1::SurfaceChange* out) {
 }
 
 surface_change from_message(const v1::SurfaceChange& m) {
-  return {m.id(), static_cast<surface_fate>(m.fate()), m.other(), m.name(), m.area_before_m2(),
-          m.area_after_m2()};
+  return {
+    m.id(),           static_cast<surface_fate>(m.fate()), m.other(), m.name(), m.area_before_m2(),
+    m.area_after_m2()};
 }
 
 void to_message(const fem::receipt_line& line, v1::ReceiptLine* out) {

@@ -7,10 +7,12 @@ usage() {
   cat <<TEXT
 usage: scripts/run.sh [options]
 
-Installs missing Debian packages, builds the release preset, then opens the NIST plate
-(examples/ctc01_plate), solves its load case, closes two drill holes with the field
-solved again after each, takes the second back, and prints a table. Fields (VTU) and
-pictures (PNG) are left in out/. Safe to repeat: a second run starts within seconds.
+Installs missing Debian packages, builds the release preset, starts a server with its
+worker processes and, as a client over WebSocket, opens the NIST plate
+(examples/ctc01_plate), solves its load case, closes two drill holes, sees the new field
+arrive after each, takes the second back, and prints a table. Fields (VTU) and pictures
+(PNG) are left in out/. The server ends with the job. Safe to repeat: a second run starts
+within seconds.
 
   --device NAME   cpu, auto or part of a device's name (default: auto)
   --out DIR       where fields and pictures go (default: out)
@@ -37,7 +39,29 @@ done
 
 [ "$install" = yes ] && scripts/install_deps.sh
 scripts/build.sh release tedit
-build/release/bin/tedit run examples/ctc01_plate/recipe.json --out "$out" --device "$device"
+
+# A server of its own, on a free port, whose documents and token go with it.
+folder=$(mktemp -d)
+build/release/bin/tedit serve --port 0 --documents "$folder/documents" --token-file "$folder/token" \
+  --ready-file "$folder/ready" >"$folder/log" 2>&1 &
+server=$!
+stop() {
+  kill "$server" 2>/dev/null || true
+  wait "$server" 2>/dev/null || true
+  rm -rf "$folder"
+}
+trap stop EXIT
+for _ in $(seq 200); do
+  [ -s "$folder/ready" ] && break
+  kill -0 "$server" 2>/dev/null || { cat "$folder/log" >&2; exit 1; }
+  sleep 0.05
+done
+[ -s "$folder/ready" ] || { echo "the server did not start:" >&2; cat "$folder/log" >&2; exit 1; }
+url=$(sed 's/.*"url":"\([^"]*\)".*/\1/' "$folder/ready")
+
+echo "server at $url, worker processes: $(cat /proc/"$server"/task/*/children 2>/dev/null | tr -s "\n " " ")"
+build/release/bin/tedit run examples/ctc01_plate/recipe.json --out "$out" --device "$device" \
+  --server "$url" --token-file "$folder/token" || { cat "$folder/log" >&2; exit 1; }
 
 if [ "$smoke" = yes ]; then
   for file in plate_v0.vtu plate_v0.png plate_v1.vtu plate_v1.png plate_v2.vtu plate_v2.msh; do

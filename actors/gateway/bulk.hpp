@@ -18,7 +18,7 @@ namespace tedit::gateway {
 
 /// Bulk data on its way: the message that announces it, and its bytes in parts.
 struct bulk {
-  v1::ServerMessage header;    ///< Its Stream is complete but for the number.
+  v1::ServerMessage header;      ///< Its Stream is complete but for the number.
   v1::Stream* stream = nullptr;  ///< Inside `header`.
   std::vector<std::span<const std::byte>> parts;
   std::shared_ptr<const void> owner;  ///< Keeps the parts' memory.

@@ -36,7 +36,10 @@ void client_state::start(client_pointer owner, std::shared_ptr<connection> peer,
 void client_state::on_message(const std::string& bytes) {
   v1::ClientMessage message;
   if (!parse(bytes, message)) {
-    refuse(0, {ec::protocol_error, "this is no message of tedit.v1", "Use the schema of the server's version", {}});
+    refuse(0, {ec::protocol_error,
+               "this is no message of tedit.v1",
+               "Use the schema of the server's version",
+               {}});
     return to->close(1007, "no message of tedit.v1");
   }
   const auto id = message.request_id();
@@ -52,9 +55,10 @@ void client_state::on_message(const std::string& bytes) {
   if (requests.contains(id) && !uploading)
     return refuse(id, {ec::protocol_error, "this request_id is in use", {}, {}});
   if (requests.size() >= most_requests)
-    return refuse(id, {ec::conflict, "too many requests at once (" +
-                                       std::to_string(most_requests) + ")",
-                       "Wait for answers before asking more", {}});
+    return refuse(id, {ec::conflict,
+                       "too many requests at once (" + std::to_string(most_requests) + ")",
+                       "Wait for answers before asking more",
+                       {}});
   dispatch(id, message);
 }
 
@@ -84,8 +88,10 @@ client_state::open_document* client_state::find(std::uint64_t id, const std::str
   const auto found = documents.find(document);
   if (found != documents.end())
     return &found->second;
-  refuse(id, {ec::not_found, "the document \"" + document + "\" is not open in this connection",
-              "Send OpenDocument first", {}});
+  refuse(id, {ec::not_found,
+              "the document \"" + document + "\" is not open in this connection",
+              "Send OpenDocument first",
+              {}});
   return nullptr;
 }
 

@@ -36,7 +36,7 @@ struct client_state {
     bool watch_surface = false;
     bool watch_fields = false;
     surface_stream surface;
-    version_ptr wanted_surface;           ///< The newest head, when it was not sent yet.
+    version_ptr wanted_surface;  ///< The newest head, when it was not sent yet.
     std::optional<actors::solved> wanted_fields;
   };
 
@@ -103,10 +103,10 @@ struct client_state {
 };
 
 /// Speaks the protocol `tedit.v1` with one client.
-caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
-                          gateway_parts parts);
+caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, gateway_parts parts);
 
-// -- messages.cpp: what the actors say, as messages of the protocol --------------------------------
+// -- messages.cpp: what the actors say, as messages of the protocol
+// --------------------------------
 
 void to_message(const actors::version_info& info, v1::VersionInfo* out);
 void to_message(const actors::head_moved& moved, v1::Committed* out);

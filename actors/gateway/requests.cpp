@@ -35,13 +35,16 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
     refuse(id, {ec::protocol_error,
                 "the client speaks version " + std::to_string(body.protocol_major()) +
                   " of the protocol, this server version " + std::to_string(protocol_major),
-                "Use a client and a server of the same release", {}});
+                "Use a client and a server of the same release",
+                {}});
     return to->close(1008, "protocol version");
   }
   if (!parts.token.empty() && !same_secret(body.token(), parts.token)) {
     spdlog::warn("client {}: wrong token", to->peer());
-    refuse(id, {ec::invalid_argument, "the token is wrong",
-                "Give the token that the server wrote when it started (tedit serve --help)", {}});
+    refuse(id, {ec::invalid_argument,
+                "the token is wrong",
+                "Give the token that the server wrote when it started (tedit serve --help)",
+                {}});
     return to->close(1008, "wrong token");
   }
   known = true;
@@ -90,8 +93,10 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
     case body::kHello:
       return refuse(id, {ec::protocol_error, "Hello was said already", {}, {}});
     case body::BODY_NOT_SET:
-      return refuse(id, {ec::protocol_error, "this server does not know this request",
-                         "Use a client of the server's release", {}});
+      return refuse(id, {ec::protocol_error,
+                         "this server does not know this request",
+                         "Use a client of the server's release",
+                         {}});
   }
 }
 
@@ -162,8 +167,7 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
     .then(
       [=, this](const opened_document& opened) {
         const auto session = caf::actor_cast<session_actor>(opened.session);
-        self
-          ->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(self)})
+        self->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(self)})
           .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, failed);
       },
       failed);
@@ -207,7 +211,8 @@ void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
   if (!document)
     return;
   if (found == uploads.end() || found->second.size != body.size())
-    return refuse(id, {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
+    return refuse(id,
+                  {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
   import_request request;
   request.file = std::move(found->second.pages);
   if (!found->second.rest.empty())
@@ -293,7 +298,8 @@ void client_state::solve(std::uint64_t id, const v1::Solve& body) {
     return;
   const double tolerance = body.tolerance() == 0 ? 1e-6 : body.tolerance();
   if (!(tolerance >= 1e-12 && tolerance <= 0.1))
-    return refuse(id, {ec::invalid_argument, "the tolerance must lie between 1e-12 and 0.1", {}, {}});
+    return refuse(id,
+                  {ec::invalid_argument, "the tolerance must lie between 1e-12 and 0.1", {}, {}});
   solve_request request;
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
@@ -320,7 +326,8 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
     {v1::ExportFile::MSH, "msh"}, {v1::ExportFile::STL, "stl"}, {v1::ExportFile::VTU, "vtu"}};
   const auto format = formats.find(body.format());
   if (format == formats.end())
-    return refuse(id, {ec::invalid_argument, "there is no such file format", "Take MSH, STL or VTU", {}});
+    return refuse(
+      id, {ec::invalid_argument, "there is no such file format", "Take MSH, STL or VTU", {}});
   export_request request;
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
@@ -350,8 +357,7 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
     bulk_out->pump();
   };
   self->request(document->session, answer_limit, std::move(request))
-    .then(deliver,
-          [=, this](const caf::error& e) { refuse(id, from_caf(e, "writing the file")); });
+    .then(deliver, [=, this](const caf::error& e) { refuse(id, from_caf(e, "writing the file")); });
 }
 
 void client_state::history(std::uint64_t id, const v1::GetHistory& body) {

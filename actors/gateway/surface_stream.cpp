@@ -161,7 +161,8 @@ bulk surface_stream::difference(const std::string& document, const mesh_version&
   const auto common = std::min(before.vertex_slots(), mesh.vertex_slots());
   bool surfaces_moved = false;
   for_each_dirty_slot<vec3>(before, mesh, positions_row, common, [&](vertex_id v) {
-    if (vertices_.contains(v) && mesh.is_live_vertex(v) && !(before.position(v) == mesh.position(v))) {
+    if (vertices_.contains(v) && mesh.is_live_vertex(v) &&
+        !(before.position(v) == mesh.position(v))) {
       moved.insert(v);
       surfaces_moved = true;
     }

@@ -101,7 +101,8 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   ops::context ctx;
   ctx.host = &services;
   ctx.run = run;
-  auto edit = ops::run_operation(plugins, order.operation, **base, {order.surfaces}, *parameters, ctx);
+  auto edit =
+    ops::run_operation(plugins, order.operation, **base, {order.surfaces}, *parameters, ctx);
   if (!edit)
     return fail(edit.error());
   job_output<edit_candidate> output;

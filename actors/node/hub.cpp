@@ -51,8 +51,9 @@ caf::result<opened_document> open(self_pointer self, const std::string& given) {
   auto& state = self->state;
   std::string name = given;
   if (name.empty())
-    name = "unnamed-" + std::to_string(std::chrono::system_clock::now().time_since_epoch().count()) +
-           "-" + std::to_string(++state.unnamed);
+    name = "unnamed-" +
+           std::to_string(std::chrono::system_clock::now().time_since_epoch().count()) + "-" +
+           std::to_string(++state.unnamed);
   if (auto ok = check_document_name(name); !ok)
     return to_caf(ok.error());
   if (const auto found = state.open.find(name); found != state.open.end())
@@ -96,15 +97,17 @@ caf::result<server_status> status(self_pointer self) {
 caf::result<std::string> catalogue(self_pointer self) {
   if (!self->state.catalogue.empty())
     return self->state.catalogue;
-  auto promise =
-    std::make_shared<caf::typed_response_promise<std::string>>(self->make_response_promise<std::string>());
+  auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
+    self->make_response_promise<std::string>());
   self->request(self->state.parts.workers.modeling, std::chrono::seconds(30), catalog_atom::value)
     .then(
       [=](const std::string& json) {
         self->state.catalogue = json;
         promise->deliver(json);
       },
-      [=](const caf::error& e) { promise->deliver(to_caf(from_caf(e, "listing the operations"))); });
+      [=](const caf::error& e) {
+        promise->deliver(to_caf(from_caf(e, "listing the operations")));
+      });
   return *promise;
 }
 
@@ -123,8 +126,7 @@ expected<void> check_document_name(const std::string& name) {
 hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts) {
   self->state.parts = std::move(parts);
   return {[=](const std::string& name) { return open(self, name); },
-          [=](status_atom) { return status(self); },
-          [=](catalog_atom) { return catalogue(self); }};
+          [=](status_atom) { return status(self); }, [=](catalog_atom) { return catalogue(self); }};
 }
 
 }  // namespace tedit::actors

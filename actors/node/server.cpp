@@ -3,9 +3,9 @@
 
 #include <sys/random.h>
 
+#include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <caf/scoped_actor.hpp>
-#include <spdlog/spdlog.h>
 
 #include "actors/gateway/gateway.hpp"
 #include "actors/modeling/modeling.hpp"
@@ -35,8 +35,7 @@ worker_set start_threads(caf::actor_system& system, const std::shared_ptr<page_c
 
 pool_options options_of(const server_options& options, const std::string& role, unsigned workers,
                         std::chrono::milliseconds limit) {
-  const auto program =
-    options.program.empty() ? executable_folder() / "tedit" : options.program;
+  const auto program = options.program.empty() ? executable_folder() / "tedit" : options.program;
   pool_options result;
   result.role = role;
   result.command = {program.string(), "worker", "--role", role};
@@ -49,11 +48,11 @@ worker_set start_pools(caf::actor_system& system, const server_options& options)
   const auto of = [&](const char* role, unsigned workers, std::chrono::milliseconds limit) {
     return options_of(options, role, workers, limit);
   };
-  return {make_modeling_pool(system, of("modeling", options.modeling_workers,
-                                        std::max(options.import_limit, options.edit_limit))),
-          make_optimizer_pool(system,
-                              of("optimizer", options.optimizer_workers, options.edit_limit)),
-          make_solver_pool(system, of("solver", options.solver_workers, options.solve_limit))};
+  return {
+    make_modeling_pool(system, of("modeling", options.modeling_workers,
+                                  std::max(options.import_limit, options.edit_limit))),
+    make_optimizer_pool(system, of("optimizer", options.optimizer_workers, options.edit_limit)),
+    make_solver_pool(system, of("solver", options.solver_workers, options.solve_limit))};
 }
 
 }  // namespace
@@ -121,8 +120,7 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
     system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device});
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(workers.modeling),
                   caf::actor_cast<caf::actor>(workers.optimizer),
-                  caf::actor_cast<caf::actor>(workers.solver),
-                  caf::actor_cast<caf::actor>(pages)};
+                  caf::actor_cast<caf::actor>(workers.solver), caf::actor_cast<caf::actor>(pages)};
   made->address = options.address;
   gateway::transport_options door;
   door.address = options.address;
@@ -130,9 +128,9 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   door.allowed_origins = options.allowed_origins;
   auto* state = made.get();
   auto opened = gateway::start_gateway(
-    system, std::move(door),
-    {hub, options.token, "tedit " TEDIT_VERSION,
-     [state] { return state->door ? state->door->connections() : std::size_t{0}; }});
+    system, std::move(door), {hub, options.token, "tedit " TEDIT_VERSION, [state] {
+                                return state->door ? state->door->connections() : std::size_t{0};
+                              }});
   if (!opened) {
     made->stop();
     return fail(opened.error());

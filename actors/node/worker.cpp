@@ -5,10 +5,10 @@
 
 #include <thread>
 
+#include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <caf/io/middleman.hpp>
 #include <caf/scoped_actor.hpp>
-#include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
 #include "actors/modeling/modeling.hpp"
@@ -76,8 +76,10 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     .receive(
       [&](bool accepted) {
         if (!accepted)
-          refused = error{ec::service_unavailable, "the server turned this worker away",
-                          "Workers are started by \"tedit serve\"", {}};
+          refused = error{ec::service_unavailable,
+                          "the server turned this worker away",
+                          "Workers are started by \"tedit serve\"",
+                          {}};
       },
       [&](const caf::error& e) { refused = from_caf(e, "enlisting"); });
   if (refused)

@@ -26,8 +26,7 @@ void count_tets(const mesh_version& base, const mesh_version& after, edit_report
 
 }  // namespace
 
-expected<finished_candidate> finish_candidate(const version_ptr& base,
-                                              const version_ptr& candidate,
+expected<finished_candidate> finish_candidate(const version_ptr& base, const version_ptr& candidate,
                                               const edit_claim& claim, bool improve,
                                               const std::vector<fem::load_case>& load_cases,
                                               const execution& run) {

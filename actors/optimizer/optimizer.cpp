@@ -62,8 +62,7 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
       return fail(loads.error());
     load_cases.push_back(std::move(*loads));
   }
-  auto done =
-    finish_candidate(*base, *candidate, *claim, order.candidate.improve, load_cases, run);
+  auto done = finish_candidate(*base, *candidate, *claim, order.candidate.improve, load_cases, run);
   if (!done)
     return fail(done.error());
   done->report.notices = order.candidate.notices;

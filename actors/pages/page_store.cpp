@@ -149,16 +149,15 @@ page_store_actor::behavior_type make_page_store(
       give_up(self, id,
               {ec::service_unavailable, "the node that has the pages is gone", "Try again", {}});
   });
-  return {
-    [=](get_atom, const hash_list& ids) -> caf::result<page_batch> {
-      auto batch = pack(*self->state.cache, ids);
-      if (!batch)
-        return to_caf(batch.error());
-      return std::move(*batch);
-    },
-    [=](fetch_atom, const caf::actor& remote, const hash_list& ids) {
-      return fetch(self, remote, ids);
-    }};
+  return {[=](get_atom, const hash_list& ids) -> caf::result<page_batch> {
+            auto batch = pack(*self->state.cache, ids);
+            if (!batch)
+              return to_caf(batch.error());
+            return std::move(*batch);
+          },
+          [=](fetch_atom, const caf::actor& remote, const hash_list& ids) {
+            return fetch(self, remote, ids);
+          }};
 }
 
 }  // namespace tedit::actors

@@ -36,8 +36,8 @@ struct page_store_state {
   static inline const char* name = "page_store";
 };
 
-/// Answers for the pages of this process and pulls missing ones from other nodes: batches of at most
-/// 256 KiB, `transfer_credit` at a time, each page checked against its hash.
+/// Answers for the pages of this process and pulls missing ones from other nodes: batches of at
+/// most 256 KiB, `transfer_credit` at a time, each page checked against its hash.
 page_store_actor::behavior_type make_page_store(
   page_store_actor::stateful_pointer<page_store_state> self, std::shared_ptr<page_cache> cache);
 
@@ -46,8 +46,7 @@ page_store_actor::behavior_type make_page_store(
 [[nodiscard]] expected<page_batch> pack(page_cache& cache, const hash_list& ids);
 
 /// Checks sizes and hashes and returns the pages. Errors: `protocol_error`.
-[[nodiscard]] expected<std::vector<page_ptr>> unpack(const page_batch& batch,
-                                                     const hash_list& ids);
+[[nodiscard]] expected<std::vector<page_ptr>> unpack(const page_batch& batch, const hash_list& ids);
 
 /// Splits a list into batches that fit, at most `max_batch_bytes / max_page_bytes` pages each.
 [[nodiscard]] std::deque<hash_list> split(const hash_list& ids);

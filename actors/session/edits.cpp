@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
+#include <nlohmann/json.hpp>
 
 #include "actors/errors.hpp"
 #include "actors/session/session.hpp"
@@ -90,8 +90,8 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
         const auto ids = pages_of(result.version);
         if (!ids)
           return fail_import(ids.error());
-        pull(result.source, *ids, [=](const page_set& pages) { accept(result, pages); },
-             fail_import);
+        pull(
+          result.source, *ids, [=](const page_set& pages) { accept(result, pages); }, fail_import);
       },
       [=](const caf::error& e) { fail_import(from_caf(e, "the import")); });
 }
@@ -117,11 +117,11 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   if (!head)
     return refuse(no_head());
   if (!request.expected_version.empty() && request.expected_version != to_hex(head->info.id))
-    return refuse({ec::conflict,
-                   "the head is version " + to_hex(head->info.id) + ", not " +
-                     request.expected_version,
-                   "Look at the new head, then edit again",
-                   {}});
+    return refuse(
+      {ec::conflict,
+       "the head is version " + to_hex(head->info.id) + ", not " + request.expected_version,
+       "Look at the new head, then edit again",
+       {}});
   const auto job = new_job(request.ticket, request.client);
   edit_order order{base_order(), make_ref(*head->mesh), request.operation, request.surfaces,
                    request.parameters};
@@ -136,14 +136,15 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
         if (!ids)
           return refuse(ids.error());
         // The pages are taken over at once: the plugin's process may die now.
-        pull(candidate.source, *ids,
-             [=, this](const page_set& pages) {
-               auto mine = candidate;
-               mine.source = nullptr;
-               (void)pages;
-               check_candidate(run, mine);
-             },
-             [=, this](const error& e) { retry_edit(run, e); });
+        pull(
+          candidate.source, *ids,
+          [=, this](const page_set& pages) {
+            auto mine = candidate;
+            mine.source = nullptr;
+            (void)pages;
+            check_candidate(run, mine);
+          },
+          [=, this](const error& e) { retry_edit(run, e); });
       },
       [=, this](const caf::error& e) {
         progress_of.erase(job);
@@ -266,7 +267,8 @@ void session_state::begin_move(move_kind kind, caf::typed_response_promise<head_
   const bool undo = kind == move_kind::undo;
   const auto target = undo ? graph.undo_target() : graph.redo_target();
   if (!target) {
-    promise.deliver(to_caf({ec::conflict, undo ? "there is nothing to undo" : "there is nothing to redo", {}, {}}));
+    promise.deliver(to_caf(
+      {ec::conflict, undo ? "there is nothing to undo" : "there is nothing to redo", {}, {}}));
     return finish_command();
   }
   const std::string cause = undo ? "undo" : "redo";
@@ -336,7 +338,8 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
   return *promise;
 }
 
-// -- files -----------------------------------------------------------------------------------------
+// -- files
+// -----------------------------------------------------------------------------------------
 
 caf::result<exported> session_state::write_file(const export_request& request) {
   const auto* node = request.version.empty() ? graph.head() : graph.find(request.version);
@@ -347,8 +350,8 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   const auto promise = std::make_shared<caf::typed_response_promise<exported>>(
     self->make_response_promise<exported>());
   const auto job = new_job(request.ticket, request.client);
-  export_order order{base_order(), make_ref(*node->mesh), {}, {}, request.format,
-                     request.length_unit};
+  export_order order{base_order(), make_ref(*node->mesh), {},
+                     {},           request.format,        request.length_unit};
   const auto version = to_hex(node->info.id);
   const auto fields = std::ranges::find(results, version, &kept_result::version);
   if (fields != results.end()) {
@@ -359,20 +362,21 @@ caf::result<exported> session_state::write_file(const export_request& request) {
     progress_of.erase(job);
     promise->deliver(to_caf(e));
   };
-  const auto file_name = parts.document + "_v" + std::to_string(node->info.number) + "." +
-                         request.format;
+  const auto file_name =
+    parts.document + "_v" + std::to_string(node->info.number) + "." + request.format;
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
       [=, this](const export_result& result) {
-        pull(result.source, result.pages,
-             [=, this](const page_set& pages) {
-               exported file{file_name, {}, result.size};
-               for (const auto& id : result.pages)
-                 file.pages.push_back(pages.find(id));
-               progress_of.erase(job);
-               promise->deliver(std::move(file));
-             },
-             refuse);
+        pull(
+          result.source, result.pages,
+          [=, this](const page_set& pages) {
+            exported file{file_name, {}, result.size};
+            for (const auto& id : result.pages)
+              file.pages.push_back(pages.find(id));
+            progress_of.erase(job);
+            promise->deliver(std::move(file));
+          },
+          refuse);
       },
       [=](const caf::error& e) { refuse(from_caf(e, "writing the file")); });
   return *promise;

@@ -103,7 +103,7 @@ void session_state::on_progress(const job_progress& note) {
   if (found == progress_of.end() || !found->second.second)
     return;
   caf::anon_send(found->second.second,
-             request_progress{found->second.first, note.fraction, note.stage});
+                 request_progress{found->second.first, note.fraction, note.stage});
 }
 
 void session_state::commit(store::change change, std::function<void(double ms)> done,
@@ -134,13 +134,13 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
                   [&](const caf::actor& a) { return a.address() == down.source; });
   });
   // Notes of workers are no part of the typed interface: they have no answer and may be lost.
-  self->set_default_handler([=](caf::scheduled_actor*,
-                                caf::message_view& view) -> caf::result<caf::message> {
-    auto message = view.move_content_to_message();
-    message.apply({[&](const job_progress& note) { self->state.on_progress(note); },
-                   [&](const job_frame& frame) { self->state.on_frame(frame); }});
-    return caf::message{};
-  });
+  self->set_default_handler(
+    [=](caf::scheduled_actor*, caf::message_view& view) -> caf::result<caf::message> {
+      auto message = view.move_content_to_message();
+      message.apply({[&](const job_progress& note) { self->state.on_progress(note); },
+                     [&](const job_frame& frame) { self->state.on_frame(frame); }});
+      return caf::message{};
+    });
   return {[&state](const attach_request& request) { return state.attach(request); },
           [&state](detach_atom, const caf::actor& subscriber) { state.detach(subscriber); },
           [&state](const import_request& request) { return state.import(request); },

@@ -45,8 +45,8 @@ void session_state::start_solve(const solve_settings& settings, std::uint64_t ti
   next.version = to_hex(head->info.id);
   next.mesh = head->mesh;
   const auto& names = head->info.load_cases;
-  const auto found = settings.load_case.empty() ? names.begin()
-                                                : std::ranges::find(names, settings.load_case);
+  const auto found =
+    settings.load_case.empty() ? names.begin() : std::ranges::find(names, settings.load_case);
   if (found == names.end())
     return refuse({ec::not_found,
                    settings.load_case.empty()
@@ -144,8 +144,12 @@ void session_state::fail_solve(job_id job, const error& e) {
 void session_state::on_frame(const job_frame& frame) {
   if (!active || active->job != frame.job)
     return;
-  broadcast(solve_note{parts.document, active->version, active->load_case, solve_phase::converging,
-                       frame.iterations, frame.residual,
+  broadcast(solve_note{parts.document,
+                       active->version,
+                       active->load_case,
+                       solve_phase::converging,
+                       frame.iterations,
+                       frame.residual,
                        {}});
 }
 

@@ -77,10 +77,14 @@ expected<stored_document> load(const store::document& document) {
       return fail(mesh ? load_cases.error() : mesh.error());
     graph_node node;
     node.mesh = *mesh;
-    node.info = {row.number,          row.id,
-                 row.parent,          row.operation,
-                 (*mesh)->tet_count(), (*mesh)->vertex_count(),
-                 (*mesh)->facet_count(), std::move(load_cases->names)};
+    node.info = {row.number,
+                 row.id,
+                 row.parent,
+                 row.operation,
+                 (*mesh)->tet_count(),
+                 (*mesh)->vertex_count(),
+                 (*mesh)->facet_count(),
+                 std::move(load_cases->names)};
     node.load_cases = std::move(load_cases->texts);
     node.report = row.report;
     node.redo = row.redo;

@@ -4,9 +4,9 @@
 #include <random>
 #include <thread>
 
+#include <spdlog/spdlog.h>
 #include <caf/io/middleman.hpp>
 #include <caf/send.hpp>
-#include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
 #include "base/process.hpp"
@@ -75,8 +75,7 @@ void pool_state::dispatch() {
 }
 
 std::list<pool_state::child>::iterator pool_state::child_with(job_id id) {
-  return std::ranges::find_if(children,
-                              [&](const child& c) { return c.work && c.work->id == id; });
+  return std::ranges::find_if(children, [&](const child& c) { return c.work && c.work->id == id; });
 }
 
 bool pool_state::is_current(job_id id, int attempt) {
@@ -172,9 +171,9 @@ bool pool_state::enlist(const enlistment& who) {
   }
   c->worker = who.worker;
   self->monitor(c->worker);
-  spdlog::info("{} worker: process {} ready after {} ms", options.role, c->pid,
-               std::chrono::duration_cast<std::chrono::milliseconds>(clock::now() - c->started)
-                 .count());
+  spdlog::info(
+    "{} worker: process {} ready after {} ms", options.role, c->pid,
+    std::chrono::duration_cast<std::chrono::milliseconds>(clock::now() - c->started).count());
   dispatch();
   return true;
 }
@@ -232,8 +231,7 @@ void pool_state::tick() {
     if (late_work && !current->work->cancelled) {
       current->work->refuse(
         {ec::timeout,
-         "the work did not end within " +
-           std::to_string(options.job_limit.count() / 1000) + " s",
+         "the work did not end within " + std::to_string(options.job_limit.count() / 1000) + " s",
          "Take a coarser mesh, or raise the limit in the server's configuration",
          {}});
       current->work.reset();

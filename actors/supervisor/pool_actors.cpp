@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/io/middleman.hpp>
 #include <caf/send.hpp>
 #include <caf/typed_response_promise.hpp>
-#include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
 #include "actors/supervisor/pool.hpp"
@@ -78,13 +78,12 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
     [=](caf::scheduled_actor*, caf::message_view& view) -> caf::result<caf::message> {
       auto message = view.move_content_to_message();
       caf::message answer;
-      message.apply({[&](const enlistment& who) {
-                       answer = caf::make_message(self->state.enlist(who));
-                     },
-                     [&](tick_atom) {
-                       self->state.tick();
-                       caf::delayed_anon_send(own, tick_interval, tick_atom::value);
-                     }});
+      message.apply(
+        {[&](const enlistment& who) { answer = caf::make_message(self->state.enlist(who)); },
+         [&](tick_atom) {
+           self->state.tick();
+           caf::delayed_anon_send(own, tick_interval, tick_atom::value);
+         }});
       return answer;
     });
   const auto gate = self->template spawn<caf::linked>(make_gate, own);
@@ -109,8 +108,10 @@ modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
               if (c.worker)
                 return self->delegate(caf::actor_cast<modeling_actor>(c.worker),
                                       catalog_atom::value);
-            return to_caf({ec::service_unavailable, "the modeling worker is still starting",
-                           "Try again in a moment", {}});
+            return to_caf({ec::service_unavailable,
+                           "the modeling worker is still starting",
+                           "Try again in a moment",
+                           {}});
           },
           [=](cancel_atom, job_id id) { self->state.cancel(id); },
           [=](status_atom) { return self->state.status(); }};

@@ -13,8 +13,12 @@ bench_actor::behavior_type make_bench(bench_actor::pointer) {
 }
 
 worker_status job_desk::status() const {
-  return {role, "ready", static_cast<std::int32_t>(getpid()), 0,
-          static_cast<std::uint32_t>(running.size()), {}};
+  return {role,
+          "ready",
+          static_cast<std::int32_t>(getpid()),
+          0,
+          static_cast<std::uint32_t>(running.size()),
+          {}};
 }
 
 execution make_execution(job_id job, const order_base& order, cancel_token token) {

@@ -107,9 +107,8 @@ caf::result<Result> perform(
     auto slot = std::make_shared<std::optional<expected<output>>>();
     const auto run = make_execution(job, order, token);
     job_task task{[=] {
-      *slot = token.cancelled()
-                ? expected<output>(fail(ec::cancelled, "the work was cancelled"))
-                : guarded<output>([&] { return work(pages, run); });
+      *slot = token.cancelled() ? expected<output>(fail(ec::cancelled, "the work was cancelled"))
+                                : guarded<output>([&] { return work(pages, run); });
     }};
     self->request(self->state.desk.bench, std::chrono::minutes(24 * 60), std::move(task))
       .then(
@@ -122,10 +121,10 @@ caf::result<Result> perform(
         },
         [=](const caf::error& e) { refuse(from_caf(e, "the work")); });
   };
-  self->request(self->state.desk.pages, std::chrono::minutes(10), fetch_atom::value, order.source,
-                needed)
-    .then(run_on_bench,
-          [=](const caf::error& e) { refuse(from_caf(e, "fetching pages")); });
+  self
+    ->request(self->state.desk.pages, std::chrono::minutes(10), fetch_atom::value, order.source,
+              needed)
+    .then(run_on_bench, [=](const caf::error& e) { refuse(from_caf(e, "fetching pages")); });
   return *promise;
 }
 

@@ -53,9 +53,11 @@ TEST(Program, HelpNamesTheCommandsAndExitStatuses) {
   const auto help = run("--help");
 
   EXPECT_EQ(help.status, 0);
-  for (const auto* word : {"info", "edit", "solve", "run", "render", "ops", "doctor", "130"})
+  for (const auto* word :
+       {"info", "edit", "solve", "run", "serve", "worker", "render", "ops", "doctor", "130"})
     EXPECT_THAT(help.out, HasSubstr(word));
-  for (const auto* command : {"info", "edit", "solve", "run", "render", "ops", "doctor"})
+  for (const auto* command :
+       {"info", "edit", "solve", "run", "serve", "worker", "render", "ops", "doctor"})
     EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
 }
 
@@ -75,6 +77,28 @@ TEST(Program, BadInputEndsWith65AndJsonNamesTheCause) {
   EXPECT_THAT(error["message"], HasSubstr("node 41"));
   EXPECT_THAT(error["where"], HasSubstr("line"));
   EXPECT_EQ(run("info /nowhere.msh").status, 65);
+}
+
+TEST(Program, AServerThatIsNotThereEndsWith69AndARemedy) {
+  const auto token = scratch("token");
+  std::ofstream(token) << "0123456789abcdef0123456789abcdef";
+  const auto result = run("run --json " TEDIT_EXAMPLES
+                          "/ctc01_plate/recipe.json --server "
+                          "ws://127.0.0.1:1/v1 --token-file " +
+                          token.string());
+
+  EXPECT_EQ(result.status, 69);
+  EXPECT_THAT(result.parsed()["error"]["remedy"], HasSubstr("tedit serve"));
+}
+
+TEST(Program, ATokenThatOthersCanReadIsRefused) {
+  const auto token = scratch("token");
+  std::ofstream(token) << "0123456789abcdef0123456789abcdef";
+  std::filesystem::permissions(token, std::filesystem::perms(0644));
+  const auto result = run("serve --json --port 0 --token-file " + token.string());
+
+  EXPECT_NE(result.status, 0);
+  EXPECT_THAT(result.parsed()["error"]["message"], HasSubstr("others may read"));
 }
 
 TEST(Info, HasTheDocumentedKeys) {

@@ -12,7 +12,8 @@
 
 namespace tedit::test {
 
-inline const std::filesystem::path plate_mesh = TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh";
+inline const std::filesystem::path plate_mesh =
+  TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh";
 inline const std::filesystem::path plate_loads = TEDIT_EXAMPLES "/ctc01_plate/load_case.json";
 inline constexpr auto patience = std::chrono::seconds(60);
 

@@ -129,14 +129,14 @@ TEST_F(MainJob, ExportsWhatWasMade) {
   value(user->solve("", 1e-6, "cpu", {}));
   const auto vtu = value(user->export_file(client::file_format::vtu, "", "", {}));
   EXPECT_THAT(std::string(vtu.data(), 2000), HasSubstr("von_mises_pa"));
-  const auto msh = value(user->export_file(client::file_format::msh, imported.head.version_id, "mm", {}));
+  const auto msh =
+    value(user->export_file(client::file_format::msh, imported.head.version_id, "mm", {}));
   EXPECT_THAT(std::string(msh.data(), 20), HasSubstr("$MeshFormat"));
 }
 
 TEST_F(MainJob, ABadFileIsRefusedWithItsPlace) {
   value(user->open("bad", false, false));
-  const auto refused =
-    user->import_file(TEDIT_TEST_DATA "/bad/coord_nan.msh", "mm", {});
+  const auto refused = user->import_file(TEDIT_TEST_DATA "/bad/coord_nan.msh", "mm", {});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ec::bad_input);
   EXPECT_THAT(refused.error().where, HasSubstr("coord_nan.msh"));

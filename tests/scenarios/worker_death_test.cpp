@@ -97,7 +97,8 @@ TEST_F(WorkerDeath, KillsAtAnyMomentOfAnEditAndSolveLoseNothing) {
     const auto filled = value(work.get());
     // A solve of the head before the edit is superseded by the edit.
     const auto solved = solve.get();
-    EXPECT_TRUE(solved || solved.error().code == ec::superseded) << (solved ? "" : render(solved.error()));
+    EXPECT_TRUE(solved || solved.error().code == ec::superseded)
+      << (solved ? "" : render(solved.error()));
     EXPECT_EQ(value(user->wait_field(filled.head.version_id, patience)).report.version_id,
               filled.head.version_id);
     EXPECT_EQ(value(user->undo()).head.version_id, head);
@@ -119,8 +120,9 @@ TEST_F(WorkerDeath, ACancelledJobOfAFrozenWorkerEndsSoon) {
   const auto frozen = wait_for("modeling", [](const auto& w) { return w.state == "ready"; });
   ::kill(static_cast<pid_t>(frozen.pid), SIGSTOP);
   execution run;
-  auto work = std::async(std::launch::async,
-                         [&] { return user->edit("fill_hole", {1, 2}, {}, run); });
+  auto work = std::async(std::launch::async, [&] {
+    return user->edit("fill_hole", {1, 2}, {}, run);
+  });
   wait_for("modeling", [](const auto& w) { return w.jobs == 1; });
   run.cancel.cancel();
 
