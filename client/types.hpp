@@ -127,7 +127,7 @@ enum class file_format { msh = 1, stl = 2, vtu = 3 };
 struct events {
   std::function<void(const surface_event&)> on_surface;
   std::function<void(const field_event&)> on_field;
-  std::function<void(const committed&)> on_committed;  ///< By another client.
+  std::function<void(const committed&)> on_committed;  ///< By any client, this one included.
   std::function<void(const solve_status&)> on_solve_status;
   std::function<void(const solve_report&)> on_solved;  ///< Not the answer to `client::solve`.
 };

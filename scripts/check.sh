@@ -19,14 +19,14 @@ done
 
 python3 scripts/check_includes.py
 
-mapfile -t sources < <(git ls-files '*.cpp' '*.hpp' | grep -v '^tests/data/')
+mapfile -t sources < <(git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' | grep -v '^tests/data/')
 if [ "$fix" = yes ]; then
   clang-format -i "${sources[@]}"
 else
   clang-format --dry-run --Werror "${sources[@]}"
 fi
 
-long=$(git ls-files '*.cpp' '*.hpp' '*.comp' '*.glsl' '*.h' '*.py' '*.sh' '*.cmake' '*.proto' |
+long=$(git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' '*.comp' '*.glsl' '*.h' '*.py' '*.sh' '*.cmake' '*.proto' |
   xargs wc -l | awk '$1 > 500 && $2 != "total"')
 if [ -n "$long" ]; then
   echo "files over 500 lines:" >&2

@@ -61,9 +61,7 @@ public:
     return how.value_or("still runs");
   }
 
-  std::unique_ptr<client::client> connect() {
-    return value(client::client::connect(options_, {}));
-  }
+  std::unique_ptr<client::client> connect() { return value(client::client::connect(options_, {})); }
 
 private:
   pid_t pid_ = 0;
