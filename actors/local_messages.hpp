@@ -85,6 +85,7 @@ struct solve_request {
   std::string load_case;  ///< Name; empty: the first.
   double tolerance = 1e-6;
   std::string device;
+  int element_order = 2;
 };
 
 struct export_request {

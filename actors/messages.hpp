@@ -162,12 +162,13 @@ struct solve_order {
   std::string load_case;  ///< JSON.
   std::string device;
   double tolerance = 1e-6;
+  std::int32_t element_order = 2;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, solve_order& x) {
   return f(caf::meta::type_name("solve_order"), x.base.source, x.base.listener, x.version,
-           x.load_case, x.device, x.tolerance);
+           x.load_case, x.device, x.tolerance, x.element_order);
 }
 
 /// A field without its pages.

@@ -32,18 +32,19 @@ public:
       thread.join();
   }
 
-  void run(std::size_t items, const chunk_work& work) {
+  void run(std::size_t items, const chunk_work& work, std::size_t chunk_items) {
     const std::lock_guard one_job(job_mutex_);
     {
       const std::lock_guard lock(mutex_);
       work_ = &work;
       items_ = items;
+      chunk_items_ = chunk_items;
       next_ = 0;
       busy_ = threads_.size();
       ++generation_;
     }
     wake_.notify_all();
-    take_chunks(work, items);
+    take_chunks(work, items, chunk_items);
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return busy_ == 0; });
   }
@@ -54,13 +55,13 @@ public:
   }
 
 private:
-  void take_chunks(const chunk_work& work, std::size_t items) {
+  void take_chunks(const chunk_work& work, std::size_t items, std::size_t chunk_items) {
     for (;;) {
       const std::size_t chunk = next_.fetch_add(1, std::memory_order_relaxed);
-      const std::size_t first = chunk * parallel_chunk;
+      const std::size_t first = chunk * chunk_items;
       if (first >= items)
         return;
-      work(first, std::min(items, first + parallel_chunk), chunk);
+      work(first, std::min(items, first + chunk_items), chunk);
     }
   }
 
@@ -73,6 +74,7 @@ private:
   std::condition_variable done_;
   const chunk_work* work_ = nullptr;
   std::size_t items_ = 0;
+  std::size_t chunk_items_ = parallel_chunk;
   std::atomic<std::size_t> next_{0};
   std::size_t busy_ = 0;
   std::size_t generation_ = 0;
@@ -87,6 +89,7 @@ void thread_pool::serve() {
   for (;;) {
     const chunk_work* work = nullptr;
     std::size_t items = 0;
+    std::size_t chunk_items = 0;
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [&] { return closing_ || generation_ != seen; });
@@ -95,8 +98,9 @@ void thread_pool::serve() {
       seen = generation_;
       work = work_;
       items = items_;
+      chunk_items = chunk_items_;
     }
-    take_chunks(*work, items);
+    take_chunks(*work, items, chunk_items);
     {
       const std::lock_guard lock(mutex_);
       --busy_;
@@ -107,13 +111,13 @@ void thread_pool::serve() {
 
 }  // namespace
 
-void parallel_for(std::size_t items, const chunk_work& work) {
-  if (items <= parallel_chunk || inside_work) {
-    for (std::size_t chunk = 0; chunk < chunk_count(items); ++chunk)
-      work(chunk * parallel_chunk, std::min(items, (chunk + 1) * parallel_chunk), chunk);
+void parallel_for(std::size_t items, const chunk_work& work, std::size_t chunk_items) {
+  if (items <= chunk_items || inside_work) {
+    for (std::size_t chunk = 0; chunk * chunk_items < items; ++chunk)
+      work(chunk * chunk_items, std::min(items, (chunk + 1) * chunk_items), chunk);
     return;
   }
-  thread_pool::instance().run(items, work);
+  thread_pool::instance().run(items, work, chunk_items);
 }
 
 double parallel_sum(std::size_t items,

@@ -17,10 +17,12 @@ inline constexpr std::size_t parallel_chunk = 2048;
 
 /// Calls `work(first, last, chunk)` for every chunk of [0, items) on all cores and waits. Idle
 /// threads block, they never spin. `work` must not throw. Calls from several threads at once are
-/// served one after the other; a call from inside `work` runs inline.
+/// served one after the other; a call from inside `work` runs inline. `chunk_items` is for items
+/// that cost much more than a row of a matrix.
 void parallel_for(
   std::size_t items,
-  const std::function<void(std::size_t first, std::size_t last, std::size_t chunk)>& work);
+  const std::function<void(std::size_t first, std::size_t last, std::size_t chunk)>& work,
+  std::size_t chunk_items = parallel_chunk);
 
 /// The sum of `term(first, last)` over all chunks, added in chunk order.
 [[nodiscard]] double parallel_sum(

@@ -110,11 +110,15 @@ recipe parse(const json& body, const std::filesystem::path& folder) {
   if (!body.is_object() || !body.contains("steps") || !body["steps"].is_array())
     throw error{ec::bad_input, "a recipe is an object with a list \"steps\"", {}, {}};
   for (const auto& [name, value] : body.items())
-    if (name != "name" && name != "device" && name != "tolerance" && name != "steps")
+    if (name != "name" && name != "device" && name != "tolerance" && name != "order" &&
+        name != "steps")
       throw error{ec::bad_input, "the recipe has an unknown field \"" + name + "\"", {}, {}};
   result.name = body.value("name", std::string{});
   result.device = body.value("device", std::string("auto"));
   result.tolerance = body.value("tolerance", 1e-6);
+  result.order = body.value("order", 2);
+  if (result.order != 1 && result.order != 2)
+    throw error{ec::bad_input, "\"order\" must be 1 (linear tets) or 2 (quadratic)", {}, {}};
   std::size_t number = 0;
   for (const auto& step : body["steps"]) {
     const std::string where = "step " + std::to_string(++number);

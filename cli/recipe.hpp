@@ -44,6 +44,7 @@ struct recipe {
   std::string name;
   std::string device = "auto";
   double tolerance = 1e-6;
+  int order = 2;  ///< Of the elements.
   std::vector<recipe_step> steps;
 };
 

@@ -137,7 +137,8 @@ expected<void> recipe_runner::step(const redo_step&) {
 expected<client::field_event> recipe_runner::await_field() {
   constexpr auto interval = std::chrono::milliseconds(200);
   const auto ask = [&] {
-    return server_.solve("", recipe_.tolerance, recipe_.device, make_execution(session_));
+    return server_.solve({{}, recipe_.tolerance, recipe_.device, recipe_.order},
+                         make_execution(session_));
   };
   if (!follows_) {
     const auto done = ask();

@@ -23,6 +23,7 @@ struct solve_options {
   std::string length_unit = "mm";
   std::string device = "auto";
   double tolerance = 1e-6;
+  int order = 2;
 };
 
 /// A report with the caller's times in it.
@@ -65,7 +66,7 @@ int run_solve(const solve_options& options, session& s) {
   const auto& mesh = *imported->version;
   timed.import_ms = clock.restart();
 
-  const auto problem = fem::make_problem(mesh, *loads);
+  const auto problem = fem::make_problem(mesh, *loads, options.order);
   if (!problem)
     return print_error(s, problem.error());
   const double problem_ms = clock.restart();
@@ -104,6 +105,11 @@ void add_solve(CLI::App& app, action& chosen) {
     ->capture_default_str();
   command->add_option("--tolerance", options->tolerance, "True relative residual to reach")
     ->check(CLI::Range(1e-12, 1e-1))
+    ->capture_default_str();
+  command
+    ->add_option("--order", options->order,
+                 "2: quadratic tets; 1: linear tets, a quick preview that is too stiff in bending")
+    ->check(CLI::IsMember({1, 2}))
     ->capture_default_str();
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_solve(*options, s); }; });

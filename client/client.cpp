@@ -258,17 +258,17 @@ expected<committed> client::redo() {
   return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
 }
 
-expected<solve_report> client::solve(const std::string& load_case, double tolerance,
-                                     const std::string& device, const execution& run) {
+expected<solve_report> client::solve(const solve_settings& settings, const execution& run) {
   auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   auto* solve = request.mutable_solve();
   solve->set_document(*document);
-  solve->set_load_case(load_case);
-  solve->set_tolerance(tolerance);
-  solve->set_device(device);
+  solve->set_load_case(settings.load_case);
+  solve->set_tolerance(settings.tolerance);
+  solve->set_device(settings.device);
+  solve->set_element_order(static_cast<std::uint32_t>(settings.element_order));
   impl_->link.arrivals().forget_fields();
   const auto got = impl_->ask(std::move(request), body::kSolved, run);
   if (!got)

@@ -70,10 +70,8 @@ public:
   [[nodiscard]] expected<committed> redo();
 
   /// Solves on the head; from then on the server solves every new head with these settings.
-  /// `load_case` empty: the first one; `tolerance` 0: 1e-6 (true relative residual); `device`
-  /// empty: the server's default. Fields that arrived before the call are forgotten.
-  [[nodiscard]] expected<solve_report> solve(const std::string& load_case, double tolerance,
-                                             const std::string& device, const execution& run);
+  /// Fields that arrived before the call are forgotten.
+  [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
 
   /// A version as a file's bytes; `version_id` empty: the head; `unit` as for import.
   [[nodiscard]] expected<std::vector<char>> export_file(file_format format,

@@ -121,6 +121,14 @@ struct server_status {
 /// What a document's file is asked for as; the numbers of `tedit.v1.ExportFile.Format`.
 enum class file_format { msh = 1, stl = 2, vtu = 3 };
 
+/// What to solve, and how exactly.
+struct solve_settings {
+  std::string load_case;    ///< Name; empty: the first one.
+  double tolerance = 1e-6;  ///< True relative residual.
+  std::string device;       ///< Empty: the server's default.
+  int element_order = 2;    ///< 2: quadratic tets; 1: linear ones, a quick preview.
+};
+
 /// What happens to the open document without being asked for. All are called from the client's I/O
 /// thread, one at a time; they must be quick and must not call the client's blocking functions
 /// (those fail with `internal`) nor destroy it. Each may be empty.

@@ -10,9 +10,18 @@ namespace tedit::fem {
 // -- surfaces ----------------------------------------------------------------------
 
 surface_triangles::surface_triangles(const mesh_version& mesh,
-                                     const std::vector<std::uint32_t>& node_of) {
+                                     const std::vector<std::uint32_t>& node_of, const problem& p) {
   const auto add = [&](surface_id id, const std::array<vertex_id, 3>& v, bool interface) {
-    by_surface_[id].push_back({{node_of[v[0]], node_of[v[1]], node_of[v[2]]}, interface});
+    triangle t;
+    t.interface = interface;
+    for (int i = 0; i < 3; ++i)
+      t.nodes[i] = node_of[v[i]];
+    if (p.element_order == 2) {
+      t.count = 6;
+      for (int i = 0; i < 3; ++i)
+        t.nodes[3 + i] = mid_node(p, t.nodes[i], t.nodes[(i + 1) % 3]);
+    }
+    by_surface_[id].push_back(t);
   };
   for (facet_id f = 0; f < mesh.facet_slots(); ++f)
     if (mesh.is_live_facet(f))
@@ -93,12 +102,19 @@ vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
 }
 
 /// One direction for each node of a surface: the mean normal there.
-bool add_roller(const surface_triangles& triangles, surface_id id, const problem& p,
-                node_map& held) {
+bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, node_map& held) {
   std::map<std::uint32_t, vec3> normals;
   for (const auto& t : triangles.of(id))
-    for (const auto node : t.nodes)
+    for (const auto node : t.all())
       normals[node] += area_of(p, t);
+  for (const auto& [node, normal] : normals) {
+    const vec3 d = normalized(normal);
+    const double area = norm(normal);
+    p.holders.push_back({node,
+                         id,
+                         {area * d.x * d.x, area * d.x * d.y, area * d.x * d.z, area * d.y * d.y,
+                          area * d.y * d.z, area * d.z * d.z}});
+  }
   bool ok = true;
   // Two smooth halves of one cylinder give nearly the same normal at their seam: 20 degrees count
   // as the same direction.
@@ -108,15 +124,56 @@ bool add_roller(const surface_triangles& triangles, surface_id id, const problem
 }
 
 bool add_components(const surface_triangles& triangles, surface_id id,
-                    const std::array<std::optional<double>, 3>& values, node_map& held) {
+                    const std::array<std::optional<double>, 3>& values, problem& p,
+                    node_map& held) {
   const std::array<vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   bool ok = true;
-  for (const auto& t : triangles.of(id))
-    for (const auto node : t.nodes)
+  for (const auto& t : triangles.of(id)) {
+    const double area = norm(area_of(p, t));
+    const auto along = [&](int axis) { return values[axis] ? area : 0.0; };
+    for (const auto node : t.all()) {
       for (int i = 0; i < 3; ++i)
         if (values[i])
           ok = held[node].add(axes[i], *values[i], 1e-9, false) && ok;
+      p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}});
+    }
+  }
   return ok;
+}
+
+/// One row for each node and surface.
+void merge_holders(std::vector<node_holder>& holders) {
+  const auto key = [](const node_holder& h) { return std::pair(h.node, h.surface); };
+  std::ranges::stable_sort(holders, {}, key);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < holders.size(); ++i) {
+    if (kept > 0 && key(holders[kept - 1]) == key(holders[i]))
+      for (int c = 0; c < 6; ++c)
+        holders[kept - 1].stiffness[c] += holders[i].stiffness[c];
+    else
+      holders[kept++] = holders[i];
+  }
+  holders.resize(kept);
+}
+
+void write_filter(const node_map& held, problem& p) {
+  for (const auto& [node, row] : held) {
+    auto& s = p.filter[node];
+    for (int i = 0; i < row.count; ++i) {
+      const vec3 d = row.direction[i];
+      s[0] -= d.x * d.x;
+      s[1] -= d.x * d.y;
+      s[2] -= d.x * d.z;
+      s[3] -= d.y * d.y;
+      s[4] -= d.y * d.z;
+      s[5] -= d.z * d.z;
+      p.prescribed[3 * node] += row.value[i] * d.x;
+      p.prescribed[3 * node + 1] += row.value[i] * d.y;
+      p.prescribed[3 * node + 2] += row.value[i] * d.z;
+    }
+    if (row.count == 3)
+      s = {0, 0, 0, 0, 0, 0};
+  }
 }
 
 }  // namespace
@@ -143,30 +200,15 @@ expected<void> add_constraints(const surface_triangles& triangles, const load_ca
                       "constraint " + std::to_string(i) + " has a value that is no number");
       for (const auto id : item.surfaces)
         if (!(rollers ? add_roller(triangles, id, p, held)
-                      : add_components(triangles, id, values, held)))
+                      : add_components(triangles, id, values, p, held)))
           return fail(ec::invalid_argument,
                       "constraint " + std::to_string(i) + " contradicts another one on surface " +
                         std::to_string(id),
                       "Prescribe one value for each direction where surfaces meet");
     }
   }
-  for (const auto& [node, row] : held) {
-    auto& s = p.filter[node];
-    for (int i = 0; i < row.count; ++i) {
-      const vec3 d = row.direction[i];
-      s[0] -= d.x * d.x;
-      s[1] -= d.x * d.y;
-      s[2] -= d.x * d.z;
-      s[3] -= d.y * d.y;
-      s[4] -= d.y * d.z;
-      s[5] -= d.z * d.z;
-      p.prescribed[3 * node] += row.value[i] * d.x;
-      p.prescribed[3 * node + 1] += row.value[i] * d.y;
-      p.prescribed[3 * node + 2] += row.value[i] * d.z;
-    }
-    if (row.count == 3)
-      s = {0, 0, 0, 0, 0, 0};
-  }
+  write_filter(held, p);
+  merge_holders(p.holders);
   return {};
 }
 
@@ -210,7 +252,7 @@ private:
       return not_a_number(name);
     for (const auto id : item.surfaces)
       for (const auto& t : triangles_.of(id))
-        for (const auto node : t.nodes)
+        for (const auto node : t.loaded())
           add_to(node, (norm(area_of(p_, t)) / 3) * pa);
     return {};
   }
@@ -225,7 +267,7 @@ private:
                       name + " presses on surface " + std::to_string(id) +
                         ", which lies between two regions and has no outer side",
                       "Use a traction or a force there");
-        for (const auto node : t.nodes)
+        for (const auto node : t.loaded())
           add_to(node, (-pa / 3) * area_of(p_, t));
       }
     return {};
@@ -239,11 +281,13 @@ private:
       if (!(density > 0))
         return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
                     "Give density_kg_m3");
-      const auto* n = &p_.element_nodes[4 * e];
+      const auto* n = &p_.element_nodes[static_cast<std::size_t>(p_.nodes_per_element) * e];
       const double mass =
         density * signed_volume(p_.nodes[n[0]], p_.nodes[n[1]], p_.nodes[n[2]], p_.nodes[n[3]]);
-      for (int a = 0; a < 4; ++a)
-        add_to(n[a], (mass / 4) * m_s2);
+      // Integrals of the shape functions over the volume: 1/4; -1/20 at corners, 1/5 at middles.
+      const double at_corner = p_.element_order == 2 ? -1.0 / 20 : 1.0 / 4;
+      for (int a = 0; a < p_.nodes_per_element; ++a)
+        add_to(n[a], ((a < 4 ? at_corner : 1.0 / 5) * mass) * m_s2);
     }
     return {};
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "fem/problem.hpp"
 
@@ -20,17 +21,18 @@ struct tet_gradients {
   const vec3 w = p[3] - p[0];
   tet_gradients g;
   const double six_volumes = dot(u, cross(v, w));
+  const double inverse = 1 / six_volumes;
   g.volume = six_volumes / 6;
-  g.gradient[1] = cross(v, w) / six_volumes;
-  g.gradient[2] = cross(w, u) / six_volumes;
-  g.gradient[3] = cross(u, v) / six_volumes;
+  g.gradient[1] = cross(v, w) * inverse;
+  g.gradient[2] = cross(w, u) * inverse;
+  g.gradient[3] = cross(u, v) * inverse;
   g.gradient[0] = -(g.gradient[1] + g.gradient[2] + g.gradient[3]);
   return g;
 }
 
-/// The same for element e of a problem of order 1.
+/// The same for element e of a problem of any order: edges are straight, the corners say all.
 [[nodiscard]] inline tet_gradients gradients_of(const problem& p, std::size_t e) {
-  const auto* n = &p.element_nodes[4 * e];
+  const auto* n = &p.element_nodes[static_cast<std::size_t>(p.nodes_per_element) * e];
   return gradients_of({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
 }
 
@@ -42,8 +44,8 @@ struct tet_gradients {
           c.mu * (g[0].y + g[1].x),     c.mu * (g[1].z + g[2].y),     c.mu * (g[2].x + g[0].z)};
 }
 
-/// Displacement gradient of element e, from differences to its first node, so that rigid
-/// translations cancel before they are multiplied.
+/// Displacement gradient of element e of a problem of order 1, from differences to its first node,
+/// so that rigid translations cancel before they are multiplied.
 [[nodiscard]] inline std::array<vec3, 3> displacement_gradient(const problem& p, std::size_t e,
                                                                const tet_gradients& g,
                                                                const double* displacement) {

@@ -25,12 +25,20 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
   const auto at_tets = [&](const char* name, int components, const auto& values) {
     return scatter(name, tet, components, mesh.tet_slots(), p.element_tets, values);
   };
-  return {at_vertices("displacement_m", 3, result.displacement),
-          at_vertices("von_mises_pa", 1, result.von_mises),
-          at_vertices("stress_pa", 6, result.nodal_stress),
-          at_vertices("reaction_n", 3, result.reactions),
-          at_tets("element_von_mises_pa", 1, result.element_von_mises),
-          at_tets("element_stress_pa", 6, result.element_stress)};
+  std::vector<double> largest(p.corner_count);
+  for (std::size_t n = 0; n < largest.size(); ++n)
+    largest[n] = result.principal_stress[3 * n];
+  std::vector<field> fields{at_vertices("displacement_m", 3, result.displacement),
+                            at_vertices("von_mises_pa", 1, result.von_mises),
+                            at_vertices("stress_pa", 6, result.nodal_stress),
+                            at_vertices("reaction_n", 3, result.reactions),
+                            at_tets("element_von_mises_pa", 1, result.element_von_mises),
+                            at_tets("element_stress_pa", 6, result.element_stress),
+                            at_vertices("principal_stress_pa", 1, largest),
+                            at_tets("element_error_sqrt_j", 1, result.element_error)};
+  if (!result.safety_factor.empty())
+    fields.push_back(at_vertices("safety_factor", 1, result.safety_factor));
+  return fields;
 }
 
 }  // namespace tedit::fem

@@ -1,47 +1,202 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/incidence.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "base/parallel.hpp"
-#include "fem/element.hpp"
+#include "fem/element_lanes.hpp"
 
 namespace tedit::fem {
 
-incidence::incidence(const problem& p)
-    : first_(p.node_count() + 1, 0), corners_(p.element_nodes.size()) {
-  for (const auto node : p.element_nodes)
-    ++first_[node + 1];
-  for (std::size_t n = 1; n < first_.size(); ++n)
-    first_[n] += first_[n - 1];
+incidence::incidence(const problem& p, int locals) : first_(p.node_count() + 1, 0) {
+  const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
+  const auto used = std::min(per, static_cast<std::uint32_t>(locals));
+  const auto for_each_corner = [&](const auto& visit) {
+    for (std::uint32_t e = 0; e < p.element_count(); ++e)
+      for (std::uint32_t corner = per * e; corner < per * e + used; ++corner)
+        visit(p.element_nodes[corner], corner);
+  };
+  for_each_corner([&](std::uint32_t node, std::uint32_t) { ++first_[node + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  corners_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t corner = 0; corner < p.element_nodes.size(); ++corner)
-    corners_[next[p.element_nodes[corner]]++] = corner;
+  for_each_corner(
+    [&](std::uint32_t node, std::uint32_t corner) { corners_[next[node]++] = corner; });
+}
+
+// -- the operator ------------------------------------------------------------------
+
+namespace {
+
+/// Numbers the distinct values of a chunk by first appearance: an open hash table, since sorting
+/// all of them would cost more than several applications of the operator.
+class small_numbering {
+public:
+  std::uint16_t number_of(std::uint32_t value, std::vector<std::uint32_t>& list) {
+    for (std::uint32_t at = value * 2654435761u >> shift;; at = (at + 1) & mask) {
+      if (keys_[at] == value)
+        return numbers_[at];
+      if (keys_[at] != no_id)
+        continue;
+      keys_[at] = value;
+      numbers_[at] = static_cast<std::uint16_t>(list.size());
+      list.push_back(value);
+      return numbers_[at];
+    }
+  }
+
+private:
+  // At most 10 * parallel_chunk = 20480 values.
+  static constexpr std::uint32_t bits = 15;
+  static constexpr std::uint32_t shift = 32 - bits;
+  static constexpr std::uint32_t mask = (1u << bits) - 1;
+  static_assert(10 * parallel_chunk < (1u << bits));
+
+  std::vector<std::uint32_t> keys_ = std::vector<std::uint32_t>(1u << bits, no_id);
+  std::vector<std::uint16_t> numbers_ = std::vector<std::uint16_t>(1u << bits);
+};
+
+vec3 vec3_at(const double* x) {
+  return {x[0], x[1], x[2]};
+}
+
+/// Adds the forces of elements to `force`; all arrays are by the chunk's numbers.
+template <std::size_t Nodes>
+void add_forces(const problem& p, std::size_t first, std::size_t last, const std::uint16_t* local,
+                const vec3* position, const vec3* value, vec3* force) {
+  for (std::size_t start = first; start < last; start += lane_count) {
+    std::array<lanes3, 4> corners;
+    std::array<lanes3, Nodes> u;
+    lane_elements elements;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      // A last element without partner fills both lanes; only the first one counts.
+      const std::size_t e = std::min(start + lane, last - 1);
+      const std::uint16_t* n = local + Nodes * e;
+      for (std::size_t a = 0; a < 4; ++a)
+        corners[a].set(lane, position[n[a]]);
+      for (std::size_t a = 0; a < Nodes; ++a)
+        u[a].set(lane, value[n[a]]);
+      const auto& c = p.constants[p.element_materials[e]];
+      elements.lambda[lane] = c.lambda;
+      elements.mu[lane] = c.mu;
+    }
+    elements.set_corners(corners);
+    const auto f = forces_of(u, elements);
+    for (std::size_t lane = 0; lane < std::min(lane_count, last - start); ++lane) {
+      const std::uint16_t* n = local + Nodes * (start + lane);
+      for (std::size_t a = 0; a < Nodes; ++a)
+        force[n[a]] += f[a].get(lane);
+    }
+  }
+}
+
+}  // namespace
+
+element_operator::element_operator(const problem& p)
+    : problem_(p),
+      local_(p.element_nodes.size()),
+      chunk_first_(chunk_count(p.element_count()) + 1) {
+  std::vector<std::vector<std::uint32_t>> lists(chunk_count(p.element_count()));
+  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t chunk) {
+    list_chunk_nodes(first, last, lists[chunk]);
+  });
+  for (std::size_t c = 0; c < lists.size(); ++c)
+    chunk_first_[c + 1] = chunk_first_[c] + lists[c].size();
+  chunk_nodes_.reserve(chunk_first_.back());
+  for (const auto& list : lists)
+    chunk_nodes_.insert(chunk_nodes_.end(), list.begin(), list.end());
+  share_nodes();
+}
+
+void element_operator::list_chunk_nodes(std::size_t first, std::size_t last,
+                                        std::vector<std::uint32_t>& nodes) {
+  const auto per = static_cast<std::size_t>(problem_.nodes_per_element);
+  small_numbering numbering;
+  for (std::size_t i = per * first; i < per * last; ++i)
+    local_[i] = numbering.number_of(problem_.element_nodes[i], nodes);
+  // Ascending nodes: neighbours in memory, corners before middles.
+  std::vector<std::uint16_t> order(nodes.size());
+  std::iota(order.begin(), order.end(), std::uint16_t{0});
+  std::ranges::sort(order, {}, [&](std::uint16_t i) { return nodes[i]; });
+  std::vector<std::uint16_t> rank(nodes.size());
+  for (std::size_t r = 0; r < order.size(); ++r)
+    rank[order[r]] = static_cast<std::uint16_t>(r);
+  for (std::size_t i = per * first; i < per * last; ++i)
+    local_[i] = rank[local_[i]];
+  std::ranges::sort(nodes);
+}
+
+void element_operator::share_nodes() {
+  std::vector<std::uint32_t> users(problem_.node_count(), 0);
+  for (const auto node : chunk_nodes_)
+    ++users[node];
+  shared_first_.push_back(0);
+  std::vector<std::uint32_t> next(problem_.node_count(), no_id);
+  for (std::uint32_t n = 0; n < users.size(); ++n) {
+    if (users[n] == 1)
+      continue;
+    next[n] = shared_first_.back();
+    shared_.push_back(n);
+    shared_first_.push_back(next[n] + users[n]);
+  }
+  slot_.resize(chunk_nodes_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i)
+    slot_[i] = next[chunk_nodes_[i]] == no_id ? no_id : next[chunk_nodes_[i]]++;
+}
+
+/// Arrays that live for one application.
+struct element_operator::chunk_scratch {
+  std::span<double> result;
+  std::vector<vec3> rims;  ///< By slot.
+};
+
+void element_operator::apply_chunk(std::span<const double> displacement, std::size_t first,
+                                   std::size_t last, chunk_scratch& scratch) const {
+  const auto& p = problem_;
+  const std::size_t chunk = first / parallel_chunk;
+  const auto nodes = std::span(chunk_nodes_)
+                       .subspan(chunk_first_[chunk], chunk_first_[chunk + 1] - chunk_first_[chunk]);
+  std::vector<vec3> own(3 * nodes.size());
+  vec3* force = own.data();
+  vec3* value = force + nodes.size();
+  vec3* position = value + nodes.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    value[i] = vec3_at(&displacement[3 * std::size_t{nodes[i]}]);
+    if (nodes[i] < p.corner_count)
+      position[i] = p.nodes[nodes[i]];
+  }
+  if (p.element_order == 2)
+    add_forces<10>(p, first, last, local_.data(), position, value, force);
+  else
+    add_forces<4>(p, first, last, local_.data(), position, value, force);
+  const auto* slot = &slot_[chunk_first_[chunk]];
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (slot[i] != no_id) {
+      scratch.rims[slot[i]] = force[i];
+      continue;
+    }
+    double* to = &scratch.result[3 * std::size_t{nodes[i]}];
+    to[0] = force[i].x;
+    to[1] = force[i].y;
+    to[2] = force[i].z;
+  }
 }
 
 void element_operator::apply(std::span<const double> displacement, std::span<double> result) const {
-  const auto& p = problem_;
-  // Nodal forces of each element: f_a = V sigma grad N_a.
-  std::vector<vec3> forces(p.element_nodes.size());
-  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t e = first; e < last; ++e) {
-      const auto g = gradients_of(p, e);
-      const auto s = stress_of(displacement_gradient(p, e, g, displacement.data()),
-                               p.constants[p.element_materials[e]]);
-      for (int a = 0; a < 4; ++a) {
-        const auto& n = g.gradient[a];
-        forces[4 * e + a] = g.volume * vec3{s[0] * n.x + s[3] * n.y + s[5] * n.z,
-                                            s[3] * n.x + s[1] * n.y + s[4] * n.z,
-                                            s[5] * n.x + s[4] * n.y + s[2] * n.z};
-      }
-    }
+  chunk_scratch scratch{result, std::vector<vec3>(shared_first_.back())};
+  parallel_for(problem_.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
+    apply_chunk(displacement, first, last, scratch);
   });
-  parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t n = first; n < last; ++n) {
-      vec3 sum;
-      for (const auto corner : incidence_.of_node(n))
-        sum += forces[corner];
-      result[3 * n] = sum.x;
-      result[3 * n + 1] = sum.y;
-      result[3 * n + 2] = sum.z;
+  parallel_for(shared_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      vec3 sum;  // Stays zero for a node without elements.
+      for (std::size_t s = shared_first_[i]; s < shared_first_[i + 1]; ++s)
+        sum += scratch.rims[s];
+      double* to = &result[3 * std::size_t{shared_[i]}];
+      to[0] = sum.x;
+      to[1] = sum.y;
+      to[2] = sum.z;
     }
   });
 }

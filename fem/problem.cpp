@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.hpp"
 #include "fem/problem_parts.hpp"
+#include "fem/quadratic.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit::fem {
@@ -50,6 +52,7 @@ void number_nodes(const mesh_version& mesh, problem& p, std::vector<std::uint32_
     node_of[p.node_vertices[n]] = n;
     p.nodes.push_back(mesh.position(p.node_vertices[n]));
   }
+  p.corner_count = p.nodes.size();
 }
 
 /// A tet whose volume is lost in the rounding of its coordinates cannot carry a stiffness.
@@ -97,7 +100,113 @@ expected<void> add_elements(const mesh_version& mesh, const std::vector<std::uin
   return {};
 }
 
+/// Elements by their smallest node (stable): a counting sort.
+void sort_elements(problem& p) {
+  const std::size_t count = p.element_count();
+  std::vector<std::uint32_t> smallest(count);
+  std::vector<std::uint32_t> next(p.node_count() + 1, 0);
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto* n = &p.element_nodes[4 * e];
+    smallest[e] = std::min({n[0], n[1], n[2], n[3]});
+    ++next[smallest[e] + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  problem sorted;
+  sorted.element_nodes.resize(p.element_nodes.size());
+  sorted.element_tets.resize(count);
+  sorted.element_materials.resize(count);
+  for (std::size_t e = 0; e < count; ++e) {
+    const std::size_t to = next[smallest[e]]++;
+    std::copy_n(&p.element_nodes[4 * e], 4, &sorted.element_nodes[4 * to]);
+    sorted.element_tets[to] = p.element_tets[e];
+    sorted.element_materials[to] = p.element_materials[e];
+  }
+  p.element_nodes.swap(sorted.element_nodes);
+  p.element_tets.swap(sorted.element_tets);
+  p.element_materials.swap(sorted.element_materials);
+}
+
+/// All edges, by lower end: the higher ends of each corner node, ascending, each once.
+struct edge_rows {
+  std::vector<std::size_t> first;  ///< Row of each corner node, with gaps at the ends.
+  std::vector<std::uint32_t> high;
+  std::vector<std::uint32_t> length;  ///< Entries of each row that are in use.
+};
+
+edge_rows rows_of_edges(const problem& p) {
+  edge_rows rows;
+  rows.first.assign(p.corner_count + 1, 0);
+  const auto for_each_edge = [&](const auto& visit) {
+    for (std::size_t e = 0; e < p.element_count(); ++e)
+      for (const auto& [i, j] : ends_of_mid_node) {
+        const auto [low, high] =
+          std::minmax(p.element_nodes[4 * e + i], p.element_nodes[4 * e + j]);
+        visit(low, high);
+      }
+  };
+  for_each_edge([&](std::uint32_t low, std::uint32_t) { ++rows.first[low + 1]; });
+  std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
+  rows.high.resize(rows.first.back());
+  rows.length.assign(p.corner_count, 0);
+  for_each_edge([&](std::uint32_t low, std::uint32_t high) {
+    rows.high[rows.first[low] + rows.length[low]++] = high;
+  });
+  parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n) {
+      const auto begin = rows.high.begin() + static_cast<std::ptrdiff_t>(rows.first[n]);
+      std::sort(begin, begin + rows.length[n]);
+      const auto end = std::unique(begin, begin + rows.length[n]);
+      rows.length[n] = static_cast<std::uint32_t>(end - begin);
+    }
+  });
+  return rows;
+}
+
 }  // namespace
+
+void add_mid_nodes(problem& p) {
+  const auto rows = rows_of_edges(p);
+  std::vector<std::uint32_t> node_of_row(p.corner_count + 1,
+                                         static_cast<std::uint32_t>(p.corner_count));
+  for (std::size_t n = 0; n < p.corner_count; ++n)
+    node_of_row[n + 1] = node_of_row[n] + rows.length[n];
+  p.nodes.resize(node_of_row.back());
+  p.edge_ends.resize(p.nodes.size() - p.corner_count);
+  parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n)
+      for (std::uint32_t i = 0; i < rows.length[n]; ++i) {
+        const auto other = rows.high[rows.first[n] + i];
+        const std::size_t mid = node_of_row[n] + i;
+        p.nodes[mid] = 0.5 * (p.nodes[n] + p.nodes[other]);
+        p.edge_ends[mid - p.corner_count] = {static_cast<std::uint32_t>(n), other};
+      }
+  });
+  std::vector<std::uint32_t> all(10 * p.element_count());
+  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t e = first; e < last; ++e) {
+      std::copy_n(&p.element_nodes[4 * e], 4, &all[10 * e]);
+      for (std::size_t i = 0; i < 6; ++i) {
+        const auto [low, high] =
+          std::minmax(all[10 * e + ends_of_mid_node[i][0]], all[10 * e + ends_of_mid_node[i][1]]);
+        const auto* row = &rows.high[rows.first[low]];
+        const auto* found = std::lower_bound(row, row + rows.length[low], high);
+        all[10 * e + 4 + i] = node_of_row[low] + static_cast<std::uint32_t>(found - row);
+      }
+    }
+  });
+  p.element_nodes.swap(all);
+  p.element_order = 2;
+  p.nodes_per_element = 10;
+}
+
+std::uint32_t mid_node(const problem& p, std::uint32_t a, std::uint32_t b) {
+  const std::array<std::uint32_t, 2> ends{std::min(a, b), std::max(a, b)};
+  const auto found = std::ranges::lower_bound(p.edge_ends, ends);
+  return found == p.edge_ends.end() || *found != ends
+           ? no_id
+           : static_cast<std::uint32_t>(p.corner_count +
+                                        static_cast<std::size_t>(found - p.edge_ends.begin()));
+}
 
 std::string point_text(vec3 p) {
   char text[96];
@@ -105,7 +214,12 @@ std::string point_text(vec3 p) {
   return text;
 }
 
-expected<problem> make_problem(const mesh_version& mesh, const load_case& loads) {
+expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
+                               int element_order) {
+  if (element_order != 1 && element_order != 2)
+    return fail(ec::invalid_argument,
+                "there are no elements of order " + std::to_string(element_order),
+                "Ask for order 1 (linear) or 2 (quadratic)");
   problem p;
   std::vector<std::uint32_t> node_of;
   number_nodes(mesh, p, node_of);
@@ -113,7 +227,10 @@ expected<problem> make_problem(const mesh_version& mesh, const load_case& loads)
     return fail(ok.error());
   if (auto ok = add_elements(mesh, node_of, p); !ok)
     return fail(ok.error());
-  const surface_triangles triangles(mesh, node_of);
+  sort_elements(p);
+  if (element_order == 2)
+    add_mid_nodes(p);
+  const surface_triangles triangles(mesh, node_of, p);
   if (auto ok = triangles.check_ids(mesh, loads); !ok)
     return fail(ok.error());
   if (auto ok = add_constraints(triangles, loads, p); !ok)

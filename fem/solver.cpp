@@ -6,8 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
-#include "fem/element.hpp"
-#include "fem/incidence.hpp"
+#include "fem/recovery.hpp"
 
 namespace tedit::fem {
 
@@ -125,62 +124,6 @@ private:
   double reference_ = 0;
 };
 
-vec3 node_vector(std::span<const double> x, std::size_t n) {
-  return {x[3 * n], x[3 * n + 1], x[3 * n + 2]};
-}
-
-void summarise_displacement(const problem& p, solution& out) {
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
-    const auto u = node_vector(out.displacement, n);
-    if (norm(u) > out.max_displacement_m) {
-      out.max_displacement_m = norm(u);
-      out.max_displacement_at = p.nodes[n];
-    }
-    const auto f = node_vector(p.loads, n);
-    out.applied_n += f;
-    out.compliance_j += dot(f, u);
-  }
-}
-
-/// Reactions: K u - f in the held directions.
-void add_reactions(const problem& p, const element_operator& k, solution& out) {
-  out.reactions.resize(p.dofs());
-  k.apply(out.displacement, out.reactions);
-  for (std::size_t i = 0; i < out.reactions.size(); ++i)
-    out.reactions[i] -= p.loads[i];
-  auto free = out.reactions;
-  apply_filter(p, free);
-  for (std::size_t i = 0; i < out.reactions.size(); ++i)
-    out.reactions[i] -= free[i];
-  for (std::size_t n = 0; n < p.node_count(); ++n)
-    out.reaction_n += node_vector(out.reactions, n);
-}
-
-expected<void> recover(const problem& p, linear_system& system, solution& out) {
-  out.element_stress.resize(6 * p.element_count());
-  out.nodal_stress.resize(6 * p.node_count());
-  if (auto ok = system.element_stress(out.displacement, out.element_stress); !ok)
-    return ok;
-  if (auto ok = system.nodal_stress(out.element_stress, out.nodal_stress); !ok)
-    return ok;
-  out.element_von_mises.resize(p.element_count());
-  for (std::size_t e = 0; e < p.element_count(); ++e) {
-    const double value = von_mises(&out.element_stress[6 * e]);
-    out.element_von_mises[e] = value;
-    if (value <= out.max_von_mises_pa)
-      continue;
-    out.max_von_mises_pa = value;
-    out.max_von_mises_at = {};
-    for (int a = 0; a < p.nodes_per_element; ++a)
-      out.max_von_mises_at +=
-        p.nodes[p.element_nodes[p.nodes_per_element * e + a]] / p.nodes_per_element;
-  }
-  out.von_mises.resize(p.node_count());
-  for (std::size_t n = 0; n < p.node_count(); ++n)
-    out.von_mises[n] = von_mises(&out.nodal_stress[6 * n]);
-  return {};
-}
-
 }  // namespace
 
 expected<solution> solve(const problem& p, backend& device, const solve_settings& settings,
@@ -207,10 +150,8 @@ expected<solution> solve(const problem& p, backend& device, const solve_settings
     return fail(ok.error());
   out.solve_ms = clock.restart();
   run.report(0.95, "recovering stresses");
-  if (auto ok = recover(p, **system, out); !ok)
+  if (auto ok = recover(p, k, system->get(), out); !ok)
     return fail(ok.error());
-  summarise_displacement(p, out);
-  add_reactions(p, k, out);
   out.recovery_ms = clock.restart();
   run.report(1, "done");
   return out;

@@ -26,14 +26,45 @@ struct solve_frame {
   double true_relative_residual = 1;
 };
 
-/// A solved problem. Arrays are indexed by the problem's nodes or elements.
+/// What the constraints of one surface push on the part.
+struct surface_reaction {
+  surface_id surface = 0;
+  vec3 force_n;
+};
+
+/// Why the stress at a node does not converge.
+enum class singularity { clamp_rim, reentrant_edge };
+
+/// A node whose stress says how fine the mesh is, not how strong the part is. Rule and weakness:
+/// fem/error_estimate.hpp.
+struct singular_place {
+  std::uint32_t node = 0;
+  singularity kind = singularity::clamp_rim;
+  vec3 at;
+  double von_mises_pa = 0;
+};
+
+/// A solved problem. Arrays are indexed by the problem's nodes or elements. Nodal values of order 2
+/// are means of the corner values of the elements around, by volume; mid nodes take the mean of
+/// their ends.
 struct solution {
-  std::vector<double> displacement;       ///< m, 3 per node.
-  std::vector<double> element_stress;     ///< Pa, 6 per element.
-  std::vector<double> nodal_stress;       ///< Pa, 6 per node.
-  std::vector<double> von_mises;          ///< Pa, per node.
-  std::vector<double> element_von_mises;  ///< Pa, per element.
+  /// Cap of safety factors, so that a place without stress has a number, too.
+  static constexpr double most_safety = 1e6;
+
+  std::vector<double> displacement;    ///< m, 3 per node.
+  std::vector<double> element_stress;  ///< Pa, 6 per element: its mean, at the centroid.
+  std::vector<double> nodal_stress;    ///< Pa, 6 per node.
+  /// Pa, per node: of the nodal stress; order 2: where materials meet the largest of any one.
+  std::vector<double> von_mises;
+  std::vector<double> element_von_mises;  ///< Pa, per element, of its mean stress.
   std::vector<double> reactions;          ///< N, 3 per node: K u - f on constrained directions.
+  std::vector<double> nodal_strain;  ///< 6 per node as the stress; shears are engineering shears.
+  std::vector<double> principal_stress;  ///< Pa, 3 per node, descending.
+  /// Yield strength over von Mises stress per node, at most `most_safety`; 0 where the yield
+  /// strength is unknown. Empty when it is unknown everywhere.
+  std::vector<double> safety_factor;
+  /// Estimated error of each element in the energy norm, sqrt(J): fem/error_estimate.hpp.
+  std::vector<double> element_error;
 
   int element_order = 1;
   int iterations = 0;
@@ -43,8 +74,16 @@ struct solution {
   vec3 max_displacement_at;
   double compliance_j =
     0;  ///< f.u, work of the loads (strain energy x 2 without prescribed motion).
-  double max_von_mises_pa = 0;  ///< Largest element value.
-  vec3 max_von_mises_at;
+  double max_von_mises_pa = 0;   ///< Order 1: largest element value. Order 2: largest nodal value.
+  vec3 max_von_mises_at;         ///< Centroid of the element, or the node.
+  double min_safety_factor = 0;  ///< Smallest nodal one; 0 when no yield strength is known.
+  vec3 min_safety_factor_at;
+  double strain_energy_j = 0;  ///< u.Ku / 2.
+  double mass_kg = 0;          ///< 0 when a density is unknown.
+  bool mass_known = false;
+  double relative_error = 0;  ///< sqrt(sum eta_e^2 / (2 strain energy + sum eta_e^2)): an estimate.
+  std::vector<singular_place> singular_places;      ///< By descending stress.
+  std::vector<surface_reaction> surface_reactions;  ///< By surface; their sum is `reaction_n`.
   vec3 reaction_n;
   vec3 applied_n;
 

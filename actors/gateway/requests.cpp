@@ -300,12 +300,19 @@ void client_state::solve(std::uint64_t id, const v1::Solve& body) {
   if (!(tolerance >= 1e-12 && tolerance <= 0.1))
     return refuse(id,
                   {ec::invalid_argument, "the tolerance must lie between 1e-12 and 0.1", {}, {}});
+  if (body.element_order() > 2)
+    return refuse(id,
+                  {ec::invalid_argument,
+                   "the element order must be 1 or 2, not " + std::to_string(body.element_order()),
+                   {},
+                   {}});
   solve_request request;
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
   request.load_case = body.load_case();
   request.tolerance = tolerance;
   request.device = body.device();
+  request.element_order = body.element_order() == 0 ? 2 : static_cast<int>(body.element_order());
   self->request(document->session, answer_limit, std::move(request))
     .then(
       [=, this](const solved& done) {

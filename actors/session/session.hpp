@@ -61,6 +61,7 @@ struct session_state {
     std::string load_case;
     double tolerance = 1e-6;
     std::string device;
+    int element_order = 2;
   };
 
   struct active_solve {

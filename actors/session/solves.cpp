@@ -12,11 +12,19 @@ namespace {
 /// Results that stay at hand, so that undo shows its field at once.
 constexpr std::size_t most_results = 8;
 
+/// Two orders with one key have one result.
+std::string key_of(const solve_order& order, const std::string& version) {
+  char numbers[48];
+  std::snprintf(numbers, sizeof(numbers), "|%.17g|%d|", order.tolerance, order.element_order);
+  return version + "|" + order.device + numbers + order.load_case;
+}
+
 }  // namespace
 
 caf::result<solved> session_state::solve(const solve_request& request) {
   auto promise = self->make_response_promise<solved>();
-  solve_settings settings{request.load_case, request.tolerance, request.device};
+  solve_settings settings{request.load_case, request.tolerance, request.device,
+                          request.element_order};
   followed = settings;
   start_solve(settings, request.ticket, request.client, promise);
   return promise;
@@ -56,9 +64,13 @@ void session_state::start_solve(const solve_settings& settings, std::uint64_t ti
                    {}});
   next.load_case = *found;
   const auto& text = head->load_cases[static_cast<std::size_t>(found - names.begin())];
-  solve_order order{base_order(), make_ref(*head->mesh), text,
-                    settings.device.empty() ? parts.device : settings.device, settings.tolerance};
-  next.key = next.version + "|" + order.device + "|" + std::to_string(order.tolerance) + "|" + text;
+  solve_order order{base_order(),
+                    make_ref(*head->mesh),
+                    text,
+                    settings.device.empty() ? parts.device : settings.device,
+                    settings.tolerance,
+                    settings.element_order};
+  next.key = key_of(order, next.version);
 
   const auto kept = std::ranges::find(results, next.key, &kept_result::key);
   if (kept != results.end()) {

@@ -62,7 +62,7 @@ expected<job_output<solve_result>> solve(
   if (!loads)
     return fail(loads.error());
   stopwatch clock;
-  const auto problem = fem::make_problem(**mesh, *loads);
+  const auto problem = fem::make_problem(**mesh, *loads, order.element_order);
   if (!problem)
     return fail(problem.error());
   const double problem_ms = clock.restart();

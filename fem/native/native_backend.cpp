@@ -1,63 +1,26 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/native/native_backend.hpp"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <thread>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/element.hpp"
-#include "fem/native/block_matrix.hpp"
+#include "fem/multilevel/lanczos.hpp"
+#include "fem/native/conjugate_gradients.hpp"
+#include "fem/native/quadratic_cycle.hpp"
 
 namespace tedit::fem {
 
 namespace {
 
-/// y = S x for a symmetric block given as xx, xy, xz, yy, yz, zz.
-vec3 apply_symmetric(const std::array<double, 6>& s, const double* x) {
-  return {s[0] * x[0] + s[1] * x[1] + s[2] * x[2], s[1] * x[0] + s[3] * x[1] + s[4] * x[2],
-          s[2] * x[0] + s[4] * x[1] + s[5] * x[2]};
-}
-
-vec3 load(const double* at) {
-  return {at[0], at[1], at[2]};
-}
-
-void store(vec3 value, double* at) {
-  at[0] = value.x;
-  at[1] = value.y;
-  at[2] = value.z;
-}
-
-Eigen::Matrix3d to_matrix(const std::array<double, 6>& s) {
-  Eigen::Matrix3d m;
-  m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
-  return m;
-}
-
-class native_system final : public linear_system {
+/// A system whose matrix is never asked for outside: what linear and quadratic tets share.
+class native_system : public linear_system {
 public:
-  native_system(const problem& p, const stopwatch& clock)
-      : problem_(p), corners_(p), k_(assemble_blocks(p, corners_)), diagonal_(diagonal_blocks(k_)) {
-    precondition(p.filter);
-    assembly_ms_ = clock.milliseconds();
-  }
-
-  expected<void> set_filter(std::span<const std::array<double, 6>> filter) override {
-    precondition(filter);
-    return {};
-  }
-
-  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
-                               double reduction, int max_iterations, const execution& run) override;
-
-  expected<void> multiply(std::span<const double> x, std::span<double> y) override {
-    fem::multiply(k_, x, y);
-    return {};
-  }
+  native_system(const problem& p, const native_settings& settings)
+      : problem_(p), settings_(settings), corners_(p), krylov_(p.node_count()) {}
 
   expected<void> element_stress(std::span<const double> displacement,
                                 std::span<double> stress) override;
@@ -66,134 +29,154 @@ public:
 
   double assembly_ms() const override { return assembly_ms_; }
 
-  std::uint64_t device_bytes() const override {
-    return k_.block.size() * (sizeof(block3) + 4) + problem_.node_count() * (9 + 12 + 15) * 8;
+protected:
+  /// Smoothers need an upper bound of the largest eigenvalue, and Lanczos gives lower ones: when
+  /// the cycle turns out not to be positive definite, take a bound that always holds (a product
+  /// over an element's nodes cannot exceed their number: Fried 1972), and more on the rigid levels.
+  static void raise_lambda(node_smoother& smoother, int nodes_per_element) {
+    smoother.lambda = std::max(static_cast<float>(nodes_per_element), smoother.lambda);
+  }
+  static void raise_lambdas(hierarchy& h) {
+    raise_lambda(h.smoother, 4);
+    for (auto& level : h.levels)
+      level.lambda *= 1.5F;
   }
 
-private:
-  void precondition(std::span<const std::array<double, 6>> filter) {
-    filter_.assign(filter.begin(), filter.end());
-    inverse_.resize(filter.size());
-    parallel_for(filter.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t n = first; n < last; ++n)
-        inverse_[n] = preconditioner_block(n);
+  template <class Operator>
+  expected<void> multiply_by(const Operator& k, std::span<const double> x, std::span<double> y) {
+    std::vector<float> single(padded3(k.rows()));
+    std::ranges::transform(x, single.begin(), [](double v) { return static_cast<float>(v); });
+    for_rows(k, single.data(), [&](std::size_t i, float4 row) {
+      for (int c = 0; c < 3; ++c)
+        y[3 * i + c] = static_cast<double>(row[c]);
+      return 0.0F;
     });
+    return {};
   }
-
-  /// S (S D S + I - S)^-1 S: the inverse of D within the free directions.
-  [[nodiscard]] std::array<double, 6> preconditioner_block(std::size_t n) const {
-    const Eigen::Matrix3d s = to_matrix(filter_[n]);
-    const Eigen::Matrix3d d =
-      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(diagonal_[n].data());
-    const double scale = d.trace() > 0 ? d.trace() / 3 : 1;
-    const Eigen::Matrix3d held = scale * (Eigen::Matrix3d::Identity() - s);
-    const Eigen::Matrix3d inverse = s * (s * d * s + held).inverse() * s;
-    return {inverse(0, 0), inverse(0, 1), inverse(0, 2),
-            inverse(1, 1), inverse(1, 2), inverse(2, 2)};
-  }
-
-  double begin(std::span<const double> residual);
-  double curvature();
-  double advance(double alpha, std::span<double> correction);
 
   const problem& problem_;
+  native_settings settings_;
   incidence corners_;
-  block_matrix k_;
-  std::vector<block3> diagonal_;
-  std::vector<std::array<double, 6>> filter_;
-  std::vector<std::array<double, 6>> inverse_;
-  std::vector<double> r_;  ///< Residual.
-  std::vector<double> c_;  ///< Direction.
-  std::vector<double> q_;  ///< S K c, then P^-1 r.
+  conjugate_gradients krylov_;
   double assembly_ms_ = 0;
 };
 
-/// r = S b, c = P^-1 r; returns r.c.
-double native_system::begin(std::span<const double> residual) {
-  for (auto* vector : {&r_, &c_, &q_})
-    vector->resize(residual.size());
-  return parallel_sum(problem_.node_count(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t n = first; n < last; ++n) {
-      const vec3 r = apply_symmetric(filter_[n], &residual[3 * n]);
-      store(r, &r_[3 * n]);
-      const vec3 s = apply_symmetric(inverse_[n], &r_[3 * n]);
-      store(s, &c_[3 * n]);
-      sum += dot(r, s);
-    }
-    return sum;
-  });
-}
+/// Linear tets: an assembled matrix under a multilevel cycle.
+class linear_tets final : public native_system {
+public:
+  linear_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
+      : native_system(p, settings), k_(assemble_blocks(p, corners_)) {
+    assembly_ms_ = clock.milliseconds();
+  }
 
-/// q = S K c; returns c.q.
-double native_system::curvature() {
-  fem::multiply(k_, c_, q_);
-  return parallel_sum(problem_.node_count(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t n = first; n < last; ++n) {
-      const vec3 q = apply_symmetric(filter_[n], &q_[3 * n]);
-      store(q, &q_[3 * n]);
-      sum += dot(q, load(&c_[3 * n]));
-    }
-    return sum;
-  });
-}
+  expected<void> prepare(filter_span filter, const execution& run) {
+    auto built = build_hierarchy(problem_, k_, filter, settings_.multilevel, run);
+    if (!built)
+      return fail(built.error());
+    hierarchy_ = std::move(*built);
+    cycle_.emplace(k_, hierarchy_, settings_.cycle);
+    return {};
+  }
 
-/// d += alpha c, r -= alpha q, q = P^-1 r; returns r.q.
-double native_system::advance(double alpha, std::span<double> correction) {
-  return parallel_sum(problem_.node_count(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t i = 3 * first; i < 3 * last; ++i) {
-      correction[i] += alpha * c_[i];
-      r_[i] -= alpha * q_[i];
-    }
-    for (std::size_t n = first; n < last; ++n) {
-      const vec3 s = apply_symmetric(inverse_[n], &r_[3 * n]);
-      store(s, &q_[3 * n]);
-      sum += dot(s, load(&r_[3 * n]));
-    }
-    return sum;
-  });
-}
+  expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
 
-// Modified preconditioned conjugate gradients (Baraff & Witkin 1998; the filter as an orthogonal
-// projection: Ascher & Boxerman 2003).
-expected<inner_result> native_system::solve(std::span<const double> residual,
-                                            std::span<double> correction, double reduction,
-                                            int max_iterations, const execution& run) {
-  std::ranges::fill(correction, 0.0);
-  inner_result result;
-  const double start = begin(residual);
-  if (!(start > 0)) {
-    result.recurrence_reduction = 0;
-    result.broke_down = start != 0;
+  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
+                               double reduction, int max_iterations,
+                               const execution& run) override {
+    auto result = krylov_.solve(
+      k_, [this](const float* r, float* z) { cycle_->apply(r, z); }, residual, correction,
+      reduction, max_iterations, run);
+    if (result && result->broke_down)
+      raise_lambdas(hierarchy_);
     return result;
   }
-  double delta = start;
-  while (result.iterations < max_iterations && delta > reduction * reduction * start) {
-    if (run.cancel.cancelled())
-      return fail(ec::cancelled, "the solve was cancelled");
-    const double bend = curvature();
-    if (!(bend > 0)) {
-      result.broke_down = true;
-      break;
-    }
-    const double next = advance(delta / bend, correction);
-    ++result.iterations;
-    if (!(next >= 0)) {
-      result.broke_down = true;
-      break;
-    }
-    const double beta = next / delta;
-    delta = next;
-    parallel_for(problem_.node_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = 3 * first; i < 3 * last; ++i)
-        c_[i] = q_[i] + beta * c_[i];
-    });
+
+  expected<void> multiply(std::span<const double> x, std::span<double> y) override {
+    return multiply_by(k_, x, y);
   }
-  result.recurrence_reduction = std::sqrt(delta / start);
-  return result;
-}
+
+  std::uint64_t device_bytes() const override {
+    return k_.bytes() + hierarchy_.bytes() + krylov_.bytes() +
+           3 * sizeof(float) * padded3(k_.rows());
+  }
+
+private:
+  block_matrix k_;
+  hierarchy hierarchy_;
+  std::optional<multilevel_cycle> cycle_;
+};
+
+/// Quadratic tets: element by element, under a cycle over the linear tets of the corners.
+class quadratic_tets final : public native_system {
+public:
+  quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
+      : native_system(p, settings),
+        k_(p),
+        corner_(corner_problem(p)),
+        corner_matrix_(assemble_blocks(corner_, incidence(corner_))) {
+    assembly_ms_ = clock.milliseconds();
+  }
+
+  expected<void> prepare(filter_span filter, const execution& run) {
+    auto built = build_hierarchy(corner_, corner_matrix_, filter.first(corner_.node_count()),
+                                 settings_.multilevel, run);
+    if (!built)
+      return fail(built.error());
+    hierarchy_ = std::move(*built);
+    edges_ = make_edge_transfer(problem_, filter);
+    smoother_ = make_quadratic_smoother(
+      problem_, filter,
+      cluster_slivers(problem_, edges_.held, 100, settings_.multilevel.sliver_condition));
+    smoother_.lambda = settings_.multilevel.lambda_safety *
+                       largest_ritz_value(
+                         problem_.dofs(), 1, settings_.multilevel.lambda_steps,
+                         [this](const float* x, float* y) {
+                           for_rows(k_, x, [y](std::size_t i, float4 row) {
+                             store3(row, y + 3 * i);
+                             return 0.0F;
+                           });
+                         },
+                         [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
+    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.cycle);
+    cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+    return {};
+  }
+
+  expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+
+  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
+                               double reduction, int max_iterations,
+                               const execution& run) override {
+    auto result = krylov_.solve(
+      k_, [this](const float* r, float* z) { cycle_->apply(r, z); }, residual, correction,
+      reduction, max_iterations, run);
+    if (result && result->broke_down) {
+      raise_lambda(smoother_, 10);
+      raise_lambdas(hierarchy_);
+    }
+    return result;
+  }
+
+  expected<void> multiply(std::span<const double> x, std::span<double> y) override {
+    return multiply_by(k_, x, y);
+  }
+
+  std::uint64_t device_bytes() const override {
+    return k_.bytes() + corner_matrix_.bytes() + hierarchy_.bytes() + krylov_.bytes() +
+           3 * sizeof(float) * (padded3(k_.rows()) + padded3(corner_.node_count())) +
+           24 * smoother_.inverse.size();
+  }
+
+private:
+  quadratic_operator k_;
+  problem corner_;
+  block_matrix corner_matrix_;
+  hierarchy hierarchy_;
+  edge_transfer edges_;
+  node_smoother smoother_;
+  std::optional<multilevel_cycle> corner_cycle_;
+  std::optional<quadratic_cycle> cycle_;
+};
 
 expected<void> native_system::element_stress(std::span<const double> displacement,
                                              std::span<double> stress) {
@@ -232,11 +215,11 @@ expected<void> native_system::nodal_stress(std::span<const double> element_stres
 
 class native_backend final : public backend {
 public:
-  native_backend() {
+  explicit native_backend(const native_settings& settings) : settings_(settings) {
     info_.name = "cpu";
     info_.kind = "native";
     info_.driver = std::to_string(std::max(1u, std::thread::hardware_concurrency())) + " threads";
-    info_.double_precision = true;
+    info_.double_precision = false;
   }
 
   const device_info& info() const override { return info_; }
@@ -247,7 +230,8 @@ public:
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
     try {
-      return std::make_unique<native_system>(p, clock);
+      return p.element_order == 1 ? make<linear_tets>(p, clock, run)
+                                  : make<quadratic_tets>(p, clock, run);
     } catch (const std::bad_alloc&) {
       return fail(ec::out_of_memory,
                   "the stiffness matrix of " + std::to_string(p.node_count()) +
@@ -257,13 +241,23 @@ public:
   }
 
 private:
+  template <class System>
+  expected<std::unique_ptr<linear_system>> make(const problem& p, const stopwatch& clock,
+                                                const execution& run) {
+    auto system = std::make_unique<System>(p, settings_, clock);
+    if (auto ok = system->prepare(p.filter, run); !ok)
+      return fail(ok.error());
+    return system;
+  }
+
+  native_settings settings_;
   device_info info_;
 };
 
 }  // namespace
 
-std::unique_ptr<backend> make_native_backend() {
-  return std::make_unique<native_backend>();
+std::unique_ptr<backend> make_native_backend(const native_settings& settings) {
+  return std::make_unique<native_backend>(settings);
 }
 
 }  // namespace tedit::fem

@@ -41,7 +41,8 @@ expected<std::unique_ptr<linear_system>> vulkan_system::make(std::shared_ptr<gpu
 
 expected<void> vulkan_system::build() {
   if (problem_.nodes_per_element != 4)
-    return fail(ec::device_unavailable, "this device only knows linear tets", "Use --device cpu");
+    return fail(ec::device_unavailable, "Vulkan devices only solve linear tets for now",
+                "Use --device cpu, or --order 1 for a preview");
   // About 14 neighbours a node, padded by a fifth, and the vectors.
   const std::uint64_t estimate = problem_.node_count() * (17 * entry_bytes + 16 * 12) +
                                  problem_.element_count() * (16 + 8 + 16 + 32);

@@ -123,8 +123,9 @@ TEST(Solver, RigidMotionGivesNoStress) {
   ASSERT_TRUE((*system)->multiply(u, force).has_value());
   ASSERT_TRUE((*system)->element_stress(u, stress).has_value());
 
+  // Forces of a stretch by as much would be about 1e6; single precision keeps 7 digits.
   for (const double f : force)
-    EXPECT_NEAR(f, 0, 1e-8);
+    EXPECT_NEAR(f, 0, 1);
   for (const double s : stress)
     EXPECT_NEAR(s, 0, 1e-7);
 }
@@ -143,7 +144,7 @@ TEST(Solver, MatrixAndElementsAgree) {
   residual(p, u, minus);  // loads are zero
 
   for (std::size_t i = 0; i < u.size(); ++i)
-    EXPECT_NEAR(by_matrix[i], -minus[i], 1e-9 * 1e6);
+    EXPECT_NEAR(by_matrix[i], -minus[i], 2e-6 * 1e6);
 }
 
 TEST(Solver, RepeatsBitForBit) {

@@ -121,7 +121,6 @@ TEST_F(VulkanSystem, SolveIsEquivalentToNative) {
   ASSERT_TRUE(result.has_value());
   EXPECT_FALSE(result->broke_down);
   EXPECT_LE(result->recurrence_reduction, 1.01e-6);
-  EXPECT_NEAR(result->iterations, reference->iterations, 0.35 * reference->iterations);
   expect_near_all(d, expected_d, 1e-3);
 }
 

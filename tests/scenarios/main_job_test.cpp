@@ -28,7 +28,7 @@ TEST_F(MainJob, FillsSolvesAndUndoesOverWebSocket) {
   const auto imported = import_plate();
   const auto first = value(user->wait_surface(imported.head.version_id, patience));
   EXPECT_TRUE(first.full);
-  const auto before = value(user->solve("", 1e-6, "cpu", {}));
+  const auto before = value(user->solve({.device = "cpu"}, {}));
   value(user->wait_field(imported.head.version_id, patience));
 
   const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
@@ -87,7 +87,8 @@ TEST_F(MainJob, RefusalsNameCauseAndRemedyAndChangeNothing) {
   EXPECT_EQ(stale.error().code, ec::conflict);
   EXPECT_FALSE(user->undo().has_value());
   EXPECT_FALSE(user->redo().has_value());
-  EXPECT_EQ(user->solve("no such case", 1e-6, "cpu", {}).error().code, ec::not_found);
+  EXPECT_EQ(user->solve({.load_case = "no such case", .device = "cpu"}, {}).error().code,
+            ec::not_found);
 
   const auto versions = value(user->get_history()).versions;
   ASSERT_EQ(versions.size(), 1U);
@@ -113,7 +114,7 @@ TEST_F(MainJob, ANewerHeadSupersedesARunningSolve) {
   value(other->open("plate", false, false));
   std::thread solving([&] {
     // 1e-12 takes long enough to be overtaken; either answer is right when it is not.
-    const auto result = other->solve("", 1e-12, "cpu", {});
+    const auto result = other->solve({.tolerance = 1e-12, .device = "cpu"}, {});
     if (!result) {
       EXPECT_THAT((std::array{ec::superseded, ec::not_converged}),
                   ::testing::Contains(result.error().code));
@@ -126,7 +127,7 @@ TEST_F(MainJob, ANewerHeadSupersedesARunningSolve) {
 
 TEST_F(MainJob, ExportsWhatWasMade) {
   const auto imported = import_plate();
-  value(user->solve("", 1e-6, "cpu", {}));
+  value(user->solve({.device = "cpu"}, {}));
   const auto vtu = value(user->export_file(client::file_format::vtu, "", "", {}));
   EXPECT_THAT(std::string(vtu.data(), 2000), HasSubstr("von_mises_pa"));
   const auto msh =
@@ -158,7 +159,7 @@ TEST_F(MainJob, DocumentsSurviveTheServer) {
   EXPECT_TRUE(state.can_undo);
   value(user->wait_surface(filled.head.version_id, patience));
   EXPECT_EQ(value(user->undo()).head.version_id, imported.head.version_id);
-  value(user->solve("", 1e-6, "cpu", {}));
+  value(user->solve({.device = "cpu"}, {}));
 }
 
 TEST_F(MainJob, AWrongTokenIsTurnedAway) {

@@ -135,7 +135,7 @@ TEST(ServerDeath, AcknowledgedVersionsAreThereAfterAKillAtAnyMoment) {
   const auto state = value(user->open("plate", true, false));
   value(user->wait_surface(state.head->version_id, patience));
   value(user->set_load_case(value(protocol::load_case_from_file(plate_loads))));
-  EXPECT_LT(value(user->solve("", 1e-6, "cpu", {})).true_relative_residual, 1e-6);
+  EXPECT_LT(value(user->solve({.device = "cpu"}, {})).true_relative_residual, 1e-6);
 }
 
 TEST(ServerDeath, CtrlCEndsServerAndWorkersInOrder) {

@@ -79,7 +79,7 @@ TEST_F(WorkerDeath, AnEditWhoseOptimizerIsKilledIsDoneAgain) {
 
 TEST_F(WorkerDeath, ASolveWhoseWorkerIsKilledIsDoneAgain) {
   const auto report =
-    value(kill_in_the_middle("solver", [&] { return user->solve("", 1e-6, "cpu", {}); }));
+    value(kill_in_the_middle("solver", [&] { return user->solve({.device = "cpu"}, {}); }));
 
   EXPECT_EQ(report.version_id, imported.head.version_id);
   EXPECT_LT(report.true_relative_residual, 1e-6);
@@ -91,7 +91,7 @@ TEST_F(WorkerDeath, KillsAtAnyMomentOfAnEditAndSolveLoseNothing) {
   std::string head = imported.head.version_id;
   for (int delay = 0; delay < 3; ++delay) {
     auto work = std::async(std::launch::async, [&] { return fill(); });
-    auto solve = std::async(std::launch::async, [&] { return user->solve("", 1e-6, "cpu", {}); });
+    auto solve = std::async(std::launch::async, [&] { return user->solve({.device = "cpu"}, {}); });
     std::this_thread::sleep_for(std::chrono::milliseconds(7 * delay));
     ::kill(static_cast<pid_t>(status_of(roles[static_cast<std::size_t>(delay)]).pid), SIGKILL);
     const auto filled = value(work.get());
@@ -148,7 +148,7 @@ TEST_F(WorkerDeath, TooManyDeathsDegradeTheRoleAndOthersGoOn) {
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ec::service_unavailable);
   EXPECT_THAT(render(refused.error()), HasSubstr("signal 9"));
-  value(user->solve("", 1e-6, "cpu", {}));
+  value(user->solve({.device = "cpu"}, {}));
 }
 
 }  // namespace

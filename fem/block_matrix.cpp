@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "fem/native/block_matrix.hpp"
+#include "fem/block_matrix.hpp"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 
@@ -9,6 +11,9 @@
 namespace tedit::fem {
 
 namespace {
+
+/// A 3x3 block, column by column, N/m.
+using block3 = std::array<double, 9>;
 
 /// The other nodes of a node's elements, ascending, without duplicates.
 void columns_of(const problem& p, const incidence& corners, std::size_t row,
@@ -45,7 +50,7 @@ void add_element_row(const problem& p, const std::vector<tet_gradients>& gradien
     const double both = mu * dot(ga, gb);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        k[3 * i + j] +=
+        k[3 * j + i] +=
           g.volume * (lambda * va[i] * vb[j] + mu * vb[i] * va[j] + (i == j ? both : 0));
   }
 }
@@ -71,50 +76,62 @@ block_matrix assemble_blocks(const problem& p, const incidence& corners) {
   for (std::size_t row = 0; row < rows; ++row)
     k.first[row + 1] += k.first[row];
   k.column.resize(k.first[rows]);
-  k.block.assign(k.first[rows], block3{});
+  k.value.assign(9 * std::size_t{k.first[rows]} + 1, 0);
   parallel_for(rows, [&](std::size_t first, std::size_t last, std::size_t) {
     std::vector<std::uint32_t> columns;
+    std::vector<block3> blocks;
     for (std::size_t row = first; row < last; ++row) {
       columns_of(p, corners, row, columns);
       std::ranges::copy(columns, k.column.begin() + k.first[row]);
-      const auto blocks = std::span(k.block).subspan(k.first[row], columns.size());
+      blocks.assign(columns.size(), block3{});
       for (const auto corner : corners.of_node(row))
         add_element_row(p, gradients, corner, columns, blocks);
+      float* out = &k.value[9 * std::size_t{k.first[row]}];
+      for (const auto& block : blocks)
+        for (const double value : block)
+          *out++ = static_cast<float>(value);
     }
   });
   return k;
 }
 
-void multiply(const block_matrix& k, std::span<const double> x, std::span<double> y) {
+std::vector<std::array<float, 6>> diagonal_blocks(const block_matrix& k) {
+  std::vector<std::array<float, 6>> result(k.rows());
   parallel_for(k.rows(), [&](std::size_t first, std::size_t last, std::size_t) {
+    constexpr std::array<int, 6> at{0, 3, 6, 4, 7, 8};
     for (std::size_t row = first; row < last; ++row) {
-      const double* own = &x[3 * row];
-      double s0 = 0;
-      double s1 = 0;
-      double s2 = 0;
-      for (auto i = k.first[row]; i < k.first[row + 1]; ++i) {
-        const double* other = &x[3 * k.column[i]];
-        const double d0 = other[0] - own[0];
-        const double d1 = other[1] - own[1];
-        const double d2 = other[2] - own[2];
-        const auto& b = k.block[i];
-        s0 += b[0] * d0 + b[1] * d1 + b[2] * d2;
-        s1 += b[3] * d0 + b[4] * d1 + b[5] * d2;
-        s2 += b[6] * d0 + b[7] * d1 + b[8] * d2;
-      }
-      y[3 * row] = s0;
-      y[3 * row + 1] = s1;
-      y[3 * row + 2] = s2;
+      std::array<double, 6> sum{};
+      for (auto i = k.first[row]; i < k.first[row + 1]; ++i)
+        for (int c = 0; c < 6; ++c)
+          sum[c] -= static_cast<double>(k.value[9 * std::size_t{i} + at[c]]);
+      for (int c = 0; c < 6; ++c)
+        result[row][c] = static_cast<float>(sum[c]);
     }
   });
+  return result;
 }
 
-std::vector<block3> diagonal_blocks(const block_matrix& k) {
-  std::vector<block3> result(k.rows(), block3{});
-  for (std::size_t row = 0; row < k.rows(); ++row)
-    for (auto i = k.first[row]; i < k.first[row + 1]; ++i)
-      for (int c = 0; c < 9; ++c)
-        result[row][c] -= k.block[i][c];
+std::vector<std::array<float, 6>> invert_blocks(std::span<const std::array<float, 6>> diagonal,
+                                                std::span<const std::array<double, 6>> filter) {
+  const auto full = [](const auto& s) {
+    Eigen::Matrix3d m;
+    m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+    return m;
+  };
+  std::vector<std::array<float, 6>> result(diagonal.size());
+  parallel_for(diagonal.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n) {
+      const Eigen::Matrix3d s = full(filter[n]);
+      const Eigen::Matrix3d d = full(diagonal[n]);
+      const double scale = d.trace() > 0 ? d.trace() / 3 : 1;
+      const Eigen::Matrix3d held = scale * (Eigen::Matrix3d::Identity() - s);
+      const Eigen::Matrix3d m = s * (s * d * s + held).inverse() * s;
+      int c = 0;
+      for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+          result[n][c++] = static_cast<float>(m(i, j));
+    }
+  });
   return result;
 }
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "fem/quadratic.hpp"
+
+/// Nodal forces of elements, two elements at a time: one in each lane of a vector register that
+/// every x86-64 and ARM64 has, so the bits are the same on all of them.
+namespace tedit::fem {
+
+using lanes = double __attribute__((vector_size(16)));
+inline constexpr std::size_t lane_count = sizeof(lanes) / sizeof(double);
+
+/// Three components, each for all lanes.
+struct lanes3 {
+  lanes x{};
+  lanes y{};
+  lanes z{};
+
+  void set(std::size_t lane, vec3 v) {
+    x[lane] = v.x;
+    y[lane] = v.y;
+    z[lane] = v.z;
+  }
+  [[nodiscard]] vec3 get(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+};
+
+inline lanes3 operator+(const lanes3& a, const lanes3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline lanes3 operator-(const lanes3& a, const lanes3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline lanes3 operator*(const lanes& s, const lanes3& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline lanes dot(const lanes3& a, const lanes3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline lanes3 cross(const lanes3& a, const lanes3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Geometry and material of the elements in the lanes.
+struct lane_elements {
+  std::array<lanes3, 4> gradient;  ///< Of the linear shape functions, 1/m.
+  lanes volume{};                  ///< m^3.
+  lanes lambda{};                  ///< Pa.
+  lanes mu{};
+
+  /// As `gradients_of`.
+  void set_corners(const std::array<lanes3, 4>& p) {
+    const lanes3 u = p[1] - p[0];
+    const lanes3 v = p[2] - p[0];
+    const lanes3 w = p[3] - p[0];
+    const lanes3 vw = cross(v, w);
+    const lanes six_volumes = dot(u, vw);
+    const lanes inverse = 1.0 / six_volumes;
+    volume = six_volumes * (1.0 / 6);
+    gradient[1] = inverse * vw;
+    gradient[2] = inverse * cross(w, u);
+    gradient[3] = inverse * cross(u, v);
+    gradient[0] = lanes3{} - (gradient[1] + gradient[2] + gradient[3]);
+  }
+};
+
+/// A symmetric tensor: xx, yy, zz, xy, yz, zx.
+using lanes6 = std::array<lanes, 6>;
+
+/// The stress of the displacement gradient with the rows a, b, c.
+inline lanes6 stress_of(const lanes3& a, const lanes3& b, const lanes3& c, const lane_elements& e) {
+  const lanes pressure = e.lambda * (a.x + b.y + c.z);
+  const lanes twice = e.mu + e.mu;
+  return {pressure + twice * a.x, pressure + twice * b.y, pressure + twice * c.z,
+          e.mu * (a.y + b.x),     e.mu * (b.z + c.y),     e.mu * (c.x + a.z)};
+}
+
+/// s n.
+inline lanes3 traction_of(const lanes6& s, const lanes3& n) {
+  return {s[0] * n.x + s[3] * n.y + s[5] * n.z, s[3] * n.x + s[1] * n.y + s[4] * n.z,
+          s[5] * n.x + s[4] * n.y + s[2] * n.z};
+}
+
+/// Nodal forces of linear tets, N: f_a = V sigma g_a. `u`: displacement, m; only differences
+/// count, so that rigid translations cancel before they are multiplied.
+inline std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u, const lane_elements& e) {
+  std::array<lanes3, 3> row{};
+  for (int b = 1; b < 4; ++b) {
+    const lanes3 d = u[b] - u[0];
+    row[0] = row[0] + d.x * e.gradient[b];
+    row[1] = row[1] + d.y * e.gradient[b];
+    row[2] = row[2] + d.z * e.gradient[b];
+  }
+  auto s = stress_of(row[0], row[1], row[2], e);
+  for (auto& component : s)
+    component *= e.volume;
+  std::array<lanes3, 4> f;
+  for (int a = 1; a < 4; ++a)
+    f[a] = traction_of(s, e.gradient[a]);
+  f[0] = lanes3{} - (f[1] + f[2] + f[3]);
+  return f;
+}
+
+/// Stress at corner k of quadratic tets: see `corner_gradient`.
+template <int K>
+lanes6 corner_stress_of(const std::array<lanes3, 10>& u, const lane_elements& e) {
+  std::array<lanes3, 3> row{};
+#pragma GCC unroll 3
+  for (int i = 0; i < 3; ++i) {
+    const int b = other_corners[K][i];
+    const lanes3 d = lanes{4, 4} * (u[mid_node_of[K][b]] - u[K]) - (u[b] - u[K]);
+    row[0] = row[0] + d.x * e.gradient[b];
+    row[1] = row[1] + d.y * e.gradient[b];
+    row[2] = row[2] + d.z * e.gradient[b];
+  }
+  return stress_of(row[0], row[1], row[2], e);
+}
+
+/// Nodal forces of quadratic tets, N: the integral of sigma grad N_a. Stress is linear between the
+/// corners, and the integral of L_k L_l is V/20 (1 + delta_kl), so the integral is the sum over
+/// corners k of S_k grad N_a(e_k), S_k = V/20 (sigma_k + sum_l sigma_l). With F_kb = S_k g_b:
+/// f_kb += 4 F_kb, f_b -= F_kb, f_k -= 3 F_kb for all b != k.
+inline std::array<lanes3, 10> forces_of(const std::array<lanes3, 10>& u, const lane_elements& e) {
+  std::array<lanes6, 4> s{corner_stress_of<0>(u, e), corner_stress_of<1>(u, e),
+                          corner_stress_of<2>(u, e), corner_stress_of<3>(u, e)};
+  const lanes weight = e.volume * (1.0 / 20);
+#pragma GCC unroll 6
+  for (int c = 0; c < 6; ++c) {
+    const lanes sum = s[0][c] + s[1][c] + s[2][c] + s[3][c];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k)
+      s[k][c] = weight * (s[k][c] + sum);
+  }
+  std::array<lanes3, 10> f{};
+#pragma GCC unroll 4
+  for (int k = 0; k < 4; ++k) {
+    lanes3 all{};
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) {
+      const int b = other_corners[k][i];
+      const lanes3 force = traction_of(s[k], e.gradient[b]);
+      f[mid_node_of[k][b]] = f[mid_node_of[k][b]] + force;
+      f[b] = f[b] - force;
+      all = all + force;
+    }
+    f[k] = f[k] - lanes{3, 3} * all;
+  }
+  for (int m = 4; m < 10; ++m)
+    f[m] = lanes{4, 4} * f[m];
+  return f;
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/multilevel/node_smoother.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <numeric>
+
+#include "fem/multilevel/cluster_inverse.hpp"
+
+namespace tedit::fem {
+
+member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners)
+    : first(owners + 1, 0) {
+  for (const auto o : owner)
+    if (o != no_id)
+      ++first[o + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  item.resize(first.back());
+  auto next = first;
+  for (std::uint32_t i = 0; i < owner.size(); ++i)
+    if (owner[i] != no_id)
+      item[next[owner[i]]++] = i;
+}
+
+void add_clusters(const cluster_inverses& clusters, float factor, const float* r, float* d) {
+  parallel_for(
+    clusters.inverse.size(),
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      std::vector<float> local;
+      for (std::size_t c = first; c < last; ++c) {
+        const auto nodes = clusters.nodes.of(c);
+        local.resize(3 * nodes.size());
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          std::copy_n(r + 3 * std::size_t{nodes[a]}, 3, &local[3 * a]);
+        const float* row = clusters.inverse[c].data();
+        for (const auto node : nodes)
+          for (int i = 0; i < 3; ++i, row += local.size())
+            d[3 * std::size_t{node} + i] +=
+              factor * std::inner_product(local.begin(), local.end(), row, 0.0F);
+      }
+    },
+    16);
+}
+
+void apply_inverse(const node_smoother& smoother, float factor, const float* r, float* d) {
+  parallel_for(smoother.inverse.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n)
+      store3(multiply_symmetric(smoother.inverse[n], load4(r + 3 * n)) * splat(factor), d + 3 * n);
+  });
+  if (!smoother.clusters.empty())
+    add_clusters(smoother.clusters, factor, r, d);
+}
+
+namespace {
+
+Eigen::Matrix3d symmetric(const auto& s) {
+  Eigen::Matrix3d m;
+  m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+  return m;
+}
+
+/// The matrix of a cluster's nodes.
+Eigen::MatrixXd cluster_matrix(const block_matrix& k,
+                               std::span<const std::array<float, 6>> diagonal,
+                               std::span<const std::uint32_t> nodes) {
+  const auto size = static_cast<Eigen::Index>(3 * nodes.size());
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const auto i = nodes[a];
+    const auto at = static_cast<Eigen::Index>(3 * a);
+    m.block<3, 3>(at, at) = symmetric(diagonal[i]);
+    for (auto e = k.first[i]; e < k.first[i + 1]; ++e) {
+      const auto found = std::ranges::lower_bound(nodes, k.column[e]);
+      if (found != nodes.end() && *found == k.column[e])
+        m.block<3, 3>(at, 3 * (found - nodes.begin())) =
+          Eigen::Map<const Eigen::Matrix3f>(&k.value[9 * std::size_t{e}]).cast<double>();
+    }
+  }
+  return m;
+}
+
+}  // namespace
+
+std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
+                                  std::span<const std::uint32_t> nodes) {
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const auto at = static_cast<Eigen::Index>(3 * a);
+    const Eigen::Matrix3d s = symmetric(filter[nodes[a]]);
+    const double scale = m.block<3, 3>(at, at).trace() / 3;
+    m.middleRows<3>(at) = (s * m.middleRows<3>(at)).eval();
+    m.middleCols<3>(at) = (m.middleCols<3>(at) * s).eval();
+    m.block<3, 3>(at, at) += scale * (Eigen::Matrix3d::Identity() - s);
+  }
+  Eigen::LDLT<Eigen::MatrixXd> factor(m);
+  if (factor.info() != Eigen::Success || !factor.isPositive()) {
+    m.diagonal() *= 1 + 1e-6;
+    factor.compute(m);
+  }
+  Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(m.rows(), m.cols()));
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const Eigen::Matrix3d s = symmetric(filter[nodes[a]]);
+    const auto at = static_cast<Eigen::Index>(3 * a);
+    inverse.middleRows<3>(at) = (s * inverse.middleRows<3>(at)).eval();
+    inverse.middleCols<3>(at) = (inverse.middleCols<3>(at) * s).eval();
+  }
+  const Eigen::MatrixXf result = (0.5 * (inverse + inverse.transpose())).cast<float>();
+  return {result.data(), result.data() + result.size()};
+}
+
+node_smoother make_node_smoother(const block_matrix& k,
+                                 std::span<const std::array<double, 6>> filter,
+                                 const sliver_clusters& clusters) {
+  node_smoother result;
+  const auto diagonal = diagonal_blocks(k);
+  result.inverse = invert_blocks(diagonal, filter);
+  if (clusters.count == 0)
+    return result;
+  result.clusters.nodes = member_lists(clusters.of, clusters.count);
+  result.clusters.inverse.resize(clusters.count);
+  parallel_for(
+    clusters.count,
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t c = first; c < last; ++c)
+        result.clusters.inverse[c] =
+          invert_cluster(cluster_matrix(k, diagonal, result.clusters.nodes.of(c)), filter,
+                         result.clusters.nodes.of(c));
+    },
+    4);
+  for (const auto node : result.clusters.nodes.item)
+    result.inverse[node] = {};
+  return result;
+}
+
+}  // namespace tedit::fem

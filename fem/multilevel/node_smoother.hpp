@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "fem/multilevel/hierarchy.hpp"
+
+namespace tedit::fem {
+
+/// A product with an operator on nodes with three unknowns each: calls `sink(i, y_i)` for the rows
+/// of one chunk after the other, on all cores; the sink returns a term of the sum that is returned.
+/// `block_matrix` and the quadratic operator both have this form.
+template <class Sink>
+double for_rows(const block_matrix& k, const float* x, Sink&& sink) {
+  return parallel_sum(k.rows(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i)
+      sum += static_cast<double>(sink(i, k.row(i, x)));
+    return sum;
+  });
+}
+
+/// Adds factor * C^-1 r of the clusters' nodes to `d`.
+void add_clusters(const cluster_inverses& clusters, float factor, const float* r, float* d);
+
+/// d = factor * B r, with B the blocks and the clusters.
+void apply_inverse(const node_smoother& smoother, float factor, const float* r, float* d);
+
+/// The blocks of `k` inverted, cluster by cluster and node by node, within the free directions.
+[[nodiscard]] node_smoother make_node_smoother(const block_matrix& k,
+                                               std::span<const std::array<double, 6>> filter,
+                                               const sliver_clusters& clusters);
+
+/// The weights of step k >= 2 of the Chebyshev iteration of the fourth kind (Lottes 2023, algorithm
+/// 1): d_k = before d_{k-1} + fresh D^-1 r. The first step is d_1 = 4/(3 lambda) D^-1 r.
+struct chebyshev_weights {
+  float before;
+  float fresh;
+};
+
+[[nodiscard]] inline chebyshev_weights chebyshev_step(int k, float lambda) {
+  const auto n = static_cast<float>(2 * k);
+  return {(n - 3) / (n + 1), (4 * n - 4) / ((n + 1) * lambda)};
+}
+
+[[nodiscard]] inline float chebyshev_start(float lambda) {
+  return 4 / (3 * lambda);
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "fem/multilevel/hierarchy.hpp"
+
+namespace tedit::fem {
+
+/// The corners of a problem of order 2 as a problem of linear tets: the same elements, materials
+/// and filter, without loads. Its matrix is exactly the Galerkin one of `edge_transfer`. Cost:
+/// O(mesh).
+[[nodiscard]] problem corner_problem(const problem& quadratic);
+
+/// The prolongation from corners to all nodes of straight-sided quadratic tets: the middle of an
+/// edge takes the mean of its ends, filtered.
+struct edge_transfer {
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< Of node corners() + i.
+  member_lists middles;                            ///< At each corner: ends index * 2 + side.
+  std::vector<std::array<float, 6>> filter;        ///< Of every node; empty when all are free.
+  std::vector<std::uint8_t> held;                  ///< Of every node.
+
+  [[nodiscard]] std::size_t corners() const { return middles.first.size() - 1; }
+};
+
+[[nodiscard]] edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter);
+
+/// The smoother's blocks of a problem of order 2, gathered from the elements, and dense inverses of
+/// sliver clusters of at most 100 nodes. `lambda` is left to the caller, who has the operator.
+/// Cost: O(elements).
+[[nodiscard]] node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
+                                                    const sliver_clusters& clusters);
+
+}  // namespace tedit::fem

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/multilevel/rigid_levels.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fem/multilevel/lanczos.hpp"
+#include "fem/multilevel/node_smoother.hpp"
+
+namespace tedit::fem {
+
+matrix36 rigid_modes(vec3 d) {
+  matrix36 m;
+  m << 1, 0, 0, 0, d.z, -d.y, 0, 1, 0, -d.z, 0, d.x, 0, 0, 1, d.y, -d.x, 0;
+  return m;
+}
+
+matrix6& row_sum::at(std::uint32_t column) {
+  const auto found = std::ranges::find(column_, column);
+  if (found != column_.end())
+    return block_[static_cast<std::size_t>(found - column_.begin())];
+  column_.push_back(column);
+  block_.emplace_back(matrix6::Zero());
+  return block_.back();
+}
+
+void row_sum::finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& block) {
+  std::vector<std::uint32_t> order(column_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return column_[i]; });
+  for (const auto i : order) {
+    column.push_back(column_[i]);
+    block.push_back(block_[i]);
+  }
+}
+
+matrix6 remove_null_motions(const matrix6& gram, matrix6& diagonal) {
+  const Eigen::SelfAdjointEigenSolver<matrix6> modes(gram);
+  const double largest = modes.eigenvalues()[5];
+  matrix6 keep = matrix6::Identity();
+  const double stiffness = diagonal.trace() > 0 ? diagonal.trace() / 6 : 1;
+  for (int i = 0; i < 6; ++i)
+    if (modes.eigenvalues()[i] <= 1e-6 * largest) {
+      const matrix6 null = modes.eigenvectors().col(i) * modes.eigenvectors().col(i).transpose();
+      keep -= null;
+      diagonal += stiffness * null;
+    }
+  return keep;
+}
+
+namespace {
+
+constexpr std::size_t rows_per_chunk = 32;
+
+void store(const matrix6& from, rigid_level::block6& to) {
+  Eigen::Map<Eigen::Matrix<float, 6, 6>>(to.data()) = from.cast<float>();
+}
+
+matrix6 inverse_of(const matrix6& m) {
+  Eigen::LDLT<matrix6> factor(m);
+  if (factor.info() == Eigen::Success && factor.isPositive() && factor.rcond() > 1e-14)
+    return factor.solve(matrix6::Identity());
+  const matrix6 shifted = m + 1e-8 * m.trace() * matrix6::Identity();
+  return shifted.inverse();
+}
+
+void multiply(const rigid_level& level, const float* x, float* y) {
+  parallel_for(
+    level.nodes(),
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      using vector6f = Eigen::Matrix<float, 6, 1>;
+      for (std::size_t i = first; i < last; ++i) {
+        vector6f sum = vector6f::Zero();
+        for (auto s = level.first[i]; s < level.first[i + 1]; ++s)
+          sum += Eigen::Map<const Eigen::Matrix<float, 6, 6>>(level.block[s].data()) *
+                 Eigen::Map<const vector6f>(x + 6 * std::size_t{level.column[s]});
+        Eigen::Map<vector6f>(y + 6 * i) = sum;
+      }
+    },
+    512);
+}
+
+rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settings) {
+  rigid_level level;
+  level.first.push_back(0);
+  level.inverse.resize(rows.column.size());
+  for (std::size_t i = 0; i < rows.column.size(); ++i) {
+    for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
+      level.column.push_back(rows.column[i][s]);
+      store(rows.block[i][s], level.block.emplace_back());
+      if (rows.column[i][s] == i)
+        store(inverse_of(rows.block[i][s]), level.inverse[i]);
+    }
+    level.first.push_back(static_cast<std::uint32_t>(level.column.size()));
+  }
+  const float lambda = largest_ritz_value(
+    6 * rows.column.size(), 0, settings.lambda_steps,
+    [&](const float* x, float* y) { multiply(level, x, y); },
+    [&](const float* x, float* y) {
+      for (std::size_t i = 0; i < level.nodes(); ++i)
+        Eigen::Map<Eigen::Matrix<float, 6, 1>>(y + 6 * i) =
+          Eigen::Map<const Eigen::Matrix<float, 6, 6>>(level.inverse[i].data()) *
+          Eigen::Map<const Eigen::Matrix<float, 6, 1>>(x + 6 * i);
+    });
+  level.lambda = settings.lambda_safety * lambda;
+  return level;
+}
+
+node_graph graph_of(const rigid_rows& rows) {
+  node_graph graph;
+  std::vector<double> scale(rows.column.size(), 0);
+  for (std::size_t i = 0; i < rows.column.size(); ++i)
+    for (std::size_t s = 0; s < rows.column[i].size(); ++s)
+      if (rows.column[i][s] == i)
+        scale[i] = 1 / std::sqrt(rows.block[i][s].norm());
+  graph.first.push_back(0);
+  for (std::size_t i = 0; i < rows.column.size(); ++i) {
+    for (std::size_t s = 0; s < rows.column[i].size(); ++s)
+      if (const auto j = rows.column[i][s]; j != i) {
+        graph.column.push_back(j);
+        graph.weight.push_back(static_cast<float>(rows.block[i][s].norm() * scale[i] * scale[j]));
+      }
+    graph.first.push_back(static_cast<std::uint32_t>(graph.column.size()));
+  }
+  return graph;
+}
+
+std::vector<rigid_frame> parent_frames(const std::vector<rigid_frame>& frames,
+                                       const member_lists& children) {
+  std::vector<rigid_frame> result(children.first.size() - 1);
+  for (std::size_t a = 0; a < result.size(); ++a) {
+    const auto nodes = children.of(a);
+    const auto count = static_cast<double>(nodes.size());
+    for (const auto n : nodes)
+      result[a].centre += frames[n].centre / count;
+    double square = 0;
+    for (const auto n : nodes) {
+      const vec3 d = frames[n].centre - result[a].centre;
+      // The children's own spread counts, too, so that a single child keeps its radius.
+      square += (dot(d, d) + frames[n].radius * frames[n].radius) / count;
+    }
+    result[a].radius = std::sqrt(square);
+  }
+  return result;
+}
+
+/// A rigid motion of the parent, seen by a child.
+matrix6 child_modes(const rigid_frame& child, const rigid_frame& parent) {
+  matrix6 m = matrix6::Identity();
+  m.topRightCorner<3, 3>() =
+    rigid_modes((child.centre - parent.centre) / parent.radius).rightCols<3>();
+  m.bottomRightCorner<3, 3>() *= child.radius / parent.radius;
+  return m;
+}
+
+/// The prolongation (I - omega D^-1 A) P_0: rigid motions of the groups, with the energy at their
+/// rims smoothed away (Vanek, Mandel & Brezina 1996).
+rigid_rows smoothed_prolongation(const rigid_rows& rows, const rigid_level& level,
+                                 const aggregation& groups, const std::vector<matrix6>& modes) {
+  rigid_rows result;
+  result.column.resize(modes.size());
+  result.block.resize(modes.size());
+  const double omega = static_cast<double>(chebyshev_start(level.lambda));
+  parallel_for(
+    modes.size(),
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) {
+        row_sum sum;
+        for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
+          const auto j = rows.column[i][s];
+          sum.at(groups.of[j]).noalias() -= rows.block[i][s] * modes[j];
+        }
+        sum.finish(result.column[i], result.block[i]);
+        const matrix6 scaled =
+          omega *
+          Eigen::Map<const Eigen::Matrix<float, 6, 6>>(level.inverse[i].data()).cast<double>();
+        for (std::size_t s = 0; s < result.block[i].size(); ++s) {
+          result.block[i][s] = scaled * result.block[i][s];
+          if (result.column[i][s] == groups.of[i])
+            result.block[i][s] += modes[i];
+        }
+      }
+    },
+    rows_per_chunk);
+  return result;
+}
+
+rigid_rows product(const rigid_rows& a, const rigid_rows& b) {
+  rigid_rows result;
+  result.column.resize(a.column.size());
+  result.block.resize(a.column.size());
+  parallel_for(
+    a.column.size(),
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) {
+        row_sum sum;
+        for (std::size_t s = 0; s < a.column[i].size(); ++s) {
+          const auto k = a.column[i][s];
+          for (std::size_t t = 0; t < b.column[k].size(); ++t)
+            sum.at(b.column[k][t]).noalias() += a.block[i][s] * b.block[k][t];
+        }
+        sum.finish(result.column[i], result.block[i]);
+      }
+    },
+    rows_per_chunk);
+  return result;
+}
+
+/// P^T (A P), with P's entries by column.
+rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_level& level) {
+  rigid_rows result;
+  const std::size_t count = level.entries.first.size() - 1;
+  result.column.resize(count);
+  result.block.resize(count);
+  parallel_for(
+    count,
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t a = first; a < last; ++a) {
+        row_sum sum;
+        for (const auto entry : level.entries.of(a)) {
+          const auto i = level.entry_row[entry];
+          const auto& block = p.block[i][entry - level.prolongation_first[i]];
+          for (std::size_t t = 0; t < ap.column[i].size(); ++t)
+            sum.at(ap.column[i][t]).noalias() += block.transpose() * ap.block[i][t];
+        }
+        sum.finish(result.column[a], result.block[a]);
+      }
+    },
+    rows_per_chunk);
+  return result;
+}
+
+void store_prolongation(const rigid_rows& p, std::uint32_t parents, rigid_level& level) {
+  level.prolongation_first.push_back(0);
+  for (std::size_t i = 0; i < p.column.size(); ++i) {
+    for (std::size_t s = 0; s < p.column[i].size(); ++s) {
+      level.prolongation_column.push_back(p.column[i][s]);
+      level.entry_row.push_back(static_cast<std::uint32_t>(i));
+      store(p.block[i][s], level.prolongation.emplace_back());
+    }
+    level.prolongation_first.push_back(
+      static_cast<std::uint32_t>(level.prolongation_column.size()));
+  }
+  level.entries = member_lists(level.prolongation_column, parents);
+}
+
+/// The next coarser level: its matrix, frames and motions replace those given.
+void coarsen(rigid_level& level, const aggregation& groups, rigid_rows& rows,
+             std::vector<rigid_frame>& frames, std::vector<matrix6>& keep) {
+  const member_lists children(groups.of, groups.count);
+  auto coarser = parent_frames(frames, children);
+  std::vector<matrix6> modes(frames.size());
+  std::vector<matrix6> gram(groups.count, matrix6::Zero());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    modes[i] = keep[i] * child_modes(frames[i], coarser[groups.of[i]]);
+    gram[groups.of[i]] += modes[i].transpose() * modes[i];
+  }
+  const auto p = smoothed_prolongation(rows, level, groups, modes);
+  store_prolongation(p, groups.count, level);
+  rows = restricted(p, product(rows, p), level);
+  keep.resize(groups.count);
+  for (std::uint32_t a = 0; a < groups.count; ++a) {
+    const auto at = std::ranges::find(rows.column[a], a) - rows.column[a].begin();
+    keep[a] = remove_null_motions(gram[a], rows.block[a][static_cast<std::size_t>(at)]);
+  }
+  frames = std::move(coarser);
+}
+
+/// Sparse Cholesky factors of the coarsest matrix.
+class sparse_factor final : public coarsest_solver {
+public:
+  explicit sparse_factor(const rigid_rows& rows) {
+    if (rows.column.empty())
+      return;  // Every node is held.
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < rows.column.size(); ++i)
+      for (std::size_t s = 0; s < rows.column[i].size(); ++s)
+        for (int r = 0; r < 6; ++r)
+          for (int c = 0; c < 6; ++c)
+            entries.emplace_back(static_cast<int>(6 * i) + r,
+                                 static_cast<int>(6 * rows.column[i][s]) + c,
+                                 rows.block[i][s](r, c));
+    const auto size = static_cast<Eigen::Index>(6 * rows.column.size());
+    Eigen::SparseMatrix<double> m(size, size);
+    m.setFromTriplets(entries.begin(), entries.end());
+    for (double shift = 0; shift < 1e-2; shift = std::max(1e-12, 100 * shift)) {
+      factor_.setShift(shift * m.diagonal().mean());
+      factor_.compute(m);
+      if (factor_.info() == Eigen::Success)
+        return;
+    }
+  }
+
+  void solve(std::span<const float> right, std::span<float> result) const override {
+    const auto size = static_cast<Eigen::Index>(right.size());
+    if (size == 0)
+      return;
+    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXf>(right.data(), size).cast<double>();
+    Eigen::Map<Eigen::VectorXf>(result.data(), size) = factor_.solve(b).cast<float>();
+  }
+
+private:
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
+};
+
+}  // namespace
+
+expected<void> add_rigid_levels(rigid_rows rows, std::vector<rigid_frame> frames,
+                                std::vector<matrix6> keep, const multilevel_settings& settings,
+                                const execution& run, hierarchy& result) {
+  for (;;) {
+    if (run.cancel.cancelled())
+      return fail(ec::cancelled, "the solve was cancelled");
+    auto& level = result.levels.emplace_back(make_level(rows, settings));
+    if (level.nodes() <= settings.coarsest)
+      break;
+    const auto groups = aggregate_pairs(graph_of(rows));
+    if (groups.count > 0.8 * level.nodes())
+      break;  // Separate pieces that do not coarsen any further.
+    coarsen(level, groups, rows, frames, keep);
+  }
+  result.coarsest = std::make_unique<sparse_factor>(rows);
+  return {};
+}
+
+}  // namespace tedit::fem

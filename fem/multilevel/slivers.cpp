@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/multilevel/slivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/parallel.hpp"
+
+namespace tedit::fem {
+
+double tet_condition(const std::array<vec3, 4>& p) {
+  const vec3 u = p[1] - p[0];
+  const vec3 v = p[2] - p[0];
+  const vec3 w = p[3] - p[0];
+  const std::array<vec3, 3> faces{cross(v, w), cross(w, u), cross(u, v)};
+  const double six_volumes = dot(u, faces[0]);
+  if (!(six_volumes > 0))
+    return std::numeric_limits<double>::infinity();
+  const vec3 last = faces[0] + faces[1] + faces[2];
+  double areas = dot(last, last);
+  for (const auto& f : faces)
+    areas += dot(f, f);
+  double edges = 0;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < a; ++b)
+      edges += dot(p[a] - p[b], p[a] - p[b]);
+  return areas / (6 * six_volumes) * std::sqrt(2.0) / std::sqrt(edges / 6);
+}
+
+namespace {
+
+class disjoint_sets {
+public:
+  explicit disjoint_sets(std::size_t n) : parent_(n), size_(n, 1) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  std::uint32_t find(std::uint32_t n) {
+    while (parent_[n] != n)
+      n = parent_[n] = parent_[parent_[n]];
+    return n;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b, std::uint32_t most) {
+    a = find(a);
+    b = find(b);
+    if (a == b || size_[a] + size_[b] > most)
+      return;
+    parent_[b] = a;
+    size_[a] += size_[b];
+  }
+
+  [[nodiscard]] std::uint32_t size(std::uint32_t root) const { return size_[root]; }
+
+private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> size_;
+};
+
+std::vector<std::pair<double, std::uint32_t>> thin_tets(const problem& p, double condition) {
+  std::vector<double> of(p.element_count());
+  parallel_for(of.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t e = first; e < last; ++e) {
+      const auto* n = &p.element_nodes[p.nodes_per_element * e];
+      of[e] = tet_condition({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
+    }
+  });
+  std::vector<std::pair<double, std::uint32_t>> result;
+  for (std::uint32_t e = 0; e < of.size(); ++e)
+    if (of[e] > condition)
+      result.emplace_back(-of[e], e);
+  std::ranges::sort(result);
+  return result;
+}
+
+}  // namespace
+
+sliver_clusters cluster_slivers(const problem& p, const std::vector<std::uint8_t>& excluded,
+                                std::uint32_t most, double condition) {
+  sliver_clusters result;
+  const auto thin = thin_tets(p, condition);
+  if (thin.empty())
+    return result;
+  disjoint_sets sets(p.node_count());
+  for (const auto& [negated, e] : thin) {
+    std::uint32_t before = no_id;
+    for (int a = 0; a < p.nodes_per_element; ++a) {
+      const auto node = p.element_nodes[p.nodes_per_element * e + a];
+      if (excluded[node] != 0)
+        continue;
+      if (before != no_id)
+        sets.join(before, node, most);
+      before = node;
+    }
+  }
+  result.of.assign(p.node_count(), no_id);
+  std::vector<std::uint32_t> number(p.node_count(), no_id);
+  for (std::uint32_t n = 0; n < p.node_count(); ++n) {
+    const auto root = sets.find(n);
+    if (excluded[n] != 0 || sets.size(root) < 2)
+      continue;
+    if (number[root] == no_id)
+      number[root] = result.count++;
+    result.of[n] = number[root];
+  }
+  return result;
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "fem/kernels.hpp"
+#include "fem/native/vectors.hpp"
+
+namespace tedit::fem {
+
+/// Conjugate gradients in single precision within the free directions. The preconditioner filters
+/// (MPCG, Baraff & Witkin 1998; the filter as a projection on both sides: Ascher & Boxerman 2003),
+/// so that directions stay filtered and the held parts of the residual never enter a product.
+class conjugate_gradients {
+public:
+  explicit conjugate_gradients(std::size_t nodes) {
+    for (auto* v : {&x_, &r_, &z_, &p_, &q_})
+      v->assign(padded3(nodes), 0);
+  }
+
+  /// Solves K x = residual until the preconditioned residual has fallen by `reduction`;
+  /// `precondition(r, z)` writes z = B r. Contract: `linear_system::solve`.
+  template <class Operator, class Precondition>
+  expected<inner_result> solve(const Operator& k, Precondition&& precondition,
+                               std::span<const double> residual, std::span<double> correction,
+                               double reduction, int max_iterations, const execution& run) {
+    begin(residual);
+    inner_result result;
+    precondition(r_.data(), z_.data());
+    p_ = z_;
+    double rz = dot_of(r_, z_);
+    const double start = rz;
+    if (rz == 0)
+      result.recurrence_reduction = 0;
+    result.broke_down = !(rz >= 0);
+    while (!result.broke_down && result.iterations < max_iterations &&
+           rz > reduction * reduction * start) {
+      if (run.cancel.cancelled())
+        return fail(ec::cancelled, "the solve was cancelled");
+      const double bend = multiply_direction(k);
+      if (!(bend > 0)) {
+        result.broke_down = true;
+        break;
+      }
+      advance(static_cast<float>(rz / bend));
+      ++result.iterations;
+      precondition(r_.data(), z_.data());
+      const double next = dot_of(r_, z_);
+      result.broke_down = !(next >= 0);
+      turn(static_cast<float>(next / rz));
+      rz = next;
+    }
+    std::transform(x_.begin(), x_.end() - 1, correction.begin(),
+                   [](float v) { return static_cast<double>(v); });
+    if (start > 0)
+      result.recurrence_reduction = std::sqrt(std::max(rz, 0.0) / start);
+    return result;
+  }
+
+  [[nodiscard]] std::uint64_t bytes() const { return 5 * x_.size() * sizeof(float); }
+
+private:
+  void begin(std::span<const double> residual) {
+    std::ranges::transform(residual, r_.begin(), [](double v) { return static_cast<float>(v); });
+    std::ranges::fill(x_, 0.0F);
+  }
+
+  /// q = K p; returns p.q.
+  template <class Operator>
+  double multiply_direction(const Operator& k) {
+    return for_rows(k, p_.data(), [this](std::size_t i, float4 row) {
+      store3(row, &q_[3 * i]);
+      const float4 d = load4(&p_[3 * i]) * row;
+      return d[0] + d[1] + d[2];
+    });
+  }
+
+  void advance(float alpha) {
+    parallel_for(x_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) {
+        x_[i] += alpha * p_[i];
+        r_[i] -= alpha * q_[i];
+      }
+    });
+  }
+
+  void turn(float beta) {
+    parallel_for(x_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i)
+        p_[i] = z_[i] + beta * p_[i];
+    });
+  }
+
+  std::vector<float> x_, r_, z_, p_, q_;  ///< Correction, residual, B r, direction, K p.
+};
+
+}  // namespace tedit::fem
