@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/stopwatch.hpp"
+#include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
@@ -89,6 +90,16 @@ int main(int argc, char** argv) {
   app.add_option("--order", order);
   app.add_option("--tolerance", settings.tolerance);
   app.add_option("--repeat", repeats)->check(CLI::Range(1, 100));
+  fem::native_settings native;
+  app.add_option("--weak-edge", native.multilevel.weak_edge, "Of the native backend");
+  app.add_option("--coarsest", native.multilevel.coarsest);
+  app.add_option("--degree", native.cycle.node_degree);
+  app.add_option("--rigid-degree", native.cycle.rigid_degree);
+  app.add_option("--repeats", native.cycle.repeats, "Cycles a visit of a rigid level");
+  app.add_option("--quadratic-degree", native.cycle.quadratic_degree);
+  app.add_option("--corner-weak-edge", native.corner_multilevel.weak_edge);
+  app.add_option("--corner-degree", native.corner_cycle.node_degree);
+  app.add_option("--inner-reduction", settings.inner_reduction);
   CLI11_PARSE(app, argc, argv);
   const auto stop = [](const error& e) {
     std::cerr << render(e) << '\n';
@@ -100,7 +111,9 @@ int main(int argc, char** argv) {
   const auto mesh = import_mesh(std::filesystem::path(mesh_file), "mm");
   if (!mesh)
     return stop(mesh.error());
-  const auto device = fem::open_backend(device_name);
+  auto device = device_name == "cpu"
+                  ? expected<std::unique_ptr<fem::backend>>(fem::make_native_backend(native))
+                  : fem::open_backend(device_name);
   if (!device)
     return stop(device.error());
   const auto p = fem::make_problem(*mesh->version, *loads, order);

@@ -180,6 +180,7 @@ void write_filter(const node_map& held, problem& p) {
 
 expected<void> add_constraints(const surface_triangles& triangles, const load_case& loads,
                                problem& p) {
+  p.holders.clear();
   p.filter.assign(p.node_count(), {1, 0, 0, 1, 0, 1});
   p.prescribed.assign(p.dofs(), 0);
   node_map held;

@@ -41,6 +41,10 @@ public:
                                                      std::span<double> correction, double reduction,
                                                      int max_iterations, const execution& run) = 0;
 
+  /// The last correction did not reduce the true residual: make the preconditioner safer, if there
+  /// is anything to make safer.
+  virtual void distrust() {}
+
   /// Replaces the constraint filter; the matrix stays. Cost: O(nodes).
   [[nodiscard]] virtual expected<void> set_filter(
     std::span<const std::array<double, 6>> filter) = 0;

@@ -19,6 +19,8 @@ struct material {
   double density_kg_m3 = 0;        ///< >= 0; must be > 0 when gravity acts.
   double yield_strength_pa = 0;    ///< 0 when unknown.
   std::vector<region_id> regions;  ///< Empty: every region that no other material names.
+
+  friend bool operator==(const material&, const material&) = default;
 };
 
 /// All displacement components are zero (a clamp).

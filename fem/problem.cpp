@@ -230,16 +230,23 @@ expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
   sort_elements(p);
   if (element_order == 2)
     add_mid_nodes(p);
-  const surface_triangles triangles(mesh, node_of, p);
-  if (auto ok = triangles.check_ids(mesh, loads); !ok)
-    return fail(ok.error());
-  if (auto ok = add_constraints(triangles, loads, p); !ok)
-    return fail(ok.error());
-  if (auto ok = add_loads(triangles, loads, p); !ok)
-    return fail(ok.error());
-  if (auto ok = check_supports(mesh, p); !ok)
+  if (auto ok = set_conditions(mesh, loads, p); !ok)
     return fail(ok.error());
   return p;
+}
+
+expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {
+  std::vector<std::uint32_t> node_of(mesh.vertex_slots(), no_id);
+  for (std::uint32_t n = 0; n < p.node_vertices.size(); ++n)
+    node_of[p.node_vertices[n]] = n;
+  const surface_triangles triangles(mesh, node_of, p);
+  if (auto ok = triangles.check_ids(mesh, loads); !ok)
+    return ok;
+  if (auto ok = add_constraints(triangles, loads, p); !ok)
+    return ok;
+  if (auto ok = add_loads(triangles, loads, p); !ok)
+    return ok;
+  return check_supports(mesh, p);
 }
 
 }  // namespace tedit::fem

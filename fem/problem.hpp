@@ -73,4 +73,10 @@ struct problem {
 [[nodiscard]] expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
                                              int element_order = 1);
 
+/// Replaces loads and constraints of a problem that `make_problem` made of the same mesh and the
+/// same materials: nodes, elements and with them the matrix stay. Cost: O(surfaces' triangles +
+/// nodes). Errors: those of `make_problem`; then `p` is not to be used.
+[[nodiscard]] expected<void> set_conditions(const mesh_version& mesh, const load_case& loads,
+                                            problem& p);
+
 }  // namespace tedit::fem

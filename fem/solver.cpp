@@ -32,60 +32,112 @@ void apply_filter(const problem& p, std::span<double> x) {
   }
 }
 
+constexpr int most_stalled_rounds = 8;
+
 /// Outer iteration in double precision around a backend's inner solves.
 class refinement {
 public:
-  refinement(const problem& p, const element_operator& k, const solve_settings& settings)
-      : p_(p), k_(k), settings_(settings), residual_(p.dofs()) {}
+  refinement(const problem& p, const element_operator& k, linear_system& system,
+             const solve_settings& settings)
+      : p_(p), k_(k), system_(system), settings_(settings), residual_(p.dofs()) {}
 
-  expected<void> run(linear_system& system, bool double_precision, solution& out,
-                     const execution& exec,
-                     const std::function<void(const solve_frame&)>& on_frame) {
+  expected<void> run(solution& out, const execution& exec, const frame_callback& on_frame) {
     start(out);
-    std::vector<double> correction(p_.dofs());
-    double previous = out.true_relative_residual;
     int stalled = 0;
-    for (int round = 1; out.true_relative_residual > settings_.tolerance; ++round) {
-      if (round > settings_.max_outer_rounds || stalled > 2)
+    for (int round = 1; !done(out); ++round) {
+      if (round > settings_.max_outer_rounds || stalled > most_stalled_rounds)
         return not_converged(out);
-      // The preconditioned norm that steers the inner loop may lag behind the true one.
-      const double wanted = 0.3 * settings_.tolerance / out.true_relative_residual;
-      const double reduction =
-        double_precision ? wanted : std::max(wanted, settings_.inner_reduction);
-      // Single precision works best near one; its own scale is the residual's norm.
-      const double scale = norm_of(residual_);
-      for (auto& value : residual_)
-        value /= scale;
-      const auto inner =
-        system.solve(residual_, correction, reduction, settings_.max_inner_iterations, exec);
-      if (!inner)
-        return fail(inner.error());
-      out.iterations += inner->iterations;
-      for (std::size_t i = 0; i < correction.size(); ++i)
-        out.displacement[i] += scale * correction[i];
-      update(out);
-      if (!std::isfinite(out.true_relative_residual))
-        return not_converged(out);
-      stalled = out.true_relative_residual > 0.7 * previous ? stalled + 1 : 0;
-      previous = out.true_relative_residual;
+      const double previous = out.true_relative_residual;
+      if (auto ok = improve(out, reduction_of(round, out, on_frame != nullptr), exec); !ok)
+        return ok;
+      if (!(out.true_relative_residual <= 0.7 * previous)) {
+        ++stalled;
+        system_.distrust();
+        if (!(out.true_relative_residual <= previous) && round > 1)
+          take_back(out);
+      }
       exec.report(progress(out), "solving");
-      if (on_frame)
-        on_frame({round, out.iterations, out.true_relative_residual});
+      if (on_frame && !done(out))
+        on_frame({round, out.iterations, out.true_relative_residual, out.energy_error,
+                  [&] { return as_it_is(out); }});
     }
+    out.converged = out.true_relative_residual <= settings_.tolerance;
     return {};
   }
 
 private:
+  [[nodiscard]] bool done(const solution& out) const {
+    return out.true_relative_residual <= settings_.tolerance ||
+           (settings_.energy_tolerance > 0 && out.energy_error <= settings_.energy_tolerance);
+  }
+
+  /// The preconditioned norm that steers the inner loop may lag behind the true one.
+  [[nodiscard]] double reduction_of(int round, const solution& out, bool frames) const {
+    double wanted = 0.3 * settings_.tolerance / out.true_relative_residual;
+    wanted = std::max(wanted, settings_.energy_tolerance / out.energy_error);
+    wanted = std::max(wanted, settings_.inner_reduction);
+    return frames && round == 1 ? std::max(wanted, settings_.preview_energy) : wanted;
+  }
+
+  expected<void> improve(solution& out, double reduction, const execution& exec) {
+    correction_.resize(p_.dofs());
+    // Single precision works best near one; its own scale is the residual's norm.
+    scale_ = norm_of(residual_);
+    for (auto& value : residual_)
+      value /= scale_;
+    const auto inner =
+      system_.solve(residual_, correction_, reduction, settings_.max_inner_iterations, exec);
+    if (!inner)
+      return fail(inner.error());
+    out.iterations += inner->iterations;
+    out.energy_error *= std::min(1.0, inner->recurrence_reduction);
+    for (std::size_t i = 0; i < correction_.size(); ++i)
+      out.displacement[i] += scale_ * correction_[i];
+    update(out);
+    return {};
+  }
+
+  /// Undoes the last correction, which made things worse.
+  void take_back(solution& out) {
+    for (std::size_t i = 0; i < correction_.size(); ++i)
+      out.displacement[i] -= scale_ * correction_[i];
+    out.energy_error = 1;
+    update(out);
+  }
+
+  [[nodiscard]] expected<solution> as_it_is(const solution& out) const {
+    solution copy = out;
+    if (auto ok = recover(p_, k_, &system_, copy); !ok)
+      return fail(ok.error());
+    return copy;
+  }
+
   void start(solution& out) {
     out.displacement = p_.prescribed;
     reference_ = residual_norm(out);
-    if (!settings_.start.empty()) {
-      auto free = settings_.start;
-      apply_filter(p_, free);
-      for (std::size_t i = 0; i < free.size(); ++i)
-        out.displacement[i] += free[i];
-    }
+    if (!settings_.start.empty())
+      add_start(out);
     update(out);
+    // A start that is near has a small residual; how near in energy nobody knows yet.
+    out.energy_error = std::min(1.0, out.true_relative_residual);
+  }
+
+  /// Adds the multiple of the start value whose error has the least energy: alpha = d.r / d.Kd.
+  void add_start(solution& out) {
+    auto d = settings_.start;
+    apply_filter(p_, d);
+    std::vector<double> kd(d.size());
+    k_.apply(d, kd);
+    double work = 0;
+    double energy = 0;
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      work += d[i] * residual_[i];
+      energy += d[i] * kd[i];
+    }
+    if (!(energy > 0) || !std::isfinite(work))
+      return;
+    for (std::size_t i = 0; i < d.size(); ++i)
+      out.displacement[i] += work / energy * d[i];
   }
 
   double residual_norm(const solution& out) {
@@ -119,38 +171,52 @@ private:
 
   const problem& p_;
   const element_operator& k_;
+  linear_system& system_;
   const solve_settings& settings_;
   std::vector<double> residual_;
+  std::vector<double> correction_;
+  double scale_ = 1;  ///< Of the last correction.
   double reference_ = 0;
 };
 
 }  // namespace
 
 expected<solution> solve(const problem& p, backend& device, const solve_settings& settings,
-                         const execution& run,
-                         const std::function<void(const solve_frame&)>& on_frame) {
+                         const execution& run, const frame_callback& on_frame) {
+  run.report(0.02, "assembling");
+  stopwatch clock;
+  auto system = device.assemble(p, run);
+  if (!system)
+    return fail(system.error());
+  const double assembly_ms = clock.restart();
+  const element_operator k(p);
+  const double setup_ms = clock.restart();
+  auto result = solve(p, k, **system, device.info().name, settings, run, on_frame);
+  if (result) {
+    result->assembly_ms = assembly_ms;
+    result->setup_ms = setup_ms;
+  }
+  return result;
+}
+
+expected<solution> solve(const problem& p, const element_operator& k, linear_system& system,
+                         const std::string& device, const solve_settings& settings,
+                         const execution& run, const frame_callback& on_frame) {
   if (!(settings.tolerance > 0))
     return fail(ec::invalid_argument, "the tolerance must be a positive number");
   if (!settings.start.empty() && settings.start.size() != p.dofs())
     return fail(ec::invalid_argument, "the start value has the wrong length");
   solution out;
   out.element_order = p.element_order;
-  out.device = device.info().name;
-  run.report(0.02, "assembling");
-  stopwatch clock;
-  auto system = device.assemble(p, run);
-  if (!system)
-    return fail(system.error());
-  out.assembly_ms = clock.restart();
-  const element_operator k(p);
-  out.setup_ms = clock.restart();
+  out.device = device;
   run.report(0.1, "solving");
-  refinement outer(p, k, settings);
-  if (auto ok = outer.run(**system, device.info().double_precision, out, run, on_frame); !ok)
+  stopwatch clock;
+  refinement outer(p, k, system, settings);
+  if (auto ok = outer.run(out, run, on_frame); !ok)
     return fail(ok.error());
   out.solve_ms = clock.restart();
   run.report(0.95, "recovering stresses");
-  if (auto ok = recover(p, k, system->get(), out); !ok)
+  if (auto ok = recover(p, k, &system, out); !ok)
     return fail(ok.error());
   out.recovery_ms = clock.restart();
   run.report(1, "done");

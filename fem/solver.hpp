@@ -4,18 +4,26 @@
 #include <functional>
 #include <vector>
 
+#include "fem/incidence.hpp"
 #include "fem/kernels.hpp"
 
 namespace tedit::fem {
 
+struct solution;
+
 struct solve_settings {
   double tolerance =
     1e-6;  ///< True relative residual |S(f - Ku)| / |S(f - K z)| of a final result.
+  /// Stop already when the estimated error in the energy norm is below this; 0: never. Such a
+  /// result is not `converged`.
+  double energy_tolerance = 0;
+  /// Where the first frame is wanted: estimated relative error in the energy norm.
+  double preview_energy = 1e-2;
   double inner_reduction =
     1e-4;  ///< Reduction of each inner solve; 1e-4 measured best in fp32 (bench/FIGURES.md).
   int max_inner_iterations = 20000;
-  int max_outer_rounds = 12;
-  /// A start value, 3 per node; empty for zero.
+  int max_outer_rounds = 20;
+  /// A start value, 3 per node; empty for zero. It is scaled so that its energy error is least.
   std::vector<double> start;
 };
 
@@ -24,6 +32,9 @@ struct solve_frame {
   int outer_round = 0;
   int iterations = 0;
   double true_relative_residual = 1;
+  double energy_error = 1;  ///< Estimated, relative; see `solution::energy_error`.
+  /// Everything that a solution has, as it is now, not `converged`. Costs a recovery.
+  std::function<expected<solution>()> recover;
 };
 
 /// What the constraints of one surface push on the part.
@@ -67,7 +78,11 @@ struct solution {
   std::vector<double> element_error;
 
   int element_order = 1;
+  bool converged = false;  ///< The true residual is within the tolerance.
   int iterations = 0;
+  /// Estimated relative error in the energy norm: by how much r.Br has fallen, which is the squared
+  /// energy of the error when B is nearly K^-1, as a multilevel cycle is. Not a bound.
+  double energy_error = 1;
   double true_relative_residual =
     1;  ///< Computed in fp64 on the host from the elements, independent of the device.
   double max_displacement_m = 0;
@@ -93,16 +108,26 @@ struct solution {
   double recovery_ms = 0;
   std::string device;
 
-  /// T4 locks in bending (docs/decisions): results of order 1 are previews wherever they show.
-  [[nodiscard]] bool preview() const { return element_order < 2; }
+  /// T4 locks in bending (docs/decisions): results of order 1 are previews wherever they show, and
+  /// so is what has not converged.
+  [[nodiscard]] bool preview() const { return element_order < 2 || !converged; }
 };
+
+using frame_callback = std::function<void(const solve_frame&)>;
 
 /// Assembles and solves: fp64 residuals on the host around the backend's inner solves (iterative
 /// refinement), then recovery. `on_frame` is called after each outer round, from this thread.
 /// Errors: those of the backend; `not_converged` with the residual that was reached; `cancelled`.
-[[nodiscard]] expected<solution> solve(
-  const problem& p, backend& device, const solve_settings& settings, const execution& run,
-  const std::function<void(const solve_frame&)>& on_frame = {});
+[[nodiscard]] expected<solution> solve(const problem& p, backend& device,
+                                       const solve_settings& settings, const execution& run,
+                                       const frame_callback& on_frame = {});
+
+/// The same on a system that stands already; `device` names it in the result. Its filter must be
+/// that of `p`.
+[[nodiscard]] expected<solution> solve(const problem& p, const element_operator& k,
+                                       linear_system& system, const std::string& device,
+                                       const solve_settings& settings, const execution& run,
+                                       const frame_callback& on_frame = {});
 
 /// r = f - K u in fp64 from the elements, 3 values per node; multi-threaded, no matrix is stored.
 void residual(const problem& p, std::span<const double> displacement, std::span<double> result);

@@ -12,8 +12,8 @@ namespace {
 
 using self_pointer = solver_actor::stateful_pointer<solver_state>;
 
-expected<fem::backend*> open_device(device_map& devices, const std::string& name) {
-  auto& device = devices[name];
+expected<fem::backend*> open_device(solver_bench& bench, const std::string& name) {
+  auto& device = bench.devices[name];
   if (!device) {
     auto opened = fem::open_backend(name);
     if (!opened)
@@ -29,7 +29,7 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
     return to_caf(needed.error());
   auto cache = self->state.desk.cache;
   auto source = self->state.desk.pages_handle;
-  auto devices = self->state.devices;
+  auto bench = self->state.bench;
   return perform<solve_result>(
     self, job, order.base, *needed,
     [=](const page_set& pages, const execution& run) -> expected<job_output<solve_result>> {
@@ -38,7 +38,7 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
           caf::anon_send(order.base.listener,
                          job_frame{job, frame.iterations, frame.true_relative_residual});
       };
-      auto output = solve(order, *devices, pages, run, tell);
+      auto output = solve(order, *bench, pages, run, tell);
       if (output) {
         for (const auto& f : *std::static_pointer_cast<const std::vector<field>>(output->keep))
           for (const auto& p : f.values.pages())
@@ -51,9 +51,9 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
 
 }  // namespace
 
-expected<job_output<solve_result>> solve(
-  const solve_order& order, device_map& devices, const page_set& pages, const execution& run,
-  const std::function<void(const fem::solve_frame&)>& on_frame) {
+expected<job_output<solve_result>> solve(const solve_order& order, solver_bench& bench,
+                                         const page_set& pages, const execution& run,
+                                         const fem::frame_callback& on_frame) {
   const stopwatch total;
   const auto mesh = open_version(order.version, pages);
   if (!mesh)
@@ -61,23 +61,20 @@ expected<job_output<solve_result>> solve(
   const auto loads = protocol::load_case_from_json(order.load_case, "load case");
   if (!loads)
     return fail(loads.error());
-  stopwatch clock;
-  const auto problem = fem::make_problem(**mesh, *loads, order.element_order);
-  if (!problem)
-    return fail(problem.error());
-  const double problem_ms = clock.restart();
-  const auto device = open_device(devices, order.device);
+  const auto device = open_device(bench, order.device);
   if (!device)
     return fail(device.error());
   fem::solve_settings settings;
   settings.tolerance = order.tolerance;
-  const auto solution = fem::solve(*problem, **device, settings, run, on_frame);
-  if (!solution)
-    return fail(solution.error());
+  const auto done =
+    bench.session.solve(*mesh, *loads, order.element_order, **device, settings, run, on_frame);
+  if (!done)
+    return fail(done.error());
+  const auto& solution = done->solution;
+  const auto& problem = bench.session.last_problem();
   auto fields =
-    std::make_shared<const std::vector<field>>(fem::make_fields(**mesh, *problem, *solution));
-  auto report = make_report(**mesh, loads->name, *problem, *solution);
-  report.setup_ms += problem_ms;
+    std::make_shared<const std::vector<field>>(fem::make_fields(**mesh, problem, solution));
+  auto report = make_report(**mesh, loads->name, problem, solution);
   report.total_ms = total.milliseconds();
   job_output<solve_result> output;
   output.result.report = protocol::to_json(report);

@@ -2,16 +2,19 @@
 #pragma once
 
 #include "actors/worker/job_desk.hpp"
-#include "fem/solver.hpp"
+#include "fem/solve_session.hpp"
 
 namespace tedit::actors {
 
-/// The devices that a solver worker has opened, by the name that was asked for.
-using device_map = std::map<std::string, std::unique_ptr<fem::backend>>;
+/// What a solver worker keeps between solves; used on its bench only.
+struct solver_bench {
+  std::map<std::string, std::unique_ptr<fem::backend>> devices;  ///< By the name asked for.
+  fem::solve_session session;
+};
 
 struct solver_state {
   job_desk desk;
-  std::shared_ptr<device_map> devices = std::make_shared<device_map>();  ///< Used on the bench.
+  std::shared_ptr<solver_bench> bench = std::make_shared<solver_bench>();
 
   static inline const char* name = "solver";
 };
@@ -21,8 +24,9 @@ solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_st
                                         std::shared_ptr<page_cache> cache, page_store_actor pages);
 
 /// The job, without actors; `on_frame` hears of each outer round.
-[[nodiscard]] expected<job_output<solve_result>> solve(
-  const solve_order& order, device_map& devices, const page_set& pages, const execution& run,
-  const std::function<void(const fem::solve_frame&)>& on_frame);
+[[nodiscard]] expected<job_output<solve_result>> solve(const solve_order& order,
+                                                       solver_bench& bench, const page_set& pages,
+                                                       const execution& run,
+                                                       const fem::frame_callback& on_frame);
 
 }  // namespace tedit::actors

@@ -48,14 +48,17 @@ public:
       ++result.iterations;
       precondition(r_.data(), z_.data());
       const double next = dot_of(r_, z_);
-      result.broke_down = !(next >= 0);
+      if (!(next >= 0)) {
+        result.broke_down = true;
+        break;  // `rz` stays the last one that meant something.
+      }
       turn(static_cast<float>(next / rz));
       rz = next;
     }
     std::transform(x_.begin(), x_.end() - 1, correction.begin(),
                    [](float v) { return static_cast<double>(v); });
     if (start > 0)
-      result.recurrence_reduction = std::sqrt(std::max(rz, 0.0) / start);
+      result.recurrence_reduction = std::sqrt(rz / start);
     return result;
   }
 

@@ -42,6 +42,23 @@ protected:
       level.lambda *= 1.5F;
   }
 
+  /// Runs `attempt`; while it breaks down without getting anywhere, calls `raise` and tries again.
+  template <class Attempt, class Raise>
+  static expected<inner_result> guarded(Attempt&& attempt, Raise&& raise) {
+    constexpr int most_attempts = 10;
+    auto result = attempt();
+    for (int i = 1; i < most_attempts && result && result->broke_down; ++i) {
+      raise();
+      if (result->recurrence_reduction < 0.5)
+        break;  // What there is counts; the next call goes on from there.
+      const int spent = result->iterations;
+      result = attempt();
+      if (result)
+        result->iterations += spent;
+    }
+    return result;
+  }
+
   template <class Operator>
   expected<void> multiply_by(const Operator& k, std::span<const double> x, std::span<double> y) {
     std::vector<float> single(padded3(k.rows()));
@@ -119,17 +136,17 @@ public:
 
   expected<void> prepare(filter_span filter, const execution& run) {
     auto built = build_hierarchy(corner_, corner_matrix_, filter.first(corner_.node_count()),
-                                 settings_.multilevel, run);
+                                 settings_.corner_multilevel, run);
     if (!built)
       return fail(built.error());
     hierarchy_ = std::move(*built);
     edges_ = make_edge_transfer(problem_, filter);
     smoother_ = make_quadratic_smoother(
       problem_, filter,
-      cluster_slivers(problem_, edges_.held, 100, settings_.multilevel.sliver_condition));
-    smoother_.lambda = settings_.multilevel.lambda_safety *
+      cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition));
+    smoother_.lambda = settings_.corner_multilevel.lambda_safety *
                        largest_ritz_value(
-                         problem_.dofs(), 1, settings_.multilevel.lambda_steps,
+                         problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
                          [this](const float* x, float* y) {
                            for_rows(k_, x, [y](std::size_t i, float4 row) {
                              store3(row, y + 3 * i);
@@ -137,7 +154,7 @@ public:
                            });
                          },
                          [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.cycle);
+    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
     cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
     return {};
   }

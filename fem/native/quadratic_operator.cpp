@@ -16,24 +16,125 @@ constexpr std::uint8_t none = 0;
 constexpr std::array<std::array<std::uint8_t, 4>, 4> middle{
   {{none, 4, 6, 7}, {4, none, 5, 8}, {6, 5, none, 9}, {7, 8, 9, none}}};
 
-/// A symmetric 3x3 tensor or a displacement gradient by columns.
+// Vectors of 32 bytes only live inside one function: no binary interface depends on them.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+/// Two elements side by side, three components and one unused lane each.
+using float8 [[gnu::vector_size(32)]] = float;
+using int8 [[gnu::vector_size(32)]] = int;
+
+/// Everything below is inlined into a function that exists once for AVX2 and once for any machine.
+#define TEDIT_INLINE [[gnu::always_inline]] inline
+
+TEDIT_INLINE float8 pair(float4 first, float4 second) {
+  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+TEDIT_INLINE float4 first_of(float8 x) {
+  return __builtin_shufflevector(x, x, 0, 1, 2, 3);
+}
+
+TEDIT_INLINE float4 second_of(float8 x) {
+  return __builtin_shufflevector(x, x, 4, 5, 6, 7);
+}
+
+/// Component `i` of each element in all of its lanes.
+template <int i>
+TEDIT_INLINE float8 each(float8 x) {
+  return __builtin_shuffle(x, int8{i, i, i, i, i + 4, i + 4, i + 4, i + 4});
+}
+
+/// A tensor of each of two elements by columns.
 struct columns {
-  float4 x, y, z;
+  float8 x, y, z;
 };
 
-inline columns operator+(const columns& a, const columns& b) {
+TEDIT_INLINE columns add(const columns& a, const columns& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 /// lambda tr(G) I + mu (G + G^T), G by columns.
-inline columns stress(const columns& g, float lambda, float mu) {
-  const float trace = lambda * (g.x[0] + g.y[1] + g.z[2]);
-  const float4 m = splat(mu);
-  const float4 row_x{g.x[0], g.y[0], g.z[0], 0};
-  const float4 row_y{g.x[1], g.y[1], g.z[1], 0};
-  const float4 row_z{g.x[2], g.y[2], g.z[2], 0};
-  return {m * (g.x + row_x) + float4{trace, 0, 0, 0}, m * (g.y + row_y) + float4{0, trace, 0, 0},
-          m * (g.z + row_z) + float4{0, 0, trace, 0}};
+TEDIT_INLINE columns stress(const columns& g, float8 lambda, float8 mu) {
+  const float8 low = __builtin_shuffle(g.x, g.y, int8{0, 8, 1, 9, 4, 12, 5, 13});
+  const float8 high = __builtin_shuffle(g.x, g.y, int8{2, 10, 3, 11, 6, 14, 7, 15});
+  const float8 row_x = __builtin_shuffle(low, g.z, int8{0, 1, 8, 8, 4, 5, 12, 12});
+  const float8 row_y = __builtin_shuffle(low, g.z, int8{2, 3, 9, 9, 6, 7, 13, 13});
+  const float8 row_z = __builtin_shuffle(high, g.z, int8{0, 1, 10, 10, 4, 5, 14, 14});
+  const float8 pressure = lambda * (each<0>(g.x) + each<1>(g.y) + each<2>(g.z));
+  constexpr float8 unit_x{1, 0, 0, 0, 1, 0, 0, 0};
+  constexpr float8 unit_y{0, 1, 0, 0, 0, 1, 0, 0};
+  constexpr float8 unit_z{0, 0, 1, 0, 0, 0, 1, 0};
+  return {mu * (g.x + row_x) + pressure * unit_x, mu * (g.y + row_y) + pressure * unit_y,
+          mu * (g.z + row_z) + pressure * unit_z};
+}
+
+/// sum_j column_j g_j: a tensor times a vector.
+TEDIT_INLINE float8 times(const columns& t, float8 g) {
+  return t.x * each<0>(g) + t.y * each<1>(g) + t.z * each<2>(g);
+}
+
+/// The ten nodal forces of two elements from their nodal displacements, each with V/20 in lambda
+/// and mu.
+TEDIT_INLINE void element_forces(const std::array<float8, 10>& u,
+                                 const std::array<float8, 4>& gradient, float8 lambda, float8 mu,
+                                 std::array<float8, 10>& force) {
+  std::array<columns, 4> s;
+  for (int k = 0; k < 4; ++k) {
+    columns grad{};
+    for (int b = 0; b < 4; ++b) {
+      if (b == k)
+        continue;
+      const float8 d = 4.0F * (u[middle[k][b]] - u[k]) - (u[b] - u[k]);
+      grad.x += d * each<0>(gradient[b]);
+      grad.y += d * each<1>(gradient[b]);
+      grad.z += d * each<2>(gradient[b]);
+    }
+    s[k] = stress(grad, lambda, mu);
+  }
+  const columns all = add(add(s[0], s[1]), add(s[2], s[3]));
+  force = {};
+  for (int k = 0; k < 4; ++k) {
+    const columns mean = add(s[k], all);
+    float8 back{};
+    for (int b = 0; b < 4; ++b) {
+      if (b == k)
+        continue;
+      const float8 f = times(mean, gradient[b]);
+      force[middle[k][b]] += 4.0F * f;
+      force[b] -= f;
+      back += f;
+    }
+    force[k] -= 3.0F * back;
+  }
+}
+
+/// Adds the forces of `count` elements of a patch to `sums`; `local` has the patch's nodes. The
+/// elements' sums enter one after the other, so that pairs change no bits.
+template <class Element>
+TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const float4* local,
+                               float4* sums) {
+  for (std::size_t e = 0; e < count; e += 2) {
+    const auto& one = elements[e];
+    const bool both = e + 1 < count;
+    const auto& two = elements[both ? e + 1 : e];
+    std::array<float8, 10> u;
+    for (int a = 0; a < 10; ++a)
+      u[a] = pair(local[one.node[a]], local[two.node[a]]);
+    std::array<float8, 4> gradient{};
+    for (int b = 1; b < 4; ++b) {
+      gradient[b] = pair(load4(&one.gradient[3 * (b - 1)]), load4(&two.gradient[3 * (b - 1)]));
+      gradient[0] -= gradient[b];
+    }
+    const float8 lambda = pair(splat(one.lambda), splat(two.lambda));
+    const float8 mu = pair(splat(one.mu), splat(two.mu));
+    std::array<float8, 10> force;
+    element_forces(u, gradient, lambda, mu, force);
+    for (int a = 0; a < 10; ++a)
+      sums[one.node[a]] += first_of(force[a]);
+    if (both)
+      for (int a = 0; a < 10; ++a)
+        sums[two.node[a]] += second_of(force[a]);
+  }
 }
 
 }  // namespace
@@ -116,6 +217,9 @@ void quadratic_operator::sum_patches(const float* x) const {
     8);
 }
 
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+[[gnu::target_clones("arch=x86-64-v3", "default")]]
+#endif
 void quadratic_operator::sum_patch(const patch& part, const float* x,
                                    std::vector<float4>& local) const {
   const std::size_t count = part.last_node - part.first_node;
@@ -124,47 +228,8 @@ void quadratic_operator::sum_patch(const patch& part, const float* x,
     local[i] = load4(x + 3 * std::size_t{patch_nodes_[part.first_node + i]});
   float4* sums = &shares_[part.first_node];
   std::fill_n(sums, count, float4{});
-  for (auto e = part.first_element; e < part.last_element; ++e) {
-    const auto& now = elements_[e];
-    const auto& at = now.node;
-    const float4* g = nullptr;
-    std::array<float4, 4> gradient{};
-    for (int b = 1; b < 4; ++b) {
-      const float* d = &now.gradient[3 * (b - 1)];
-      gradient[b] = float4{d[0], d[1], d[2], 0};
-      gradient[0] -= gradient[b];
-    }
-    g = gradient.data();
-    std::array<columns, 4> s;
-    for (int k = 0; k < 4; ++k) {
-      const float4 own = local[at[k]];
-      columns grad{};
-      for (int b = 0; b < 4; ++b) {
-        if (b == k)
-          continue;
-        const float4 d = splat(4) * (local[at[middle[k][b]]] - own) - (local[at[b]] - own);
-        grad.x += d * splat(g[b][0]);
-        grad.y += d * splat(g[b][1]);
-        grad.z += d * splat(g[b][2]);
-      }
-      s[k] = stress(grad, now.lambda, now.mu);
-    }
-    const columns all = (s[0] + s[1]) + (s[2] + s[3]);
-    for (int k = 0; k < 4; ++k) {
-      const columns mean = s[k] + all;
-      float4 back{};
-      for (int b = 0; b < 4; ++b) {
-        if (b == k)
-          continue;
-        const float4 f =
-          mean.x * splat(g[b][0]) + mean.y * splat(g[b][1]) + mean.z * splat(g[b][2]);
-        sums[at[middle[k][b]]] += splat(4) * f;
-        sums[at[b]] -= f;
-        back += f;
-      }
-      sums[at[k]] -= splat(3) * back;
-    }
-  }
+  add_elements(&elements_[part.first_element], part.last_element - part.first_element, local.data(),
+               sums);
 }
 
 }  // namespace tedit::fem

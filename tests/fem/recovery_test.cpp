@@ -21,7 +21,9 @@ solution recovered(const problem& p, std::vector<double> displacement) {
 }
 
 solution solved(const problem& p) {
-  return recovered(p, test::solve_directly(p));
+  auto s = recovered(p, test::solve_directly(p));
+  s.converged = true;
+  return s;
 }
 
 problem box_problem(int order, std::array<int, 3> cells, vec3 size, const load_case& loads) {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/solve_session.hpp"
+
+#include <algorithm>
+
+#include "base/stopwatch.hpp"
+#include "fem/problem_parts.hpp"
+
+namespace tedit::fem {
+
+namespace {
+
+vec3 value_at(std::span<const double> u, std::size_t n) {
+  return {u[3 * n], u[3 * n + 1], u[3 * n + 2]};
+}
+
+void put(vec3 value, std::size_t n, std::vector<double>& u) {
+  u[3 * n] = value.x;
+  u[3 * n + 1] = value.y;
+  u[3 * n + 2] = value.z;
+}
+
+/// The node of `from` that is the same point as each corner of `to`.
+std::vector<std::uint32_t> same_corners(const problem& from, const problem& to) {
+  vertex_id last = 0;
+  for (const auto v : from.node_vertices)
+    last = std::max(last, v);
+  std::vector<std::uint32_t> node_of(std::size_t{last} + 1, no_id);
+  for (std::uint32_t n = 0; n < from.node_vertices.size(); ++n)
+    node_of[from.node_vertices[n]] = n;
+  std::vector<std::uint32_t> same(to.corner_count, no_id);
+  for (std::size_t n = 0; n < same.size(); ++n) {
+    const auto v = to.node_vertices[n];
+    // A slot may have been given to another point meanwhile.
+    if (v <= last && node_of[v] != no_id && from.nodes[node_of[v]] == to.nodes[n])
+      same[n] = node_of[v];
+  }
+  return same;
+}
+
+/// Unknown corners take the mean of their known neighbours, layer by layer.
+void fill_corners(const problem& p, std::vector<std::uint8_t>& known, std::vector<double>& u) {
+  const auto open = [&](std::size_t e) {
+    const auto* n = &p.element_nodes[p.nodes_per_element * e];
+    return std::any_of(n, n + 4, [&](std::uint32_t i) { return known[i] == 0; });
+  };
+  std::vector<std::size_t> elements;
+  for (std::size_t e = 0; e < p.element_count(); ++e)
+    if (open(e))
+      elements.push_back(e);
+  std::vector<vec3> sum(p.corner_count);
+  std::vector<int> count(p.corner_count, 0);
+  while (!elements.empty()) {
+    std::vector<std::uint32_t> reached;
+    for (const auto e : elements) {
+      const auto* n = &p.element_nodes[p.nodes_per_element * e];
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b)
+          if (known[n[a]] == 0 && known[n[b]] != 0) {
+            if (count[n[a]]++ == 0)
+              reached.push_back(n[a]);
+            sum[n[a]] += value_at(u, n[b]);
+          }
+    }
+    if (reached.empty())
+      return;  // A piece without any known point stays at zero.
+    for (const auto n : reached) {
+      put(sum[n] / count[n], n, u);
+      known[n] = 1;
+    }
+    std::erase_if(elements, [&](std::size_t e) { return !open(e); });
+  }
+}
+
+}  // namespace
+
+std::vector<double> carry_over(const problem& from, std::span<const double> displacement,
+                               const problem& to) {
+  std::vector<double> u(to.dofs(), 0);
+  const auto same = same_corners(from, to);
+  std::vector<std::uint8_t> known(to.corner_count, 0);
+  for (std::size_t n = 0; n < same.size(); ++n)
+    if (same[n] != no_id) {
+      known[n] = 1;
+      put(value_at(displacement, same[n]), n, u);
+    }
+  fill_corners(to, known, u);
+  for (std::size_t i = 0; i < to.edge_ends.size(); ++i) {
+    const auto [a, b] = to.edge_ends[i];
+    auto old = no_id;
+    if (from.element_order == 2 && same[a] != no_id && same[b] != no_id)
+      old = mid_node(from, same[a], same[b]);
+    put(old != no_id ? value_at(displacement, old) : 0.5 * (value_at(u, a) + value_at(u, b)),
+        to.corner_count + i, u);
+  }
+  return u;
+}
+
+bool solve_session::fits(const mesh_version& mesh, const load_case& loads, int element_order,
+                         const backend& device) const {
+  return system_ && mesh_->id() == mesh.id() && device_ == &device &&
+         problem_->element_order == element_order && materials_ == loads.materials;
+}
+
+expected<void> solve_session::renew_conditions(const load_case& loads) {
+  const auto filter = problem_->filter;
+  if (auto ok = set_conditions(*mesh_, loads, *problem_); !ok)
+    return ok;
+  assembly_ms_ = 0;
+  setup_ms_ = 0;
+  if (problem_->filter == filter)
+    return {};
+  const stopwatch clock;
+  auto set = system_->set_filter(problem_->filter);
+  setup_ms_ = clock.milliseconds();
+  return set;
+}
+
+expected<void> solve_session::assemble(const version_ptr& mesh, const load_case& loads,
+                                       int element_order, backend& device, const execution& run) {
+  stopwatch clock;
+  // The old system goes first: two of them may not fit.
+  system_.reset();
+  operator_.reset();
+  auto made = make_problem(*mesh, loads, element_order);
+  if (!made)
+    return fail(made.error());
+  auto next = std::make_unique<problem>(std::move(*made));
+  if (problem_ && !displacement_.empty())
+    displacement_ = carry_over(*problem_, displacement_, *next);
+  problem_ = std::move(next);
+  setup_ms_ = clock.restart();
+  run.report(0.02, "assembling");
+  auto system = device.assemble(*problem_, run);
+  if (!system)
+    return fail(system.error());
+  assembly_ms_ = clock.restart();
+  operator_ = std::make_unique<element_operator>(*problem_);
+  setup_ms_ += clock.restart();
+  system_ = std::move(*system);
+  mesh_ = mesh;
+  materials_ = loads.materials;
+  device_ = &device;
+  return {};
+}
+
+expected<solve_session::result> solve_session::solve(
+  const version_ptr& mesh, const load_case& loads, int element_order, backend& device,
+  const solve_settings& settings, const execution& run, const frame_callback& on_frame) {
+  const bool again = fits(*mesh, loads, element_order, device);
+  auto ready = again ? renew_conditions(loads) : assemble(mesh, loads, element_order, device, run);
+  if (!ready) {
+    system_.reset();
+    return fail(ready.error());
+  }
+  auto started = settings;
+  if (started.start.empty())
+    started.start = displacement_;
+  auto solved =
+    fem::solve(*problem_, *operator_, *system_, device.info().name, started, run, on_frame);
+  if (!solved)
+    return fail(solved.error());
+  solved->assembly_ms = assembly_ms_;
+  solved->setup_ms = setup_ms_;
+  displacement_ = solved->displacement;
+  return result{std::move(*solved), !again};
+}
+
+}  // namespace tedit::fem

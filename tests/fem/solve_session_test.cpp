@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/solve_session.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fem/native/native_backend.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::fem {
+namespace {
+
+load_case cantilever(vec3 tip_n) {
+  load_case loads;
+  loads.materials = {{"steel", 210e9, 0.3, 7850, 0, {}}};
+  loads.constraints = {{{1}, fixed{}}};
+  loads.loads = {{{2}, force{tip_n}}};
+  return loads;
+}
+
+solve_session::result value(expected<solve_session::result> result) {
+  EXPECT_TRUE(result.has_value()) << (result ? "" : render(result.error()));
+  return result ? std::move(*result) : solve_session::result{};
+}
+
+class SolveSession : public testing::Test {
+protected:
+  solve_session::result solve(const version_ptr& mesh, const load_case& loads) {
+    return value(session_.solve(mesh, loads, 2, *device_, {}, {}));
+  }
+
+  /// The same without any history.
+  solution fresh(const version_ptr& mesh, const load_case& loads) {
+    return value(solve_session().solve(mesh, loads, 2, *device_, {}, {})).solution;
+  }
+
+  std::unique_ptr<backend> device_ = make_native_backend();
+  solve_session session_;
+  version_ptr bar_ = test::box_mesh({12, 3, 3}, {4, 1, 1});
+};
+
+TEST_F(SolveSession, NewLoadsDoNotAssembleAgain) {
+  const auto first = solve(bar_, cantilever({0, 0, -1000}));
+  const auto second = solve(bar_, cantilever({0, 500, 0}));
+
+  EXPECT_TRUE(first.assembled);
+  EXPECT_FALSE(second.assembled);
+  EXPECT_NEAR(second.solution.compliance_j, fresh(bar_, cantilever({0, 500, 0})).compliance_j,
+              1e-6 * second.solution.compliance_j);
+}
+
+TEST_F(SolveSession, NewConstraintsDoNotAssembleAgain) {
+  auto turned = cantilever({0, 0, -1000});
+  turned.constraints = {{{2}, fixed{}}, {{3}, roller{}}};
+  turned.loads = {{{1}, force{{0, 0, -1000}}}};
+  solve(bar_, cantilever({0, 0, -1000}));
+
+  const auto second = solve(bar_, turned);
+
+  EXPECT_FALSE(second.assembled);
+  const auto expected = fresh(bar_, turned);
+  EXPECT_NEAR(second.solution.compliance_j, expected.compliance_j, 1e-6 * expected.compliance_j);
+  EXPECT_EQ(second.solution.surface_reactions.size(), expected.surface_reactions.size());
+}
+
+TEST_F(SolveSession, AnotherMaterialAssembles) {
+  auto soft = cantilever({0, 0, -1000});
+  soft.materials[0].young_modulus_pa = 70e9;
+  const auto steel = solve(bar_, cantilever({0, 0, -1000}));
+
+  const auto second = solve(bar_, soft);
+
+  EXPECT_TRUE(second.assembled);
+  EXPECT_NEAR(second.solution.compliance_j, 3 * steel.solution.compliance_j,
+              1e-5 * second.solution.compliance_j);
+}
+
+TEST_F(SolveSession, TheSameAgainTakesNoIteration) {
+  solve(bar_, cantilever({0, 0, -1000}));
+
+  const auto second = solve(bar_, cantilever({0, 0, -2000}));
+
+  // Twice the load: the last displacement, scaled, is the answer.
+  EXPECT_EQ(second.solution.iterations, 0);
+  EXPECT_TRUE(second.solution.converged);
+}
+
+TEST_F(SolveSession, RefusedLoadsLeaveTheSessionUsable) {
+  auto wrong = cantilever({0, 0, -1000});
+  wrong.loads = {{{99}, force{{0, 0, -1000}}}};
+  solve(bar_, cantilever({0, 0, -1000}));
+
+  const auto refused = session_.solve(bar_, wrong, 2, *device_, {}, {});
+  const auto after = solve(bar_, cantilever({0, 500, 0}));
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::surface_not_found);
+  EXPECT_TRUE(after.solution.converged);
+}
+
+TEST_F(SolveSession, AnotherMeshStartsFromTheOldField) {
+  const auto loads = cantilever({0, 0, -1000});
+  solve(bar_, loads);
+  const auto moved = test::box_mesh({12, 3, 3}, {4, 1, 1}, [](vec3 p) {
+    return p.x > 3 ? p + vec3{0, 0, 0.02 * (p.x - 3)} : p;
+  });
+
+  const auto warm = solve(moved, loads);
+  const auto cold = fresh(moved, loads);
+
+  EXPECT_TRUE(warm.assembled);
+  EXPECT_LE(warm.solution.iterations, cold.iterations);
+  EXPECT_NEAR(warm.solution.compliance_j, cold.compliance_j, 1e-6 * cold.compliance_j);
+}
+
+TEST(CarryOver, KeepsWhatIsTheSameAndFillsWhatIsNew) {
+  const auto loads = cantilever({0, 0, -1000});
+  const auto from = *make_problem(*test::box_mesh({4, 2, 2}, {4, 1, 1}), loads, 2);
+  const auto to = *make_problem(*test::box_mesh({4, 2, 2}, {4, 1, 1},
+                                                [](vec3 p) {
+                                                  return p.x > 3.5 ? p + vec3{1, 0, 0} : p;
+                                                }),
+                                loads, 2);
+  std::vector<double> u(from.dofs());
+  for (std::size_t n = 0; n < from.node_count(); ++n)
+    u[3 * n] = 1 + from.nodes[n].x;
+
+  const auto carried = carry_over(from, u, to);
+
+  for (std::size_t n = 0; n < to.node_count(); ++n) {
+    if (to.nodes[n].x <= 3)
+      EXPECT_DOUBLE_EQ(carried[3 * n], 1 + to.nodes[n].x);
+    else  // Moved points: the mean of neighbours at x = 3.
+      EXPECT_NEAR(carried[3 * n], 4, 1e-12);
+  }
+}
+
+TEST(Frames, ComeBeforeTheEndWithAFieldNearIt) {
+  const auto p =
+    *make_problem(*test::box_mesh({20, 5, 5}, {4, 1, 1}), cantilever({0, 0, -1000}), 2);
+  const auto device = make_native_backend();
+  std::vector<solution> seen;
+
+  const auto last = solve(p, *device, {}, {}, [&](const solve_frame& frame) {
+    if (auto now = frame.recover())
+      seen.push_back(std::move(*now));
+  });
+
+  ASSERT_TRUE(last.has_value());
+  ASSERT_FALSE(seen.empty());
+  EXPECT_TRUE(seen.front().preview());
+  EXPECT_FALSE(last->preview());
+  EXPECT_LE(seen.front().energy_error, 1e-2);
+  // Energy error squared is the relative error of the compliance.
+  EXPECT_NEAR(seen.front().compliance_j, last->compliance_j, 1e-3 * last->compliance_j);
+}
+
+TEST(EnergyTolerance, EndsEarlyAndSaysSo) {
+  const auto p =
+    *make_problem(*test::box_mesh({20, 5, 5}, {4, 1, 1}), cantilever({0, 0, -1000}), 2);
+  const auto device = make_native_backend();
+  solve_settings rough;
+  rough.energy_tolerance = 1e-3;
+
+  const auto quick = solve(p, *device, rough, {});
+  const auto exact = solve(p, *device, {}, {});
+
+  ASSERT_TRUE(quick && exact);
+  EXPECT_FALSE(quick->converged);
+  EXPECT_LT(quick->iterations, exact->iterations);
+  EXPECT_NEAR(quick->compliance_j, exact->compliance_j, 1e-5 * exact->compliance_j);
+}
+
+}  // namespace
+}  // namespace tedit::fem

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/multilevel/hierarchy.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <Eigen/Dense>
+
+#include "fem/multilevel/lanczos.hpp"
+#include "fem/multilevel/node_smoother.hpp"
+#include "fem/native/cycle.hpp"
+#include "fem/native/native_backend.hpp"
+#include "fem/solver.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::fem {
+namespace {
+
+load_case bar(double poisson = 0.3) {
+  load_case loads;
+  loads.materials = {{"steel", 210e9, poisson, 7850, 0, {}}};
+  loads.constraints = {{{1}, fixed{}}};
+  loads.loads = {{{2}, force{{0, 0, -1000}}}};
+  return loads;
+}
+
+problem bar_problem(std::array<int, 3> cells, vec3 size, int order = 1) {
+  return *make_problem(*test::box_mesh(cells, size), bar(), order);
+}
+
+solution solved(const problem& p, const native_settings& settings = {}) {
+  solve_settings s;
+  s.tolerance = 1e-8;
+  auto result = solve(p, *make_native_backend(settings), s, {});
+  EXPECT_TRUE(result.has_value()) << (result ? "" : render(result.error()));
+  return result.value_or(solution{});
+}
+
+TEST(Lanczos, FindsTheLargestEigenvalueOfADiagonal) {
+  const std::size_t n = 500;
+  const auto a = [&](const float* x, float* y) {
+    for (std::size_t i = 0; i < n; ++i)
+      y[i] = (1 + 3.0F * static_cast<float>(i) / static_cast<float>(n - 1)) * x[i];
+  };
+  const auto b = [&](const float* x, float* y) { std::copy_n(x, n, y); };
+
+  const float lambda = largest_ritz_value(n, 0, 12, a, b);
+
+  EXPECT_LE(lambda, 4.0001F);  // From below.
+  EXPECT_GE(lambda, 3.8F);
+}
+
+TEST(Chebyshev, StepsAreThoseOfTheFourthKind) {
+  // Lottes 2023: d_2 = 1/5 d_1 + 12/(5 lambda) r.
+  const auto w = chebyshev_step(2, 2);
+  EXPECT_FLOAT_EQ(w.before, 0.2F);
+  EXPECT_FLOAT_EQ(w.fresh, 1.2F);
+  EXPECT_FLOAT_EQ(chebyshev_start(2), 2.0F / 3);
+}
+
+TEST(Cycle, IsSymmetricAndPositive) {
+  const auto p = bar_problem({24, 8, 8}, {4, 1, 1});
+  const incidence corners(p);
+  const auto k = assemble_blocks(p, corners);
+  multilevel_settings small;
+  small.coarsest = 8;  // So that all kinds of levels take part.
+  const auto h = *build_hierarchy(p, k, p.filter, small, {});
+  ASSERT_GE(h.levels.size(), 3u);
+  multilevel_cycle cycle(k, h, {});
+  const std::size_t n = padded3(p.node_count());
+  std::vector<float> x(n, 0);
+  std::vector<float> y(n, 0);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    x[i] = static_cast<float>(std::sin(0.37 * static_cast<double>(i)));
+    y[i] = static_cast<float>(std::cos(0.11 * static_cast<double>(i)));
+  }
+  std::vector<float> bx(n, 0);
+  std::vector<float> by(n, 0);
+
+  cycle.apply(x.data(), bx.data());
+  cycle.apply(y.data(), by.data());
+
+  EXPECT_NEAR(dot_of(x, by), dot_of(y, bx), 1e-5 * std::sqrt(dot_of(x, bx) * dot_of(y, by)));
+  EXPECT_GT(dot_of(x, bx), 0);
+  EXPECT_GT(dot_of(y, by), 0);
+}
+
+TEST(Multilevel, IterationsHardlyGrowWithSize) {
+  const auto few = solved(bar_problem({16, 4, 4}, {4, 1, 1}));
+  const auto many = solved(bar_problem({64, 16, 16}, {4, 1, 1}));
+
+  EXPECT_LE(many.iterations, 1.5 * few.iterations) << few.iterations;
+  EXPECT_LE(many.iterations, 45);
+}
+
+TEST(Multilevel, SmallGuessesOfLambdaAreCaught) {
+  const auto p = bar_problem({24, 6, 6}, {4, 1, 1});
+  native_settings wrong;
+  // A third of the largest eigenvalue: the smoother amplifies, the cycle is not positive definite.
+  wrong.multilevel.lambda_safety = 0.33F;
+
+  const auto right = solved(p);
+  const auto caught = solved(p, wrong);
+
+  EXPECT_TRUE(caught.converged);
+  EXPECT_NEAR(caught.compliance_j, right.compliance_j, 1e-7 * right.compliance_j);
+}
+
+TEST(Multilevel, StiffnessJumpsAndNearlyIncompressibleMaterialsConverge) {
+  const auto mesh = test::box_mesh({32, 8, 8}, {4, 1, 1});
+  for (const int order : {1, 2}) {
+    auto p = *make_problem(*mesh, bar(0.45), order);
+    p.constants.push_back({1e-4 * p.constants[0].lambda, 1e-4 * p.constants[0].mu});
+    p.densities.push_back(p.densities[0]);
+    p.yield_strengths.push_back(0);
+    for (std::size_t e = 0; e < p.element_count(); ++e)
+      if (p.nodes[p.element_nodes[p.nodes_per_element * e]].y < 0.5)
+        p.element_materials[e] = 1;
+    EXPECT_LE(solved(p).iterations, order == 1 ? 60 : 80);
+  }
+}
+
+TEST(Multilevel, SliverTetsDoNotStall) {
+  // Some inner nodes almost on top of a neighbour.
+  const auto mesh = test::box_mesh({16, 6, 6}, {16, 6, 6}, [](vec3 p) {
+    const bool inside = p.x > 0 && p.x < 16 && p.y > 0 && p.y < 6 && p.z > 0 && p.z < 5;
+    const bool chosen = static_cast<int>(p.x + 3 * p.y + 7 * p.z) % 11 == 0;
+    return inside && chosen ? p + vec3{0, 0, 0.995} : p;
+  });
+  const auto p = *make_problem(*mesh, bar());
+
+  native_settings plain;
+  plain.multilevel.sliver_condition = 0;
+  const int clustered = solved(p).iterations;
+  EXPECT_LE(clustered, 60);
+  EXPECT_GT(solved(p, plain).iterations, clustered);
+}
+
+TEST(Multilevel, SheetsHeldAcrossTheirThicknessHaveNoLostMotions) {
+  // Plane strain: every node is held in z, so that whole motions of each aggregate are none.
+  auto loads = bar();
+  loads.constraints.push_back({{5, 6}, prescribed_displacement{{}, {}, 0.0}});
+  loads.loads = {{{2}, force{{0, -1000, 0}}}};
+  for (const int order : {1, 2}) {
+    const auto p = *make_problem(*test::box_mesh({40, 10, 1}, {4, 1, 0.1}), loads, order);
+    const auto result = solved(p);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LE(result.iterations, 60);
+    for (std::size_t n = 0; n < p.corner_count; ++n)
+      EXPECT_EQ(result.displacement[3 * n + 2], 0);
+  }
+}
+
+TEST(Multilevel, ProblemsWithHardlyAnyFreeNodeWork) {
+  auto loads = bar();
+  loads.constraints = {{{1, 3, 4, 5, 6}, fixed{}}};
+  for (const int order : {1, 2}) {
+    const auto p = *make_problem(*test::box_mesh({2, 2, 2}, {1, 1, 1}), loads, order);
+    EXPECT_TRUE(solved(p).converged);
+  }
+}
+
+}  // namespace
+}  // namespace tedit::fem
