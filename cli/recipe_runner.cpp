@@ -15,7 +15,8 @@ namespace {
 constexpr auto surface_patience = std::chrono::minutes(2);
 
 std::string place(vec3 p) {
-  return pretty(1e3 * p.x, 3) + "," + pretty(1e3 * p.y, 3) + "," + pretty(1e3 * p.z, 3);
+  const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return components(1e3 * p, 3, 1e3 * largest, 1e-6);
 }
 
 std::string kibibytes(const client::traffic& moved) {
@@ -24,6 +25,20 @@ std::string kibibytes(const client::traffic& moved) {
 
 nlohmann::ordered_json to_json(const client::traffic& moved) {
   return {{"bytes", moved.bytes}, {"messages", moved.messages}, {"ms", moved.ms}};
+}
+
+/// What a picture's numbers are worth.
+std::string caption_of(const solve_report& shown) {
+  std::string place = shown.preview ? " (element)" : " (node)";
+  if (shown.max_von_mises_singularity)
+    place += *shown.max_von_mises_singularity == fem::singularity::clamp_rim
+               ? " at a clamp's rim"
+               : " at a re-entrant edge";
+  return std::string(shown.preview ? "Preview: linear tets understate bending.  "
+                                   : "Quadratic tets,  ") +
+         "max von Mises " + pretty(1e-6 * shown.max_von_mises_pa, 4) + " MPa" + place +
+         ",  error estimate " + pretty(100 * shown.relative_error_estimate, 2) + " %,  residual " +
+         pretty(shown.true_relative_residual, 2) + ",  version " + shown.version_id.substr(0, 8);
 }
 
 }  // namespace
@@ -211,10 +226,7 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
     if (auto ok = write(client::file_format::vtu, vtu); !ok)
       return ok;
   const auto& shown = solved_.at(head_.version_id);
-  const auto caption =
-    std::string(shown.preview ? "Preview: linear tets understate bending.  " : "") +
-    "max von Mises " + pretty(1e-6 * shown.max_von_mises_pa, 4) + " MPa (element),  residual " +
-    pretty(shown.true_relative_residual, 2) + ",  version " + head_.version_id.substr(0, 8);
+  const auto caption = caption_of(shown);
   std::vector<std::string> command{(executable_folder() / "tedit-render").string(),
                                    vtu.string(),
                                    "-o",

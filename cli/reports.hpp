@@ -15,10 +15,23 @@ namespace tedit::cli {
 /// The same for people, indented.
 [[nodiscard]] std::string describe(const edit_report& report);
 
-/// The JSON object of `tedit solve`, but for the times that only the caller knows.
+/// The JSON object of `tedit solve` (docs/results.md), but for the times that only the caller
+/// knows. Keys of unknown values are left out. Numbers are as they were computed, noise included.
 [[nodiscard]] nlohmann::ordered_json to_json(const solve_report& report);
 
 /// The same for people, indented; without times.
 [[nodiscard]] std::string describe(const solve_report& report);
+
+/// A sentence when the largest stress sits at a singular place and says nothing about strength;
+/// else empty.
+[[nodiscard]] std::string singular_warning(const solve_report& report);
+
+/// A number for people, 0 when it is at most `noise` of `scale`: next to 20 kN a reaction of 1e-5 N
+/// is what the solver's tolerance left over, and reads as if it meant something.
+[[nodiscard]] std::string without_noise(double value, double scale, int digits,
+                                        double noise = 1e-5);
+
+/// Three such numbers, "x, y, z".
+[[nodiscard]] std::string components(vec3 v, int digits, double scale, double noise = 1e-5);
 
 }  // namespace tedit::cli
