@@ -19,8 +19,8 @@ std::vector<named_reaction> name_reactions(const mesh_version& mesh,
                                            const std::vector<fem::surface_reaction>& reactions) {
   std::vector<named_reaction> result;
   for (const auto& r : reactions) {
-    const auto row = std::ranges::find(mesh.surfaces(), r.surface, &surface_info::id);
-    result.push_back({r.surface, row == mesh.surfaces().end() ? "" : row->name, r.force_n});
+    const auto* row = mesh.find_surface(r.surface);
+    result.push_back({r.surface, row ? row->name : "", r.force_n});
   }
   return result;
 }
