@@ -181,6 +181,8 @@ expected<void> recipe_runner::step(const solve_step&) {
     return fail(field.error());
   const auto& report = field->report;
   solved_[head_.version_id] = report;
+  if (!known)
+    details_ += "field of " + version_name() + "\n" + summarize(report);
   auto json = cli::to_json(report);
   json["step"] = "solve";
   json["from_cache"] = known;

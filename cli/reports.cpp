@@ -108,6 +108,20 @@ void add_sums(const solve_report& report, double scale, labelled_lines& lines) {
   lines.add("applied", force(report.applied_n, scale));
 }
 
+/// A line when the largest stress sits at a singular place and says nothing about strength.
+std::string warning_line(const solve_report& report) {
+  if (!report.max_von_mises_singularity)
+    return {};
+  const bool rim = *report.max_von_mises_singularity == fem::singularity::clamp_rim;
+  const bool safety = report.min_safety_factor &&
+                      std::ranges::find(report.singular_places, report.min_safety_factor_at,
+                                        &stress_peak::at) != report.singular_places.end();
+  return std::string("  WARNING: the largest stress is at a ") +
+         (rim ? "clamp's rim" : "re-entrant edge") +
+         ", where it grows with every refinement: do not read it" +
+         (safety ? ", nor the safety factor there," : "") + " as strength\n";
+}
+
 nlohmann::ordered_json reactions_json(const solve_report& report) {
   auto rows = nlohmann::ordered_json::array();
   for (const auto& r : report.surface_reactions)
@@ -245,16 +259,12 @@ nlohmann::ordered_json to_json(const solve_report& report) {
   return json;
 }
 
-std::string singular_warning(const solve_report& report) {
-  if (!report.max_von_mises_singularity)
-    return {};
-  const bool rim = *report.max_von_mises_singularity == fem::singularity::clamp_rim;
-  const bool safety = report.min_safety_factor &&
-                      std::ranges::find(report.singular_places, report.min_safety_factor_at,
-                                        &stress_peak::at) != report.singular_places.end();
-  return std::string("the largest stress is at a ") + (rim ? "clamp's rim" : "re-entrant edge") +
-         ", where it grows with every refinement: do not read it" +
-         (safety ? ", nor the safety factor there," : "") + " as strength";
+std::string summarize(const solve_report& report) {
+  labelled_lines lines;
+  add_judgement(report, lines);
+  if (report.mass_kg)
+    lines.add("mass", pretty(*report.mass_kg) + " kg");
+  return lines.text() + warning_line(report);
 }
 
 std::string describe(const solve_report& report) {
@@ -276,9 +286,7 @@ std::string describe(const solve_report& report) {
   auto text = lines.text();
   if (report.surface_reactions.size() > 1)
     text += reaction_table(report.surface_reactions, scale);
-  if (const auto warning = singular_warning(report); !warning.empty())
-    text += "  WARNING: " + warning + "\n";
-  return text;
+  return text + warning_line(report);
 }
 
 }  // namespace tedit::cli

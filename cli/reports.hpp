@@ -22,9 +22,8 @@ namespace tedit::cli {
 /// The same for people, indented; without times.
 [[nodiscard]] std::string describe(const solve_report& report);
 
-/// A sentence when the largest stress sits at a singular place and says nothing about strength;
-/// else empty.
-[[nodiscard]] std::string singular_warning(const solve_report& report);
+/// Only what says how strong the part is and how far that can be trusted, in few lines.
+[[nodiscard]] std::string summarize(const solve_report& report);
 
 /// A number for people, 0 when it is at most `noise` of `scale`: next to 20 kN a reaction of 1e-5 N
 /// is what the solver's tolerance left over, and reads as if it meant something.

@@ -104,6 +104,13 @@ TEST(DescribeSolve, WarnsWhenTheLargestStressIsSingular) {
               "strength\n"));
 }
 
+TEST(SummarizeSolve, KeepsWhatSaysHowStrongThePartIs) {
+  EXPECT_EQ(summarize(plate()),
+            "  safety factor     18.6 at (350, 120, 40) mm\n"
+            "  error estimate    8.1 % (energy norm)\n"
+            "  mass              39.65 kg\n");
+}
+
 TEST(SolveJson, NumbersAreAsComputed) {
   const auto json = to_json(plate());
 
