@@ -16,7 +16,7 @@ constexpr auto surface_patience = std::chrono::minutes(2);
 
 std::string place(vec3 p) {
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return components(1e3 * p, 3, 1e3 * largest, 1e-6);
+  return components(1e3 * p, 3, 1e3 * largest, 5e-4);
 }
 
 std::string kibibytes(const client::traffic& moved) {

@@ -40,9 +40,9 @@ double largest_component(vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// A place in mm, in brackets. Coordinates below a millionth of the largest are rounding.
+/// A place in mm, in brackets. A coordinate beyond the digits of the largest is shown as 0.
 std::string place(vec3 p) {
-  return "(" + components(1e3 * p, 4, 1e3 * largest_component(p), 1e-6) + ") mm";
+  return "(" + components(1e3 * p, 4, 1e3 * largest_component(p), 5e-5) + ") mm";
 }
 
 std::string force(vec3 f, double scale) {
@@ -86,12 +86,18 @@ double force_scale(const solve_report& report) {
   return scale;
 }
 
+/// Of order 1 the largest stress is an element's, but the safety factor comes from nodal means: it
+/// says so, for the two do not fit together.
+std::string safety_text(const solve_report& report) {
+  if (*report.min_safety_factor >= fem::solution::most_safety)
+    return "over " + pretty(fem::solution::most_safety);
+  return pretty(*report.min_safety_factor, 3) + " at " + place(report.min_safety_factor_at) +
+         (report.element_order == 1 ? " (nodal means)" : "");
+}
+
 void add_judgement(const solve_report& report, labelled_lines& lines) {
   if (report.min_safety_factor)
-    lines.add("safety factor", (*report.min_safety_factor < fem::solution::most_safety
-                                  ? pretty(*report.min_safety_factor, 3) + " at " +
-                                      place(report.min_safety_factor_at)
-                                  : "over " + pretty(fem::solution::most_safety)));
+    lines.add("safety factor", safety_text(report));
   lines.add("error estimate", pretty(100 * report.relative_error_estimate, 2) + " % (energy norm)");
   if (report.singular_places_count > 0)
     lines.add("singular places", std::to_string(report.singular_places_count) +
@@ -283,9 +289,13 @@ std::string describe(const solve_report& report) {
                                (linear ? " (element)" : " (node)"));
   add_judgement(report, lines);
   add_sums(report, scale, lines);
-  auto text = lines.text();
+  return lines.text();
+}
+
+std::string remarks(const solve_report& report) {
+  std::string text;
   if (report.surface_reactions.size() > 1)
-    text += reaction_table(report.surface_reactions, scale);
+    text += reaction_table(report.surface_reactions, force_scale(report));
   return text + warning_line(report);
 }
 

@@ -19,8 +19,12 @@ namespace tedit::cli {
 /// knows. Keys of unknown values are left out. Numbers are as they were computed, noise included.
 [[nodiscard]] nlohmann::ordered_json to_json(const solve_report& report);
 
-/// The same for people, indented; without times.
+/// The same for people, indented; without times and remarks.
 [[nodiscard]] std::string describe(const solve_report& report);
+
+/// What belongs below the times: the reactions when several surfaces hold the part, and a warning
+/// when the largest stress says nothing about strength.
+[[nodiscard]] std::string remarks(const solve_report& report);
 
 /// Only what says how strong the part is and how far that can be trusted, in few lines.
 [[nodiscard]] std::string summarize(const solve_report& report);
