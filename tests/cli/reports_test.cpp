@@ -99,7 +99,7 @@ TEST(DescribeSolve, WarnsWhenTheLargestStressIsSingular) {
   report.singular_places[0].at = report.min_safety_factor_at;
   report.max_von_mises_singularity = fem::singularity::reentrant_edge;
   EXPECT_THAT(
-    describe(report),
+    remarks(report),
     HasSubstr("  WARNING: the largest stress is at a re-entrant edge, where it grows with "
               "every refinement: do not read it, nor the safety factor there, as "
               "strength\n"));
