@@ -276,6 +276,16 @@ TEST(Run, ATypingMistakeInARecipeIsNamed) {
   EXPECT_THAT(result.parsed()["error"]["message"], HasSubstr("mash"));
 }
 
+TEST(Render, HandsItsOptionsOver) {
+  if (!std::filesystem::exists(TEDIT_BIN "/tedit-render"))
+    GTEST_SKIP() << "built without pictures";
+
+  const auto help = run("render field.vtu -o field.png --title 'one hole closed' --help");
+
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, HasSubstr("--field"));
+}
+
 TEST(Ops, ListsFillHoleWithItsParameters) {
   const auto ops = run("ops --json").parsed();
 
