@@ -8,10 +8,11 @@ namespace tedit::cli {
 
 expected<void> write_field(const std::filesystem::path& path, const mesh_version& mesh,
                            const fem::problem& problem, const fem::solution& result) {
-  return write_vtu(path, mesh, fem::make_fields(mesh, problem, result),
-                   {{"version_id", to_hex(mesh.id())},
-                    {"quality", result.preview() ? "preview (linear tets)" : "final"},
-                    {"device", result.device}});
+  return write_vtu(
+    path, mesh, fem::make_fields(mesh, problem, result),
+    {{"version_id", to_hex(mesh.id())},
+     {"quality", result.preview() ? "preview (linear tets)" : "final (quadratic tets)"},
+     {"device", result.device}});
 }
 
 }  // namespace tedit::cli

@@ -40,7 +40,7 @@ public:
 
   [[nodiscard]] const nlohmann::ordered_json& report() const { return report_; }
   [[nodiscard]] std::string table() const;
-  /// What each edit did to surfaces and load cases.
+  /// What each edit did to surfaces and load cases, and what each solve says about the part.
   [[nodiscard]] const std::string& details() const { return details_; }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 

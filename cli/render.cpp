@@ -32,6 +32,7 @@ void add_render(CLI::App& app, action& chosen) {
   auto* command = app.add_subcommand("render", "Draw the field of a VTU file as a PNG picture");
   command->prefix_command();
   command->set_help_flag();
+  command->fallthrough(false);  // Else its options are taken for unknown ones of the program.
   command->callback([command, &chosen] {
     const auto arguments = command->remaining();
     chosen = [arguments](session& s) { return run_render(arguments, s); };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/reports.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
@@ -33,8 +36,17 @@ nlohmann::ordered_json triple(vec3 v) {
   return {v.x, v.y, v.z};
 }
 
+double largest_component(vec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// A place in mm, in brackets. A coordinate beyond the digits of the largest is shown as 0.
 std::string place(vec3 p) {
-  return "(" + pretty(1e3 * p.x) + ", " + pretty(1e3 * p.y) + ", " + pretty(1e3 * p.z) + ") mm";
+  return "(" + components(1e3 * p, 4, 1e3 * largest_component(p), 5e-5) + ") mm";
+}
+
+std::string force(vec3 f, double scale) {
+  return components(f, 6, scale) + " N";
 }
 
 /// Lines of "label  value", aligned.
@@ -50,7 +62,114 @@ private:
   std::string text_;
 };
 
+/// "72", or "72 bore" for a surface with a name of its own.
+std::string title_of(const named_reaction& r) {
+  const auto id = std::to_string(r.surface);
+  return r.name.empty() || r.name == id ? id : id + " " + r.name;
+}
+
+/// The reactions of all surfaces as a table, rows indented as the lines above it.
+std::string reaction_table(const std::vector<named_reaction>& reactions, double scale) {
+  std::vector<std::vector<std::string>> rows{{"reaction of surface", "x N", "y N", "z N"}};
+  for (const auto& r : reactions)
+    rows.push_back({title_of(r), without_noise(r.force_n.x, scale, 5),
+                    without_noise(r.force_n.y, scale, 5), without_noise(r.force_n.z, scale, 5)});
+  return format_table(rows);
+}
+
+/// The largest of all forces: what their noise is measured against.
+double force_scale(const solve_report& report) {
+  double scale =
+    std::max(largest_component(report.reaction_n), largest_component(report.applied_n));
+  for (const auto& r : report.surface_reactions)
+    scale = std::max(scale, largest_component(r.force_n));
+  return scale;
+}
+
+/// Of order 1 the largest stress is an element's, but the safety factor comes from nodal means: it
+/// says so, for the two do not fit together.
+std::string safety_text(const solve_report& report) {
+  if (*report.min_safety_factor >= fem::solution::most_safety)
+    return "over " + pretty(fem::solution::most_safety);
+  return pretty(*report.min_safety_factor, 3) + " at " + place(report.min_safety_factor_at) +
+         (report.element_order == 1 ? " (nodal means)" : "");
+}
+
+void add_judgement(const solve_report& report, labelled_lines& lines) {
+  if (report.min_safety_factor)
+    lines.add("safety factor", safety_text(report));
+  lines.add("error estimate", pretty(100 * report.relative_error_estimate, 2) + " % (energy norm)");
+  if (report.singular_places_count > 0)
+    lines.add("singular places", std::to_string(report.singular_places_count) +
+                                   (report.singular_places_count == 1 ? " node" : " nodes") +
+                                   " at clamps' rims or re-entrant edges");
+}
+
+void add_sums(const solve_report& report, double scale, labelled_lines& lines) {
+  lines.add("compliance", pretty(report.compliance_j, 6) + " J");
+  lines.add("strain energy", pretty(report.strain_energy_j, 6) + " J");
+  if (report.mass_kg)
+    lines.add("mass", pretty(*report.mass_kg) + " kg");
+  lines.add("reaction", force(report.reaction_n, scale));
+  lines.add("applied", force(report.applied_n, scale));
+}
+
+/// A line when the largest stress sits at a singular place and says nothing about strength.
+std::string warning_line(const solve_report& report) {
+  if (!report.max_von_mises_singularity)
+    return {};
+  const bool rim = *report.max_von_mises_singularity == fem::singularity::clamp_rim;
+  const bool safety = report.min_safety_factor &&
+                      std::ranges::find(report.singular_places, report.min_safety_factor_at,
+                                        &stress_peak::at) != report.singular_places.end();
+  return std::string("  WARNING: the largest stress is at a ") +
+         (rim ? "clamp's rim" : "re-entrant edge") +
+         ", where it grows with every refinement: do not read it" +
+         (safety ? ", nor the safety factor there," : "") + " as strength\n";
+}
+
+nlohmann::ordered_json reactions_json(const solve_report& report) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& r : report.surface_reactions)
+    rows.push_back({{"surface", r.surface}, {"name", r.name}, {"force_n", triple(r.force_n)}});
+  return rows;
+}
+
+nlohmann::ordered_json singular_json(const solve_report& report) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& peak : report.singular_places)
+    rows.push_back({{"kind", singularity_name(peak.kind)},
+                    {"at_m", triple(peak.at)},
+                    {"von_mises_pa", peak.von_mises_pa}});
+  return rows;
+}
+
+void add_judgement(const solve_report& report, nlohmann::ordered_json& json) {
+  json["strain_energy_j"] = report.strain_energy_j;
+  if (report.mass_kg)
+    json["mass_kg"] = *report.mass_kg;
+  json["relative_error_estimate"] = report.relative_error_estimate;
+  if (report.min_safety_factor) {
+    json["min_safety_factor"] = *report.min_safety_factor;
+    json["min_safety_factor_at_m"] = triple(report.min_safety_factor_at);
+  }
+  json["surface_reactions"] = reactions_json(report);
+  json["singular_places"] = singular_json(report);
+  json["singular_places_count"] = report.singular_places_count;
+  if (report.max_von_mises_singularity)
+    json["max_von_mises_singularity"] = singularity_name(*report.max_von_mises_singularity);
+}
+
 }  // namespace
+
+std::string without_noise(double value, double scale, int digits, double noise) {
+  return std::abs(value) <= noise * scale ? "0" : pretty(value, digits);
+}
+
+std::string components(vec3 v, int digits, double scale, double noise) {
+  return without_noise(v.x, scale, digits, noise) + ", " +
+         without_noise(v.y, scale, digits, noise) + ", " + without_noise(v.z, scale, digits, noise);
+}
 
 nlohmann::ordered_json to_json(const edit_report& report) {
   using json = nlohmann::ordered_json;
@@ -122,47 +241,62 @@ std::string describe(const edit_report& report) {
 }
 
 nlohmann::ordered_json to_json(const solve_report& report) {
-  return {{"version_id", report.version_id},
-          {"load_case", report.load_case},
-          {"device", report.device},
-          {"element_order", report.element_order},
-          {"preview", report.preview},
-          {"dofs", report.dofs},
-          {"iterations", report.iterations},
-          {"true_relative_residual", report.true_relative_residual},
-          {"max_displacement_m", report.max_displacement_m},
-          {"max_displacement_at_m", triple(report.max_displacement_at)},
-          {"compliance_j", report.compliance_j},
-          {"max_von_mises_pa", report.max_von_mises_pa},
-          {"max_von_mises_at_m", triple(report.max_von_mises_at)},
-          {"reaction_n", triple(report.reaction_n)},
-          {"applied_n", triple(report.applied_n)},
-          {"timings_ms",
-           {{"assembly", report.assembly_ms},
-            {"setup", report.setup_ms},
-            {"solve", report.solve_ms},
-            {"recovery", report.recovery_ms},
-            {"total", report.total_ms}}}};
+  nlohmann::ordered_json json{{"version_id", report.version_id},
+                              {"load_case", report.load_case},
+                              {"device", report.device},
+                              {"element_order", report.element_order},
+                              {"preview", report.preview},
+                              {"dofs", report.dofs},
+                              {"iterations", report.iterations},
+                              {"true_relative_residual", report.true_relative_residual},
+                              {"max_displacement_m", report.max_displacement_m},
+                              {"max_displacement_at_m", triple(report.max_displacement_at)},
+                              {"compliance_j", report.compliance_j},
+                              {"max_von_mises_pa", report.max_von_mises_pa},
+                              {"max_von_mises_at_m", triple(report.max_von_mises_at)},
+                              {"reaction_n", triple(report.reaction_n)},
+                              {"applied_n", triple(report.applied_n)}};
+  add_judgement(report, json);
+  json["timings_ms"] = {{"assembly", report.assembly_ms},
+                        {"setup", report.setup_ms},
+                        {"solve", report.solve_ms},
+                        {"recovery", report.recovery_ms},
+                        {"total", report.total_ms}};
+  return json;
+}
+
+std::string summarize(const solve_report& report) {
+  labelled_lines lines;
+  add_judgement(report, lines);
+  if (report.mass_kg)
+    lines.add("mass", pretty(*report.mass_kg) + " kg");
+  return lines.text() + warning_line(report);
 }
 
 std::string describe(const solve_report& report) {
   labelled_lines lines;
+  const bool linear = report.element_order == 1;
+  const double scale = force_scale(report);
   lines.add("device", report.device);
-  lines.add("unknowns", std::to_string(report.dofs) +
-                          (report.element_order == 1 ? " (linear tets)" : " (quadratic tets)"));
+  lines.add("unknowns",
+            std::to_string(report.dofs) + (linear ? " (linear tets)" : " (quadratic tets)"));
   lines.add("iterations", std::to_string(report.iterations));
   lines.add("residual", pretty(report.true_relative_residual, 2) + " (true, relative)");
   lines.add("max displacement", pretty(1e3 * report.max_displacement_m, 6) + " mm at " +
                                   place(report.max_displacement_at));
   lines.add("max von Mises", pretty(1e-6 * report.max_von_mises_pa, 5) + " MPa at " +
-                               place(report.max_von_mises_at));
-  lines.add("compliance", pretty(report.compliance_j, 6) + " J");
-  const auto force = [](vec3 f) {
-    return pretty(f.x, 6) + ", " + pretty(f.y, 6) + ", " + pretty(f.z, 6) + " N";
-  };
-  lines.add("reaction", force(report.reaction_n));
-  lines.add("applied", force(report.applied_n));
+                               place(report.max_von_mises_at) +
+                               (linear ? " (element)" : " (node)"));
+  add_judgement(report, lines);
+  add_sums(report, scale, lines);
   return lines.text();
+}
+
+std::string remarks(const solve_report& report) {
+  std::string text;
+  if (report.surface_reactions.size() > 1)
+    text += reaction_table(report.surface_reactions, force_scale(report));
+  return text + warning_line(report);
 }
 
 }  // namespace tedit::cli

@@ -15,10 +15,26 @@ namespace tedit::cli {
 /// The same for people, indented.
 [[nodiscard]] std::string describe(const edit_report& report);
 
-/// The JSON object of `tedit solve`, but for the times that only the caller knows.
+/// The JSON object of `tedit solve` (docs/results.md), but for the times that only the caller
+/// knows. Keys of unknown values are left out. Numbers are as they were computed, noise included.
 [[nodiscard]] nlohmann::ordered_json to_json(const solve_report& report);
 
-/// The same for people, indented; without times.
+/// The same for people, indented; without times and remarks.
 [[nodiscard]] std::string describe(const solve_report& report);
+
+/// What belongs below the times: the reactions when several surfaces hold the part, and a warning
+/// when the largest stress says nothing about strength.
+[[nodiscard]] std::string remarks(const solve_report& report);
+
+/// Only what says how strong the part is and how far that can be trusted, in few lines.
+[[nodiscard]] std::string summarize(const solve_report& report);
+
+/// A number for people, 0 when it is at most `noise` of `scale`: next to 20 kN a reaction of 1e-5 N
+/// is what the solver's tolerance left over, and reads as if it meant something.
+[[nodiscard]] std::string without_noise(double value, double scale, int digits,
+                                        double noise = 1e-5);
+
+/// Three such numbers, "x, y, z".
+[[nodiscard]] std::string components(vec3 v, int digits, double scale, double noise = 1e-5);
 
 }  // namespace tedit::cli

@@ -92,8 +92,9 @@ std::string describe(const recipe& steps, const recipe_runner& runner, double ms
   std::string text = steps.name + "\n\n" + runner.table() + "\n" + runner.details() + "\n";
   for (const auto& file : runner.files())
     text += "  wrote " + file + "\n";
-  return text + "  " + pretty(ms / 1000, 3) +
-         " s in all. Fields of linear tets are previews: they understate bending.\n";
+  return text + "  " + pretty(ms / 1000, 3) + " s in all." +
+         (steps.order == 1 ? " Fields of linear tets are previews: they understate bending.\n"
+                           : " Fields of quadratic tets.\n");
 }
 
 int run_recipe(const run_options& options, session& s) {

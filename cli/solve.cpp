@@ -43,7 +43,8 @@ std::string describe(const timed_report& timed) {
   auto text = cli::describe(report);
   text += "  time              " + pretty(report.total_ms) + " ms (import " +
           pretty(timed.import_ms, 3) + ", assembly " + pretty(report.assembly_ms, 3) + ", solve " +
-          pretty(report.solve_ms, 4) + ", recovery " + pretty(report.recovery_ms, 3) + ")\n";
+          pretty(report.solve_ms, 4) + ", recovery " + pretty(report.recovery_ms, 3) + ")\n" +
+          remarks(report);
   if (report.preview)
     text +=
       "  PREVIEW: linear tets are too stiff in bending; displacements of thin parts can be\n"

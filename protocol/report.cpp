@@ -1,10 +1,70 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "protocol/report.hpp"
 
+#include <algorithm>
+#include <ranges>
+
 #include "protocol/json.hpp"
 #include "tedit/v1/report.pb.h"
 
 namespace tedit {
+
+std::string_view singularity_name(fem::singularity kind) noexcept {
+  return kind == fem::singularity::clamp_rim ? "clamp_rim" : "reentrant_edge";
+}
+
+namespace {
+
+std::vector<named_reaction> name_reactions(const mesh_version& mesh,
+                                           const std::vector<fem::surface_reaction>& reactions) {
+  std::vector<named_reaction> result;
+  for (const auto& r : reactions) {
+    const auto* row = mesh.find_surface(r.surface);
+    result.push_back({r.surface, row ? row->name : "", r.force_n});
+  }
+  return result;
+}
+
+/// Whether the element with the largest stress has `node` as a corner.
+bool has_largest_stress(const fem::problem& p, const fem::solution& result, std::uint32_t node) {
+  const auto largest = std::ranges::max_element(result.element_von_mises);
+  if (largest == result.element_von_mises.end())
+    return false;
+  const auto e = static_cast<std::size_t>(largest - result.element_von_mises.begin());
+  const auto width = static_cast<std::size_t>(p.nodes_per_element);
+  const auto corners = std::span(p.element_nodes).subspan(e * width, 4);
+  return std::ranges::find(corners, node) != corners.end();
+}
+
+/// The largest stress is that of a node (order 2) or of an element (order 1).
+std::optional<fem::singularity> singularity_of_maximum(const fem::problem& p,
+                                                       const fem::solution& result) {
+  for (const auto& place : result.singular_places)
+    if (p.element_order == 1 ? has_largest_stress(p, result, place.node)
+                             : place.at == result.max_von_mises_at)
+      return place.kind;
+  return std::nullopt;
+}
+
+void add_judgement(const mesh_version& mesh, const fem::problem& problem,
+                   const fem::solution& result, solve_report& report) {
+  report.strain_energy_j = result.strain_energy_j;
+  if (result.mass_known)
+    report.mass_kg = result.mass_kg;
+  report.relative_error_estimate = result.relative_error;
+  if (!result.safety_factor.empty()) {
+    report.min_safety_factor = result.min_safety_factor;
+    report.min_safety_factor_at = result.min_safety_factor_at;
+  }
+  report.surface_reactions = name_reactions(mesh, result.surface_reactions);
+  report.singular_places_count = result.singular_places.size();
+  for (const auto& place :
+       result.singular_places | std::views::take(solve_report::most_singular_places))
+    report.singular_places.push_back({place.kind, place.at, place.von_mises_pa});
+  report.max_von_mises_singularity = singularity_of_maximum(problem, result);
+}
+
+}  // namespace
 
 solve_report make_report(const mesh_version& mesh, const std::string& load_case,
                          const fem::problem& problem, const fem::solution& result) {
@@ -28,6 +88,7 @@ solve_report make_report(const mesh_version& mesh, const std::string& load_case,
   report.setup_ms = result.setup_ms;
   report.solve_ms = result.solve_ms;
   report.recovery_ms = result.recovery_ms;
+  add_judgement(mesh, problem, result, report);
   return report;
 }
 
@@ -88,6 +149,63 @@ fem::receipt_line from_message(const v1::ReceiptLine& m) {
           m.area_before_m2(),
           m.area_after_m2(),
           m.text()};
+}
+
+static_assert(static_cast<int>(fem::singularity::reentrant_edge) + 1 ==
+              v1::SingularPlace::REENTRANT_EDGE);
+
+v1::SingularPlace::Kind kind_to(fem::singularity kind) {
+  return static_cast<v1::SingularPlace::Kind>(static_cast<int>(kind) + 1);
+}
+
+/// Nothing for "unspecified" and for kinds that a newer server may know.
+std::optional<fem::singularity> kind_from(v1::SingularPlace::Kind kind) {
+  if (kind != v1::SingularPlace::CLAMP_RIM && kind != v1::SingularPlace::REENTRANT_EDGE)
+    return std::nullopt;
+  return static_cast<fem::singularity>(static_cast<int>(kind) - 1);
+}
+
+void judgement_to(const solve_report& report, v1::SolveReport* out) {
+  out->set_strain_energy_j(report.strain_energy_j);
+  if (report.mass_kg)
+    out->set_mass_kg(*report.mass_kg);
+  out->set_relative_error_estimate(report.relative_error_estimate);
+  if (report.min_safety_factor) {
+    out->set_min_safety_factor(*report.min_safety_factor);
+    to_message(report.min_safety_factor_at, out->mutable_min_safety_factor_at_m());
+  }
+  for (const auto& r : report.surface_reactions) {
+    auto* row = out->add_surface_reactions();
+    row->set_surface(r.surface);
+    row->set_name(r.name);
+    to_message(r.force_n, row->mutable_force_n());
+  }
+  for (const auto& place : report.singular_places) {
+    auto* row = out->add_singular_places();
+    row->set_kind(kind_to(place.kind));
+    to_message(place.at, row->mutable_at_m());
+    row->set_von_mises_pa(place.von_mises_pa);
+  }
+  out->set_singular_places_count(static_cast<std::uint32_t>(report.singular_places_count));
+  if (report.max_von_mises_singularity)
+    out->set_max_von_mises_singularity(kind_to(*report.max_von_mises_singularity));
+}
+
+void judgement_from(const v1::SolveReport& m, solve_report& report) {
+  report.strain_energy_j = m.strain_energy_j();
+  if (m.has_mass_kg())
+    report.mass_kg = m.mass_kg();
+  report.relative_error_estimate = m.relative_error_estimate();
+  if (m.has_min_safety_factor())
+    report.min_safety_factor = m.min_safety_factor();
+  report.min_safety_factor_at = from_message(m.min_safety_factor_at_m());
+  for (const auto& row : m.surface_reactions())
+    report.surface_reactions.push_back({row.surface(), row.name(), from_message(row.force_n())});
+  for (const auto& row : m.singular_places())
+    if (const auto kind = kind_from(row.kind()))
+      report.singular_places.push_back({*kind, from_message(row.at_m()), row.von_mises_pa()});
+  report.singular_places_count = m.singular_places_count();
+  report.max_von_mises_singularity = kind_from(m.max_von_mises_singularity());
 }
 
 }  // namespace
@@ -159,6 +277,7 @@ void to_message(const solve_report& report, v1::SolveReport* out) {
   out->set_solve_ms(report.solve_ms);
   out->set_recovery_ms(report.recovery_ms);
   out->set_total_ms(report.total_ms);
+  judgement_to(report, out);
 }
 
 solve_report from_message(const v1::SolveReport& m) {
@@ -183,6 +302,7 @@ solve_report from_message(const v1::SolveReport& m) {
   report.solve_ms = m.solve_ms();
   report.recovery_ms = m.recovery_ms();
   report.total_ms = m.total_ms();
+  judgement_from(m, report);
   return report;
 }
 

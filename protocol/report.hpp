@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,8 +39,28 @@ struct edit_report {
   double total_ms = 0;
 };
 
-/// All that a person wants to know about a solve, without its fields (`tedit.v1.SolveReport`).
+/// The force with which the supports on one surface hold the part.
+struct named_reaction {
+  surface_id surface = 0;
+  std::string name;  ///< For people; may be empty.
+  vec3 force_n;
+};
+
+/// A place where the stress grows with every refinement: `fem::singular_place` without its node.
+struct stress_peak {
+  fem::singularity kind = fem::singularity::clamp_rim;
+  vec3 at;
+  double von_mises_pa = 0;
+};
+
+/// "clamp_rim" or "reentrant_edge".
+[[nodiscard]] std::string_view singularity_name(fem::singularity kind) noexcept;
+
+/// All that a person wants to know about a solve, without its fields (`tedit.v1.SolveReport`, which
+/// says what each number means).
 struct solve_report {
+  static constexpr std::size_t most_singular_places = 20;
+
   std::string version_id;
   std::string load_case;
   std::string device;
@@ -60,6 +81,16 @@ struct solve_report {
   double solve_ms = 0;
   double recovery_ms = 0;
   double total_ms = 0;
+  double strain_energy_j = 0;
+  std::optional<double> mass_kg;  ///< Empty when a density is unknown.
+  double relative_error_estimate = 0;
+  std::optional<double> min_safety_factor;  ///< Empty when no yield strength is known.
+  vec3 min_safety_factor_at;
+  std::vector<named_reaction> surface_reactions;  ///< Ascending by surface.
+  std::vector<stress_peak> singular_places;       ///< By descending stress, `most_singular_places`.
+  std::size_t singular_places_count = 0;          ///< All that were found.
+  /// What the largest von Mises stress sits at; empty: at no singular place that was found.
+  std::optional<fem::singularity> max_von_mises_singularity;
 };
 
 /// The report of a solution, without `total_ms`.

@@ -58,7 +58,8 @@ expected<void> write_fields(const std::string& path, const mesh_version& mesh,
     if (!report)
       return fail(report.error());
     notes.emplace_back("load_case", report->load_case);
-    notes.emplace_back("quality", report->preview ? "preview (linear tets)" : "final");
+    notes.emplace_back("quality",
+                       report->preview ? "preview (linear tets)" : "final (quadratic tets)");
     notes.emplace_back("device", report->device);
   }
   return write_vtu(path, mesh, fields, notes);

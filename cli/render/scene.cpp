@@ -133,6 +133,7 @@ void add_legend(vtkRenderer* renderer, vtkLookupTable* table, const picture_opti
   bar->SetLabelFormat("%.3g");
   bar->UnconstrainedFontSizeOn();
   bar->SetBarRatio(0.22);
+  bar->SetVerticalTitleSeparation(options.height / 60);  // Else it touches the topmost label.
   style(bar->GetTitleTextProperty(), options.height / 42, true);
   style(bar->GetLabelTextProperty(), options.height / 50, false);
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();

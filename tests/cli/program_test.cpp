@@ -160,14 +160,44 @@ TEST(Solve, HasTheDocumentedKeysAndWritesAField) {
   const auto result = solve.parsed();
   for (const auto* key :
        {"version_id", "device", "element_order", "dofs", "iterations", "true_relative_residual",
-        "max_displacement_m", "compliance_j", "max_von_mises_pa", "reaction_n", "applied_n"})
+        "max_displacement_m", "compliance_j", "max_von_mises_pa", "reaction_n", "applied_n",
+        "strain_energy_j", "mass_kg", "relative_error_estimate", "min_safety_factor",
+        "min_safety_factor_at_m", "surface_reactions", "singular_places", "singular_places_count"})
     EXPECT_TRUE(result.contains(key)) << key;
   for (const auto* key : {"import", "assembly", "setup", "solve", "recovery", "total"})
     EXPECT_TRUE(result["timings_ms"].contains(key)) << key;
   // CalculiX 2.20, C3D10 on the same mesh.
   EXPECT_NEAR(result["max_displacement_m"], 4.690652e-05, 1e-10);
   EXPECT_FALSE(result["preview"]);
+  EXPECT_NEAR(result["mass_kg"], 2700 * 0.0146833715, 1e-6);
+  ASSERT_EQ(result["surface_reactions"].size(), 8u);
+  EXPECT_EQ(result["surface_reactions"][0]["surface"], 72);
+  EXPECT_EQ(result["surface_reactions"][0]["force_n"].size(), 3u);
   EXPECT_GT(std::filesystem::file_size(file), 1000000u);
+}
+
+TEST(Solve, KeysOfUnknownValuesAreLeftOut) {
+  const auto file = scratch("bare.json");
+  std::ifstream in(plate_loads);
+  auto loads = json::parse(in);
+  loads["materials"][0].erase("density_kg_m3");
+  loads["materials"][0].erase("yield_strength_pa");
+  std::ofstream(file) << loads;
+
+  const auto solve = run("solve --json --device cpu " + plate + " --load-case " + file.string());
+
+  ASSERT_EQ(solve.status, 0);
+  for (const auto* key : {"mass_kg", "min_safety_factor", "min_safety_factor_at_m"})
+    EXPECT_FALSE(solve.parsed().contains(key)) << key;
+}
+
+TEST(Solve, TheTextHasNoNoiseInForces) {
+  const auto solve = run("solve --device cpu " + plate + " --load-case " + plate_loads);
+
+  ASSERT_EQ(solve.status, 0);
+  EXPECT_THAT(solve.out, HasSubstr("  reaction          0, 0, 20000 N\n"));
+  EXPECT_THAT(solve.out, HasSubstr("(quadratic tets)"));
+  EXPECT_THAT(solve.out, ::testing::Not(HasSubstr("PREVIEW")));
 }
 
 TEST(Solve, LinearTetsArePreviews) {
@@ -244,6 +274,16 @@ TEST(Run, ATypingMistakeInARecipeIsNamed) {
 
   EXPECT_EQ(result.status, 65);
   EXPECT_THAT(result.parsed()["error"]["message"], HasSubstr("mash"));
+}
+
+TEST(Render, HandsItsOptionsOver) {
+  if (!std::filesystem::exists(TEDIT_BIN "/tedit-render"))
+    GTEST_SKIP() << "built without pictures";
+
+  const auto help = run("render field.vtu -o field.png --title 'one hole closed' --help");
+
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, HasSubstr("--field"));
 }
 
 TEST(Ops, ListsFillHoleWithItsParameters) {

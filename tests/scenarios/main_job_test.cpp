@@ -54,6 +54,33 @@ TEST_F(MainJob, FillsSolvesAndUndoesOverWebSocket) {
   EXPECT_EQ(again.report.compliance_j, before.compliance_j);
 }
 
+TEST_F(MainJob, ASolveSaysHowFarItCanBeTrusted) {
+  import_plate();
+  const auto report = value(user->solve({.device = "cpu"}, {}));
+
+  EXPECT_EQ(report.element_order, 2);
+  EXPECT_FALSE(report.preview);
+  // Volume 0.0146833715 m3 of aluminium; u.Ku / 2 is half the loads' work without prescribed
+  // motion.
+  ASSERT_TRUE(report.mass_kg.has_value());
+  EXPECT_NEAR(*report.mass_kg, 2700 * 0.0146833715, 1e-6);
+  EXPECT_NEAR(report.strain_energy_j, report.compliance_j / 2, 1e-6 * report.compliance_j);
+  EXPECT_GT(report.relative_error_estimate, 0);
+  EXPECT_LT(report.relative_error_estimate, 1);
+  // One material, so that the least safety is where the stress is largest.
+  ASSERT_TRUE(report.min_safety_factor.has_value());
+  EXPECT_NEAR(*report.min_safety_factor, 276e6 / report.max_von_mises_pa, 1e-9);
+  EXPECT_EQ(report.min_safety_factor_at, report.max_von_mises_at);
+  ASSERT_EQ(report.surface_reactions.size(), 8U);
+  EXPECT_EQ(report.surface_reactions.front().surface, 72);
+  vec3 sum;
+  for (const auto& r : report.surface_reactions)
+    sum += r.force_n;
+  EXPECT_NEAR(sum.z, 20000, 0.1);
+  EXPECT_LE(report.singular_places.size(), 20U);
+  EXPECT_GE(report.singular_places_count, report.singular_places.size());
+}
+
 TEST_F(MainJob, TheSurfaceAfterUpdatesIsTheSurfaceSentWhole) {
   import_plate();
   value(user->edit("fill_hole", {1, 2}, {}, {}));
