@@ -18,6 +18,13 @@ namespace {
 
 using clock = std::chrono::steady_clock;
 
+#ifdef TEDIT_SANITIZED
+/// Sanitizers reserve terabytes of addresses for their shadow memory: no program would start.
+constexpr bool limit_addresses = false;
+#else
+constexpr bool limit_addresses = true;
+#endif
+
 /// A file descriptor that closes itself.
 class descriptor {
 public:
@@ -48,7 +55,7 @@ private:
   dup2(out, STDOUT_FILENO);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDERR_FILENO);
-  if (limits.memory_bytes > 0) {
+  if (limit_addresses && limits.memory_bytes > 0) {
     const rlimit limit{limits.memory_bytes, limits.memory_bytes};
     setrlimit(RLIMIT_AS, &limit);
   }
