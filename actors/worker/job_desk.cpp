@@ -5,7 +5,7 @@
 
 namespace tedit::actors {
 
-bench_actor::behavior_type make_bench(bench_actor::pointer) {
+bench_actor::behavior_type bench::make_behavior() {
   return {[](const job_task& task) {
     task.run();
     return acknowledged{};

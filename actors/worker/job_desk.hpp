@@ -31,7 +31,12 @@ struct job_task {
 /// answers at once.
 using bench_actor = caf::typed_actor<caf::replies_to<job_task>::with<acknowledged>>;
 
-[[nodiscard]] bench_actor::behavior_type make_bench(bench_actor::pointer self);
+/// A class, since CAF 0.17 dereferences a null pointer when it starts a function without arguments.
+class bench final : public bench_actor::base {
+public:
+  using bench_actor::base::base;
+  behavior_type make_behavior() override;
+};
 
 /// What a job yields, and what must stay in memory until others have fetched it.
 template <class Result>
@@ -137,7 +142,7 @@ job_desk make_desk(Self self, std::string role, std::shared_ptr<page_cache> cach
   desk.cache = std::move(cache);
   desk.pages = pages;
   desk.pages_handle = caf::actor_cast<caf::actor>(pages);
-  desk.bench = self->template spawn<caf::linked + caf::detached>(make_bench);
+  desk.bench = self->template spawn<bench, caf::linked + caf::detached>();
   return desk;
 }
 
