@@ -46,6 +46,8 @@ build="build/$preset"
 [ "$preset" = ci ] && build=build/release
 export TEDIT_VULKAN_VALIDATION=1
 if [ "$preset" = tsan ]; then
+  scripts/build_caf_tsan.sh
+  export LD_LIBRARY_PATH="$PWD/build/caf-tsan/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
   export TSAN_OPTIONS="suppressions=$PWD/tests/support/tsan.supp history_size=4 ${TSAN_OPTIONS:-}"
 elif [ "$preset" = asan ]; then
   export LSAN_OPTIONS="suppressions=$PWD/tests/support/lsan.supp ${LSAN_OPTIONS:-}"
