@@ -16,7 +16,7 @@ inline const std::filesystem::path plate_mesh =
   TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh";
 inline const std::filesystem::path plate_loads = TEDIT_EXAMPLES "/ctc01_plate/load_case.json";
 #ifdef __SANITIZE_THREAD__
-// A solve of the plate takes 17 s there on two free cores, and over 60 s on busy ones.
+// Solves there take many times longer, on busy cores over a minute.
 inline constexpr auto patience = std::chrono::seconds(300);
 #else
 inline constexpr auto patience = std::chrono::seconds(60);
