@@ -36,9 +36,10 @@ vec3 mms_force(vec3 p) {
   const vec3 s{std::sin(pi * p.x), std::sin(pi * p.y), std::sin(pi * p.z)};
   const vec3 c{std::cos(pi * p.x), std::cos(pi * p.y), std::cos(pi * p.z)};
   const double sss = s.x * s.y * s.z;
-  const vec3 grad_div = pi * pi * vec3{-sss + c.x * c.y * s.z + c.x * s.y * c.z,
-                                       -sss + c.x * c.y * s.z + s.x * c.y * c.z,
-                                       -sss + c.x * s.y * c.z + s.x * c.y * c.z};
+  const vec3 grad_div =
+    pi * pi *
+    vec3{-sss + c.x * c.y * s.z + c.x * s.y * c.z, -sss + c.x * c.y * s.z + s.x * c.y * c.z,
+         -sss + c.x * s.y * c.z + s.x * c.y * c.z};
   const double laplace = -3 * pi * pi * sss;
   return -(mms_lambda + mms_mu) * grad_div - (mms_mu * laplace) * vec3{1, 1, 1};
 }
@@ -50,8 +51,8 @@ expected<convergence_row> mms_row(case_context& c, int n) {
   auto p = bare_problem(**mesh, with_material(mms_e, mms_nu), c.order());
   if (!p)
     return fail(p.error());
-  prescribe(*p, **mesh,
-            std::array<surface_id, 6>{s_low, s_high, t_low, t_high, u_low, u_high}, mms_field);
+  prescribe(*p, **mesh, std::array<surface_id, 6>{s_low, s_high, t_low, t_high, u_low, u_high},
+            mms_field);
   add_body_force(*p, mms_force);
   const auto s = c.solve(*p);
   if (!s)

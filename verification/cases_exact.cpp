@@ -42,8 +42,7 @@ expected<version_ptr> patch_mesh() {
 }
 
 void check_patch(case_context& c, const fem::problem& p, const fem::solution& s, double bound) {
-  c.at_most("largest error of u / largest u", bound,
-            largest_error(p, s.displacement, patch_field));
+  c.at_most("largest error of u / largest u", bound, largest_error(p, s.displacement, patch_field));
   double error = 0;
   for (std::size_t i = 0; i < s.element_stress.size(); ++i)
     error = std::max(error, std::abs(s.element_stress[i] - patch_stress[i % 6]));
@@ -99,10 +98,10 @@ expected<void> traction_patch(case_context& c) {
   if (!s)
     return fail(s.error());
   check_patch(c, *p, *s, 1e-10);
-  c.at_most("largest reaction / 2000 N", 1e-10,
-            std::abs(*std::ranges::max_element(s->reactions, {}, [](double r) {
-              return std::abs(r);
-            })) / 2000);
+  c.at_most(
+    "largest reaction / 2000 N", 1e-10,
+    std::abs(*std::ranges::max_element(s->reactions, {}, [](double r) { return std::abs(r); })) /
+      2000);
   return {};
 }
 
@@ -114,8 +113,7 @@ constexpr double curvature = 1e-3;
 
 /// A beam along x bent about z: sigma_xx = E k y, all other stresses vanish.
 vec3 bending_field(vec3 p) {
-  return curvature * vec3{p.x * p.y,
-                          -0.5 * (p.x * p.x + bending_nu * (p.y * p.y - p.z * p.z)),
+  return curvature * vec3{p.x * p.y, -0.5 * (p.x * p.x + bending_nu * (p.y * p.y - p.z * p.z)),
                           -bending_nu * p.y * p.z};
 }
 
@@ -123,17 +121,15 @@ vec3 bending_field(vec3 p) {
 /// pulled at x = 4 by the exact stress.
 expected<double> bending_error(case_context& c, int n) {
   const auto shake = shaken_box({4, 1, 1});
-  const auto mesh =
-    block_mesh({4 * n, n, n}, [&](vec3 p) { return shake(p) - vec3{0, 0.5, 0.5}; });
+  const auto mesh = block_mesh({4 * n, n, n}, [&](vec3 p) { return shake(p) - vec3{0, 0.5, 0.5}; });
   if (!mesh)
     return fail(mesh.error());
   auto p = bare_problem(**mesh, with_material(bending_e, bending_nu), c.order());
   if (!p)
     return fail(p.error());
   prescribe(*p, **mesh, std::array<surface_id, 1>{s_low}, bending_field);
-  add_traction(*p, **mesh, std::array<surface_id, 1>{s_high}, [](vec3 x) {
-    return std::array<double, 6>{bending_e * curvature * x.y};
-  });
+  add_traction(*p, **mesh, std::array<surface_id, 1>{s_high},
+               [](vec3 x) { return std::array<double, 6>{bending_e * curvature * x.y}; });
   const auto s = c.solve(*p, c.linear() ? 1e-9 : 1e-13);
   if (!s)
     return fail(s.error());
@@ -171,8 +167,7 @@ constexpr double bar_length = 3;
 vec3 hanging_field(vec3 p) {
   const double k = bar_density * bar_g / bar_e;
   return k * vec3{-bar_nu * p.x * p.z, -bar_nu * p.y * p.z,
-                  0.5 * (p.z * p.z - bar_length * bar_length +
-                         bar_nu * (p.x * p.x + p.y * p.y))};
+                  0.5 * (p.z * p.z - bar_length * bar_length + bar_nu * (p.x * p.x + p.y * p.y))};
 }
 
 /// The weight comes from the load case, so this checks gravity, too.

@@ -28,8 +28,7 @@ double sigma_yy_at(const fem::problem& p, const fem::solution& s, vec3 at) {
 /// LE10, the thick plate: 0.6 m thick, 1 MPa on top, its curved outer face held in the plane and
 /// its middle line held in z. The middle line lies between two layers of cells.
 expected<void> le10(case_context& c) {
-  const std::array<int, 3> cells =
-    c.linear() ? std::array{20, 30, 12} : std::array{8, 16, 4};
+  const std::array<int, 3> cells = c.linear() ? std::array{20, 30, 12} : std::array{8, 16, 4};
   const auto mesh = block_mesh(cells, ellipses(0.6));
   if (!mesh)
     return fail(mesh.error());
@@ -55,8 +54,7 @@ expected<void> le10(case_context& c) {
 /// LE1, the elliptic membrane, as a slab 0.1 m thick whose upper surface is free: plane stress.
 /// 10 MPa pull on the outer ellipse.
 expected<void> le1(case_context& c) {
-  const std::array<int, 3> cells =
-    c.linear() ? std::array{24, 40, 2} : std::array{10, 20, 1};
+  const std::array<int, 3> cells = c.linear() ? std::array{24, 40, 2} : std::array{10, 20, 1};
   const auto mesh = block_mesh(cells, ellipses(0.1));
   if (!mesh)
     return fail(mesh.error());

@@ -18,6 +18,12 @@ fem::load_case sound_loads() {
   return loads;
 }
 
+std::string with_number(const char* text, double value) {
+  char buffer[48];
+  std::snprintf(buffer, sizeof(buffer), "%s%g", text, value);
+  return buffer;
+}
+
 class refusals {
 public:
   refusals(case_context& c, const mesh_version& cube) : c_(c), cube_(cube) {}
@@ -39,8 +45,9 @@ private:
 
 void refuse_supports(refusals& r) {
   r.loads("no support", ec::under_constrained, [](auto& l) { l.constraints.clear(); });
-  r.loads("a support that only holds one direction", ec::under_constrained,
-          [](auto& l) { l.constraints = {{{s_low}, fem::roller{}}}; });
+  r.loads("a support that only holds one direction", ec::under_constrained, [](auto& l) {
+    l.constraints = {{{s_low}, fem::roller{}}};
+  });
   r.loads("supports that leave a sliding direction", ec::under_constrained, [](auto& l) {
     l.constraints = {{{t_low}, fem::roller{}}, {{u_low}, fem::roller{}}};
   });
@@ -54,10 +61,10 @@ void refuse_supports(refusals& r) {
 void refuse_materials(refusals& r) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double e : {0.0, -1.0, nan})
-    r.loads("E = " + std::to_string(e), ec::invalid_material,
+    r.loads(with_number("E = ", e), ec::invalid_material,
             [e](auto& l) { l.materials[0].young_modulus_pa = e; });
   for (const double nu : {0.5, 0.6, -1.0, nan})
-    r.loads("nu = " + std::to_string(nu), ec::invalid_material,
+    r.loads(with_number("nu = ", nu), ec::invalid_material,
             [nu](auto& l) { l.materials[0].poisson_ratio = nu; });
   r.loads("no material", ec::invalid_material, [](auto& l) { l.materials.clear(); });
 }
@@ -65,8 +72,9 @@ void refuse_materials(refusals& r) {
 void refuse_loads(refusals& r) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
-  r.loads("a force that is no number", ec::invalid_load,
-          [nan](auto& l) { l.loads[0].kind = fem::force{{nan, 0, 0}}; });
+  r.loads("a force that is no number", ec::invalid_load, [nan](auto& l) {
+    l.loads[0].kind = fem::force{{nan, 0, 0}};
+  });
   r.loads("an infinite pressure", ec::invalid_load,
           [infinite](auto& l) { l.loads[0].kind = fem::pressure{infinite}; });
   r.loads("no load", ec::invalid_load, [](auto& l) { l.loads.clear(); });

@@ -47,10 +47,10 @@ wall_means means_on_wall(const case_context::solved& s, const mesh_version& mesh
 
 /// A quarter of a pipe of inner radius 1 and outer radius 2 in plane strain, unit pressure inside.
 expected<void> lame_cylinder(case_context& c) {
-  const std::array<int, 3> cells =
-    c.linear() ? std::array{10, 24, 5} : std::array{5, 24, 2};
-  const auto mesh =
-    block_mesh(cells, quarter_ring{.inside = {1, 1}, .outside = {2, 2}, .height = 0.5});
+  // 36 corners on the quarter circle keep the polygon's part of the error of u below 0.05 %.
+  const std::array<int, 3> cells = c.linear() ? std::array{10, 24, 5} : std::array{5, 36, 2};
+  const auto mesh = block_mesh(
+    cells, quarter_ring{.inside = {1, 1}, .outside = {2, 2}, .height = 0.5, .towards_inside = 1.3});
   if (!mesh)
     return fail(mesh.error());
   auto loads = with_material(1000, 0.3);
@@ -67,9 +67,10 @@ expected<void> lame_cylinder(case_context& c) {
   return {};
 }
 
-/// An octant of a sphere of inner radius 1 and outer radius 2, unit pressure inside.
+/// An octant of a sphere of inner radius 1 and outer radius 2, unit pressure inside. The facets of
+/// the sphere cost more than those of the pipe: 32 along a quarter circle for 0.2 % of u.
 expected<void> lame_sphere(case_context& c) {
-  const auto mesh = c.linear() ? octant_mesh(20, 10, 1, 2) : octant_mesh(16, 4, 1, 2);
+  const auto mesh = c.linear() ? octant_mesh(22, 12, 1, 2) : octant_mesh(32, 4, 1, 2);
   if (!mesh)
     return fail(mesh.error());
   auto loads = with_material(1000, 0.3);
@@ -115,8 +116,7 @@ vec3 kirsch_place(vec3 stu, double height) {
 /// the outer sides, so that the finite plate has the exact solution of the infinite one. 48 cells
 /// go round the whole hole.
 expected<void> kirsch(case_context& c) {
-  const std::array<int, 3> cells =
-    c.linear() ? std::array{20, 24, 4} : std::array{8, 12, 1};
+  const std::array<int, 3> cells = c.linear() ? std::array{20, 24, 4} : std::array{8, 12, 1};
   const auto mesh = block_mesh(cells, [](vec3 stu) { return kirsch_place(stu, 0.4); });
   if (!mesh)
     return fail(mesh.error());

@@ -198,8 +198,7 @@ void add_traction(fem::problem& p, const mesh_version& mesh, std::span<const sur
   for (const auto& face : faces_of(p, mesh, surfaces)) {
     const element_view element(p, face.element);
     for (const auto& point : face_rule(face.opposite)) {
-      const vec3 force =
-        point.weight * traction_of(stress(element.position(point.at)), face.area);
+      const vec3 force = point.weight * traction_of(stress(element.position(point.at)), face.area);
       for (std::size_t a = 0; a < element.count(); ++a)
         add_force(p, element.node(a), element.shape(a, point.at) * force);
     }
@@ -210,8 +209,7 @@ void add_body_force(fem::problem& p, const vector_field& density) {
   for (std::size_t e = 0; e < p.element_count(); ++e) {
     const element_view element(p, e);
     for (const auto& point : tet_rule()) {
-      const vec3 force =
-        (point.weight * element.volume()) * density(element.position(point.at));
+      const vec3 force = (point.weight * element.volume()) * density(element.position(point.at));
       for (std::size_t a = 0; a < element.count(); ++a)
         add_force(p, element.node(a), element.shape(a, point.at) * force);
     }

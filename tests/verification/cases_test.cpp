@@ -39,7 +39,8 @@ TEST_P(Case, MeetsItsTargets) {
   for (const auto& r : report.results) {
     const auto text = text_of(r);
     std::cout << r.element_order << " " << r.elements << " " << r.quantity << " | " << text.target
-              << " | " << text.computed << " | " << text.error << " | " << r.milliseconds << " ms\n";
+              << " | " << text.computed << " | " << text.error << " | " << r.milliseconds
+              << " ms\n";
     EXPECT_TRUE(r.passed) << r.quantity << ": target " << text.target << ", computed "
                           << text.computed << " " << text.error;
   }
