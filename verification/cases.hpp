@@ -72,6 +72,7 @@ private:
 struct case_entry {
   std::string name;
   std::string source;
+  std::string about;  ///< One sentence for people.
   std::vector<int> orders;
   expected<void> (*run)(case_context& c);
   bool needs_part = false;

@@ -188,11 +188,22 @@ expected<void> square_torsion(case_context& c) {
 }  // namespace
 
 std::vector<case_entry> beam_cases() {
-  return {
-    {"end-loaded cantilever", "Timoshenko, Cowper 1966", {1, 2}, cantilever},
-    {"Cook's membrane", "Cook 1974", {1, 2}, cook},
-    {"twisted beam", "MacNeal & Harder 1985; Zupan & Saje 2004", {1, 2}, twisted_beam},
-    {"torsion of a square bar", "Saint-Venant; Timoshenko & Goodier", {1, 2}, square_torsion}};
+  return {{"end-loaded cantilever",
+           "Timoshenko, Cowper 1966",
+           "deflection of a slender bar; linear tets approach it from below.",
+           {1, 2},
+           cantilever},
+          {"Cook's membrane", "Cook 1974", "a skew sheet in shear and bending.", {1, 2}, cook},
+          {"twisted beam",
+           "MacNeal & Harder 1985; Zupan & Saje 2004",
+           "a thin beam twisted by 90 degrees, loaded in both directions.",
+           {1, 2},
+           twisted_beam},
+          {"torsion of a square bar",
+           "Saint-Venant; Timoshenko & Goodier",
+           "the torque of a turned bar whose ends may warp, from the reactions.",
+           {1, 2},
+           square_torsion}};
 }
 
 }  // namespace tedit::verification

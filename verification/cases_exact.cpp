@@ -240,11 +240,31 @@ expected<fem::problem> bare_problem(const mesh_version& mesh, const fem::load_ca
 std::vector<case_entry> exact_cases() {
   const std::string macneal = "MacNeal & Harder 1985";
   const std::string timoshenko = "Timoshenko & Goodier";
-  return {{"displacement patch test", macneal, {1, 2}, displacement_patch},
-          {"traction patch test", macneal, {1, 2}, traction_patch},
-          {"pure bending", timoshenko, {1, 2}, pure_bending},
-          {"bar under its own weight", timoshenko, {2}, gravity_bar},
-          {"torsion of a circular shaft", timoshenko, {2}, shaft_torsion}};
+  return {{"displacement patch test",
+           macneal,
+           "a constant strain prescribed on the boundary comes out exactly inside.",
+           {1, 2},
+           displacement_patch},
+          {"traction patch test",
+           macneal,
+           "the same strain from tractions alone, with six degrees of freedom held.",
+           {1, 2},
+           traction_patch},
+          {"pure bending",
+           timoshenko,
+           "a quadratic field: exact with quadratic tets, slow with linear ones.",
+           {1, 2},
+           pure_bending},
+          {"bar under its own weight",
+           timoshenko,
+           "a quadratic field under gravity: exact with quadratic tets.",
+           {2},
+           gravity_bar},
+          {"torsion of a circular shaft",
+           timoshenko,
+           "a quadratic field under shear tractions: exact with quadratic tets.",
+           {2},
+           shaft_torsion}};
 }
 
 }  // namespace tedit::verification

@@ -73,8 +73,16 @@ expected<void> le1(case_context& c) {
 
 std::vector<case_entry> nafems_cases() {
   const std::string source = "NAFEMS TNSB Rev. 3, 1990";
-  return {{"NAFEMS LE1 elliptic membrane", source, {1, 2}, le1},
-          {"NAFEMS LE10 thick plate", source, {1, 2}, le10}};
+  return {{"NAFEMS LE1 elliptic membrane",
+           source,
+           "the stress at the tip of an elliptic hole, as a thin slab.",
+           {1, 2},
+           le1},
+          {"NAFEMS LE10 thick plate",
+           source,
+           "the stress at the tip of an elliptic hole in a thick plate under pressure.",
+           {1, 2},
+           le10}};
 }
 
 }  // namespace tedit::verification

@@ -155,7 +155,11 @@ expected<void> refuse_nonsense(case_context& c) {
 }  // namespace
 
 std::vector<case_entry> refusal_cases() {
-  return {{"refusals", "mechanics", {1, 2}, refuse_nonsense}};
+  return {{"refusals",
+           "mechanics",
+           "input without an answer is refused by name.",
+           {1, 2},
+           refuse_nonsense}};
 }
 
 }  // namespace tedit::verification

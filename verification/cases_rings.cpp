@@ -146,9 +146,21 @@ expected<void> kirsch(case_context& c) {
 }  // namespace
 
 std::vector<case_entry> ring_cases() {
-  return {{"Lame's cylinder", "Timoshenko & Goodier", {1, 2}, lame_cylinder},
-          {"Lame's sphere", "Timoshenko & Goodier", {1, 2}, lame_sphere},
-          {"Kirsch's plate with a hole", "Kirsch 1898; Timoshenko & Goodier", {1, 2}, kirsch}};
+  return {{"Lame's cylinder",
+           "Timoshenko & Goodier",
+           "a thick pipe under pressure in plane strain.",
+           {1, 2},
+           lame_cylinder},
+          {"Lame's sphere",
+           "Timoshenko & Goodier",
+           "a thick sphere under pressure.",
+           {1, 2},
+           lame_sphere},
+          {"Kirsch's plate with a hole",
+           "Kirsch 1898; Timoshenko & Goodier",
+           "the stress at the hole's edge; in plane strain, where the solution is exact in 3D.",
+           {1, 2},
+           kirsch}};
 }
 
 }  // namespace tedit::verification

@@ -121,6 +121,13 @@ std::size_t suite_report::failures() const {
     std::ranges::count_if(results, [](const case_result& r) { return !r.passed; }));
 }
 
+std::vector<case_description> describe_cases() {
+  std::vector<case_description> all;
+  for (const auto& entry : all_cases())
+    all.push_back({entry.name, entry.source, entry.about});
+  return all;
+}
+
 std::vector<case_id> list_cases() {
   std::vector<case_id> ids;
   for (const auto& entry : all_cases())
@@ -136,7 +143,8 @@ expected<void> run_case(const case_id& id, fem::backend& device, const real_part
   if (found == cases.end())
     return fail(ec::not_found, "there is no verification case \"" + id.name + "\"");
   if (found->needs_part && part == nullptr) {
-    report.left_out.push_back({id.name, "no real part was given"});
+    report.left_out.push_back(
+      {id.name + " (order " + std::to_string(id.element_order) + ")", "no real part was given"});
     return {};
   }
   case_context context(id.name, found->source, id.element_order, device, part, run, report);

@@ -72,6 +72,16 @@ struct suite_report {
   [[nodiscard]] std::size_t failures() const;
 };
 
+/// What a case is about, for people.
+struct case_description {
+  std::string name;
+  std::string source;
+  std::string about;  ///< One sentence.
+};
+
+/// All cases, in the order in which they run.
+[[nodiscard]] std::vector<case_description> describe_cases();
+
 /// A case for one element order.
 struct case_id {
   std::string name;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Every case of the suite at its tolerance, on the CPU.
-#include <iostream>
+#include <filesystem>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "fem/native/native_backend.hpp"
@@ -38,9 +37,6 @@ TEST_P(Case, MeetsItsTargets) {
   EXPECT_TRUE(report.left_out.empty());
   for (const auto& r : report.results) {
     const auto text = text_of(r);
-    std::cout << r.element_order << " " << r.elements << " " << r.quantity << " | " << text.target
-              << " | " << text.computed << " | " << text.error << " | " << r.milliseconds
-              << " ms\n";
     EXPECT_TRUE(r.passed) << r.quantity << ": target " << text.target << ", computed "
                           << text.computed << " " << text.error;
   }
