@@ -115,7 +115,7 @@ std::string describe(const verification::suite_report& report) {
   std::string text = format_table(rows);
   if (!report.convergence.empty())
     text += convergence_text(report);
-  text += "\n  " + std::to_string(refused) + " kinds of bad input were refused by name\n";
+  text += "\n  " + std::to_string(refused) + " checks with bad input: refused by name\n";
   for (const auto& item : report.left_out)
     text += "  left out: " + item.what + ": " + item.why + "\n";
   text += "  " + std::to_string(report.results.size() - report.failures()) + " of " +

@@ -48,7 +48,7 @@ void check_patch(case_context& c, const fem::problem& p, const fem::solution& s,
     error = std::max(error, std::abs(s.element_stress[i] - patch_stress[i % 6]));
   // Backends in single precision give stresses of linear tets with 24 bits.
   c.at_most("largest error of stress / 2000",
-            c.linear() && !c.double_precision_stress() ? 1e-5 : 10 * bound, error / 2000);
+            c.linear() && !c.double_precision_stress() ? 1e-5 : bound, error / 2000);
 }
 
 expected<void> displacement_patch(case_context& c) {

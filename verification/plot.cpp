@@ -74,7 +74,7 @@ public:
   }
 
   [[nodiscard]] std::string draw(int slope_above_order) const {
-    std::string svg = frame() + x_ticks() + y_ticks();
+    std::string svg = x_ticks() + y_ticks() + frame();
     for (const auto& c : curves_)
       svg += draw_curve(c) + draw_slope(c, c.order + slope_above_order);
     return svg;
