@@ -27,7 +27,8 @@ double sigma_yy_at(const fem::problem& p, const fem::solution& s, vec3 at) {
 }
 
 /// LE10, the thick plate: 0.6 m thick, 1 MPa on top, its curved outer face held in the plane and
-/// its middle line held in z. The middle line lies between two layers of cells.
+/// its middle line held in z. The middle line lies between two layers of cells. Linear tets are
+/// held to 3 %: this mesh, graded towards D, does much better than the 8 % of an even one.
 expected<void> le10(case_context& c) {
   const std::array<int, 3> cells = c.linear() ? std::array{20, 30, 12} : std::array{8, 16, 4};
   const auto mesh = block_mesh(cells, ellipses(0.6));
@@ -48,7 +49,7 @@ expected<void> le10(case_context& c) {
   if (!s)
     return fail(s.error());
   c.within("sigma_yy at D (2, 0, 0.6), Pa", -5.38e6, sigma_yy_at(*p, *s, {2, 0, 0.6}),
-           c.linear() ? 0.08 : 0.02);
+           c.linear() ? 0.03 : 0.02);
   return {};
 }
 
