@@ -35,6 +35,7 @@ void add_run(CLI::App& app, action& chosen);
 void add_serve(CLI::App& app, action& chosen);
 void add_worker(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
+void add_verify(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);
 
 // -- output ------------------------------------------------------------------------

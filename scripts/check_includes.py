@@ -22,6 +22,7 @@ ROOMS = {
     "fem/vulkan": (("fem/multilevel", "fem", "gpu", "shaders", "mesh", "base"), ("Eigen/",)),
     "fem/solver.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
     "fem/devices.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
+    "verification": (("fem", "mesh", "base"), ("Eigen/",)),
     "ops/sdk": (("mesh", "base"), ()),
     "ops/loader": (("ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/services": (("ops/tetgen", "ops/sdk", "mesh", "base"), ("CGAL/",)),
@@ -38,7 +39,8 @@ ROOMS = {
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "cli": (
-        ("actors", "client", "protocol", "fem", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("actors", "client", "protocol", "verification", "fem", "ops/loader", "ops/services", "ops/sdk", "mesh/io",
+         "mesh", "base"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
     "cli/render": (("base",), ("vtk", "CLI/", "nlohmann/")),

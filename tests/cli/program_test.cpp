@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -53,11 +54,11 @@ TEST(Program, HelpNamesTheCommandsAndExitStatuses) {
   const auto help = run("--help");
 
   EXPECT_EQ(help.status, 0);
-  for (const auto* word :
-       {"info", "edit", "solve", "run", "serve", "worker", "render", "ops", "doctor", "130"})
+  for (const auto* word : {"info", "edit", "solve", "run", "serve", "worker", "render", "ops",
+                           "verify", "doctor", "130"})
     EXPECT_THAT(help.out, HasSubstr(word));
   for (const auto* command :
-       {"info", "edit", "solve", "run", "serve", "worker", "render", "ops", "doctor"})
+       {"info", "edit", "solve", "run", "serve", "worker", "render", "ops", "verify", "doctor"})
     EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
 }
 
@@ -292,6 +293,28 @@ TEST(Ops, ListsFillHoleWithItsParameters) {
   ASSERT_EQ(ops["operations"].size(), 1u);
   EXPECT_EQ(ops["operations"][0]["id"], "fill_hole");
   EXPECT_EQ(ops["operations"][0]["parameters"].size(), 2u);
+}
+
+TEST(Verify, AllFiguresHoldAndThePageIsWritten) {
+  const auto page = scratch("page.md");
+
+  const auto result = run("verify --suite --json --device cpu -o " + page.string());
+
+  EXPECT_EQ(result.status, 0);
+  const auto report = result.parsed();
+  EXPECT_TRUE(report["passed"]);
+  EXPECT_GT(report["results"].size(), 40u);
+  EXPECT_EQ(report["convergence"].size(), 6u);
+  std::stringstream text;
+  text << std::ifstream(page).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("(page.svg)"));
+  EXPECT_TRUE(std::filesystem::exists(scratch("page.svg")));
+}
+
+TEST(Verify, NeedsToBeToldWhatToVerify) {
+  EXPECT_EQ(run("verify").status, 2);
+  EXPECT_EQ(run("verify --suite --part " + plate).status, 2);
+  EXPECT_EQ(run("verify --suite --device nosuchdevice").status, 1);
 }
 
 TEST(Doctor, FindsNothingMissing) {
