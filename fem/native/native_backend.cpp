@@ -30,18 +30,6 @@ public:
   double assembly_ms() const override { return assembly_ms_; }
 
 protected:
-  /// Smoothers need an upper bound of the largest eigenvalue, and Lanczos gives lower ones: when
-  /// the cycle turns out not to be positive definite, take a bound that always holds (a product
-  /// over an element's nodes cannot exceed their number: Fried 1972), and more on the rigid levels.
-  static void raise_lambda(node_smoother& smoother, int nodes_per_element) {
-    smoother.lambda = std::max(static_cast<float>(nodes_per_element), smoother.lambda);
-  }
-  static void raise_lambdas(hierarchy& h) {
-    raise_lambda(h.smoother, 4);
-    for (auto& level : h.levels)
-      level.lambda *= 1.5F;
-  }
-
   template <class Operator>
   expected<void> multiply_by(const Operator& k, std::span<const double> x, std::span<double> y) {
     std::vector<float> single(padded3(k.rows()));
