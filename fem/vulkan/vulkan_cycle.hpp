@@ -70,6 +70,7 @@ public:
 
   /// Adds z = about (S K S)^-1 right.
   void add(vulkan_program& program, const gpu::buffer& right, const gpu::buffer& z);
+  [[nodiscard]] const gpu::buffer& filter() const { return smoother_.filter(); }
 
 private:
   cycle_settings settings_;
@@ -88,6 +89,7 @@ public:
                          int degree, double scale);
 
   void add(vulkan_program& program, const gpu::buffer& right, const gpu::buffer& z);
+  [[nodiscard]] const gpu::buffer& filter() const { return smoother_.filter(); }
 
 private:
   std::uint32_t nodes_, corner_count_;

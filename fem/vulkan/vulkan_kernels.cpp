@@ -9,6 +9,7 @@
 #include "kernels/cg_first.h"
 #include "kernels/cg_product.h"
 #include "kernels/cg_scalars.h"
+#include "kernels/cg_start.h"
 #include "kernels/cg_turn.h"
 #include "kernels/cluster_rows.h"
 #include "kernels/count_columns.h"
@@ -91,6 +92,7 @@ expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on) {
                              {&result.rigid_up, rigid_up_spirv},
                              {&result.rigid_start, rigid_start_spirv},
                              {&result.dense, dense_spirv},
+                             {&result.cg_start, cg_start_spirv},
                              {&result.cg_first, cg_first_spirv},
                              {&result.cg_advance, cg_advance_spirv},
                              {&result.cg_product, cg_product_spirv},

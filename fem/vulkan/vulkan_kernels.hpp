@@ -24,7 +24,7 @@ struct cycle_kernels {
   std::array<gpu::kernel, 3> cg_scalars;
   gpu::kernel quadratic_elements, node_start, cluster_rows, edge_down, edge_up;
   gpu::kernel rigid_down, rigid_up, rigid_start, dense;
-  gpu::kernel cg_first, cg_advance, cg_product, cg_turn;
+  gpu::kernel cg_start, cg_first, cg_advance, cg_product, cg_turn;
   std::uint32_t group_size = 64;
   std::uint32_t slice_rows = 8;    ///< Rows side by side, so that a subgroup reads in a row.
   std::uint32_t most_groups = 64;  ///< Of a dispatch; kernels stride over their rows.

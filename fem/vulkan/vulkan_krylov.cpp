@@ -32,15 +32,21 @@ expected<void> vulkan_krylov::record_product() {
   return product_->record();
 }
 
-expected<void> vulkan_krylov::prepare(const preconditioner& b) {
+expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
+  start_.emplace(kernels_);
+  cycle_push push{};
+  push.rows = k_.rows();
+  start_->add(kernels_.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
+  if (auto ok = start_->record(); !ok)
+    return ok;
   preconditioned_.emplace(kernels_);
   b(*preconditioned_, r_, z_);
   if (auto ok = preconditioned_->record(); !ok)
     return ok;
-  return record_iteration(b);
+  return record_iteration(b, filter);
 }
 
-expected<void> vulkan_krylov::record_iteration(const preconditioner& b) {
+expected<void> vulkan_krylov::record_iteration(const preconditioner& b, const gpu::buffer& filter) {
   iteration_.emplace(kernels_);
   auto& loop = *iteration_;
   const auto scalars = [&](std::uint32_t mode, std::uint32_t sums) {
@@ -53,7 +59,8 @@ expected<void> vulkan_krylov::record_iteration(const preconditioner& b) {
   scalars(TEDIT_CG_ALPHA,
           k_.add(loop, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, push));
   push.rows = k_.rows();
-  loop.add(kernels_.cg_advance, {{0, &u_}, {1, &p_}, {2, &q_}, {3, &r_}, {8, &scalars_}}, push);
+  loop.add(kernels_.cg_advance,
+           {{0, &u_}, {1, &p_}, {2, &q_}, {3, &r_}, {4, &filter}, {8, &scalars_}}, push);
   b(loop, r_, z_);
   scalars(TEDIT_CG_BETA,
           loop.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push));
@@ -61,14 +68,16 @@ expected<void> vulkan_krylov::record_iteration(const preconditioner& b) {
   return loop.record(&gates_);
 }
 
-/// z = B r, u = 0, p = z, and the scalars of the first iteration.
+/// r = S r, u = 0, z = B r, p = z, and the scalars of the first iteration.
 expected<void> vulkan_krylov::begin(double reduction) {
+  if (auto ok = start_->run(); !ok)
+    return ok;
   if (auto ok = preconditioned_->run(); !ok)
     return ok;
   vulkan_program first(kernels_);
   cycle_push push{};
   push.rows = k_.rows();
-  first.add(kernels_.cg_first, {{0, &u_}, {2, &z_}, {6, &p_}}, push);
+  first.add(kernels_.cg_first, {{2, &z_}, {6, &p_}}, push);
   push.rows = first.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
   push.reduction2 = static_cast<float>(reduction * reduction);
   first.add_single(kernels_.cg_scalars[TEDIT_CG_BEGIN],

@@ -20,8 +20,8 @@ public:
   /// All arguments must outlive the solver.
   vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory, const row_operator& k);
 
-  /// Records the loop; `b` need not outlive the call.
-  [[nodiscard]] expected<void> prepare(const preconditioner& b);
+  /// Records the loop; `b` need not outlive the call. `filter` is S.
+  [[nodiscard]] expected<void> prepare(const preconditioner& b, const gpu::buffer& filter);
 
   /// Contract: `linear_system::solve`, in the device's units.
   [[nodiscard]] expected<inner_result> solve(const std::vector<device_float4>& right,
@@ -37,14 +37,14 @@ public:
 
 private:
   [[nodiscard]] expected<void> record_product();
-  [[nodiscard]] expected<void> record_iteration(const preconditioner& b);
+  [[nodiscard]] expected<void> record_iteration(const preconditioner& b, const gpu::buffer& filter);
   [[nodiscard]] expected<void> begin(double reduction);
 
   const cycle_kernels& kernels_;
   vulkan_memory& memory_;
   const row_operator& k_;
   gpu::buffer u_, r_, z_, p_, q_, partials_, scalars_, gates_;
-  std::optional<vulkan_program> product_, preconditioned_, iteration_;
+  std::optional<vulkan_program> product_, start_, preconditioned_, iteration_;
 };
 
 }  // namespace tedit::fem

@@ -173,7 +173,8 @@ expected<void> vulkan_system::record() {
         quadratic_cycle_->add(program, right, z);
       else
         cycle_->add(program, right, z);
-    });
+    },
+    quadratic_cycle_ ? quadratic_cycle_->filter() : cycle_->filter());
 }
 
 expected<inner_result> vulkan_system::solve(std::span<const double> residual,

@@ -87,8 +87,8 @@ protected:
 
   void expect_solution_as_native(const problem& p) {
     const solve_settings exact{.tolerance = 1e-9};
-    const auto expected_u = solve(p, *make_native_backend(), exact);
-    const auto u = solve(p, **open_vulkan(""), exact);
+    const auto expected_u = solve(p, *make_native_backend(), exact, {});
+    const auto u = solve(p, **open_vulkan(""), exact, {});
     ASSERT_TRUE(expected_u.has_value()) << render(expected_u.error());
     ASSERT_TRUE(u.has_value()) << render(u.error());
     EXPECT_LE(u->true_relative_residual, 1e-9);

@@ -1,0 +1,16 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// r = S r; u = 0.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 0) writeonly buffer b0 { vec4 u[]; };
+layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
+layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+
+void main() {
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+    u[n] = vec4(0);
+    r[n] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], r[n].xyz), 0);
+  }
+}
