@@ -27,6 +27,26 @@ std::array<device_float4, 3> element_values(const problem& p, std::size_t e,
   return result;
 }
 
+/// The places of each node's forces, four by four; fills in where each row begins.
+std::vector<std::array<std::uint32_t, 4>> force_lists(
+  const std::vector<std::array<std::uint32_t, 12>>& nodes,
+  std::vector<std::array<std::uint32_t, 2>>& rows) {
+  std::uint32_t end = 0;
+  for (auto& row : rows) {
+    row[0] = end;
+    end += (row[1] + 3) / 4;
+  }
+  std::vector<std::array<std::uint32_t, 4>> result(end);
+  std::vector<std::uint32_t> done(rows.size(), 0);
+  for (std::size_t e = 0; e < nodes.size(); ++e)
+    for (std::size_t a = 0; a < 10; ++a) {
+      const auto node = nodes[e][a];
+      const auto k = done[node]++;
+      result[rows[node][0] + k / 4][k % 4] = static_cast<std::uint32_t>(a * nodes.size() + e);
+    }
+  return result;
+}
+
 }  // namespace
 
 expected<std::unique_ptr<vulkan_quadratic>> vulkan_quadratic::make(const cycle_kernels& kernels,
@@ -51,25 +71,19 @@ void vulkan_quadratic::add_range(const problem& p, const device_scale& scale, st
   const std::size_t count = last - first;
   std::vector<std::array<std::uint32_t, 12>> nodes(count);
   std::vector<std::array<device_float4, 3>> values(count);
-  std::vector<std::uint32_t> begin(p.node_count() + 1, 0);
+  std::vector<std::array<std::uint32_t, 2>> rows(p.node_count());
   for (std::size_t e = 0; e < count; ++e) {
     std::copy_n(&p.element_nodes[10 * (first + e)], 10, nodes[e].begin());
     values[e] = element_values(p, first + e, scale);
     for (int a = 0; a < 10; ++a)
-      ++begin[nodes[e][a] + 1];
+      ++rows[nodes[e][a]][1];
   }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> list(10 * count);
-  auto next = begin;
-  for (std::size_t e = 0; e < count; ++e)
-    for (std::size_t a = 0; a < 10; ++a)
-      list[next[nodes[e][a]]++] = static_cast<std::uint32_t>(a * count + e);
   range made;
   made.elements = static_cast<std::uint32_t>(count);
   made.nodes = memory_.put(nodes);
   made.values = memory_.put(values);
-  made.first = memory_.put(begin);
-  made.list = memory_.put(list);
+  made.list = memory_.put(force_lists(nodes, rows));
+  made.rows = memory_.put(rows);
   ranges_.push_back(std::move(made));
 }
 
@@ -87,7 +101,7 @@ std::uint32_t vulkan_quadratic::add(vulkan_program& program, std::uint32_t mode,
     push.first_row = 0;
     push.rows = nodes_;
     const std::initializer_list<vulkan_program::place> places{
-      {0, &part.first},
+      {0, &part.rows},
       {1, &part.list},
       {2, at.x},
       {3, at.r},

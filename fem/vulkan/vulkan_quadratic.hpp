@@ -25,7 +25,7 @@ private:
   struct range {
     std::uint32_t elements = 0;
     gpu::buffer nodes, values;  ///< Of the elements.
-    gpu::buffer first, list;    ///< Forces of each node, places in the range's forces.
+    gpu::buffer rows, list;     ///< Forces of each node, places in the range's forces.
   };
 
   vulkan_quadratic(const cycle_kernels& kernels, vulkan_memory& memory, std::uint32_t nodes)
