@@ -90,7 +90,8 @@ private:
     if (!inner)
       return fail(inner.error());
     out.iterations += inner->iterations;
-    out.energy_error *= std::min(1.0, inner->recurrence_reduction);
+    if (!inner->broke_down)
+      out.energy_error *= std::min(1.0, inner->recurrence_reduction);
     for (std::size_t i = 0; i < correction_.size(); ++i)
       out.displacement[i] += scale_ * correction_[i];
     update(out);

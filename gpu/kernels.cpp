@@ -11,8 +11,7 @@ namespace tedit::gpu {
 
 expected<std::shared_ptr<kernel_layout>> kernel_layout::make(std::shared_ptr<device> on,
                                                              std::uint32_t bindings,
-                                                             std::uint32_t push_bytes,
-                                                             std::uint32_t most_sets) {
+                                                             std::uint32_t push_bytes) {
   std::shared_ptr<kernel_layout> result(new kernel_layout);
   result->device_ = std::move(on);
   result->bindings_ = bindings;
@@ -37,42 +36,60 @@ expected<std::shared_ptr<kernel_layout>> kernel_layout::make(std::shared_ptr<dev
   if (const auto r = calls.vkCreatePipelineLayout(handle, &layout, nullptr, &result->layout_);
       r != VK_SUCCESS)
     return fail(to_error(r, "describing kernels"));
-  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bindings * most_sets};
-  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  pool.maxSets = most_sets;
-  pool.poolSizeCount = 1;
-  pool.pPoolSizes = &size;
-  if (const auto r = calls.vkCreateDescriptorPool(handle, &pool, nullptr, &result->pool_);
-      r != VK_SUCCESS)
-    return fail(to_error(r, "describing kernels"));
   return result;
 }
 
 kernel_layout::~kernel_layout() {
   const auto& calls = device_->calls();
-  if (pool_)
-    calls.vkDestroyDescriptorPool(device_->handle(), pool_, nullptr);
   if (layout_)
     calls.vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
   if (set_layout_)
     calls.vkDestroyDescriptorSetLayout(device_->handle(), set_layout_, nullptr);
 }
 
-expected<VkDescriptorSet> kernel_layout::bind(std::span<const buffer* const> buffers) {
-  const auto& calls = device_->calls();
+// -- binding_pool ----------------------------------------------------------------------
+
+expected<binding_pool> binding_pool::make(std::shared_ptr<kernel_layout> layout,
+                                          std::uint32_t most_sets) {
+  binding_pool result;
+  result.layout_ = std::move(layout);
+  const auto& on = *result.layout_->on();
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                  result.layout_->bindings() * most_sets};
+  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.maxSets = most_sets;
+  pool.poolSizeCount = 1;
+  pool.pPoolSizes = &size;
+  if (const auto r = on.calls().vkCreateDescriptorPool(on.handle(), &pool, nullptr, &result.pool_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, "describing kernels"));
+  return result;
+}
+
+binding_pool::binding_pool(binding_pool&& other) noexcept
+    : layout_(std::move(other.layout_)), pool_(std::exchange(other.pool_, VK_NULL_HANDLE)) {}
+
+binding_pool::~binding_pool() {
+  if (pool_)
+    layout_->on()->calls().vkDestroyDescriptorPool(layout_->on()->handle(), pool_, nullptr);
+}
+
+expected<VkDescriptorSet> binding_pool::bind(std::span<const buffer* const> buffers) {
+  const auto& on = *layout_->on();
+  const auto& calls = on.calls();
+  const auto set_layout = layout_->set_handle();
   VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocate.descriptorPool = pool_;
   allocate.descriptorSetCount = 1;
-  allocate.pSetLayouts = &set_layout_;
+  allocate.pSetLayouts = &set_layout;
   VkDescriptorSet set = VK_NULL_HANDLE;
-  if (const auto r = calls.vkAllocateDescriptorSets(device_->handle(), &allocate, &set);
-      r != VK_SUCCESS)
+  if (const auto r = calls.vkAllocateDescriptorSets(on.handle(), &allocate, &set); r != VK_SUCCESS)
     return fail(to_error(r, "binding buffers"));
   std::vector<VkDescriptorBufferInfo> infos(buffers.size());
   std::vector<VkWriteDescriptorSet> writes(buffers.size());
   for (std::uint32_t i = 0; i < buffers.size(); ++i) {
     infos[i] = {buffers[i]->handle(), 0,
-                std::min(buffers[i]->bytes(), device_->limits().storage_buffer_range)};
+                std::min(buffers[i]->bytes(), on.limits().storage_buffer_range)};
     writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     writes[i].dstSet = set;
     writes[i].dstBinding = i;
@@ -80,7 +97,7 @@ expected<VkDescriptorSet> kernel_layout::bind(std::span<const buffer* const> buf
     writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     writes[i].pBufferInfo = &infos[i];
   }
-  calls.vkUpdateDescriptorSets(device_->handle(), static_cast<std::uint32_t>(writes.size()),
+  calls.vkUpdateDescriptorSets(on.handle(), static_cast<std::uint32_t>(writes.size()),
                                writes.data(), 0, nullptr);
   return set;
 }
@@ -148,8 +165,8 @@ expected<commands> commands::begin(std::shared_ptr<kernel_layout> layout) {
   if (const auto r = on.calls().vkCreateFence(on.handle(), &fence, nullptr, &result.fence_);
       r != VK_SUCCESS)
     return fail(to_error(r, "recording commands"));
-  const VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, nullptr, 0,
-                                      nullptr};
+  const VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, nullptr,
+                                      VK_COMMAND_BUFFER_USAGE_SIMULTANEOUS_USE_BIT, nullptr};
   if (const auto r = on.calls().vkBeginCommandBuffer(result.buffer_, &info); r != VK_SUCCESS)
     return fail(to_error(r, "recording commands"));
   return result;
@@ -197,12 +214,13 @@ void commands::dispatch(const kernel& k, std::uint32_t groups, const void* push)
   barrier();
 }
 
-void commands::dispatch_indirect(const kernel& k, const buffer& counts, const void* push) {
+void commands::dispatch_indirect(const kernel& k, const buffer& counts, std::uint64_t offset,
+                                 const void* push) {
   const auto& calls = layout_->on()->calls();
   calls.vkCmdBindPipeline(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, k.handle());
   calls.vkCmdPushConstants(buffer_, layout_->handle(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                            layout_->push_bytes(), push);
-  calls.vkCmdDispatchIndirect(buffer_, counts.handle(), 0);
+  calls.vkCmdDispatchIndirect(buffer_, counts.handle(), offset);
   barrier();
 }
 
@@ -219,11 +237,12 @@ expected<void> commands::end() {
   return {};
 }
 
-expected<void> commands::run() {
+expected<void> commands::run(int times) {
   const auto& on = *layout_->on();
+  const std::vector<VkCommandBuffer> buffers(static_cast<std::size_t>(times), buffer_);
   VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-  submit.commandBufferCount = 1;
-  submit.pCommandBuffers = &buffer_;
+  submit.commandBufferCount = static_cast<std::uint32_t>(buffers.size());
+  submit.pCommandBuffers = buffers.data();
   if (const auto r = on.calls().vkResetFences(on.handle(), 1, &fence_); r != VK_SUCCESS)
     return fail(to_error(r, "submitting work"));
   if (const auto r = on.calls().vkQueueSubmit(on.queue(), 1, &submit, fence_); r != VK_SUCCESS)

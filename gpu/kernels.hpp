@@ -15,16 +15,14 @@ class kernel_layout {
 public:
   [[nodiscard]] static expected<std::shared_ptr<kernel_layout>> make(std::shared_ptr<device> on,
                                                                      std::uint32_t bindings,
-                                                                     std::uint32_t push_bytes,
-                                                                     std::uint32_t most_sets);
+                                                                     std::uint32_t push_bytes);
   ~kernel_layout();
   kernel_layout(const kernel_layout&) = delete;
   kernel_layout& operator=(const kernel_layout&) = delete;
 
-  /// A set with the given buffers at bindings 0, 1, ... Lives as long as the layout.
-  [[nodiscard]] expected<VkDescriptorSet> bind(std::span<const buffer* const> buffers);
-
   [[nodiscard]] VkPipelineLayout handle() const { return layout_; }
+  [[nodiscard]] VkDescriptorSetLayout set_handle() const { return set_layout_; }
+  [[nodiscard]] std::uint32_t bindings() const { return bindings_; }
   [[nodiscard]] std::uint32_t push_bytes() const { return push_bytes_; }
   [[nodiscard]] const std::shared_ptr<device>& on() const { return device_; }
 
@@ -34,9 +32,28 @@ private:
   std::shared_ptr<device> device_;
   VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkDescriptorPool pool_ = VK_NULL_HANDLE;
   std::uint32_t bindings_ = 0;
   std::uint32_t push_bytes_ = 0;
+};
+
+/// Room for a known number of sets of buffers.
+class binding_pool {
+public:
+  [[nodiscard]] static expected<binding_pool> make(std::shared_ptr<kernel_layout> layout,
+                                                   std::uint32_t most_sets);
+  binding_pool(binding_pool&& other) noexcept;
+  binding_pool& operator=(binding_pool&&) = delete;
+  binding_pool(const binding_pool&) = delete;
+  ~binding_pool();
+
+  /// A set with the given buffers at bindings 0, 1, ... Lives as long as the pool.
+  [[nodiscard]] expected<VkDescriptorSet> bind(std::span<const buffer* const> buffers);
+
+private:
+  binding_pool() = default;
+
+  std::shared_ptr<kernel_layout> layout_;
+  VkDescriptorPool pool_ = VK_NULL_HANDLE;
 };
 
 /// One compiled kernel. Specialisation constants 0, 1, ... take `constants`.
@@ -71,14 +88,17 @@ public:
 
   void use(VkDescriptorSet set);
   void dispatch(const kernel& k, std::uint32_t groups, const void* push);
-  /// Group counts come from `counts` (three uint32), written by an earlier dispatch: zero skips.
-  void dispatch_indirect(const kernel& k, const buffer& counts, const void* push);
+  /// Group counts come from `counts` (three uint32 at `offset`), written by an earlier dispatch:
+  /// zero skips.
+  void dispatch_indirect(const kernel& k, const buffer& counts, std::uint64_t offset,
+                         const void* push);
   void copy(const buffer& from, std::uint64_t from_offset, const buffer& to,
             std::uint64_t to_offset, std::uint64_t bytes);
   [[nodiscard]] expected<void> end();
 
-  /// Submits and waits. Errors: `device_lost` (also when nothing comes back within 60 s).
-  [[nodiscard]] expected<void> run();
+  /// Submits `times` times in a row and waits. Errors: `device_lost` (also when nothing comes back
+  /// within 60 s).
+  [[nodiscard]] expected<void> run(int times = 1);
 
 private:
   commands() = default;

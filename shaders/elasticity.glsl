@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Buffers and functions of the elasticity kernels. Nothing assumes a subgroup size.
+// Buffers and functions of the assembly and stress kernels. Nothing assumes a subgroup size.
 #extension GL_GOOGLE_include_directive : require
 #include "elasticity_bindings.h"
 
@@ -16,38 +16,9 @@ layout(set = 0, binding = TEDIT_BIND_CORNER_FIRST) readonly buffer b4 { uint cor
 layout(set = 0, binding = TEDIT_BIND_CORNERS) readonly buffer b5 { uint corners[]; };
 layout(set = 0, binding = TEDIT_BIND_SLICES) buffer b6 { uint slices[]; };
 layout(set = 0, binding = TEDIT_BIND_BLOCKS) buffer b7 { uvec4 blocks[]; };
-layout(set = 0, binding = TEDIT_BIND_FILTER) buffer b8 { vec4 filters[]; };
-layout(set = 0, binding = TEDIT_BIND_INVERSE) buffer b9 { vec4 inverses[]; };
-layout(set = 0, binding = TEDIT_BIND_U) buffer b10 { vec4 u[]; };
-layout(set = 0, binding = TEDIT_BIND_R) buffer b11 { vec4 r[]; };
-layout(set = 0, binding = TEDIT_BIND_C) buffer b12 { vec4 c[]; };
-layout(set = 0, binding = TEDIT_BIND_Q) buffer b13 { vec4 q[]; };
-layout(set = 0, binding = TEDIT_BIND_SCALARS) buffer b14 { float scalars[]; };
-layout(set = 0, binding = TEDIT_BIND_COUNTS) buffer b15 { uint counts[]; };
-
-shared float lanes[1024];
-
-// The sum of one value per invocation, in a fixed order; the same for all invocations.
-float group_sum(float value) {
-  lanes[gl_LocalInvocationID.x] = value;
-  barrier();
-  for (uint width = group_size / 2; width > 0; width /= 2) {
-    if (gl_LocalInvocationID.x < width)
-      lanes[gl_LocalInvocationID.x] += lanes[gl_LocalInvocationID.x + width];
-    barrier();
-  }
-  const float sum = lanes[0];
-  barrier();
-  return sum;
-}
-
-// The sum of `count` partial sums from `first` on, in a fixed order.
-float sum_of_partials(uint first, uint count) {
-  float sum = 0;
-  for (uint i = gl_LocalInvocationID.x; i < count; i += group_size)
-    sum += scalars[first + i];
-  return group_sum(sum);
-}
+layout(set = 0, binding = TEDIT_BIND_LEADING) readonly buffer b8 { vec4 leading[]; };
+layout(set = 0, binding = TEDIT_BIND_TRAILING) readonly buffer b9 { vec4 trailing[]; };
+layout(set = 0, binding = TEDIT_BIND_MEANS) writeonly buffer b10 { vec4 means[]; };
 
 vec3 edge(uint a, uint b) {
   return (position_high[b].xyz - position_high[a].xyz) + (position_low[b].xyz - position_low[a].xyz);
@@ -66,15 +37,6 @@ float gradients_of(uvec4 n, out vec3 g[4]) {
   g[0] = -(g[1] + g[2] + g[3]);
   return det / 6;
 }
-
-// S x for a symmetric matrix held as xx xy xz yy | yz zz.
-vec3 apply_symmetric(vec4 a, vec4 b, vec3 x) {
-  return vec3(a.x * x.x + a.y * x.y + a.z * x.z, a.y * x.x + a.w * x.y + b.x * x.z,
-              a.z * x.x + b.x * x.y + b.y * x.z);
-}
-
-vec3 apply_filter(uint node, vec3 x) { return apply_symmetric(filters[2 * node], filters[2 * node + 1], x); }
-vec3 apply_inverse(uint node, vec3 x) { return apply_symmetric(inverses[2 * node], inverses[2 * node + 1], x); }
 
 // The other nodes around a row, ascending; returns how many.
 uint gather_columns(uint row, out uint columns[most_columns]) {

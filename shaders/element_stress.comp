@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Stress (xx yy zz xy | yz zx) of each element from displacement differences; u and r hold the leading and the trailing part of the
-// displacement. One invocation per element; written to the BLOCKS binding, 2 uvec4 each.
+// Stress (xx yy zz xy | yz zx) of each element from displacement differences; which come as a leading and a
+// trailing part. One invocation per element; written to the BLOCKS binding, 2 uvec4 each.
 #extension GL_GOOGLE_include_directive : require
 #include "elasticity.glsl"
 
@@ -14,7 +14,7 @@ void main() {
   gradients_of(n, g);
   mat3 grad = mat3(0);  // column j: derivative along axis j
   for (uint a = 1; a < 4; ++a) {
-    const vec3 d = (u[n[a]].xyz - u[n.x].xyz) + (r[n[a]].xyz - r[n.x].xyz);
+    const vec3 d = (leading[n[a]].xyz - leading[n.x].xyz) + (trailing[n[a]].xyz - trailing[n.x].xyz);
     grad += outerProduct(d, g[a]);
   }
   const vec2 lame = element_lame[e];

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Volume-weighted mean of the stresses of the elements around each node. One invocation per node; element stresses come from the
-// BLOCKS binding, 2 uvec4 each, the means go to the INVERSE binding, 2 vec4 each.
+// BLOCKS binding, 2 uvec4 each, the means are 2 vec4 each.
 #extension GL_GOOGLE_include_directive : require
 #include "elasticity.glsl"
 
@@ -20,6 +20,6 @@ void main() {
     b += v * uintBitsToFloat(blocks[2 * e + 1]);
     volume += v;
   }
-  inverses[2 * node] = a / volume;
-  inverses[2 * node + 1] = b / volume;
+  means[2 * node] = a / volume;
+  means[2 * node + 1] = b / volume;
 }

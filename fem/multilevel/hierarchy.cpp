@@ -178,6 +178,37 @@ std::uint64_t hierarchy::bytes() const {
   return sum;
 }
 
+void raise_lambda(node_smoother& smoother, int nodes_per_element) {
+  smoother.lambda = std::max(static_cast<float>(nodes_per_element), smoother.lambda);
+}
+
+void raise_lambdas(hierarchy& h) {
+  raise_lambda(h.smoother, 4);
+  for (auto& level : h.levels)
+    level.lambda *= 1.5F;
+}
+
+std::vector<float> dense_inverse(const coarsest_solver& solver, std::size_t unknowns) {
+  std::vector<float> result(unknowns * unknowns);
+  parallel_for(
+    unknowns,
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      std::vector<float> unit(unknowns);
+      for (std::size_t i = first; i < last; ++i) {
+        unit[i] = 1;
+        solver.solve(unit, std::span(result).subspan(i * unknowns, unknowns));
+        unit[i] = 0;
+      }
+    },
+    32);
+  for (std::size_t i = 0; i < unknowns; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const float mean = (result[i * unknowns + j] + result[j * unknowns + i]) / 2;
+      result[i * unknowns + j] = result[j * unknowns + i] = mean;
+    }
+  return result;
+}
+
 expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, filter_span filter,
                                     const multilevel_settings& settings, const execution& run) {
   hierarchy result;

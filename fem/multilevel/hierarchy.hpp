@@ -71,6 +71,10 @@ public:
   virtual void solve(std::span<const float> right, std::span<float> result) const = 0;
 };
 
+/// The inverse of the coarsest matrix with `unknowns` rows, row by row, for devices that multiply
+/// with it. Cost: one solve per unknown, on all cores.
+[[nodiscard]] std::vector<float> dense_inverse(const coarsest_solver& solver, std::size_t unknowns);
+
 struct multilevel_settings {
   /// Edges below do not hold aggregates together: keeps aggregates within one material and one
   /// strip of a stretched mesh. 0.02 / 0.1 / 0.15 / 0.2 gave 28 / 26 / 24 / 22 iterations on the
@@ -80,6 +84,14 @@ struct multilevel_settings {
   int lambda_steps = 12;         ///< Lanczos steps of the eigenvalue estimates.
   float lambda_safety = 1.08F;
   double sliver_condition = 10;  ///< Tets beyond are clustered; 0: never.
+};
+
+/// How often a level's correction is repeated, and how long smoothers are.
+struct cycle_settings {
+  int quadratic_degree = 2;  ///< Chebyshev degree on quadratic tets.
+  int node_degree = 2;       ///< On linear tets.
+  int rigid_degree = 2;      ///< On the levels of rigid motions.
+  int repeats = 2;           ///< Cycles on each rigid level a visit: 1 is a V, 2 a W.
 };
 
 /// An aggregation hierarchy with rigid-body modes over a matrix of linear tets (after Vanek et al.
@@ -99,6 +111,12 @@ struct hierarchy {
 
   [[nodiscard]] std::uint64_t bytes() const;
 };
+
+/// Smoothers need an upper bound of the largest eigenvalue, and Lanczos gives lower ones: when the
+/// cycle turns out not to be positive definite, take a bound that always holds (a product over an
+/// element's nodes cannot exceed their number: Fried 1972), and more on the rigid levels.
+void raise_lambda(node_smoother& smoother, int nodes_per_element);
+void raise_lambdas(hierarchy& h);
 
 /// S of each node: xx, xy, xz, yy, yz, zz, as in `problem`.
 using filter_span = std::span<const std::array<double, 6>>;

@@ -10,14 +10,26 @@
 
 namespace tedit::fem {
 
-/// Conjugate gradients in single precision within the free directions. The preconditioner filters
-/// (MPCG, Baraff & Witkin 1998; the filter as a projection on both sides: Ascher & Boxerman 2003),
-/// so that directions stay filtered and the held parts of the residual never enter a product.
+/// Conjugate gradients in single precision within the free directions (MPCG, Baraff & Witkin 1998;
+/// the filter as a projection on both sides: Ascher & Boxerman 2003). The preconditioner filters,
+/// and so is the residual: reactions that pile up in its held parts would meet the rounding errors
+/// of z there, and r.z turned negative after six digits.
 class conjugate_gradients {
 public:
   explicit conjugate_gradients(std::size_t nodes) {
     for (auto* v : {&x_, &r_, &z_, &p_, &q_})
       v->assign(padded3(nodes), 0);
+  }
+
+  /// S of every node, for the residual.
+  void set_filter(filter_span filter) {
+    held_.clear();
+    for (std::uint32_t n = 0; n < filter.size(); ++n)
+      if (filter[n] != std::array<double, 6>{1, 0, 0, 1, 0, 1}) {
+        auto& [node, s] = held_.emplace_back(n, std::array<float, 6>{});
+        std::ranges::transform(filter[n], s.begin(),
+                               [](double v) { return static_cast<float>(v); });
+      }
   }
 
   /// Solves K x = residual until the preconditioned residual has fallen by `reduction`;
@@ -68,6 +80,14 @@ private:
   void begin(std::span<const double> residual) {
     std::ranges::transform(residual, r_.begin(), [](double v) { return static_cast<float>(v); });
     std::ranges::fill(x_, 0.0F);
+    filter_residual();
+  }
+
+  void filter_residual() {
+    for (const auto& [node, s] : held_) {
+      float* r = &r_[3 * std::size_t{node}];
+      store3(multiply_symmetric(s, load4(r)), r);
+    }
   }
 
   /// q = K p; returns p.q.
@@ -87,6 +107,7 @@ private:
         r_[i] -= alpha * q_[i];
       }
     });
+    filter_residual();
   }
 
   void turn(float beta) {
@@ -96,6 +117,7 @@ private:
     });
   }
 
+  std::vector<std::pair<std::uint32_t, std::array<float, 6>>> held_;  ///< Nodes that are not free.
   std::vector<float> x_, r_, z_, p_, q_;  ///< Correction, residual, B r, direction, K p.
 };
 

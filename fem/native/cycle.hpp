@@ -6,14 +6,6 @@
 
 namespace tedit::fem {
 
-/// How often a level's correction is repeated, and how long smoothers are.
-struct cycle_settings {
-  int quadratic_degree = 2;  ///< Chebyshev degree on quadratic tets.
-  int node_degree = 2;       ///< On linear tets.
-  int rigid_degree = 2;      ///< On the levels of rigid motions.
-  int repeats = 2;           ///< Cycles on each rigid level a visit: 1 is a V, 2 a W.
-};
-
 /// The rigid-body levels of a hierarchy: one symmetric cycle. Not for two threads at once.
 class rigid_cycle {
 public:

@@ -30,18 +30,6 @@ public:
   double assembly_ms() const override { return assembly_ms_; }
 
 protected:
-  /// Smoothers need an upper bound of the largest eigenvalue, and Lanczos gives lower ones: when
-  /// the cycle turns out not to be positive definite, take a bound that always holds (a product
-  /// over an element's nodes cannot exceed their number: Fried 1972), and more on the rigid levels.
-  static void raise_lambda(node_smoother& smoother, int nodes_per_element) {
-    smoother.lambda = std::max(static_cast<float>(nodes_per_element), smoother.lambda);
-  }
-  static void raise_lambdas(hierarchy& h) {
-    raise_lambda(h.smoother, 4);
-    for (auto& level : h.levels)
-      level.lambda *= 1.5F;
-  }
-
   /// Runs `attempt`; while it breaks down without getting anywhere, calls `raise` and tries again.
   template <class Attempt, class Raise>
   static expected<inner_result> guarded(Attempt&& attempt, Raise&& raise) {
@@ -92,6 +80,7 @@ public:
       return fail(built.error());
     hierarchy_ = std::move(*built);
     cycle_.emplace(k_, hierarchy_, settings_.cycle);
+    krylov_.set_filter(filter);
     return {};
   }
 
@@ -156,6 +145,7 @@ public:
                          [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
     corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
     cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+    krylov_.set_filter(filter);
     return {};
   }
 

@@ -6,16 +6,21 @@
 #include <vector>
 
 #include "fem/kernels.hpp"
+#include "fem/multilevel/hierarchy.hpp"
 
 namespace tedit::fem {
 
 struct vulkan_settings {
+  /// Coarser than native, because the coarsest level is a dense inverse on the device.
+  multilevel_settings multilevel{.coarsest = 96};
+  cycle_settings cycle;
   /// Bytes of matrix that one binding may hold; 0 takes the device's limit. Tests set it low.
   std::uint64_t most_bytes_per_binding = 0;
 };
 
-/// A Vulkan device as a backend, in single precision: pattern, blocks, preconditioner, conjugate
-/// gradients and stresses run on the device. `part` is part of the device's name, "lavapipe" means
+/// A Vulkan device as a backend, in single precision: linear tets are assembled, both orders are
+/// solved under a multilevel cycle, and stresses of linear tets recovered on the device; the
+/// hierarchy is built on the host. `part` is part of the device's name, "lavapipe" means
 /// Mesa's software device, "" any. Errors: `device_unavailable`.
 [[nodiscard]] expected<std::unique_ptr<backend>> open_vulkan(const std::string& part,
                                                              const vulkan_settings& settings = {});

@@ -5,52 +5,109 @@
 #include <bit>
 
 #include "kernels/assemble_rows.h"
-#include "kernels/cg_apply.h"
-#include "kernels/cg_begin.h"
-#include "kernels/cg_direction.h"
+#include "kernels/cg_advance.h"
+#include "kernels/cg_first.h"
+#include "kernels/cg_product.h"
+#include "kernels/cg_scalars.h"
 #include "kernels/cg_start.h"
-#include "kernels/cg_update.h"
+#include "kernels/cg_turn.h"
+#include "kernels/cluster_rows.h"
 #include "kernels/count_columns.h"
+#include "kernels/dense.h"
+#include "kernels/edge_down.h"
+#include "kernels/edge_up.h"
 #include "kernels/element_stress.h"
 #include "kernels/nodal_stress.h"
-#include "kernels/precondition.h"
+#include "kernels/node_rows.h"
+#include "kernels/node_start.h"
+#include "kernels/quadratic_elements.h"
+#include "kernels/quadratic_rows.h"
+#include "kernels/rigid_down.h"
+#include "kernels/rigid_rows.h"
+#include "kernels/rigid_start.h"
+#include "kernels/rigid_up.h"
 #include "shaders/elasticity_bindings.h"
 
 namespace tedit::fem {
 
-expected<vulkan_kernels> make_kernels(std::shared_ptr<gpu::device> on, std::uint32_t most_columns) {
-  constexpr std::uint32_t most_sets = 512;
-  vulkan_kernels result;
-  const auto& limits = on->limits();
-  result.group_size = std::min(64u, std::bit_floor(limits.workgroup_size));
-  // Rows of a slice sit side by side, so that a subgroup reads contiguous memory.
-  result.slice_rows = std::clamp(std::bit_floor(limits.subgroup_size), 1u, result.group_size);
-  auto layout =
-    gpu::kernel_layout::make(std::move(on), TEDIT_BINDINGS, sizeof(push_constants), most_sets);
-  if (!layout)
-    return fail(layout.error());
-  result.layout = *layout;
-  const std::vector<std::uint32_t> constants{result.group_size, result.slice_rows, most_columns};
-  struct entry {
-    gpu::kernel* kernel;
-    std::span<const std::uint32_t> code;
-  };
-  const entry entries[] = {{&result.count_columns, count_columns_spirv},
-                           {&result.assemble_rows, assemble_rows_spirv},
-                           {&result.precondition, precondition_spirv},
-                           {&result.cg_start, cg_start_spirv},
-                           {&result.cg_begin, cg_begin_spirv},
-                           {&result.cg_apply, cg_apply_spirv},
-                           {&result.cg_update, cg_update_spirv},
-                           {&result.cg_direction, cg_direction_spirv},
-                           {&result.element_stress, element_stress_spirv},
-                           {&result.nodal_stress, nodal_stress_spirv}};
+namespace {
+
+struct entry {
+  gpu::kernel* kernel;
+  std::span<const std::uint32_t> code;
+  std::uint32_t third = 0;   ///< Specialisation constant 2.
+  std::uint32_t fourth = 0;  ///< And 3.
+};
+
+expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
+                       std::span<const entry> entries, const cycle_kernels& like) {
   for (const auto& e : entries) {
-    auto made = gpu::kernel::make(result.layout, e.code, constants);
+    auto made =
+      gpu::kernel::make(layout, e.code, {like.group_size, like.slice_rows, e.third, e.fourth});
     if (!made)
       return fail(made.error());
     *e.kernel = std::move(*made);
   }
+  return {};
+}
+
+}  // namespace
+
+expected<elasticity_kernels> make_elasticity_kernels(std::shared_ptr<gpu::device> on,
+                                                     const cycle_kernels& like,
+                                                     std::uint32_t most_columns) {
+  elasticity_kernels result;
+  auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_BINDINGS, sizeof(push_constants));
+  if (!layout)
+    return fail(layout.error());
+  result.layout = *layout;
+  const entry entries[] = {{&result.count_columns, count_columns_spirv, most_columns},
+                           {&result.assemble_rows, assemble_rows_spirv, most_columns},
+                           {&result.element_stress, element_stress_spirv, most_columns},
+                           {&result.nodal_stress, nodal_stress_spirv, most_columns}};
+  if (auto ok = compile(result.layout, entries, like); !ok)
+    return fail(ok.error());
+  return result;
+}
+
+expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on) {
+  cycle_kernels result;
+  const auto& limits = on->limits();
+  result.group_size = std::min(64u, std::bit_floor(limits.workgroup_size));
+  result.slice_rows = std::clamp(std::bit_floor(limits.subgroup_size), 1u, result.group_size);
+  if (on->summary().kind != "software") {
+    result.most_groups = 65535;  // what Vulkan guarantees
+    result.sum_groups = 512;
+  }
+  auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_CYCLE_BINDINGS, sizeof(cycle_push));
+  if (!layout)
+    return fail(layout.error());
+  result.layout = *layout;
+  std::vector<entry> entries{{&result.quadratic_elements, quadratic_elements_spirv},
+                             {&result.node_start, node_start_spirv},
+                             {&result.cluster_rows, cluster_rows_spirv},
+                             {&result.edge_down, edge_down_spirv},
+                             {&result.edge_up, edge_up_spirv},
+                             {&result.rigid_down, rigid_down_spirv},
+                             {&result.rigid_up, rigid_up_spirv},
+                             {&result.rigid_start, rigid_start_spirv},
+                             {&result.dense, dense_spirv},
+                             {&result.cg_start, cg_start_spirv},
+                             {&result.cg_first, cg_first_spirv},
+                             {&result.cg_advance, cg_advance_spirv},
+                             {&result.cg_product, cg_product_spirv},
+                             {&result.cg_turn, cg_turn_spirv}};
+  for (std::uint32_t mode = 0; mode < 3; ++mode) {
+    entries.push_back({&result.node_rows[mode], node_rows_spirv, mode});
+    entries.push_back({&result.rigid_rows[mode], rigid_rows_spirv, mode});
+    entries.push_back({&result.cg_scalars[mode], cg_scalars_spirv, mode});
+  }
+  for (std::uint32_t earlier = 0; earlier < 2; ++earlier)
+    for (std::uint32_t mode = 0; mode < 4; ++mode)
+      entries.push_back(
+        {&result.quadratic_rows[earlier][mode], quadratic_rows_spirv, mode, earlier});
+  if (auto ok = compile(result.layout, entries, result); !ok)
+    return fail(ok.error());
   return result;
 }
 

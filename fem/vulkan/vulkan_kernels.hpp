@@ -1,22 +1,41 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "gpu/kernels.hpp"
+#include "shaders/cycle_bindings.h"
 
 namespace tedit::fem {
 
-/// The compiled kernels of `shaders/` on one device, for one choice of constants.
-struct vulkan_kernels {
+/// The kernels of `shaders/` that assemble linear tets and recover their stresses.
+struct elasticity_kernels {
   std::shared_ptr<gpu::kernel_layout> layout;
-  gpu::kernel count_columns, assemble_rows, precondition;
-  gpu::kernel cg_start, cg_begin, cg_apply, cg_update, cg_direction;
-  gpu::kernel element_stress, nodal_stress;
-  std::uint32_t group_size = 64;
-  std::uint32_t slice_rows = 8;
+  gpu::kernel count_columns, assemble_rows, element_stress, nodal_stress;
 };
 
-/// Compiles all kernels. `most_columns` bounds the blocks of one row.
-[[nodiscard]] expected<vulkan_kernels> make_kernels(std::shared_ptr<gpu::device> on,
-                                                    std::uint32_t most_columns);
+/// The kernels that solve. Arrays are indexed by the modes of cycle_bindings.h.
+struct cycle_kernels {
+  std::shared_ptr<gpu::kernel_layout> layout;
+  std::array<gpu::kernel, 3> node_rows;
+  /// The first index says whether sums of earlier ranges of elements are added.
+  std::array<std::array<gpu::kernel, 4>, 2> quadratic_rows;
+  std::array<gpu::kernel, 3> rigid_rows;
+  std::array<gpu::kernel, 3> cg_scalars;
+  gpu::kernel quadratic_elements, node_start, cluster_rows, edge_down, edge_up;
+  gpu::kernel rigid_down, rigid_up, rigid_start, dense;
+  gpu::kernel cg_start, cg_first, cg_advance, cg_product, cg_turn;
+  std::uint32_t group_size = 64;
+  std::uint32_t slice_rows = 8;    ///< Rows side by side, so that a subgroup reads in a row.
+  std::uint32_t most_groups = 64;  ///< Of a dispatch; kernels stride over their rows.
+  std::uint32_t sum_groups = 16;   ///< Of a dispatch that leaves partial sums.
+};
+
+/// `most_columns` bounds the blocks of one row; `like` gives group size and slices.
+[[nodiscard]] expected<elasticity_kernels> make_elasticity_kernels(std::shared_ptr<gpu::device> on,
+                                                                   const cycle_kernels& like,
+                                                                   std::uint32_t most_columns);
+
+[[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on);
 
 }  // namespace tedit::fem

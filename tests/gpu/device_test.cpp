@@ -20,7 +20,7 @@ TEST(Device, BytesSurviveTheWayThereAndBack) {
   if (device::list().empty())
     GTEST_SKIP() << "no Vulkan device on this machine";
   const auto on = *device::open("");
-  const auto layout = *kernel_layout::make(on, 1, 16, 4);
+  const auto layout = *kernel_layout::make(on, 1, 16);
   // More than one staging piece, and no multiple of it.
   std::vector<std::uint32_t> there(9'000'001);
   std::iota(there.begin(), there.end(), 1u);

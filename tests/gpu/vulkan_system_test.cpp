@@ -12,7 +12,7 @@
 #include "gpu/device.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
-#include "tests/support/meshes.hpp"
+#include "tests/gpu/bent_bar.hpp"
 
 namespace tedit::fem {
 namespace {
@@ -20,48 +20,10 @@ namespace {
 /// Single precision: 24 bits, a few of them lost in sums over some dozen blocks.
 constexpr double kFloatTolerance = 2e-5;
 
-/// 7 x 9 x 11 nodes (693: no multiple of any group size), bent so that no two tets are alike, with
-/// one planted sliver; two materials' worth of stiffness jump is in `constants`.
-problem bent_bar() {
-  load_case loads;
-  loads.materials = {{"a", 70e9, 0.33, 2700, 0, {}}};
-  loads.constraints = {
-    {{1}, fixed{}}, {{3}, roller{}}, {{6}, prescribed_displacement{{}, {}, 0.0}}};
-  loads.loads = {{{2}, force{{100, 50, -200}}}};
-  const auto place = [](vec3 p) {
-    vec3 q = p + 0.02 * vec3{std::sin(5 * p.y), std::sin(4 * p.z), std::sin(3 * p.x)};
-    if (norm(p - vec3{0.5, 0.5, 0.5}) < 1e-9)
-      q.x += 0.16;  // close to the opposite face of its cells
-    return 0.05 * q;
-  };
-  auto p = make_problem(*test::box_mesh({6, 8, 10}, {1, 1, 1}, place), loads);
-  EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
-  p->constants.push_back({p->constants[0].lambda * 1e-3, p->constants[0].mu * 1e-3});
-  for (std::size_t e = 0; e < p->element_count(); e += 3)
-    p->element_materials[e] = 1;
-  return *p;
-}
-
-std::vector<double> wave(std::size_t size, double step) {
-  std::vector<double> result(size);
-  for (std::size_t i = 0; i < size; ++i)
-    result[i] = std::sin(1 + step * static_cast<double>(i));
-  return result;
-}
-
-double largest(std::span<const double> x) {
-  double result = 0;
-  for (const double value : x)
-    result = std::max(result, std::abs(value));
-  return result;
-}
-
-void expect_near_all(std::span<const double> a, std::span<const double> b, double relative) {
-  ASSERT_EQ(a.size(), b.size());
-  const double allowed = relative * largest(b);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    ASSERT_NEAR(a[i], b[i], allowed) << i;
-}
+using test::bent_bar;
+using test::expect_near_all;
+using test::largest;
+using test::wave;
 
 class VulkanSystem : public ::testing::Test {
 protected:

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/vulkan/vulkan_krylov.hpp"
+
+#include <cmath>
+
+#include "base/stopwatch.hpp"
+
+namespace tedit::fem {
+
+namespace {
+
+/// A batch should take about this long, so that a cancelled solve ends soon and yet a fast device
+/// does not wait for the host.
+constexpr double batch_ms = 25;
+constexpr int most_per_batch = 8;
+
+}  // namespace
+
+vulkan_krylov::vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory,
+                             const row_operator& k)
+    : kernels_(kernels), memory_(memory), k_(k) {
+  for (auto* vector : {&u_, &r_, &z_, &p_, &q_})
+    *vector = memory.room(16 * std::uint64_t{k.rows()});
+  partials_ = memory.room(4 * std::uint64_t{k.most_partials()});
+  scalars_ = memory.room(4 * TEDIT_CG_SCALARS);
+  gates_ = memory.put(vulkan_program::closed_gates());
+}
+
+expected<void> vulkan_krylov::record_product() {
+  product_.emplace(kernels_);
+  k_.add(*product_, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, {});
+  return product_->record();
+}
+
+expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
+  start_.emplace(kernels_);
+  cycle_push push{};
+  push.rows = k_.rows();
+  start_->add(kernels_.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
+  if (auto ok = start_->record(); !ok)
+    return ok;
+  preconditioned_.emplace(kernels_);
+  b(*preconditioned_, r_, z_);
+  if (auto ok = preconditioned_->record(); !ok)
+    return ok;
+  return record_iteration(b, filter);
+}
+
+expected<void> vulkan_krylov::record_iteration(const preconditioner& b, const gpu::buffer& filter) {
+  iteration_.emplace(kernels_);
+  auto& loop = *iteration_;
+  const auto scalars = [&](std::uint32_t mode, std::uint32_t sums) {
+    cycle_push push{};
+    push.rows = sums;
+    loop.add_single(kernels_.cg_scalars[mode], {{7, &partials_}, {8, &scalars_}, {9, &gates_}},
+                    push);
+  };
+  cycle_push push{};
+  scalars(TEDIT_CG_ALPHA,
+          k_.add(loop, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, push));
+  push.rows = k_.rows();
+  loop.add(kernels_.cg_advance,
+           {{0, &u_}, {1, &p_}, {2, &q_}, {3, &r_}, {4, &filter}, {8, &scalars_}}, push);
+  b(loop, r_, z_);
+  scalars(TEDIT_CG_BETA,
+          loop.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push));
+  loop.add(kernels_.cg_turn, {{2, &z_}, {6, &p_}, {8, &scalars_}}, push);
+  return loop.record(&gates_);
+}
+
+/// r = S r, u = 0, z = B r, p = z, and the scalars of the first iteration.
+expected<void> vulkan_krylov::begin(double reduction) {
+  if (auto ok = start_->run(); !ok)
+    return ok;
+  if (auto ok = preconditioned_->run(); !ok)
+    return ok;
+  vulkan_program first(kernels_);
+  cycle_push push{};
+  push.rows = k_.rows();
+  first.add(kernels_.cg_first, {{2, &z_}, {6, &p_}}, push);
+  push.rows = first.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
+  push.reduction2 = static_cast<float>(reduction * reduction);
+  first.add_single(kernels_.cg_scalars[TEDIT_CG_BEGIN],
+                   {{7, &partials_}, {8, &scalars_}, {9, &gates_}}, push);
+  if (auto ok = first.record(); !ok)
+    return ok;
+  return first.run();
+}
+
+expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& right,
+                                            std::vector<device_float4>& correction,
+                                            double reduction, int max_iterations,
+                                            const execution& run) {
+  if (auto ok = memory_.upload(r_, right); !ok)
+    return fail(ok.error());
+  if (auto ok = begin(reduction); !ok)
+    return fail(ok.error());
+  std::vector<float> scalars(TEDIT_CG_SCALARS);
+  inner_result result;
+  int times = 0;
+  for (;;) {
+    const stopwatch clock;
+    if (times > 0)
+      if (auto ok = iteration_->run(times); !ok)
+        return fail(ok.error());
+    if (auto ok = memory_.download(scalars_, scalars); !ok)
+      return fail(ok.error());
+    result.iterations = static_cast<int>(scalars[TEDIT_CG_ITERATIONS]);
+    if (scalars[TEDIT_CG_STATE] != 0 || result.iterations >= max_iterations)
+      break;
+    if (run.cancel.cancelled())
+      return fail(ec::cancelled, "the solve was cancelled");
+    const double fit = times > 0 ? batch_ms * times / std::max(clock.milliseconds(), 1e-3) : 1;
+    times = static_cast<int>(std::clamp(fit, 1.0, double{most_per_batch}));
+    times = std::min(times, max_iterations - result.iterations);
+  }
+  result.broke_down = scalars[TEDIT_CG_STATE] == 2;
+  const double start = static_cast<double>(scalars[TEDIT_CG_THRESHOLD]) / (reduction * reduction);
+  const double now = std::max(static_cast<double>(scalars[TEDIT_CG_DELTA]), 0.0);
+  result.recurrence_reduction = start > 0 ? std::sqrt(now / start) : 0;
+  if (auto ok = memory_.download(u_, correction); !ok)
+    return fail(ok.error());
+  return result;
+}
+
+expected<void> vulkan_krylov::multiply(const std::vector<device_float4>& x,
+                                       std::vector<device_float4>& y) {
+  if (!product_)
+    if (auto ok = record_product(); !ok)
+      return ok;
+  if (auto ok = memory_.upload(p_, x); !ok)
+    return ok;
+  if (auto ok = product_->run(); !ok)
+    return ok;
+  return memory_.download(q_, y);
+}
+
+expected<void> vulkan_krylov::precondition(const std::vector<device_float4>& r,
+                                           std::vector<device_float4>& z) {
+  if (auto ok = memory_.upload(r_, r); !ok)
+    return ok;
+  if (auto ok = preconditioned_->run(); !ok)
+    return ok;
+  return memory_.download(z_, z);
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "fem/vulkan/vulkan_memory.hpp"
+#include "fem/vulkan/vulkan_rows.hpp"
+
+namespace tedit::fem {
+
+/// Adds z = B right to a program.
+using preconditioner =
+  std::function<void(vulkan_program&, const gpu::buffer& right, const gpu::buffer& z)>;
+
+/// Preconditioned conjugate gradients whose scalars stay on the device. One iteration is recorded;
+/// batches of it are submitted, and the device itself stops within a batch: it zeroes the group
+/// counts of what follows.
+class vulkan_krylov {
+public:
+  /// All arguments must outlive the solver.
+  vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory, const row_operator& k);
+
+  /// Records the loop; `b` need not outlive the call. `filter` is S.
+  [[nodiscard]] expected<void> prepare(const preconditioner& b, const gpu::buffer& filter);
+
+  /// Contract: `linear_system::solve`, in the device's units.
+  [[nodiscard]] expected<inner_result> solve(const std::vector<device_float4>& right,
+                                             std::vector<device_float4>& correction,
+                                             double reduction, int max_iterations,
+                                             const execution& run);
+  /// y = K x, for estimates and tests; needs no preconditioner.
+  [[nodiscard]] expected<void> multiply(const std::vector<device_float4>& x,
+                                        std::vector<device_float4>& y);
+  /// z = B r: for tests.
+  [[nodiscard]] expected<void> precondition(const std::vector<device_float4>& r,
+                                            std::vector<device_float4>& z);
+
+private:
+  [[nodiscard]] expected<void> record_product();
+  [[nodiscard]] expected<void> record_iteration(const preconditioner& b, const gpu::buffer& filter);
+  [[nodiscard]] expected<void> begin(double reduction);
+
+  const cycle_kernels& kernels_;
+  vulkan_memory& memory_;
+  const row_operator& k_;
+  gpu::buffer u_, r_, z_, p_, q_, partials_, scalars_, gates_;
+  std::optional<vulkan_program> product_, start_, preconditioned_, iteration_;
+};
+
+}  // namespace tedit::fem

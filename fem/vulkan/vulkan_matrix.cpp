@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/vulkan/vulkan_matrix.hpp"
+
+#include <cmath>
+
+namespace tedit::fem {
+
+namespace {
+
+constexpr std::uint64_t entry_bytes = 48;  // column and nine values in three uvec4
+
+double largest_of(std::span<const double> values) {
+  double result = 1e-300;
+  for (const double value : values)
+    result = std::max(result, std::abs(value));
+  return result;
+}
+
+/// Six numbers an item, in two vec4.
+std::vector<std::array<float, 8>> packed6(std::span<const double> values, double scale) {
+  std::vector<std::array<float, 8>> result(values.size() / 6);
+  for (std::size_t e = 0; e < result.size(); ++e)
+    for (int i = 0; i < 6; ++i)
+      result[e][i] = static_cast<float>(scale * values[6 * e + i]);
+  return result;
+}
+
+void unpack6(std::span<const std::array<float, 8>> packed, double scale, std::span<double> values) {
+  for (std::size_t e = 0; e < packed.size(); ++e)
+    for (int i = 0; i < 6; ++i)
+      values[6 * e + i] = scale * static_cast<double>(packed[e][i]);
+}
+
+/// What single precision loses of vectors with three numbers a node.
+std::vector<device_float4> trailing_part(std::span<const double> values, double scale,
+                                         std::span<const device_float4> leading) {
+  std::vector<device_float4> result(leading.size());
+  for (std::size_t n = 0; n < result.size(); ++n)
+    for (int i = 0; i < 3; ++i)
+      result[n][i] =
+        static_cast<float>(scale * values[3 * n + i] - static_cast<double>(leading[n][i]));
+  return result;
+}
+
+}  // namespace
+
+device_scale::device_scale(const problem& p) {
+  vec3 low{1e300, 1e300, 1e300};
+  vec3 high = -low;
+  for (const auto& x : p.nodes) {
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  centre = 0.5 * (low + high);
+  for (const auto& m : p.constants)
+    stiffness = std::max({stiffness, std::abs(m.lambda), m.mu});
+}
+
+vulkan_matrix::vulkan_matrix(const cycle_kernels& kernels, vulkan_memory& memory, const problem& p,
+                             const device_scale& scale)
+    : shapes_(kernels),
+      memory_(memory),
+      scale_(scale),
+      nodes_(static_cast<std::uint32_t>(p.node_count())),
+      elements_(static_cast<std::uint32_t>(p.element_count())) {}
+
+expected<std::unique_ptr<vulkan_matrix>> vulkan_matrix::make(
+  std::shared_ptr<gpu::device> on, const cycle_kernels& kernels, vulkan_memory& memory,
+  const problem& p, const incidence& corners, const device_scale& scale) {
+  std::unique_ptr<vulkan_matrix> result(new vulkan_matrix(kernels, memory, p, scale));
+  if (auto ok = result->build(std::move(on), p, corners); !ok)
+    return fail(ok.error());
+  return result;
+}
+
+expected<void> vulkan_matrix::build(std::shared_ptr<gpu::device> on, const problem& p,
+                                    const incidence& corners) {
+  std::size_t most_corners = 0;
+  for (std::size_t n = 0; n < p.node_count(); ++n)
+    most_corners = std::max(most_corners, corners.of_node(n).size());
+  // Around an inner node t tets have t/2 + 2 other corners; t + 3 is safe on a boundary.
+  // Rounded up, so that similar parts share compiled kernels.
+  const auto most_columns = (static_cast<std::uint32_t>(most_corners + 3) + 31) / 32 * 32;
+  auto kernels = make_elasticity_kernels(std::move(on), shapes_, most_columns);
+  if (!kernels)
+    return fail(kernels.error());
+  kernels_ = std::move(*kernels);
+  if (auto ok = upload_mesh(p, corners); !ok)
+    return ok;
+  const auto columns = count_columns();
+  if (!columns)
+    return fail(columns.error());
+  if (auto ok = cut_chunks(*columns); !ok)
+    return ok;
+  for (const auto& part : chunks_)
+    if (auto ok = dispatch(kernels_.assemble_rows, part.blocks, part.rows, part.first_row); !ok)
+      return ok;
+  return {};
+}
+
+expected<void> vulkan_matrix::upload_mesh(const problem& p, const incidence& corners) {
+  std::vector<double> positions(3 * p.node_count());
+  for (std::size_t n = 0; n < p.node_count(); ++n) {
+    const vec3 x = p.nodes[n] - scale_.centre;
+    positions[3 * n] = x.x;
+    positions[3 * n + 1] = x.y;
+    positions[3 * n + 2] = x.z;
+  }
+  const auto leading = packed3(positions, 1 / scale_.size);
+  std::vector<std::array<float, 2>> lame(p.element_count());
+  for (std::size_t e = 0; e < p.element_count(); ++e) {
+    const auto& m = p.constants[p.element_materials[e]];
+    lame[e] = {static_cast<float>(m.lambda / scale_.stiffness),
+               static_cast<float>(m.mu / scale_.stiffness)};
+  }
+  std::vector<std::uint32_t> first{0};
+  std::vector<std::uint32_t> list;
+  for (std::size_t n = 0; n < p.node_count(); ++n) {
+    const auto part = corners.of_node(n);
+    list.insert(list.end(), part.begin(), part.end());
+    first.push_back(static_cast<std::uint32_t>(list.size()));
+  }
+  position_high_ = memory_.put(leading);
+  position_low_ = memory_.put(trailing_part(positions, 1 / scale_.size, leading));
+  element_nodes_ = memory_.put(p.element_nodes);
+  element_lame_ = memory_.put(lame);
+  corner_first_ = memory_.put(first);
+  corners_ = memory_.put(list);
+  // Slices hold either one count per row or two numbers per slice.
+  slices_ = memory_.room(8 * (std::uint64_t{nodes_} + 1));
+  return memory_.status();
+}
+
+void vulkan_matrix::drop_mesh() {
+  for (auto* b : {&position_high_, &position_low_, &element_nodes_, &element_lame_, &corner_first_,
+                  &corners_})
+    memory_.give_back(*b);
+}
+
+expected<void> vulkan_matrix::dispatch(const gpu::kernel& k, const gpu::buffer& blocks,
+                                       std::uint32_t rows, std::uint32_t first) {
+  auto pool = gpu::binding_pool::make(kernels_.layout, 1);
+  if (!pool)
+    return fail(pool.error());
+  const auto any = [&](const gpu::buffer& b) { return b.handle() ? &b : &slices_; };
+  const std::array<const gpu::buffer*, TEDIT_BINDINGS> all{
+    &position_high_, &position_low_, &element_nodes_, &element_lame_, &corner_first_, &corners_,
+    &slices_,        &blocks,        any(leading_),   any(trailing_), any(means_)};
+  const auto set = pool->bind(all);
+  if (!set)
+    return fail(set.error());
+  auto work = gpu::commands::begin(kernels_.layout);
+  if (!work)
+    return fail(work.error());
+  work->use(*set);
+  // At most 65535 groups a dispatch are guaranteed.
+  const std::uint32_t most = 65535 * shapes_.group_size;
+  for (std::uint32_t done = 0; done < rows; done += most) {
+    const push_constants push{first + done, std::min(most, rows - done)};
+    work->dispatch(k, (push.rows + shapes_.group_size - 1) / shapes_.group_size, &push);
+  }
+  if (auto ok = work->end(); !ok)
+    return ok;
+  return work->run();
+}
+
+expected<std::vector<std::uint32_t>> vulkan_matrix::count_columns() {
+  if (auto ok = dispatch(kernels_.count_columns, slices_, nodes_); !ok)
+    return fail(ok.error());
+  std::vector<std::uint32_t> columns(nodes_);
+  if (auto ok = memory_.download(slices_, columns); !ok)
+    return fail(ok.error());
+  return columns;
+}
+
+/// Slices of rows that share a width, gathered into chunks that one binding can hold.
+expected<void> vulkan_matrix::cut_chunks(const std::vector<std::uint32_t>& columns) {
+  const std::uint32_t per_slice = shapes_.slice_rows;
+  std::vector<std::uint32_t> slices;
+  chunk now;
+  const auto close = [&] {
+    now.blocks = memory_.room(now.entries * entry_bytes);
+    chunks_.push_back(std::move(now));
+    now = chunk{};
+  };
+  for (std::uint32_t row = 0; row < nodes_; row += per_slice) {
+    const auto last = std::min(nodes_, row + per_slice);
+    const auto width = *std::max_element(columns.begin() + row, columns.begin() + last);
+    const std::uint64_t entries = std::uint64_t{width} * per_slice;
+    if (now.rows > 0 && (now.entries + entries) * entry_bytes > memory_.most_per_piece())
+      close();
+    if (now.rows == 0)
+      now.first_row = row;
+    slices.push_back(static_cast<std::uint32_t>(now.entries));
+    slices.push_back(width);
+    now.entries += entries;
+    now.rows += last - row;
+  }
+  close();
+  if (auto ok = memory_.status(); !ok)
+    return ok;
+  return memory_.upload(slices_, slices);
+}
+
+std::uint32_t vulkan_matrix::most_partials() const {
+  return static_cast<std::uint32_t>(chunks_.size()) * shapes_.sum_groups;
+}
+
+std::uint32_t vulkan_matrix::add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,
+                                 cycle_push push) const {
+  push.place = 0;
+  for (const auto& part : chunks_) {
+    push.first_row = part.first_row;
+    push.rows = part.rows;
+    const std::initializer_list<vulkan_program::place> places{
+      {0, &slices_},
+      {1, &part.blocks},
+      {2, at.x},
+      {3, at.r},
+      {4, at.diagonal ? at.diagonal : &slices_},
+      {5, at.other ? at.other : &slices_},
+      {6, at.z ? at.z : &slices_},
+      {7, at.partials ? at.partials : &slices_}};
+    if (mode == TEDIT_MULTIPLY)
+      push.place += program.add_sum(program.kernels().node_rows[mode], places, push);
+    else
+      program.add(program.kernels().node_rows[mode], places, push);
+  }
+  return push.place;
+}
+
+expected<void> vulkan_matrix::make_stress_room() {
+  if (element_stresses_.handle())
+    return {};
+  leading_ = memory_.room(16 * std::uint64_t{nodes_});
+  trailing_ = memory_.room(16 * std::uint64_t{nodes_});
+  means_ = memory_.room(32 * std::uint64_t{nodes_});
+  element_stresses_ = memory_.room(32 * std::uint64_t{elements_});
+  return memory_.status();
+}
+
+expected<void> vulkan_matrix::element_stress(std::span<const double> displacement,
+                                             std::span<double> stress) {
+  if (auto ok = make_stress_room(); !ok)
+    return ok;
+  const double largest = largest_of(displacement);
+  const auto leading = packed3(displacement, 1 / largest);
+  if (auto ok = memory_.upload(leading_, leading); !ok)
+    return ok;
+  if (auto ok = memory_.upload(trailing_, trailing_part(displacement, 1 / largest, leading)); !ok)
+    return ok;
+  if (auto ok = dispatch(kernels_.element_stress, element_stresses_, elements_); !ok)
+    return ok;
+  std::vector<std::array<float, 8>> packed(elements_);
+  if (auto ok = memory_.download(element_stresses_, packed); !ok)
+    return ok;
+  unpack6(packed, largest / scale_.size * scale_.stiffness, stress);
+  return {};
+}
+
+expected<void> vulkan_matrix::nodal_stress(std::span<const double> element_stress,
+                                           std::span<double> nodal) {
+  if (auto ok = make_stress_room(); !ok)
+    return ok;
+  const double largest = largest_of(element_stress);
+  if (auto ok = memory_.upload(element_stresses_, packed6(element_stress, 1 / largest)); !ok)
+    return ok;
+  if (auto ok = dispatch(kernels_.nodal_stress, element_stresses_, nodes_); !ok)
+    return ok;
+  std::vector<std::array<float, 8>> packed(nodes_);
+  if (auto ok = memory_.download(means_, packed); !ok)
+    return ok;
+  unpack6(packed, largest, nodal);
+  return {};
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/vulkan/vulkan_memory.hpp"
+
+namespace tedit::fem {
+
+vulkan_memory::vulkan_memory(std::shared_ptr<gpu::kernel_layout> layout,
+                             const vulkan_settings& settings)
+    : layout_(std::move(layout)), most_per_piece_(layout_->on()->limits().storage_buffer_range) {
+  if (settings.most_bytes_per_binding > 0)
+    most_per_piece_ = std::min(most_per_piece_, settings.most_bytes_per_binding);
+}
+
+gpu::buffer vulkan_memory::room(std::uint64_t bytes) {
+  if (!status_)
+    return {};
+  if (const auto most = layout_->on()->limits().storage_buffer_range; bytes > most) {
+    status_ = fail(ec::out_of_memory,
+                   "a part of this problem has " + std::to_string(bytes >> 20) +
+                     " MiB, the device can bind " + std::to_string(most >> 20),
+                   "Take a coarser mesh, or use --device cpu");
+    return {};
+  }
+  auto made = gpu::buffer::make(layout_->on(), bytes, gpu::buffer::place::device);
+  if (!made) {
+    status_ = fail(made.error());
+    return {};
+  }
+  bytes_ += made->bytes();
+  return std::move(*made);
+}
+
+gpu::buffer vulkan_memory::put_bytes(std::span<const std::byte> bytes) {
+  auto result = room(bytes.size());
+  if (status_)
+    status_ = gpu::upload(layout_, result, bytes);
+  return result;
+}
+
+void vulkan_memory::give_back(gpu::buffer& from) {
+  bytes_ -= from.bytes();
+  from = {};
+}
+
+expected<void> vulkan_memory::status() const {
+  return status_;
+}
+
+std::vector<device_float4> packed3(std::span<const double> values, double scale) {
+  std::vector<device_float4> result(values.size() / 3);
+  for (std::size_t n = 0; n < result.size(); ++n)
+    for (int i = 0; i < 3; ++i)
+      result[n][i] = static_cast<float>(scale * values[3 * n + i]);
+  return result;
+}
+
+void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values) {
+  for (std::size_t n = 0; n < packed.size(); ++n)
+    for (int i = 0; i < 3; ++i)
+      values[3 * n + i] = scale * static_cast<double>(packed[n][i]);
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "fem/vulkan/vulkan_backend.hpp"
+#include "gpu/kernels.hpp"
+
+namespace tedit::fem {
+
+/// Four floats as a kernel sees them.
+using device_float4 = std::array<float, 4>;
+
+/// Buffers of one system, counted. The first failure stays: later calls give empty buffers at once,
+/// and `status` says what happened; ask it before any buffer is used.
+class vulkan_memory {
+public:
+  vulkan_memory(std::shared_ptr<gpu::kernel_layout> layout, const vulkan_settings& settings);
+
+  [[nodiscard]] gpu::buffer room(std::uint64_t bytes);
+  template <class T>
+  [[nodiscard]] gpu::buffer put(const std::vector<T>& values) {
+    return put_bytes(std::as_bytes(std::span(values)));
+  }
+  void give_back(gpu::buffer& from);
+  /// Takes buffers that are gone off the count.
+  void forget(std::uint64_t bytes) { bytes_ -= bytes; }
+  [[nodiscard]] expected<void> status() const;
+
+  template <class T>
+  [[nodiscard]] expected<void> upload(gpu::buffer& to, const std::vector<T>& values) const {
+    return gpu::upload(layout_, to, std::as_bytes(std::span(values)));
+  }
+  template <class T>
+  [[nodiscard]] expected<void> download(const gpu::buffer& from, std::vector<T>& values) const {
+    return gpu::download(layout_, from, std::as_writable_bytes(std::span(values)));
+  }
+
+  /// Bytes held on the device.
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// Bytes that one piece of data that can be cut may have.
+  [[nodiscard]] std::uint64_t most_per_piece() const { return most_per_piece_; }
+
+private:
+  [[nodiscard]] gpu::buffer put_bytes(std::span<const std::byte> bytes);
+
+  std::shared_ptr<gpu::kernel_layout> layout_;
+  std::uint64_t most_per_piece_ = 0;
+  std::uint64_t bytes_ = 0;
+  expected<void> status_;
+};
+
+/// Symmetric 3x3 blocks, two vec4 each, times `scale`.
+template <class T>
+[[nodiscard]] std::vector<std::array<float, 8>> packed_symmetric(
+  std::span<const std::array<T, 6>> blocks, double scale) {
+  std::vector<std::array<float, 8>> result(blocks.size());
+  for (std::size_t n = 0; n < blocks.size(); ++n)
+    for (int i = 0; i < 6; ++i)
+      result[n][i] = static_cast<float>(scale * static_cast<double>(blocks[n][i]));
+  return result;
+}
+
+/// Vectors with three numbers a node, one vec4 each, times `scale`.
+[[nodiscard]] std::vector<device_float4> packed3(std::span<const double> values, double scale);
+void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values);
+
+}  // namespace tedit::fem

@@ -1,0 +1,22 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// u += alpha p; r = S (r - alpha q). Without the filter r would keep the reactions, and their products with the rounding
+// errors of z would outweigh r.z in the end.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 0) buffer b0 { vec4 u[]; };
+layout(set = 0, binding = 1) readonly buffer b1 { vec4 p[]; };
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 q[]; };
+layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
+layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
+
+void main() {
+  const float alpha = scalars[TEDIT_CG_FACTOR];
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+    u[n] += alpha * p[n];
+    const vec3 left = r[n].xyz - alpha * q[n].xyz;
+    r[n] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], left), 0);
+  }
+}

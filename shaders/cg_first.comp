@@ -1,0 +1,13 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The first direction is the preconditioned residual.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 p[]; };
+
+void main() {
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
+    p[n] = z[n];
+}

@@ -1,0 +1,19 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Partial sums of r.z.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+#include "group_sum.glsl"
+
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
+layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
+layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
+
+void main() {
+  float sum = 0;
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
+    sum += dot(r[n].xyz, z[n].xyz);
+  sum = group_sum(sum);
+  if (gl_LocalInvocationID.x == 0)
+    partials[gl_WorkGroupID.x] = sum;
+}

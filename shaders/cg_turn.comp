@@ -1,0 +1,15 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// p = z + beta p.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
+layout(set = 0, binding = 6) buffer b6 { vec4 p[]; };
+layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
+
+void main() {
+  const float beta = scalars[TEDIT_CG_FACTOR];
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
+    p[n] = z[n] + beta * p[n];
+}

@@ -1,0 +1,29 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Adds fresh * C^-1 r of the nodes of sliver clusters to the step and to z; one invocation per node. Their own blocks are
+// zero in B.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 0) readonly buffer b0 { uvec4 rows[]; };    // node, first entry, count
+layout(set = 0, binding = 1) readonly buffer b1 { uvec4 blocks[]; };  // 3 per entry: column, 9 values by rows
+layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
+layout(set = 0, binding = 5) buffer b5 { vec4 step_out[]; };
+layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
+
+void main() {
+  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+    const uvec4 row = rows[i];
+    vec3 y = vec3(0);
+    for (uint k = 0; k < row.z; ++k) {
+      const uint entry = 3 * (row.y + k);
+      const uvec4 a = blocks[entry];
+      const vec4 b = uintBitsToFloat(blocks[entry + 1]);
+      const vec4 e = uintBitsToFloat(blocks[entry + 2]);
+      const vec3 d = r[a.x].xyz;
+      y += vec3(dot(uintBitsToFloat(a.yzw), d), dot(b.xyz, d), dot(vec3(b.w, e.xy), d));
+    }
+    step_out[row.x] += vec4(push.fresh * y, 0);
+    z[row.x] += vec4(push.fresh * y, 0);
+  }
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the solver's kernels share. Nothing assumes a subgroup size. Workgroups stride over the rows, so that any
+// number of them will do.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle_bindings.h"
+
+layout(local_size_x_id = 0) in;
+layout(constant_id = 0) const uint group_size = 64;
+layout(constant_id = 1) const uint slice_rows = 8;
+layout(constant_id = 2) const uint mode = 0;
+
+uint stride() { return gl_NumWorkGroups.x * group_size; }
+
+// S x for a symmetric matrix held as xx xy xz yy | yz zz.
+vec3 apply_symmetric(vec4 a, vec4 b, vec3 x) {
+  return vec3(a.x * x.x + a.y * x.y + a.z * x.z, a.y * x.x + a.w * x.y + b.x * x.z,
+              a.z * x.x + b.x * x.y + b.y * x.z);
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Shared by the solver's kernels and by C++: bindings, modes, push constants, places of the scalars. Each kernel says
+// at its top which of the ten bindings it uses for what; the others hold any buffer.
+#ifndef TEDIT_CYCLE_BINDINGS_H
+#define TEDIT_CYCLE_BINDINGS_H
+
+#define TEDIT_CYCLE_BINDINGS 10
+
+// What becomes of row i of y = K x (specialisation constant 2 of node_rows, quadratic_rows, rigid_rows).
+#define TEDIT_MULTIPLY 0    // r = y, partial sums of x.y
+#define TEDIT_RESIDUAL 1    // r = S (r - y)
+#define TEDIT_MOVE 2        // a Chebyshev step: see finish_row
+#define TEDIT_ACCUMULATE 3  // sum += y (quadratic_rows with more than one range of elements)
+
+// Modes of cg_scalars.
+#define TEDIT_CG_BEGIN 0
+#define TEDIT_CG_ALPHA 1
+#define TEDIT_CG_BETA 2
+
+// Places in the scalars.
+#define TEDIT_CG_DELTA 0      // r.z
+#define TEDIT_CG_THRESHOLD 1  // stop when r.z is at most this
+#define TEDIT_CG_STATE 2      // 0 running, 1 converged, 2 broken down
+#define TEDIT_CG_ITERATIONS 3
+#define TEDIT_CG_FACTOR 4     // alpha, then beta
+#define TEDIT_CG_SCALARS 8
+
+// Numbers of workgroups that a dispatch of the loop can have: powers of two, at most 65535.
+#define TEDIT_GATES 17
+
+#ifdef __cplusplus
+#include <cstdint>
+namespace tedit::fem {
+using uint = std::uint32_t;
+#define TEDIT_CYCLE_PUSH struct cycle_push
+#else
+#define TEDIT_CYCLE_PUSH layout(push_constant) uniform cycle_push
+#endif
+
+TEDIT_CYCLE_PUSH {
+  uint rows;       // how many this dispatch has
+  uint first_row;
+  uint count;      // entries of a row, corners, aggregates: see the kernel
+  uint place;      // of the first partial sum
+  float before;    // Chebyshev weights: next step = before * old step + fresh * B r
+  float fresh;
+  float enter;     // how much of the old step enters z
+  float reduction2; // square of the wanted reduction
+#ifdef __cplusplus
+};
+static_assert(sizeof(cycle_push) == 32);
+}  // namespace tedit::fem
+#else
+} push;
+#endif
+
+#endif

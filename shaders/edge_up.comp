@@ -1,0 +1,22 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The correction of the corners as a step of all nodes: the middle of an edge takes the mean of its ends, filtered.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 0) readonly buffer b0 { uvec2 ends[]; };
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 coarse[]; };
+layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
+
+void main() {
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+    if (n < push.count) {  // a corner
+      step_out[n] = coarse[n];
+      continue;
+    }
+    const uvec2 end = ends[n - push.count];
+    const vec3 mean = 0.5 * (coarse[end.x].xyz + coarse[end.y].xyz);
+    step_out[n] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], mean), 0);
+  }
+}

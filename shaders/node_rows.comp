@@ -1,0 +1,33 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Rows of linear tets in difference form, y_i = sum_{j != i} K_ij (x_j - x_i), for the rows of one chunk; an entry is
+// three 128-bit loads. See row_modes.glsl for the rest.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+#include "row_modes.glsl"
+
+layout(set = 0, binding = 0) readonly buffer b0 { uvec2 slices[]; };  // first entry, width
+layout(set = 0, binding = 1) readonly buffer b1 { uvec4 blocks[]; };  // 3 per entry: column, 9 values by rows
+
+void main() {
+  float sum = 0;
+  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+    const uint row = push.first_row + i;
+    const vec3 own = x[row].xyz;
+    const uvec2 slice = slices[row / slice_rows];
+    uint entry = 3 * (slice.x + row % slice_rows);
+    vec3 y = vec3(0);
+    for (uint k = 0; k < slice.y; ++k) {
+      const uvec4 a = blocks[entry];
+      const vec4 b = uintBitsToFloat(blocks[entry + 1]);
+      const vec4 e = uintBitsToFloat(blocks[entry + 2]);
+      const vec3 d = x[a.x].xyz - own;
+      y.x += dot(uintBitsToFloat(a.yzw), d);
+      y.y += dot(b.xyz, d);
+      y.z += dot(vec3(b.w, e.xy), d);
+      entry += 3 * slice_rows;
+    }
+    sum += finish_row(row, own, y);
+  }
+  finish_sum(sum);
+}

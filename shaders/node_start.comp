@@ -1,0 +1,21 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The first Chebyshev step from zero: r = right; step = fresh B right; z = step.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 right[]; };
+layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
+layout(set = 0, binding = 4) readonly buffer b4 { vec4 diagonal[]; };
+layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
+
+void main() {
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+    const vec4 value = right[n];
+    const vec4 now = vec4(push.fresh * apply_symmetric(diagonal[2 * n], diagonal[2 * n + 1], value.xyz), 0);
+    r[n] = value;
+    step_out[n] = now;
+    z[n] = now;
+  }
+}

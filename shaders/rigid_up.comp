@@ -1,0 +1,22 @@
+#version 450
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The motions of the aggregates as a step of their nodes, filtered.
+#extension GL_GOOGLE_include_directive : require
+#include "cycle.glsl"
+
+layout(set = 0, binding = 0) readonly buffer b0 { uvec4 arms[]; };  // and the aggregate; all ones: none
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 coarse[]; };
+layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
+
+void main() {
+  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+    const uvec4 arm = arms[n];
+    const uint a = arm.w;
+    vec3 u = vec3(0);
+    if (a < push.count)
+      u = apply_symmetric(filters[2 * n], filters[2 * n + 1],
+                          coarse[2 * a].xyz + cross(coarse[2 * a + 1].xyz, uintBitsToFloat(arm.xyz)));
+    step_out[n] = vec4(u, 0);
+  }
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What is done with a row of y = K x on nodes with three unknowns; shared by both element orders.
+#include "group_sum.glsl"
+
+layout(set = 0, binding = 2) readonly buffer b2 { vec4 x[]; };
+layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
+layout(set = 0, binding = 4) readonly buffer b4 { vec4 diagonal[]; };  // S (residual) or B (move), 2 per node
+layout(set = 0, binding = 5) writeonly buffer b5 { vec4 other[]; };
+layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
+layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
+
+// `own` is x of this row. Returns a term of the partial sum.
+float finish_row(uint row, vec3 own, vec3 y) {
+  if (mode == TEDIT_MULTIPLY) {
+    r[row] = vec4(y, 0);
+    return dot(own, y);
+  }
+  const vec3 left = r[row].xyz - y;
+  const vec3 image = apply_symmetric(diagonal[2 * row], diagonal[2 * row + 1], left);
+  if (mode == TEDIT_RESIDUAL) {
+    r[row] = vec4(image, 0);
+    return 0;
+  }
+  const vec3 now = push.before * own + push.fresh * image;
+  r[row] = vec4(left, 0);
+  other[row] = vec4(now, 0);
+  z[row] += vec4(push.enter * own + now, 0);
+  return 0;
+}
+
+void finish_sum(float sum) {
+  if (mode != TEDIT_MULTIPLY)
+    return;
+  sum = group_sum(sum);
+  if (gl_LocalInvocationID.x == 0)
+    partials[push.place + gl_WorkGroupID.x] = sum;
+}

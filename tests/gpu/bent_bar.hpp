@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fem/problem.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::fem::test {
+
+/// 7 x 9 x 11 corners (693: no multiple of any group size), bent so that no two tets are alike,
+/// with one planted sliver and rollers; a stiffness jump is in `constants`.
+inline problem bent_bar(int order = 1) {
+  using tedit::test::box_mesh;
+  load_case loads;
+  loads.materials = {{"a", 70e9, 0.33, 2700, 0, {}}};
+  loads.constraints = {
+    {{1}, fixed{}}, {{3}, roller{}}, {{6}, prescribed_displacement{{}, {}, 0.0}}};
+  loads.loads = {{{2}, force{{100, 50, -200}}}};
+  const auto place = [](vec3 p) {
+    vec3 q = p + 0.02 * vec3{std::sin(5 * p.y), std::sin(4 * p.z), std::sin(3 * p.x)};
+    if (norm(p - vec3{0.5, 0.5, 0.5}) < 1e-9)
+      q.x += 0.16;  // close to the opposite face of its cells
+    return 0.05 * q;
+  };
+  auto p = make_problem(*box_mesh({6, 8, 10}, {1, 1, 1}, place), loads, order);
+  EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
+  p->constants.push_back({p->constants[0].lambda * 1e-3, p->constants[0].mu * 1e-3});
+  for (std::size_t e = 0; e < p->element_count(); e += 3)
+    p->element_materials[e] = 1;
+  return *p;
+}
+
+inline std::vector<double> wave(std::size_t size, double step) {
+  std::vector<double> result(size);
+  for (std::size_t i = 0; i < size; ++i)
+    result[i] = std::sin(1 + step * static_cast<double>(i));
+  return result;
+}
+
+inline double largest(std::span<const double> x) {
+  double result = 0;
+  for (const double value : x)
+    result = std::max(result, std::abs(value));
+  return result;
+}
+
+inline void expect_near_all(std::span<const double> a, std::span<const double> b, double relative) {
+  ASSERT_EQ(a.size(), b.size());
+  const double allowed = relative * largest(b);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ASSERT_NEAR(a[i], b[i], allowed) << i;
+}
+
+}  // namespace tedit::fem::test
