@@ -249,6 +249,17 @@ typename Inspector::result_type inspect(Inspector& f, job_frame& x) {
   return f(caf::meta::type_name("job_frame"), x.job, x.iterations, x.residual);
 }
 
+/// The field of a solve that still runs.
+struct job_preview {
+  job_id job;
+  solve_result result;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, job_preview& x) {
+  return f(caf::meta::type_name("job_preview"), x.job, x.result);
+}
+
 /// A worker process that says that it is there.
 struct enlistment {
   std::string ticket;  ///< Proves that the supervisor started it.

@@ -143,7 +143,9 @@ expected<void> inbox::finish_field(const arrival& done) {
   const auto kept = std::make_shared<const field_event>(std::move(*field));
   {
     const std::lock_guard lock(mutex_);
-    fields_in_.push_back(kept);
+    // Who waits for a field waits for the converged one.
+    if (!kept->report.interim)
+      fields_in_.push_back(kept);
     if (fields_in_.size() > max_kept_fields)
       fields_in_.pop_front();
   }

@@ -38,7 +38,8 @@ struct surface_event {
   std::size_t vertices_sent = 0;
 };
 
-/// The fields of a solve on the boundary.
+/// The fields of a solve on the boundary. While a solve runs, a first field comes with
+/// `report.interim` set.
 struct field_event {
   solve_report report;
   std::vector<std::uint32_t> vertices;  ///< Slots, ascending.

@@ -262,6 +262,7 @@ void to_message(const solve_report& report, v1::SolveReport* out) {
   out->set_device(report.device);
   out->set_element_order(static_cast<std::uint32_t>(report.element_order));
   out->set_preview(report.preview);
+  out->set_interim(report.interim);
   out->set_dofs(report.dofs);
   out->set_iterations(static_cast<std::uint32_t>(report.iterations));
   out->set_true_relative_residual(report.true_relative_residual);
@@ -287,6 +288,7 @@ solve_report from_message(const v1::SolveReport& m) {
   report.device = m.device();
   report.element_order = static_cast<int>(m.element_order());
   report.preview = m.preview();
+  report.interim = m.interim();
   report.dofs = m.dofs();
   report.iterations = static_cast<int>(m.iterations());
   report.true_relative_residual = m.true_relative_residual();

@@ -66,6 +66,7 @@ struct solve_report {
   std::string device;
   int element_order = 1;
   bool preview = true;
+  bool interim = false;  ///< A frame of a solve that still runs; the converged result follows.
   std::uint64_t dofs = 0;
   int iterations = 0;
   double true_relative_residual = 1;

@@ -26,6 +26,7 @@ system_config::system_config(bool networked) {
   add_message_type<export_result>("export_result");
   add_message_type<job_progress>("job_progress");
   add_message_type<job_frame>("job_frame");
+  add_message_type<job_preview>("job_preview");
   add_message_type<enlistment>("enlistment");
   add_message_type<worker_status>("worker_status");
   if (networked) {

@@ -138,7 +138,8 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
     [=](caf::scheduled_actor*, caf::message_view& view) -> caf::result<caf::message> {
       auto message = view.move_content_to_message();
       message.apply({[&](const job_progress& note) { self->state.on_progress(note); },
-                     [&](const job_frame& frame) { self->state.on_frame(frame); }});
+                     [&](const job_frame& frame) { self->state.on_frame(frame); },
+                     [&](const job_preview& preview) { self->state.on_preview(preview); }});
       return caf::message{};
     });
   return {[&state](const attach_request& request) { return state.attach(request); },

@@ -135,6 +135,11 @@ struct session_state {
   void receive_result(job_id job, const solve_result& result);
   void fail_solve(job_id job, const error& e);
   void on_frame(const job_frame& frame);
+  void on_preview(const job_preview& preview);
+  /// Fetches the pages of fields and hands the opened fields on while `job` is still active.
+  void open_fields(job_id job, const solve_result& result,
+                   std::function<void(std::shared_ptr<const std::vector<field>>)> use,
+                   std::function<void(const error&)> refuse);
   void note(const active_solve& which, solve_phase phase, const std::string& message = {});
 
   session_pointer self = nullptr;

@@ -111,34 +111,57 @@ void session_state::end_active_solve(ec code, const std::string& why, solve_phas
   note(ended, phase);
 }
 
-void session_state::receive_result(job_id job, const solve_result& result) {
+void session_state::open_fields(job_id job, const solve_result& result,
+                                std::function<void(std::shared_ptr<const std::vector<field>>)> use,
+                                std::function<void(const error&)> refuse) {
   if (!active || active->job != job)
     return;  // Superseded meanwhile.
   hash_list ids;
   for (const auto& f : result.fields)
     ids.insert(ids.end(), f.pages.begin(), f.pages.end());
-  const auto use = [=, this](const page_set& pages) {
+  const auto open = [=, this](const page_set& pages) {
     if (!active || active->job != job)
       return;
     auto fields = std::make_shared<std::vector<field>>();
     for (const auto& ref : result.fields) {
       auto f = open_field(ref, pages);
       if (!f)
-        return fail_solve(job, f.error());
+        return refuse(f.error());
       fields->push_back(std::move(*f));
     }
-    auto done = std::move(*active);
-    active.reset();
-    progress_of.erase(job);
-    solved event{parts.document, done.mesh, result.report, fields};
-    results.push_front({done.key, done.version, event, result.fields});
-    if (results.size() > most_results)
-      results.pop_back();
-    broadcast(event);
-    for (auto& promise : done.waiting)
-      promise.deliver(event);
+    use(std::move(fields));
   };
-  pull(result.source, ids, use, [=, this](const error& e) { fail_solve(job, e); });
+  pull(result.source, ids, open, refuse);
+}
+
+void session_state::receive_result(job_id job, const solve_result& result) {
+  open_fields(
+    job, result,
+    [=, this](const std::shared_ptr<const std::vector<field>>& fields) {
+      auto done = std::move(*active);
+      active.reset();
+      progress_of.erase(job);
+      solved event{parts.document, done.mesh, result.report, fields};
+      results.push_front({done.key, done.version, event, result.fields});
+      if (results.size() > most_results)
+        results.pop_back();
+      broadcast(event);
+      for (auto& promise : done.waiting)
+        promise.deliver(event);
+    },
+    [=, this](const error& e) { fail_solve(job, e); });
+}
+
+void session_state::on_preview(const job_preview& preview) {
+  open_fields(
+    preview.job, preview.result,
+    [=, this](const std::shared_ptr<const std::vector<field>>& fields) {
+      broadcast(solved{parts.document, active->mesh, preview.result.report, fields});
+    },
+    [=, this](const error& e) {
+      // The result itself still comes.
+      spdlog::debug("{}: no preview: {}", parts.document, render(e));
+    });
 }
 
 void session_state::fail_solve(job_id job, const error& e) {

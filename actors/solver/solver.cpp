@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/solver/solver.hpp"
 
+#include <utility>
+
 #include "base/stopwatch.hpp"
 #include "fem/fields.hpp"
 #include "protocol/convert.hpp"
@@ -33,27 +35,57 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
   return perform<solve_result>(
     self, job, order.base, *needed,
     [=](const page_set& pages, const execution& run) -> expected<job_output<solve_result>> {
-      const auto tell = [&](const fem::solve_frame& frame) {
-        if (order.base.listener)
-          caf::anon_send(order.base.listener,
-                         job_frame{job, frame.iterations, frame.true_relative_residual});
-      };
-      auto output = solve(order, *bench, pages, run, tell);
-      if (output) {
-        for (const auto& f : *std::static_pointer_cast<const std::vector<field>>(output->keep))
+      auto kept = std::make_shared<std::vector<std::shared_ptr<const void>>>();
+      // Others may fetch the pages until the result is forgotten.
+      const auto publish = [&](job_output<solve_result>& output) {
+        for (const auto& f : *std::static_pointer_cast<const std::vector<field>>(output.keep))
           for (const auto& p : f.values.pages())
             cache->put(p);
-        output->result.source = source;
+        output.result.source = source;
+        kept->push_back(output.keep);
+      };
+      solve_listener listener;
+      if (order.base.listener) {
+        listener.on_frame = [&](const fem::solve_frame& frame) {
+          caf::anon_send(order.base.listener,
+                         job_frame{job, frame.iterations, frame.true_relative_residual});
+        };
+        listener.on_preview = [&](job_output<solve_result> preview) {
+          publish(preview);
+          caf::anon_send(order.base.listener, job_preview{job, std::move(preview.result)});
+        };
+      }
+      auto output = solve(order, *bench, pages, run, listener);
+      if (output) {
+        publish(*output);
+        output->keep = kept;
       }
       return output;
     });
+}
+
+/// Fields and report of a solution as others get them.
+job_output<solve_result> package(const mesh_version& mesh, const std::string& load_case,
+                                 const fem::problem& problem, const fem::solution& solution,
+                                 bool interim, double total_ms) {
+  auto fields =
+    std::make_shared<const std::vector<field>>(fem::make_fields(mesh, problem, solution));
+  auto report = make_report(mesh, load_case, problem, solution);
+  report.interim = interim;
+  report.total_ms = total_ms;
+  job_output<solve_result> output;
+  output.result.report = protocol::to_json(report);
+  for (const auto& f : *fields)
+    output.result.fields.push_back(make_ref(f));
+  output.keep = fields;
+  return output;
 }
 
 }  // namespace
 
 expected<job_output<solve_result>> solve(const solve_order& order, solver_bench& bench,
                                          const page_set& pages, const execution& run,
-                                         const fem::frame_callback& on_frame) {
+                                         const solve_listener& listener) {
   const stopwatch total;
   const auto mesh = open_version(order.version, pages);
   if (!mesh)
@@ -66,22 +98,24 @@ expected<job_output<solve_result>> solve(const solve_order& order, solver_bench&
     return fail(device.error());
   fem::solve_settings settings;
   settings.tolerance = order.tolerance;
+  const auto finish = [&](const fem::solution& solution, bool interim) {
+    return package(**mesh, loads->name, bench.session.last_problem(), solution, interim,
+                   total.milliseconds());
+  };
+  bool shown = false;
+  const auto frame = [&](const fem::solve_frame& now) {
+    if (listener.on_frame)
+      listener.on_frame(now);
+    if (!listener.on_preview || std::exchange(shown, true))
+      return;
+    if (const auto preview = now.recover())
+      listener.on_preview(finish(*preview, true));
+  };
   const auto done =
-    bench.session.solve(*mesh, *loads, order.element_order, **device, settings, run, on_frame);
+    bench.session.solve(*mesh, *loads, order.element_order, **device, settings, run, frame);
   if (!done)
     return fail(done.error());
-  const auto& solution = done->solution;
-  const auto& problem = bench.session.last_problem();
-  auto fields =
-    std::make_shared<const std::vector<field>>(fem::make_fields(**mesh, problem, solution));
-  auto report = make_report(**mesh, loads->name, problem, solution);
-  report.total_ms = total.milliseconds();
-  job_output<solve_result> output;
-  output.result.report = protocol::to_json(report);
-  for (const auto& f : *fields)
-    output.result.fields.push_back(make_ref(f));
-  output.keep = fields;
-  return output;
+  return finish(done->solution, false);
 }
 
 solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,

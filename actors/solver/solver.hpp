@@ -23,10 +23,16 @@ struct solver_state {
 solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,
                                         std::shared_ptr<page_cache> cache, page_store_actor pages);
 
-/// The job, without actors; `on_frame` hears of each outer round.
+/// Who hears of a solve while it runs.
+struct solve_listener {
+  fem::frame_callback on_frame;                              ///< Of each outer round.
+  std::function<void(job_output<solve_result>)> on_preview;  ///< Of the first field, once.
+};
+
+/// The job, without actors.
 [[nodiscard]] expected<job_output<solve_result>> solve(const solve_order& order,
                                                        solver_bench& bench, const page_set& pages,
                                                        const execution& run,
-                                                       const fem::frame_callback& on_frame);
+                                                       const solve_listener& listener);
 
 }  // namespace tedit::actors

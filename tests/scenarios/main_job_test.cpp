@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The main job over a real WebSocket: a server with its workers on threads, a client, a real part.
+#include <mutex>
 #include <thread>
 
 #include "tests/scenarios/fixture.hpp"
@@ -150,6 +151,33 @@ TEST_F(MainJob, ANewerHeadSupersedesARunningSolve) {
   const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
   solving.join();
   EXPECT_EQ(value(user->get_history()).head, filled.head.number);
+}
+
+TEST_F(MainJob, AFirstFieldComesWhileTheSolveRuns) {
+  std::mutex mutex;
+  std::vector<solve_report> reports;
+  client::events handlers;
+  handlers.on_solved = [&](const solve_report& report) {
+    const std::lock_guard lock(mutex);
+    reports.push_back(report);
+  };
+  user = connect(host->url(), handlers);
+  const auto imported = import_plate();
+
+  const auto answer = value(user->solve({.device = "cpu"}, {}));
+  const auto field = value(user->wait_field(imported.head.version_id, patience));
+
+  EXPECT_FALSE(answer.interim);
+  EXPECT_FALSE(answer.preview);
+  EXPECT_FALSE(field.report.interim);
+  const std::lock_guard lock(mutex);
+  ASSERT_GE(reports.size(), 2U);
+  EXPECT_TRUE(reports.front().interim);
+  EXPECT_TRUE(reports.front().preview);
+  EXPECT_LT(reports.front().iterations, answer.iterations);
+  // 1 % in the energy norm is 1e-4 of the compliance.
+  EXPECT_NEAR(reports.front().compliance_j, answer.compliance_j, 1e-3 * answer.compliance_j);
+  EXPECT_FALSE(reports.back().interim);
 }
 
 TEST_F(MainJob, ExportsWhatWasMade) {
