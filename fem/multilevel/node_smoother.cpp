@@ -80,8 +80,7 @@ Eigen::MatrixXd cluster_matrix(const block_matrix& k,
   return m;
 }
 
-}  // namespace
-
+/// The inverse of a cluster's matrix within the free directions of its nodes.
 std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
                                   std::span<const std::uint32_t> nodes) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
@@ -108,27 +107,38 @@ std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
   return {result.data(), result.data() + result.size()};
 }
 
+}  // namespace
+
+void invert_clusters(const sliver_clusters& clusters, filter_span filter,
+                     const cluster_matrix_of& matrix_of, node_smoother& smoother) {
+  if (clusters.count == 0)
+    return;
+  auto& result = smoother.clusters;
+  result.nodes = member_lists(clusters.of, clusters.count);
+  result.inverse.resize(clusters.count);
+  parallel_for(
+    clusters.count,
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t c = first; c < last; ++c) {
+        const auto nodes = result.nodes.of(c);
+        result.inverse[c] = invert_cluster(matrix_of(nodes), filter, nodes);
+      }
+    },
+    4);
+  for (const auto node : result.nodes.item)
+    smoother.inverse[node] = {};
+}
+
 node_smoother make_node_smoother(const block_matrix& k,
                                  std::span<const std::array<double, 6>> filter,
                                  const sliver_clusters& clusters) {
   node_smoother result;
   const auto diagonal = diagonal_blocks(k);
   result.inverse = invert_blocks(diagonal, filter);
-  if (clusters.count == 0)
-    return result;
-  result.clusters.nodes = member_lists(clusters.of, clusters.count);
-  result.clusters.inverse.resize(clusters.count);
-  parallel_for(
-    clusters.count,
-    [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t c = first; c < last; ++c)
-        result.clusters.inverse[c] =
-          invert_cluster(cluster_matrix(k, diagonal, result.clusters.nodes.of(c)), filter,
-                         result.clusters.nodes.of(c));
-    },
-    4);
-  for (const auto node : result.clusters.nodes.item)
-    result.inverse[node] = {};
+  invert_clusters(
+    clusters, filter,
+    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, diagonal, nodes); },
+    result);
   return result;
 }
 

@@ -142,22 +142,10 @@ node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filt
   const incidence around(quadratic);
   node_smoother result;
   result.inverse = invert_blocks(diagonal_blocks(quadratic, around), filter);
-  if (clusters.count == 0)
-    return result;
-  result.clusters.nodes = member_lists(clusters.of, clusters.count);
-  result.clusters.inverse.resize(clusters.count);
-  parallel_for(
-    clusters.count,
-    [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t c = first; c < last; ++c) {
-        const auto nodes = result.clusters.nodes.of(c);
-        result.clusters.inverse[c] =
-          invert_cluster(cluster_matrix(quadratic, around, nodes), filter, nodes);
-      }
-    },
-    4);
-  for (const auto node : result.clusters.nodes.item)
-    result.inverse[node] = {};
+  invert_clusters(
+    clusters, filter,
+    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(quadratic, around, nodes); },
+    result);
   return result;
 }
 

@@ -30,21 +30,29 @@ public:
   double assembly_ms() const override { return assembly_ms_; }
 
 protected:
-  /// Runs `attempt`; while it breaks down without getting anywhere, calls `raise` and tries again.
-  template <class Attempt, class Raise>
-  static expected<inner_result> guarded(Attempt&& attempt, Raise&& raise) {
+  /// Conjugate gradients on K x = residual under `cycle`. Breaks down where the cycle is not
+  /// positive definite: then bounds are raised, and what got nowhere is tried again.
+  template <class Operator, class Cycle>
+  expected<inner_result> solve_by(const Operator& k, Cycle& cycle, std::span<const double> residual,
+                                  std::span<double> correction, double reduction,
+                                  int max_iterations, const execution& run) {
     constexpr int most_attempts = 10;
-    auto result = attempt();
-    for (int i = 1; i < most_attempts && result && result->broke_down; ++i) {
-      raise();
-      if (result->recurrence_reduction < 0.5)
-        break;  // What there is counts; the next call goes on from there.
-      const int spent = result->iterations;
-      result = attempt();
-      if (result)
-        result->iterations += spent;
+    int spent = 0;
+    for (int attempt = 1;; ++attempt) {
+      auto result = krylov_.solve(
+        k, [&cycle](const float* r, float* z) { cycle.apply(r, z); }, residual, correction,
+        reduction, max_iterations, run);
+      if (!result)
+        return result;
+      spent += result->iterations;
+      result->iterations = spent;
+      if (!result->broke_down)
+        return result;
+      distrust();
+      // What there is counts; the next call goes on from there.
+      if (result->recurrence_reduction < 0.5 || attempt == most_attempts)
+        return result;
     }
-    return result;
   }
 
   template <class Operator>
@@ -86,15 +94,12 @@ public:
 
   expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
 
+  void distrust() override { raise_lambdas(hierarchy_); }
+
   expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
                                double reduction, int max_iterations,
                                const execution& run) override {
-    auto result = krylov_.solve(
-      k_, [this](const float* r, float* z) { cycle_->apply(r, z); }, residual, correction,
-      reduction, max_iterations, run);
-    if (result && result->broke_down)
-      raise_lambdas(hierarchy_);
-    return result;
+    return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
   }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
@@ -151,17 +156,15 @@ public:
 
   expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
 
+  void distrust() override {
+    raise_lambda(smoother_, 10);
+    raise_lambdas(hierarchy_);
+  }
+
   expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
                                double reduction, int max_iterations,
                                const execution& run) override {
-    auto result = krylov_.solve(
-      k_, [this](const float* r, float* z) { cycle_->apply(r, z); }, residual, correction,
-      reduction, max_iterations, run);
-    if (result && result->broke_down) {
-      raise_lambda(smoother_, 10);
-      raise_lambdas(hierarchy_);
-    }
-    return result;
+    return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
   }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
