@@ -58,7 +58,7 @@ TEST(Program, HelpNamesTheCommandsAndExitStatuses) {
                            "verify", "doctor", "130"})
     EXPECT_THAT(help.out, HasSubstr(word));
   for (const auto* command :
-       {"info", "edit", "solve", "run", "serve", "worker", "render", "ops", "verify", "doctor"})
+       {"info", "edit", "solve", "run", "serve", "worker", "ops", "verify", "doctor"})
     EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
 }
 

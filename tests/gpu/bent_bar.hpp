@@ -28,6 +28,8 @@ inline problem bent_bar(int order = 1) {
   auto p = make_problem(*box_mesh({6, 8, 10}, {1, 1, 1}, place), loads, order);
   EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
   p->constants.push_back({p->constants[0].lambda * 1e-3, p->constants[0].mu * 1e-3});
+  p->densities.push_back(p->densities[0]);
+  p->yield_strengths.push_back(0);
   for (std::size_t e = 0; e < p->element_count(); e += 3)
     p->element_materials[e] = 1;
   return *p;
