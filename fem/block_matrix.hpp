@@ -17,6 +17,12 @@ using float4_anywhere [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] 
   return *reinterpret_cast<const float4_anywhere*>(at);
 }
 
+/// The three numbers of one node and a zero, for vectors that other threads change beside it:
+/// `load4` would read the first number of the next node, unused, but a race all the same.
+[[nodiscard]] inline float4 load3(const float* at) {
+  return float4{at[0], at[1], at[2], 0};
+}
+
 /// Writes the first three numbers.
 inline void store3(float4 value, float* at) {
   at[0] = value[0];

@@ -40,7 +40,7 @@ struct node_vectors {
 template <class Operator>
 void subtract_product(const Operator& k, const float* x, float* r) {
   for_rows(k, x, [&](std::size_t i, float4 row) {
-    store3(load4(r + 3 * i) - row, r + 3 * i);
+    store3(load3(r + 3 * i) - row, r + 3 * i);
     return 0.0F;
   });
 }
@@ -55,13 +55,13 @@ void chebyshev_move(const Operator& k, const node_smoother& smoother, chebyshev_
   float* next = v.other.data();
   const bool clusters = !smoother.clusters.empty();
   for_rows(k, step, [&](std::size_t i, float4 row) {
-    const float4 left = load4(r + 3 * i) - row;
+    const float4 left = load3(r + 3 * i) - row;
     store3(left, r + 3 * i);
     const float4 old = load4(step + 3 * i);
     const float4 now =
       splat(w.before) * old + splat(w.fresh) * multiply_symmetric(smoother.inverse[i], left);
     store3(now, next + 3 * i);
-    store3(load4(z + 3 * i) + splat(enter) * old + (clusters ? float4{} : now), z + 3 * i);
+    store3(load3(z + 3 * i) + splat(enter) * old + (clusters ? float4{} : now), z + 3 * i);
     return 0.0F;
   });
   if (clusters) {
