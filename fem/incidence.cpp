@@ -9,20 +9,51 @@
 
 namespace tedit::fem {
 
-incidence::incidence(const problem& p, int locals) : first_(p.node_count() + 1, 0) {
+incidence::incidence(const problem& p, int locals)
+    : locals_(static_cast<std::uint32_t>(std::min(p.nodes_per_element, locals))) {
   const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
-  const auto used = std::min(per, static_cast<std::uint32_t>(locals));
   const auto for_each_corner = [&](const auto& visit) {
     for (std::uint32_t e = 0; e < p.element_count(); ++e)
-      for (std::uint32_t corner = per * e; corner < per * e + used; ++corner)
+      for (std::uint32_t corner = per * e; corner < per * e + locals_; ++corner)
         visit(p.element_nodes[corner], corner);
   };
-  for_each_corner([&](std::uint32_t node, std::uint32_t) { ++first_[node + 1]; });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  corners_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  std::vector<std::uint32_t> next(locals_ == 4 ? p.corner_count : p.node_count(), 0);
+  for_each_corner([&](std::uint32_t node, std::uint32_t) { ++next[node]; });
+  places_ = row_places(next);
+  corners_.resize(places_.room());
+  for (std::size_t n = 0; n < next.size(); ++n)
+    next[n] = places_.begin(n);
   for_each_corner(
     [&](std::uint32_t node, std::uint32_t corner) { corners_[next[node]++] = corner; });
+}
+
+void incidence::update(const problem& p, std::span<const std::uint32_t> elements,
+                       std::span<const std::uint32_t> nodes) {
+  const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
+  // New corners of changed elements by node, in the elements' order.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh;
+  for (const auto e : elements)
+    for (std::uint32_t a = 0; a < locals_ && e < p.element_count(); ++a)
+      fresh.emplace_back(p.element_nodes[per * std::size_t{e} + a], per * e + a);
+  std::ranges::sort(fresh);
+  auto next = fresh.begin();
+  std::vector<std::uint32_t> row;
+  for (const auto n : nodes) {
+    if (locals_ == 4 && n >= p.corner_count)
+      break;
+    while (n >= places_.size())
+      places_.add(0);
+    row.clear();
+    for (const auto corner : of_node(n))
+      if (!std::ranges::binary_search(elements, corner / per))
+        row.push_back(corner);
+    for (; next != fresh.end() && next->first == n; ++next)
+      row.push_back(next->second);
+    std::ranges::sort(row);
+    const auto at = places_.replace(n, static_cast<std::uint32_t>(row.size()));
+    corners_.resize(places_.room());
+    std::ranges::copy(row, corners_.begin() + at);
+  }
 }
 
 // -- the operator ------------------------------------------------------------------

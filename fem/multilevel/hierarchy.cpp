@@ -24,7 +24,7 @@ float norm9(const float* v) {
 }
 
 node_graph graph_of(const block_matrix& k) {
-  node_graph graph{k.first, k.column, std::vector<float>(k.column.size())};
+  node_graph graph{k.places.starts(), k.column, std::vector<float>(k.column.size())};
   const auto diagonal = diagonal_blocks(k);
   std::vector<float> scale(k.rows());
   for (std::size_t n = 0; n < k.rows(); ++n) {
@@ -35,7 +35,7 @@ node_graph graph_of(const block_matrix& k) {
   }
   parallel_for(k.rows(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
-      for (auto s = k.first[n]; s < k.first[n + 1]; ++s)
+      for (auto s = k.begin(n); s < k.end(n); ++s)
         graph.weight[s] = norm9(&k.value[9 * std::size_t{s}]) * scale[n] * scale[k.column[s]];
   });
   return graph;
@@ -50,7 +50,7 @@ bool is_free(const std::array<double, 6>& s) {
 }
 
 std::vector<rigid_frame> frames_of(const problem& p, const member_lists& members) {
-  std::vector<rigid_frame> frames(members.first.size() - 1);
+  std::vector<rigid_frame> frames(members.owners());
   for (std::size_t a = 0; a < frames.size(); ++a) {
     const auto nodes = members.of(a);
     const auto count = static_cast<double>(nodes.size());
@@ -116,7 +116,7 @@ private:
         sum.at(there[u]).noalias() += own.transpose() * part[u];
       used = 0;
     };
-    for (auto s = k_.first[i]; s < k_.first[i + 1]; ++s) {
+    for (auto s = k_.begin(i); s < k_.end(i); ++s) {
       const Eigen::Matrix3d block =
         Eigen::Map<const Eigen::Matrix3f>(&k_.value[9 * std::size_t{s}]).cast<double>();
       diagonal -= block;
@@ -149,9 +149,10 @@ private:
 
 void store_transfer(const problem& p, filter_span filter, const std::vector<rigid_frame>& frames,
                     hierarchy& h) {
-  h.arm.assign(p.node_count(), {});
+  const std::size_t nodes = h.aggregate.size();
+  h.arm.assign(nodes, {});
   bool filtered = false;
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
+  for (std::size_t n = 0; n < nodes; ++n) {
     if (h.aggregate[n] == no_id)
       continue;
     const auto& frame = frames[h.aggregate[n]];
@@ -161,8 +162,8 @@ void store_transfer(const problem& p, filter_span filter, const std::vector<rigi
   }
   if (!filtered)
     return;
-  h.filter.resize(p.node_count());
-  for (std::size_t n = 0; n < p.node_count(); ++n)
+  h.filter.resize(nodes);
+  for (std::size_t n = 0; n < nodes; ++n)
     std::ranges::transform(filter[n], h.filter[n].begin(),
                            [](double s) { return static_cast<float>(s); });
 }
@@ -212,7 +213,7 @@ std::vector<float> dense_inverse(const coarsest_solver& solver, std::size_t unkn
 expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, filter_span filter,
                                     const multilevel_settings& settings, const execution& run) {
   hierarchy result;
-  std::vector<std::uint8_t> held(p.node_count());
+  std::vector<std::uint8_t> held(k.rows());
   for (std::size_t n = 0; n < held.size(); ++n)
     held[n] = is_held(filter[n]) ? 1 : 0;
   sliver_clusters clusters;
@@ -220,7 +221,7 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
     clusters = cluster_slivers(p, held, 64, settings.sliver_condition);
   result.smoother = make_node_smoother(k, filter, clusters);
   const auto lambda = largest_ritz_value(
-    3 * p.node_count(), 1, settings.lambda_steps,
+    3 * k.rows(), 1, settings.lambda_steps,
     [&](const float* x, float* y) {
       for_rows(k, x, [&](std::size_t i, float4 row) {
         store3(row, y + 3 * i);

@@ -11,9 +11,9 @@
 
 namespace tedit::fem {
 
-/// Lists of items per owner: `item[first[o]] .. item[first[o + 1]]`, ascending.
+/// Lists of items per owner, ascending.
 struct member_lists {
-  std::vector<std::uint32_t> first;
+  row_places places;
   std::vector<std::uint32_t> item;
 
   member_lists() = default;
@@ -21,8 +21,12 @@ struct member_lists {
   member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners);
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t owner) const {
-    return std::span(item).subspan(first[owner], first[owner + 1] - first[owner]);
+    return places.of(owner, item);
   }
+  [[nodiscard]] std::uint32_t owners() const { return static_cast<std::uint32_t>(places.size()); }
+
+  /// Gives an owner another list; owners up to it are added.
+  void replace(std::uint32_t owner, std::span<const std::uint32_t> items);
 };
 
 /// Dense inverses of the nodes that slivers tie together, one symmetric matrix per cluster.
@@ -45,22 +49,21 @@ struct node_smoother {
 struct rigid_level {
   using block6 = std::array<float, 36>;  ///< Column by column.
 
-  std::vector<std::uint32_t> first;
+  row_places rows;
   std::vector<std::uint32_t> column;  ///< The diagonal included.
   std::vector<block6> block;
   std::vector<block6> inverse;  ///< Of the diagonal blocks.
   float lambda = 1;
 
-  /// The prolongation from the next level, empty at the coarsest: row i has the entries
-  /// prolongation_first[i] .. [i + 1].
-  std::vector<std::uint32_t> prolongation_first;
+  /// The prolongation from the next level, empty at the coarsest.
+  row_places prolongation_rows;
   std::vector<std::uint32_t> prolongation_column;
   std::vector<block6> prolongation;
   /// The same entries by column, for the restriction: `entries.of(parent)`, and the row of each.
   member_lists entries;
   std::vector<std::uint32_t> entry_row;
 
-  [[nodiscard]] std::uint32_t nodes() const { return static_cast<std::uint32_t>(first.size()) - 1; }
+  [[nodiscard]] std::uint32_t nodes() const { return static_cast<std::uint32_t>(rows.size()); }
 };
 
 /// Solves the coarsest level directly; in double precision, on the host.
@@ -121,7 +124,8 @@ void raise_lambdas(hierarchy& h);
 /// S of each node: xx, xy, xz, yy, yz, zz, as in `problem`.
 using filter_span = std::span<const std::array<double, 6>>;
 
-/// Builds the hierarchy of the matrix `k` of the linear tets of `p`, filtered by `filter`.
+/// Builds the hierarchy of the matrix `k` of the linear tets at the corners of `p`, filtered by
+/// `filter` (of the corners).
 /// Errors: `cancelled`. Cost: O(nodes), about 15 products with the matrix.
 [[nodiscard]] expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k,
                                                   filter_span filter,

@@ -10,17 +10,26 @@
 
 namespace tedit::fem {
 
-member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners)
-    : first(owners + 1, 0) {
+member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners) {
+  std::vector<std::uint32_t> next(owners, 0);
   for (const auto o : owner)
     if (o != no_id)
-      ++first[o + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  item.resize(first.back());
-  auto next = first;
+      ++next[o];
+  places = row_places(next);
+  item.resize(places.room());
+  for (std::uint32_t o = 0; o < owners; ++o)
+    next[o] = places.begin(o);
   for (std::uint32_t i = 0; i < owner.size(); ++i)
     if (owner[i] != no_id)
       item[next[owner[i]]++] = i;
+}
+
+void member_lists::replace(std::uint32_t owner, std::span<const std::uint32_t> items) {
+  while (owner >= places.size())
+    places.add(0);
+  const auto at = places.replace(owner, static_cast<std::uint32_t>(items.size()));
+  item.resize(places.room());
+  std::ranges::copy(items, item.begin() + at);
 }
 
 void add_clusters(const cluster_inverses& clusters, float factor, const float* r, float* d) {
@@ -70,7 +79,7 @@ Eigen::MatrixXd cluster_matrix(const block_matrix& k,
     const auto i = nodes[a];
     const auto at = static_cast<Eigen::Index>(3 * a);
     m.block<3, 3>(at, at) = symmetric(diagonal[i]);
-    for (auto e = k.first[i]; e < k.first[i + 1]; ++e) {
+    for (auto e = k.begin(i); e < k.end(i); ++e) {
       const auto found = std::ranges::lower_bound(nodes, k.column[e]);
       if (found != nodes.end() && *found == k.column[e])
         m.block<3, 3>(at, 3 * (found - nodes.begin())) =

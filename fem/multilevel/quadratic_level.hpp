@@ -18,7 +18,7 @@ struct edge_transfer {
   std::vector<std::array<float, 6>> filter;        ///< Of every node; empty when all are free.
   std::vector<std::uint8_t> held;                  ///< Of every node.
 
-  [[nodiscard]] std::size_t corners() const { return middles.first.size() - 1; }
+  [[nodiscard]] std::size_t corners() const { return middles.owners(); }
 };
 
 [[nodiscard]] edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter);

@@ -75,7 +75,7 @@ void multiply(const rigid_level& level, const float* x, float* y) {
       using vector6f = Eigen::Matrix<float, 6, 1>;
       for (std::size_t i = first; i < last; ++i) {
         vector6f sum = vector6f::Zero();
-        for (auto s = level.first[i]; s < level.first[i + 1]; ++s)
+        for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
           sum += Eigen::Map<const Eigen::Matrix<float, 6, 6>>(level.block[s].data()) *
                  Eigen::Map<const vector6f>(x + 6 * std::size_t{level.column[s]});
         Eigen::Map<vector6f>(y + 6 * i) = sum;
@@ -86,7 +86,6 @@ void multiply(const rigid_level& level, const float* x, float* y) {
 
 rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settings) {
   rigid_level level;
-  level.first.push_back(0);
   level.inverse.resize(rows.column.size());
   for (std::size_t i = 0; i < rows.column.size(); ++i) {
     for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
@@ -95,7 +94,7 @@ rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settin
       if (rows.column[i][s] == i)
         store(inverse_of(rows.block[i][s]), level.inverse[i]);
     }
-    level.first.push_back(static_cast<std::uint32_t>(level.column.size()));
+    level.rows.add(static_cast<std::uint32_t>(rows.column[i].size()));
   }
   const float lambda = largest_ritz_value(
     6 * rows.column.size(), 0, settings.lambda_steps,
@@ -131,7 +130,7 @@ node_graph graph_of(const rigid_rows& rows) {
 
 std::vector<rigid_frame> parent_frames(const std::vector<rigid_frame>& frames,
                                        const member_lists& children) {
-  std::vector<rigid_frame> result(children.first.size() - 1);
+  std::vector<rigid_frame> result(children.owners());
   for (std::size_t a = 0; a < result.size(); ++a) {
     const auto nodes = children.of(a);
     const auto count = static_cast<double>(nodes.size());
@@ -213,7 +212,7 @@ rigid_rows product(const rigid_rows& a, const rigid_rows& b) {
 /// P^T (A P), with P's entries by column.
 rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_level& level) {
   rigid_rows result;
-  const std::size_t count = level.entries.first.size() - 1;
+  const std::size_t count = level.entries.owners();
   result.column.resize(count);
   result.block.resize(count);
   parallel_for(
@@ -223,7 +222,7 @@ rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_lev
         row_sum sum;
         for (const auto entry : level.entries.of(a)) {
           const auto i = level.entry_row[entry];
-          const auto& block = p.block[i][entry - level.prolongation_first[i]];
+          const auto& block = p.block[i][entry - level.prolongation_rows.begin(i)];
           for (std::size_t t = 0; t < ap.column[i].size(); ++t)
             sum.at(ap.column[i][t]).noalias() += block.transpose() * ap.block[i][t];
         }
@@ -235,15 +234,13 @@ rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_lev
 }
 
 void store_prolongation(const rigid_rows& p, std::uint32_t parents, rigid_level& level) {
-  level.prolongation_first.push_back(0);
   for (std::size_t i = 0; i < p.column.size(); ++i) {
     for (std::size_t s = 0; s < p.column[i].size(); ++s) {
       level.prolongation_column.push_back(p.column[i][s]);
       level.entry_row.push_back(static_cast<std::uint32_t>(i));
       store(p.block[i][s], level.prolongation.emplace_back());
     }
-    level.prolongation_first.push_back(
-      static_cast<std::uint32_t>(level.prolongation_column.size()));
+    level.prolongation_rows.add(static_cast<std::uint32_t>(p.column[i].size()));
   }
   level.entries = member_lists(level.prolongation_column, parents);
 }

@@ -83,21 +83,22 @@ sliver_clusters cluster_slivers(const problem& p, const std::vector<std::uint8_t
   const auto thin = thin_tets(p, condition);
   if (thin.empty())
     return result;
-  disjoint_sets sets(p.node_count());
+  const std::size_t nodes = excluded.size();
+  disjoint_sets sets(nodes);
   for (const auto& [negated, e] : thin) {
     std::uint32_t before = no_id;
     for (int a = 0; a < p.nodes_per_element; ++a) {
       const auto node = p.element_nodes[p.nodes_per_element * e + a];
-      if (excluded[node] != 0)
+      if (node >= nodes || excluded[node] != 0)
         continue;
       if (before != no_id)
         sets.join(before, node, most);
       before = node;
     }
   }
-  result.of.assign(p.node_count(), no_id);
-  std::vector<std::uint32_t> number(p.node_count(), no_id);
-  for (std::uint32_t n = 0; n < p.node_count(); ++n) {
+  result.of.assign(nodes, no_id);
+  std::vector<std::uint32_t> number(nodes, no_id);
+  for (std::uint32_t n = 0; n < nodes; ++n) {
     const auto root = sets.find(n);
     if (excluded[n] != 0 || sets.size(root) < 2)
       continue;

@@ -19,7 +19,8 @@ struct sliver_clusters {
 };
 
 /// Joins the free nodes of tets with a condition above 10, worst first, into clusters of at most
-/// `most` nodes. `excluded` marks nodes that are wholly held. Cost: O(elements).
+/// `most` nodes. `excluded` marks nodes that are wholly held; nodes beyond its length do
+/// not count, so that the corners of quadratic tets can be taken alone. Cost: O(elements).
 [[nodiscard]] sliver_clusters cluster_slivers(const problem& p,
                                               const std::vector<std::uint8_t>& excluded,
                                               std::uint32_t most = 64, double condition = 10);

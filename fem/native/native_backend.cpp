@@ -20,7 +20,7 @@ namespace {
 class native_system : public linear_system {
 public:
   native_system(const problem& p, const native_settings& settings)
-      : problem_(p), settings_(settings), corners_(p), krylov_(p.node_count()) {}
+      : problem_(p), settings_(settings), krylov_(p.node_count()) {}
 
   expected<void> element_stress(std::span<const double> displacement,
                                 std::span<double> stress) override;
@@ -69,7 +69,6 @@ protected:
 
   const problem& problem_;
   native_settings settings_;
-  incidence corners_;
   conjugate_gradients krylov_;
   double assembly_ms_ = 0;
 };
@@ -78,7 +77,7 @@ protected:
 class linear_tets final : public native_system {
 public:
   linear_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings), k_(assemble_blocks(p, corners_)) {
+      : native_system(p, settings), corners_(p), k_(assemble_blocks(p, corners_)) {
     assembly_ms_ = clock.milliseconds();
   }
 
@@ -112,6 +111,7 @@ public:
   }
 
 private:
+  incidence corners_;
   block_matrix k_;
   hierarchy hierarchy_;
   std::optional<multilevel_cycle> cycle_;
@@ -123,13 +123,12 @@ public:
   quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
       : native_system(p, settings),
         k_(p),
-        corner_(corner_problem(p)),
-        corner_matrix_(assemble_blocks(corner_, incidence(corner_))) {
+        corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
     assembly_ms_ = clock.milliseconds();
   }
 
   expected<void> prepare(filter_span filter, const execution& run) {
-    auto built = build_hierarchy(corner_, corner_matrix_, filter.first(corner_.node_count()),
+    auto built = build_hierarchy(problem_, corner_matrix_, filter.first(corner_matrix_.rows()),
                                  settings_.corner_multilevel, run);
     if (!built)
       return fail(built.error());
@@ -173,13 +172,12 @@ public:
 
   std::uint64_t device_bytes() const override {
     return k_.bytes() + corner_matrix_.bytes() + hierarchy_.bytes() + krylov_.bytes() +
-           3 * sizeof(float) * (padded3(k_.rows()) + padded3(corner_.node_count())) +
+           3 * sizeof(float) * (padded3(k_.rows()) + padded3(corner_matrix_.rows())) +
            24 * smoother_.inverse.size();
   }
 
 private:
   quadratic_operator k_;
-  problem corner_;
   block_matrix corner_matrix_;
   hierarchy hierarchy_;
   edge_transfer edges_;
@@ -205,11 +203,12 @@ expected<void> native_system::element_stress(std::span<const double> displacemen
 expected<void> native_system::nodal_stress(std::span<const double> element_stress,
                                            std::span<double> nodal) {
   const auto& p = problem_;
+  const incidence corners(p);
   parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n) {
       std::array<double, 6> sum{};
       double volume = 0;
-      for (const auto corner : corners_.of_node(n)) {
+      for (const auto corner : corners.of_node(n)) {
         const std::size_t e = corner / 4;
         const double v = gradients_of(p, e).volume;
         volume += v;
