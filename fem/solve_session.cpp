@@ -24,10 +24,12 @@ void put(vec3 value, std::size_t n, std::vector<double>& u) {
 std::vector<std::uint32_t> same_corners(const problem& from, const problem& to) {
   vertex_id last = 0;
   for (const auto v : from.node_vertices)
-    last = std::max(last, v);
+    if (v != no_id)
+      last = std::max(last, v);
   std::vector<std::uint32_t> node_of(std::size_t{last} + 1, no_id);
   for (std::uint32_t n = 0; n < from.node_vertices.size(); ++n)
-    node_of[from.node_vertices[n]] = n;
+    if (from.node_vertices[n] != no_id)
+      node_of[from.node_vertices[n]] = n;
   std::vector<std::uint32_t> same(to.corner_count, no_id);
   for (std::size_t n = 0; n < same.size(); ++n) {
     const auto v = to.node_vertices[n];
@@ -90,6 +92,8 @@ std::vector<double> carry_over(const problem& from, std::span<const double> disp
     auto old = no_id;
     if (from.element_order == 2 && same[a] != no_id && same[b] != no_id)
       old = mid_node(from, same[a], same[b]);
+    if (std::ranges::binary_search(from.unused, old))
+      old = no_id;
     put(old != no_id ? value_at(displacement, old) : 0.5 * (value_at(u, a) + value_at(u, b)),
         to.corner_count + i, u);
   }
