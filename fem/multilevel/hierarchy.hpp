@@ -102,6 +102,8 @@ struct cycle_settings {
 /// [I,
 /// -[arm]x] with arm = (x - centre) / radius of its aggregate, not smoothed and not stored; the
 /// levels above are small, and smoothed once: unsmoothed they doubled the iterations.
+struct hierarchy_memory;
+
 struct hierarchy {
   node_smoother smoother;                 ///< Of the matrix itself.
   std::vector<std::uint32_t> aggregate;   ///< Of each node; `no_id` for held ones.
@@ -111,6 +113,7 @@ struct hierarchy {
   member_lists members;  ///< Nodes of each aggregate.
   std::vector<rigid_level> levels;
   std::unique_ptr<coarsest_solver> coarsest;
+  std::shared_ptr<hierarchy_memory> memory;  ///< What `update_hierarchy` needs.
 
   [[nodiscard]] std::uint64_t bytes() const;
 };
@@ -131,5 +134,14 @@ using filter_span = std::span<const std::array<double, 6>>;
                                                   filter_span filter,
                                                   const multilevel_settings& settings,
                                                   const execution& run);
+
+/// Re-forms what the rows of `nodes` (ascending) touch, after these rows or filters changed: their
+/// blocks, sliver clusters and aggregates, the coarse rows around, and so upwards. New nodes may
+/// have been added. As good as a hierarchy built anew; a stale one needed 53 to 195 iterations
+/// where a fresh one needed 25. `corners` has the elements' corners. Cost: what is touched, and a
+/// factorisation of the coarsest matrix.
+void update_hierarchy(const problem& p, const incidence& corners, const block_matrix& k,
+                      filter_span filter, std::span<const std::uint32_t> nodes,
+                      const multilevel_settings& settings, hierarchy& h);
 
 }  // namespace tedit::fem

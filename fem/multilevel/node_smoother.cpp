@@ -69,16 +69,15 @@ Eigen::Matrix3d symmetric(const auto& s) {
   return m;
 }
 
-/// The matrix of a cluster's nodes.
-Eigen::MatrixXd cluster_matrix(const block_matrix& k,
-                               std::span<const std::array<float, 6>> diagonal,
-                               std::span<const std::uint32_t> nodes) {
+}  // namespace
+
+Eigen::MatrixXd cluster_matrix(const block_matrix& k, std::span<const std::uint32_t> nodes) {
   const auto size = static_cast<Eigen::Index>(3 * nodes.size());
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto i = nodes[a];
     const auto at = static_cast<Eigen::Index>(3 * a);
-    m.block<3, 3>(at, at) = symmetric(diagonal[i]);
+    m.block<3, 3>(at, at) = symmetric(diagonal_block(k, i));
     for (auto e = k.begin(i); e < k.end(i); ++e) {
       const auto found = std::ranges::lower_bound(nodes, k.column[e]);
       if (found != nodes.end() && *found == k.column[e])
@@ -89,7 +88,6 @@ Eigen::MatrixXd cluster_matrix(const block_matrix& k,
   return m;
 }
 
-/// The inverse of a cluster's matrix within the free directions of its nodes.
 std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
                                   std::span<const std::uint32_t> nodes) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
@@ -116,8 +114,6 @@ std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
   return {result.data(), result.data() + result.size()};
 }
 
-}  // namespace
-
 void invert_clusters(const sliver_clusters& clusters, filter_span filter,
                      const cluster_matrix_of& matrix_of, node_smoother& smoother) {
   if (clusters.count == 0)
@@ -142,13 +138,44 @@ node_smoother make_node_smoother(const block_matrix& k,
                                  std::span<const std::array<double, 6>> filter,
                                  const sliver_clusters& clusters) {
   node_smoother result;
-  const auto diagonal = diagonal_blocks(k);
-  result.inverse = invert_blocks(diagonal, filter);
+  result.inverse = invert_blocks(diagonal_blocks(k), filter);
   invert_clusters(
     clusters, filter,
-    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, diagonal, nodes); },
+    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, nodes); },
     result);
   return result;
+}
+
+std::vector<std::uint32_t> update_smoother(const smoother_source& source,
+                                           std::span<const std::uint32_t> nodes,
+                                           std::vector<std::uint32_t>& cluster_of,
+                                           node_smoother& smoother) {
+  const auto held = [&](std::uint32_t n) {
+    const auto& s = source.filter[n];
+    return s[0] + s[3] + s[5] < 1e-9;
+  };
+  auto& lists = smoother.clusters;
+  sliver_clusters clusters{std::move(cluster_of), lists.nodes.owners()};
+  auto change = recluster(
+    source.p, nodes, [&](std::uint32_t n) { return n >= source.filter.size() || held(n); },
+    source.elements_at, [&](std::uint32_t c) { return lists.nodes.of(c); }, source.most,
+    source.condition, clusters);
+  cluster_of = std::move(clusters.of);
+  lists.inverse.resize(clusters.count);
+  for (std::size_t i = 0; i < change.clusters.size(); ++i) {
+    const auto c = change.clusters[i];
+    const std::span<const std::uint32_t> members = change.members[i];
+    lists.nodes.replace(c, members);
+    lists.inverse[c].clear();
+    if (!members.empty())
+      lists.inverse[c] = invert_cluster(source.matrix_of(members), source.filter, members);
+  }
+  smoother.inverse.resize(source.filter.size());
+  for (const auto n : change.nodes)
+    smoother.inverse[n] = n < cluster_of.size() && cluster_of[n] != no_id
+                            ? std::array<float, 6>{}
+                            : invert_block(source.diagonal_of(n), source.filter[n]);
+  return change.nodes;
 }
 
 }  // namespace tedit::fem
