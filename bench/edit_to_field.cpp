@@ -132,11 +132,11 @@ expected<void> measure(const version_ptr& base, const fem::load_case& loads,
   const auto cold = timed_solve(fresh, edited->version, after, o, device, unused);
   if (!cold)
     return fail(cold.error());
-  out.difference =
-    worst_difference(session.last_problem(), *again, fresh.last_problem(), *cold);
+  out.difference = worst_difference(session.last_problem(), *again, fresh.last_problem(), *cold);
   out.tets = edited->version->tet_count();
   out.unknowns = session.last_problem().dofs();
-  if (auto ok = timed_solve(session, edited->version, turned(after), o, device, out.after_load); !ok)
+  if (auto ok = timed_solve(session, edited->version, turned(after), o, device, out.after_load);
+      !ok)
     return fail(ok.error());
   return {};
 }

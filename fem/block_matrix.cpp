@@ -108,7 +108,8 @@ block_matrix assemble_blocks(const problem& p, const incidence& corners) {
   parallel_for(rows, [&](std::size_t first, std::size_t last, std::size_t) {
     row_gatherer gatherer(p, corners);
     for (std::size_t row = first; row < last; ++row)
-      gatherer.write(row, [&](std::size_t e) -> const tet_gradients& { return gradients[e]; }, k);
+      gatherer.write(
+        row, [&](std::size_t e) -> const tet_gradients& { return gradients[e]; }, k);
   });
   return k;
 }
@@ -124,7 +125,8 @@ void update_blocks(const problem& p, const incidence& corners, std::span<const s
     k.places.replace(row, static_cast<std::uint32_t>(gatherer.columns(row).size()));
     k.column.resize(k.places.room());
     k.value.resize(9 * std::size_t{k.places.room()} + 1);
-    gatherer.write(row, [&](std::size_t e) { return gradients_of(p, e); }, k);
+    gatherer.write(
+      row, [&](std::size_t e) { return gradients_of(p, e); }, k);
   }
 }
 

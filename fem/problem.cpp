@@ -77,8 +77,7 @@ std::string list_of(const std::vector<tet_id>& tets) {
   return tets.size() > 8 ? text + ", ..." : text;
 }
 
-void add_elements(const mesh_version& mesh, const std::vector<std::uint32_t>& node_of,
-                  problem& p) {
+void add_elements(const mesh_version& mesh, const std::vector<std::uint32_t>& node_of, problem& p) {
   for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
     if (!mesh.is_live_tet(t))
       continue;

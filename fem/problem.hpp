@@ -71,13 +71,14 @@ struct problem {
 
 /// Sets up the problem of a load case on a version with linear (`element_order` 1) or quadratic (2)
 /// tets: nodes renumbered for locality, loads summed, constraints turned into the filter.
-/// `spare_corners` unused corner nodes are room for vertices that an edit adds. Cost: O(mesh). Errors, each naming the place and the numbers: `surface_not_found`; `invalid_material`
-/// (E <= 0, nu outside (-1, 0.5), not finite, a region without material or with two);
-/// `invalid_load` (not finite, on no area, gravity without density, no load at all and no
-/// prescribed displacement); `inverted_tet`/`degenerate_tet` (count and first ids);
-/// `under_constrained` (a connected component with rigid-body modes left: names component size,
-/// place and free modes; tets joined only at a vertex or an edge count as hinged, not as
-/// connected); `invalid_argument` for another order.
+/// `spare_corners` unused corner nodes are room for vertices that an edit adds. Cost: O(mesh).
+/// Errors, each naming the place and the numbers: `surface_not_found`; `invalid_material` (E <= 0,
+/// nu outside (-1, 0.5), not finite, a region without material or with two); `invalid_load` (not
+/// finite, on no area, gravity without density, no load at all and no prescribed displacement);
+/// `inverted_tet`/`degenerate_tet` (count and first ids); `under_constrained` (a connected
+/// component with rigid-body modes left: names component size, place and free modes; tets joined
+/// only at a vertex or an edge count as hinged, not as connected); `invalid_argument` for another
+/// order.
 [[nodiscard]] expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
                                              int element_order = 1,
                                              std::uint32_t spare_corners = 0);

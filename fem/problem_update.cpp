@@ -119,7 +119,8 @@ void problem_updater::touch(std::uint32_t element, const problem& p, problem_cha
     change.nodes.push_back(p.element_nodes[per * element + a]);
 }
 
-void problem_updater::place_vertices(const difference& d, const mesh_version& to, problem& p) {
+void problem_updater::place_vertices(const difference& d, const mesh_version& to, problem& p,
+                                     problem_change& change) {
   for (const auto v : d.died) {
     const auto n = std::exchange(node_of_[v], no_id);
     p.node_vertices[n] = no_id;
@@ -134,10 +135,13 @@ void problem_updater::place_vertices(const difference& d, const mesh_version& to
     node_of_[v] = n;
     p.node_vertices[n] = v;
     p.nodes[n] = to.position(v);
+    change.fresh.push_back(n);
   }
   p.unused.erase(p.unused.begin(), p.unused.begin() + static_cast<std::ptrdiff_t>(taken));
-  for (const auto v : d.moved)
+  for (const auto v : d.moved) {
     p.nodes[node_of_[v]] = to.position(v);
+    change.fresh.push_back(node_of_[v]);
+  }
 }
 
 /// Gives new tets the slots of those that went, and the slots that remain to the last elements.
@@ -201,7 +205,7 @@ void problem_updater::fill_element(const mesh_version& to, std::uint32_t element
 }
 
 /// Mid nodes come and go with their edges.
-void problem_updater::find_unused(const problem_change& change, problem& p) const {
+void problem_updater::find_unused(std::size_t old_nodes, problem& p, problem_change& change) const {
   const auto used = [&](std::uint32_t mid) {
     const auto low = p.edge_ends[mid - p.corner_count][0];
     return std::ranges::any_of(corners_.of_node(low), [&](std::uint32_t corner) {
@@ -210,34 +214,38 @@ void problem_updater::find_unused(const problem_change& change, problem& p) cons
     });
   };
   const auto first = std::ranges::lower_bound(change.nodes, p.corner_count);
-  std::vector<std::uint32_t> fresh;
-  for (auto n = first; n != change.nodes.end(); ++n)
+  std::vector<std::uint32_t> now;
+  for (auto n = first; n != change.nodes.end(); ++n) {
+    const auto [low, high] = p.edge_ends[*n - p.corner_count];
     if (!used(*n))
-      fresh.push_back(*n);
+      now.push_back(*n);
+    else if (std::ranges::binary_search(p.unused, *n) || *n >= old_nodes ||
+             std::ranges::binary_search(change.fresh, low) ||
+             std::ranges::binary_search(change.fresh, high))
+      change.fresh.push_back(*n);
+  }
   std::erase_if(p.unused, [&](std::uint32_t n) {
     return n >= p.corner_count && std::ranges::binary_search(change.nodes, n);
   });
-  p.unused.insert(p.unused.end(), fresh.begin(), fresh.end());
+  p.unused.insert(p.unused.end(), now.begin(), now.end());
   std::ranges::sort(p.unused);
 }
 
 expected<std::optional<problem_change>> problem_updater::apply(const mesh_version& from,
                                                                const mesh_version& to,
-                                                               const load_case& loads,
-                                                               problem& p) {
+                                                               const load_case& loads, problem& p) {
   const auto d = compare(from, to);
   if (!fits(d, p))
     return std::optional<problem_change>{};
   problem_change change;
-  change.old_elements = p.element_count();
-  change.old_nodes = p.node_count();
+  const std::size_t old_nodes = p.node_count();
   for (const auto v : d.moved)
     for (const auto corner : corners_.of_node(node_of_[v]))
       touch(corner / static_cast<std::uint32_t>(p.nodes_per_element), p, change);
   for (const auto* list : {&d.gone, &d.changed})
     for (const auto t : *list)
       touch(element_of_[t], p, change);
-  place_vertices(d, to, p);
+  place_vertices(d, to, p, change);
   place_elements(d, p, change);
   sort_unique(change.elements);
   const auto regions = materials_of_regions(loads);
@@ -258,9 +266,10 @@ expected<std::optional<problem_change>> problem_updater::apply(const mesh_versio
       touch(change.elements[i], p, change);
   sort_unique(change.elements);
   sort_unique(change.nodes);
+  sort_unique(change.fresh);
   corners_.update(p, change.elements, change.nodes);
   if (p.element_order == 2)
-    find_unused(change, p);
+    find_unused(old_nodes, p, change);
   return std::optional(std::move(change));
 }
 

@@ -15,8 +15,8 @@ struct problem_change {
   /// Every node that such an element had or has, ascending, unused ones included: rows of these
   /// nodes changed, no others.
   std::vector<std::uint32_t> nodes;
-  std::size_t old_elements = 0;  ///< Counts before.
-  std::size_t old_nodes = 0;
+  /// Nodes that are new or stand elsewhere than before, ascending.
+  std::vector<std::uint32_t> fresh;
 };
 
 /// Carries a problem from one version of a mesh to the next where they differ, so that an edit
@@ -47,10 +47,11 @@ private:
   [[nodiscard]] static difference compare(const mesh_version& from, const mesh_version& to);
   [[nodiscard]] bool fits(const difference& d, const problem& p) const;
   void touch(std::uint32_t element, const problem& p, problem_change& change) const;
-  void place_vertices(const difference& d, const mesh_version& to, problem& p);
+  void place_vertices(const difference& d, const mesh_version& to, problem& p,
+                      problem_change& change);
   void place_elements(const difference& d, problem& p, problem_change& change);
   void fill_element(const mesh_version& to, std::uint32_t element, problem& p);
-  void find_unused(const problem_change& change, problem& p) const;
+  void find_unused(std::size_t old_nodes, problem& p, problem_change& change) const;
 
   incidence corners_;
   std::vector<std::uint32_t> element_of_;  ///< By tet slot.

@@ -65,7 +65,7 @@ public:
     return first_[row];
   }
 
-  [[nodiscard]] bool crowded() const { return lost_ > 4096 && lost_ > room_ / 4; }
+  [[nodiscard]] bool crowded() const { return lost_ > 65536 && lost_ > room_ / 4; }
   [[nodiscard]] std::uint64_t bytes() const { return 8 * first_.size(); }
 
 private:

@@ -47,6 +47,14 @@ std::uint64_t hierarchy::bytes() const {
   return sum;
 }
 
+bool hierarchy::crowded() const {
+  return members.places.crowded() || smoother.clusters.nodes.places.crowded() ||
+         std::ranges::any_of(levels, [](const rigid_level& level) {
+           return level.rows.crowded() || level.prolongation_rows.crowded() ||
+                  level.entries.places.crowded();
+         });
+}
+
 void raise_lambda(node_smoother& smoother, int nodes_per_element) {
   smoother.lambda = std::max(static_cast<float>(nodes_per_element), smoother.lambda);
 }
@@ -116,8 +124,7 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
     aggregates.count,
     [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t a = first; a < last; ++a) {
-        auto row =
-          make_galerkin_row(p, k, filter, result, frames, static_cast<std::uint32_t>(a));
+        auto row = make_galerkin_row(p, k, filter, result, frames, static_cast<std::uint32_t>(a));
         rows.column[a] = std::move(row.column);
         rows.block[a] = std::move(row.block);
         keep[a] = row.keep;

@@ -116,6 +116,8 @@ struct hierarchy {
   std::shared_ptr<hierarchy_memory> memory;  ///< What `update_hierarchy` needs.
 
   [[nodiscard]] std::uint64_t bytes() const;
+  /// Updates have left so many holes that building anew is better.
+  [[nodiscard]] bool crowded() const;
 };
 
 /// Smoothers need an upper bound of the largest eigenvalue, and Lanczos gives lower ones: when the

@@ -46,8 +46,8 @@ public:
       const float4 own = load4(x + 3 * i);
       float4 sum{};
       for (auto s = k_.begin(nodes_[i]); s < k_.end(nodes_[i]); ++s, ++at) {
-        const float4 d = (local_[at] == no_id ? float4{} : load4(x + 3 * std::size_t{local_[at]})) -
-                         own;
+        const float4 d =
+          (local_[at] == no_id ? float4{} : load4(x + 3 * std::size_t{local_[at]})) - own;
         const float* v = &k_.value[9 * std::size_t{s}];
         sum += load4(v) * splat(d[0]) + load4(v + 3) * splat(d[1]) + load4(v + 6) * splat(d[2]);
       }
@@ -98,7 +98,8 @@ private:
   index_list renew_smoother(std::span<const std::uint32_t> nodes) {
     const auto per = static_cast<std::uint32_t>(p_.nodes_per_element);
     const smoother_source source{
-      p_, filter_,
+      p_,
+      filter_,
       [&](std::uint32_t n) {
         index_list elements;
         for (const auto corner : corners_.of_node(n))
@@ -106,7 +107,8 @@ private:
         return elements;
       },
       [&](std::uint32_t n) { return diagonal_block(k_, n); },
-      [&](std::span<const std::uint32_t> members) { return cluster_matrix(k_, members); }, 64,
+      [&](std::span<const std::uint32_t> members) { return cluster_matrix(k_, members); },
+      64,
       settings_.sliver_condition};
     auto touched = update_smoother(source, nodes, h_.memory->cluster_of, h_.smoother);
     // Large eigenvalues sit at single bad places: those that are new are found here.

@@ -141,8 +141,7 @@ node_smoother make_node_smoother(const block_matrix& k,
   result.inverse = invert_blocks(diagonal_blocks(k), filter);
   invert_clusters(
     clusters, filter,
-    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, nodes); },
-    result);
+    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, nodes); }, result);
   return result;
 }
 

@@ -168,7 +168,7 @@ rigid_rows smoothed_prolongation(const rigid_rows& rows, const rigid_level& leve
       for (std::size_t i = first; i < last; ++i)
         prolongation_row(
           i, rows.column[i], [&](std::size_t s) -> const matrix6& { return rows.block[i][s]; },
-          omega * wide(level.inverse[i]), group,
+          omega* wide(level.inverse[i]), group,
           [&](std::size_t j) -> const matrix6& { return modes[j]; }, result.column[i],
           result.block[i]);
     },

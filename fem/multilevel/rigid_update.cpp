@@ -88,9 +88,8 @@ private:
     const double omega = static_cast<double>(chebyshev_start(level_.lambda));
     prolongation_row(
       i, level_.rows.of(i, level_.column),
-      [&](std::size_t s) { return wide(level_.block[begin + s]); },
-      omega * wide(level_.inverse[i]), memory_.group, [&](std::size_t j) { return modes(j); },
-      row.column, row.block);
+      [&](std::size_t s) { return wide(level_.block[begin + s]); }, omega * wide(level_.inverse[i]),
+      memory_.group, [&](std::size_t j) { return modes(j); }, row.column, row.block);
     const auto at = places.replace(i, static_cast<std::uint32_t>(row.column.size()));
     level_.prolongation_column.resize(places.room());
     level_.prolongation.resize(places.room());

@@ -77,7 +77,7 @@ protected:
 class linear_tets final : public native_system {
 public:
   linear_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings), corners_(p), k_(assemble_blocks(p, corners_)) {
+      : native_system(p, settings), k_(assemble_blocks(p, incidence(p))) {
     assembly_ms_ = clock.milliseconds();
   }
 
@@ -92,6 +92,18 @@ public:
   }
 
   expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+
+  expected<bool> update(const problem_change& change, const incidence& corners) override {
+    if (k_.places.crowded() || hierarchy_.crowded())
+      return false;
+    update_blocks(problem_, corners, change.nodes, k_);
+    update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes, settings_.multilevel,
+                     hierarchy_);
+    cycle_.emplace(k_, hierarchy_, settings_.cycle);
+    krylov_.resize(problem_.node_count());
+    krylov_.set_filter(problem_.filter);
+    return true;
+  }
 
   void distrust() override { raise_lambdas(hierarchy_); }
 
@@ -111,7 +123,6 @@ public:
   }
 
 private:
-  incidence corners_;
   block_matrix k_;
   hierarchy hierarchy_;
   std::optional<multilevel_cycle> cycle_;
@@ -121,9 +132,7 @@ private:
 class quadratic_tets final : public native_system {
 public:
   quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings),
-        k_(p),
-        corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
+      : native_system(p, settings), k_(p), corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
     assembly_ms_ = clock.milliseconds();
   }
 
@@ -134,9 +143,10 @@ public:
       return fail(built.error());
     hierarchy_ = std::move(*built);
     edges_ = make_edge_transfer(problem_, filter);
-    smoother_ = make_quadratic_smoother(
-      problem_, filter,
-      cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition));
+    const auto clusters =
+      cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition);
+    smoother_ = make_quadratic_smoother(problem_, filter, clusters);
+    cluster_of_ = clusters.of;
     smoother_.lambda = settings_.corner_multilevel.lambda_safety *
                        largest_ritz_value(
                          problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
@@ -147,13 +157,31 @@ public:
                            });
                          },
                          [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
-    cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+    make_cycle();
     krylov_.set_filter(filter);
     return {};
   }
 
   expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+
+  expected<bool> update(const problem_change& change, const incidence& corners) override {
+    if (corner_matrix_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded())
+      return false;
+    const filter_span filter = problem_.filter;
+    const auto middles = std::ranges::lower_bound(change.nodes, problem_.corner_count);
+    const std::span corner_nodes(change.nodes.begin(), middles);
+    k_.update(problem_, change.elements);
+    update_blocks(problem_, corners, corner_nodes, corner_matrix_);
+    update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
+                     corner_nodes, settings_.corner_multilevel, hierarchy_);
+    update_edge_transfer(problem_, filter, change.nodes, edges_);
+    update_quadratic_smoother(problem_, corners, filter, change.nodes,
+                              settings_.corner_multilevel.sliver_condition, cluster_of_, smoother_);
+    make_cycle();
+    krylov_.resize(problem_.node_count());
+    krylov_.set_filter(filter);
+    return true;
+  }
 
   void distrust() override {
     raise_lambda(smoother_, 10);
@@ -177,11 +205,17 @@ public:
   }
 
 private:
+  void make_cycle() {
+    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
+    cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+  }
+
   quadratic_operator k_;
   block_matrix corner_matrix_;
   hierarchy hierarchy_;
   edge_transfer edges_;
   node_smoother smoother_;
+  std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
   std::optional<multilevel_cycle> corner_cycle_;
   std::optional<quadratic_cycle> cycle_;
 };

@@ -138,7 +138,11 @@ TEST_P(ProblemUpdate, ManyEditsOneAfterTheOther) {
     const double at = 0.5 + 0.75 * round;
     follow(test::split(mesh_, [&](tet_id t) { return t % 801 == 17u * round; }));
     follow(test::dig(
-      mesh_, [&](vec3 x) { return norm(x - vec3{at, .75, 1.5}) < 0.22; }, 7));
+      mesh_,
+      [&](vec3 x) {
+        return norm(x - vec3{at, .75, 1.5}) < 0.22;
+      },
+      7));
     follow(test::move(mesh_, [&](vec3 x) {
       return norm(x - vec3{at, .75, .75}) < 0.2 ? x + vec3{0, .01, .01} : x;
     }));
