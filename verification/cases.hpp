@@ -80,6 +80,7 @@ struct case_entry {
 
 [[nodiscard]] std::vector<case_entry> exact_cases();
 [[nodiscard]] std::vector<case_entry> beam_cases();
+[[nodiscard]] std::vector<case_entry> flexure_cases();
 [[nodiscard]] std::vector<case_entry> ring_cases();
 [[nodiscard]] std::vector<case_entry> nafems_cases();
 [[nodiscard]] std::vector<case_entry> convergence_cases();
