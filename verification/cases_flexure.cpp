@@ -95,7 +95,7 @@ expected<void> flexure(case_context& c) {
   const auto h = ", h=1/" + std::to_string(cells[0]) + " to 1/" + std::to_string(cells[1]);
   c.at_least("rate of the energy error" + h, c.linear() ? 0.9 : 1.9,
              std::log2(coarse->energy / fine->energy));
-  c.at_most("relative energy error, h=1/" + std::to_string(cells[1]), c.linear() ? 0.25 : 0.01,
+  c.at_most("relative energy error, h=1/" + std::to_string(cells[1]), c.linear() ? 0.15 : 0.002,
             fine->energy);
   return {};
 }

@@ -352,6 +352,7 @@ TEST(Verify, AllFiguresHoldAndThePageIsWritten) {
   EXPECT_TRUE(report["passed"]);
   EXPECT_GT(report["results"].size(), 40u);
   EXPECT_EQ(report["convergence"].size(), 6u);
+  EXPECT_EQ(report["side_by_side"].size(), 0u);
   std::stringstream text;
   text << std::ifstream(page).rdbuf();
   EXPECT_THAT(text.str(), HasSubstr("(page.svg)"));
@@ -362,6 +363,9 @@ TEST(Verify, NeedsToBeToldWhatToVerify) {
   EXPECT_EQ(run("verify").status, 2);
   EXPECT_EQ(run("verify --suite --part " + plate).status, 2);
   EXPECT_EQ(run("verify --suite --device nosuchdevice").status, 1);
+  EXPECT_EQ(run("verify --suite --parts " + parts).status, 2) << "only with --calculix";
+  const auto nothing = run("verify --suite --json --calculix --parts /nowhere");
+  EXPECT_EQ(nothing.parsed()["error"]["code"], "not_found");
 }
 
 TEST(Doctor, FindsNothingMissing) {
