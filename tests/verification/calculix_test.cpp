@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// CalculiX as a second opinion: reading its results, and oblique supports. Real parts are in
-// cases_test.cpp and, all of them, behind `tedit verify --suite --calculix`.
+// CalculiX as a second opinion: reading its results, and oblique supports. All real parts, which
+// take minutes, are behind `tedit verify --suite --calculix`.
 #include "verification/calculix.hpp"
 
 #include <cmath>
@@ -126,18 +126,24 @@ TEST(Calculix, AgreesOnObliqueSupportsThatMove) {
 
 // -- real parts ------------------------------------------------------------------------
 
-class PartSideBySide : public ::testing::TestWithParam<const char*> {};
+struct part_and_order {
+  const char* part;
+  int order;
+};
+
+class PartSideBySide : public ::testing::TestWithParam<part_and_order> {};
 
 TEST_P(PartSideBySide, Agrees) {
   TEDIT_NEEDS_CALCULIX();
-  const auto folder = std::filesystem::path(TEDIT_TEST_DATA "/parts") / GetParam();
-  const auto mesh = import_mesh(folder / (std::string(GetParam()) + ".coarse.msh"), "mm");
+  const auto folder = std::filesystem::path(TEDIT_TEST_DATA "/parts") / GetParam().part;
+  const auto mesh = import_mesh(folder / (std::string(GetParam().part) + ".coarse.msh"), "mm");
   const auto loads = protocol::load_case_from_file(folder / "load_case.json");
   ASSERT_TRUE(mesh.has_value() && loads.has_value());
-  const real_part part{GetParam(), mesh->version, *loads};
+  const real_part part{GetParam().part, mesh->version, *loads};
   suite_report report;
 
-  const auto ok = run_case({side_by_side_case, 1}, *fem::make_native_backend(), &part, {}, report);
+  const auto ok =
+    run_case({side_by_side_case, GetParam().order}, *fem::make_native_backend(), &part, {}, report);
 
   ASSERT_TRUE(ok.has_value()) << render(ok.error());
   EXPECT_EQ(report.side_by_side.size(), 1u);
@@ -146,7 +152,18 @@ TEST_P(PartSideBySide, Agrees) {
     EXPECT_TRUE(r.passed) << r.quantity << ": " << r.computed;
 }
 
-INSTANTIATE_TEST_SUITE_P(Linear, PartSideBySide, ::testing::Values("as1_assembly", "fork_thin"));
+std::string name_of(const ::testing::TestParamInfo<part_and_order>& test) {
+  return test.param.part + ("_order_" + std::to_string(test.param.order));
+}
+
+/// The quadratic ones are those that CalculiX does quickest.
+INSTANTIATE_TEST_SUITE_P(Some, PartSideBySide,
+                         ::testing::Values(part_and_order{"as1_assembly", 1},
+                                           part_and_order{"ctc01_plate", 1},
+                                           part_and_order{"fork_thin", 1},
+                                           part_and_order{"fork_thin", 2},
+                                           part_and_order{"inch_block", 2}),
+                         name_of);
 
 /// $PATH as long as this lives.
 class search_path {
