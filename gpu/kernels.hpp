@@ -97,12 +97,13 @@ public:
   [[nodiscard]] expected<void> end();
 
   /// Submits `times` times in a row and waits. Errors: `device_lost` (also when nothing comes back
-  /// within 60 s).
+  /// within 60 s; then the device is given up), `out_of_memory`.
   [[nodiscard]] expected<void> run(int times = 1);
 
 private:
   commands() = default;
   void barrier();
+  [[nodiscard]] expected<void> wait();
 
   std::shared_ptr<kernel_layout> layout_;
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;

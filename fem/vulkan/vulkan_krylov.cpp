@@ -29,7 +29,10 @@ vulkan_krylov::vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory
 expected<void> vulkan_krylov::record_product() {
   product_.emplace(kernels_);
   k_.add(*product_, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, {});
-  return product_->record();
+  auto recorded = product_->record();
+  if (!recorded)
+    product_.reset();  // The next call tries again.
+  return recorded;
 }
 
 expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
