@@ -229,7 +229,6 @@ public:
     info_.name = "cpu";
     info_.kind = "native";
     info_.driver = std::to_string(std::max(1u, std::thread::hardware_concurrency())) + " threads";
-    info_.double_precision = false;
   }
 
   const device_info& info() const override { return info_; }

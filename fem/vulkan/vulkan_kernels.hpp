@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fem/vulkan/vulkan_backend.hpp"
 #include "gpu/kernels.hpp"
 #include "shaders/cycle_bindings.h"
 
@@ -36,6 +37,8 @@ struct cycle_kernels {
                                                                    const cycle_kernels& like,
                                                                    std::uint32_t most_columns);
 
-[[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on);
+/// Errors: those of the device; `invalid_argument` for sizes that it cannot have.
+[[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
+                                                         const vulkan_settings& settings);
 
 }  // namespace tedit::fem

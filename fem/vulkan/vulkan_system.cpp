@@ -76,7 +76,7 @@ expected<void> vulkan_system::check_memory() const {
 }
 
 expected<void> vulkan_system::build() {
-  auto kernels = make_cycle_kernels(device_);
+  auto kernels = make_cycle_kernels(device_, settings_);
   if (!kernels)
     return fail(kernels.error());
   kernels_ = std::move(*kernels);
