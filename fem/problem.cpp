@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/guard.hpp"
 #include "base/parallel.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
@@ -214,8 +215,9 @@ std::string point_text(vec3 p) {
   return text;
 }
 
-expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
-                               int element_order) {
+namespace {
+
+expected<problem> discretised(const mesh_version& mesh, const load_case& loads, int element_order) {
   if (element_order != 1 && element_order != 2)
     return fail(ec::invalid_argument,
                 "there are no elements of order " + std::to_string(element_order),
@@ -233,6 +235,13 @@ expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
   if (auto ok = set_conditions(mesh, loads, p); !ok)
     return fail(ok.error());
   return p;
+}
+
+}  // namespace
+
+expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
+                               int element_order) {
+  return guarded([&] { return discretised(mesh, loads, element_order); });
 }
 
 expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {

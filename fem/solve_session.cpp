@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/guard.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/problem_parts.hpp"
 
@@ -148,7 +149,9 @@ expected<solve_session::result> solve_session::solve(
   const version_ptr& mesh, const load_case& loads, int element_order, backend& device,
   const solve_settings& settings, const execution& run, const frame_callback& on_frame) {
   const bool again = fits(*mesh, loads, element_order, device);
-  auto ready = again ? renew_conditions(loads) : assemble(mesh, loads, element_order, device, run);
+  auto ready = guarded(run, [&] {
+    return again ? renew_conditions(loads) : assemble(mesh, loads, element_order, device, run);
+  });
   if (!ready) {
     system_.reset();
     return fail(ready.error());
@@ -158,8 +161,11 @@ expected<solve_session::result> solve_session::solve(
     started.start = displacement_;
   auto solved =
     fem::solve(*problem_, *operator_, *system_, device.info().name, started, run, on_frame);
-  if (!solved)
+  if (!solved) {
+    if (const auto code = solved.error().code; code == ec::device_lost || code == ec::out_of_memory)
+      system_.reset();  // It may be incomplete, or stand on a device that is gone.
     return fail(solved.error());
+  }
   solved->assembly_ms = assembly_ms_;
   solved->setup_ms = setup_ms_;
   displacement_ = solved->displacement;

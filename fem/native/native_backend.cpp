@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/guard.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/element.hpp"
@@ -92,14 +93,18 @@ public:
     return {};
   }
 
-  expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+  expected<void> set_filter(filter_span filter) override {
+    return guarded([&] { return prepare(filter, {}); });
+  }
 
   void distrust() override { raise_lambdas(hierarchy_); }
 
   expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
                                double reduction, int max_iterations,
                                const execution& run) override {
-    return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    return guarded(run, [&] {
+      return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    });
   }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
@@ -154,7 +159,9 @@ public:
     return {};
   }
 
-  expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+  expected<void> set_filter(filter_span filter) override {
+    return guarded([&] { return prepare(filter, {}); });
+  }
 
   void distrust() override {
     raise_lambda(smoother_, 10);
@@ -164,7 +171,9 @@ public:
   expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
                                double reduction, int max_iterations,
                                const execution& run) override {
-    return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    return guarded(run, [&] {
+      return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    });
   }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
@@ -238,15 +247,10 @@ public:
     const stopwatch clock;
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
-    try {
+    return guarded(run, [&] {
       return p.element_order == 1 ? make<linear_tets>(p, clock, run)
                                   : make<quadratic_tets>(p, clock, run);
-    } catch (const std::bad_alloc&) {
-      return fail(ec::out_of_memory,
-                  "the stiffness matrix of " + std::to_string(p.node_count()) +
-                    " nodes does not fit into memory",
-                  "Close other programs or take a coarser mesh");
-    }
+    });
   }
 
 private:

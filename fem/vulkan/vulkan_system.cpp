@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/guard.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/multilevel/lanczos.hpp"
 
@@ -102,7 +103,7 @@ expected<void> vulkan_system::build() {
 }
 
 expected<void> vulkan_system::set_filter(filter_span filter) {
-  return prepare(filter, {});
+  return guarded([&] { return prepare(filter, {}); });
 }
 
 expected<void> vulkan_system::prepare(filter_span filter, const execution& run) {
@@ -193,6 +194,13 @@ expected<void> vulkan_system::check_ready() const {
 expected<inner_result> vulkan_system::solve(std::span<const double> residual,
                                             std::span<double> correction, double reduction,
                                             int max_iterations, const execution& run) {
+  return guarded(run,
+                 [&] { return correct(residual, correction, reduction, max_iterations, run); });
+}
+
+expected<inner_result> vulkan_system::correct(std::span<const double> residual,
+                                              std::span<double> correction, double reduction,
+                                              int max_iterations, const execution& run) {
   if (auto ok = check_ready(); !ok)
     return fail(ok.error());
   const double length = norm_of(residual);

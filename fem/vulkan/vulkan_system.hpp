@@ -48,6 +48,10 @@ private:
   [[nodiscard]] expected<void> prepare(filter_span filter, const execution& run);
   [[nodiscard]] expected<void> prepare_quadratic(filter_span filter);
   [[nodiscard]] expected<float> largest_eigenvalue();
+  /// `solve` without its guard.
+  [[nodiscard]] expected<inner_result> correct(std::span<const double> residual,
+                                               std::span<double> correction, double reduction,
+                                               int max_iterations, const execution& run);
   [[nodiscard]] expected<void> record();
   [[nodiscard]] expected<void> raise_bounds();
   [[nodiscard]] expected<void> check_ready() const;
