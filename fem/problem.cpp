@@ -225,11 +225,14 @@ expected<problem> discretised(const mesh_version& mesh, const load_case& loads, 
   problem p;
   std::vector<std::uint32_t> node_of;
   number_nodes(mesh, p, node_of);
+  check_cancelled();
   if (auto ok = assign_materials(mesh, loads, p); !ok)
     return fail(ok.error());
   if (auto ok = add_elements(mesh, node_of, p); !ok)
     return fail(ok.error());
+  check_cancelled();
   sort_elements(p);
+  check_cancelled();
   if (element_order == 2)
     add_mid_nodes(p);
   if (auto ok = set_conditions(mesh, loads, p); !ok)
@@ -251,10 +254,12 @@ expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, 
   const surface_triangles triangles(mesh, node_of, p);
   if (auto ok = triangles.check_ids(mesh, loads); !ok)
     return ok;
+  check_cancelled();
   if (auto ok = add_constraints(triangles, loads, p); !ok)
     return ok;
   if (auto ok = add_loads(triangles, loads, p); !ok)
     return ok;
+  check_cancelled();
   return check_supports(mesh, p);
 }
 

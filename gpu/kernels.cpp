@@ -2,6 +2,7 @@
 #include "gpu/kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -239,23 +240,31 @@ expected<void> commands::end() {
   return {};
 }
 
-expected<void> commands::run(int times) {
-  auto& on = *layout_->on();
+expected<void> commands::run() {
+  const std::array<const commands*, 1> list{this};
+  return run_in_order(list);
+}
+
+expected<void> commands::run_in_order(std::span<const commands* const> list) {
+  const auto& fence = list.front()->fence_;
+  auto& on = *list.front()->layout_->on();
   if (on.given_up())
     return fail(ec::device_lost, "the device was given up when it did not answer",
                 "Use --device cpu");
-  const std::vector<VkCommandBuffer> buffers(static_cast<std::size_t>(times), buffer_);
+  std::vector<VkCommandBuffer> buffers;
+  for (const auto* one : list)
+    buffers.push_back(one->buffer_);
   VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
   submit.commandBufferCount = static_cast<std::uint32_t>(buffers.size());
   submit.pCommandBuffers = buffers.data();
-  if (const auto r = on.calls().vkResetFences(on.handle(), 1, &fence_); r != VK_SUCCESS)
+  if (const auto r = on.calls().vkResetFences(on.handle(), 1, &fence); r != VK_SUCCESS)
     return fail(to_error(r, "submitting work"));
-  if (const auto r = on.calls().vkQueueSubmit(on.queue(), 1, &submit, fence_); r != VK_SUCCESS)
+  if (const auto r = on.calls().vkQueueSubmit(on.queue(), 1, &submit, fence); r != VK_SUCCESS)
     return fail(to_error(r, "submitting work"));
-  return wait();
+  return list.front()->wait();
 }
 
-expected<void> commands::wait() {
+expected<void> commands::wait() const {
   auto& on = *layout_->on();
   constexpr std::uint64_t two_seconds = 2'000'000'000;
   VkResult last = VK_TIMEOUT;

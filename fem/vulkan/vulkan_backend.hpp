@@ -21,6 +21,8 @@ struct vulkan_settings {
   /// 1024, and as many rows as invocations.
   std::uint32_t group_size = 0;
   std::uint32_t slice_rows = 0;
+  /// Rows of all dispatches in one part of a recorded program; 0 takes what suits the device.
+  std::uint32_t rows_per_part = 0;
 };
 
 /// A Vulkan device as a backend, in single precision: linear tets are assembled, both orders are

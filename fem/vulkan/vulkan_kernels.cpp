@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/guard.hpp"
+
 #include "kernels/assemble_rows.h"
 #include "kernels/cg_advance.h"
 #include "kernels/cg_first.h"
@@ -44,6 +46,7 @@ struct entry {
 expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
                        std::span<const entry> entries, const cycle_kernels& like) {
   for (const auto& e : entries) {
+    check_cancelled();
     auto made =
       gpu::kernel::make(layout, e.code, {like.group_size, like.slice_rows, e.third, e.fourth});
     if (!made)
@@ -97,7 +100,10 @@ expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
   if (on->summary().kind != "software") {
     result.most_groups = 65535;  // what Vulkan guarantees
     result.sum_groups = 512;
+    result.rows_per_part = 1u << 20;
   }
+  if (settings.rows_per_part > 0)
+    result.rows_per_part = settings.rows_per_part;
   auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_CYCLE_BINDINGS, sizeof(cycle_push));
   if (!layout)
     return fail(layout.error());

@@ -30,6 +30,7 @@ struct cycle_kernels {
   std::uint32_t slice_rows = 8;    ///< Rows side by side, so that a subgroup reads in a row.
   std::uint32_t most_groups = 64;  ///< Of a dispatch; kernels stride over their rows.
   std::uint32_t sum_groups = 16;   ///< Of a dispatch that leaves partial sums.
+  std::uint32_t rows_per_part = 1u << 16;  ///< A part of a program ends after so many.
 };
 
 /// `most_columns` bounds the blocks of one row; `like` gives group size and slices.

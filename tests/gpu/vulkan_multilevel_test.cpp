@@ -247,6 +247,37 @@ TEST_P(VulkanMultilevel, RepeatsBitForBit) {
   EXPECT_EQ(first, third);
 }
 
+TEST_P(VulkanMultilevel, AnyCutIntoSubmissionsGivesTheSameBits) {
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> whole(p_.dofs());
+  ASSERT_TRUE(open(p_, {.rows_per_part = 1u << 30})->solve(b, whole, 1e-5, 500, {}).has_value());
+  for (const std::uint32_t rows : {1u, 1000u, 10'000u}) {
+    std::vector<double> cut(p_.dofs());
+    ASSERT_TRUE(open(p_, {.rows_per_part = rows})->solve(b, cut, 1e-5, 500, {}).has_value());
+    EXPECT_EQ(cut, whole) << rows;
+  }
+}
+
+TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
+  const auto system = open(p_);
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> expected_d(p_.dofs());
+  std::vector<double> d(p_.dofs());
+  execution whole;
+  ASSERT_TRUE(system->solve(b, expected_d, 1e-5, 500, whole).has_value());
+  const auto last = whole.cancel.polls();
+  ASSERT_GE(last, 10);
+  for (std::uint64_t poll = 1; poll <= last / 2; poll += 1 + poll / 4) {
+    execution run;
+    run.cancel = cancel_token::at_poll(poll);
+    const auto result = system->solve(b, d, 1e-5, 500, run);
+    ASSERT_FALSE(result.has_value()) << poll;
+    EXPECT_EQ(result.error().code, ec::cancelled);
+  }
+  ASSERT_TRUE(system->solve(b, d, 1e-5, 500, {}).has_value());
+  EXPECT_EQ(d, expected_d);
+}
+
 TEST_P(VulkanMultilevel, IterationsAreBounded) {
   std::vector<double> d(p_.dofs());
 
