@@ -6,11 +6,13 @@
 #include <thread>
 
 #include "base/guard.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/element.hpp"
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/native/conjugate_gradients.hpp"
+#include "fem/native/memory_estimate.hpp"
 #include "fem/native/quadratic_cycle.hpp"
 
 namespace tedit::fem {
@@ -247,6 +249,8 @@ public:
     const stopwatch clock;
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
+    if (auto ok = check_room(p); !ok)
+      return fail(ok.error());
     return guarded(run, [&] {
       return p.element_order == 1 ? make<linear_tets>(p, clock, run)
                                   : make<quadratic_tets>(p, clock, run);
@@ -261,6 +265,14 @@ private:
     if (auto ok = system->prepare(p.filter, run); !ok)
       return fail(ok.error());
     return system;
+  }
+
+  [[nodiscard]] expected<void> check_room(const problem& p) const {
+    return check_memory(native_solve_bytes(p),
+                        settings_.memory_limit
+                          ? memory_room{settings_.memory_limit, "the backend's limit"}
+                          : available_memory(),
+                        "the solve of " + std::to_string(p.node_count()) + " nodes");
   }
 
   native_settings settings_;
