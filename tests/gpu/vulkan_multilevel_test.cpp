@@ -267,12 +267,17 @@ TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
   ASSERT_TRUE(system->solve(b, expected_d, 1e-5, 500, whole).has_value());
   const auto last = whole.cancel.polls();
   ASSERT_GE(last, 10);
-  for (std::uint64_t poll = 1; poll <= last / 2; poll += 1 + poll / 4) {
+  for (std::uint64_t poll = 1; poll <= last; poll += 1 + poll / 4) {
     execution run;
     run.cancel = cancel_token::at_poll(poll);
     const auto result = system->solve(b, d, 1e-5, 500, run);
-    ASSERT_FALSE(result.has_value()) << poll;
-    EXPECT_EQ(result.error().code, ec::cancelled);
+    // Submissions follow measured times, and with them the number of checks.
+    if (result) {
+      EXPECT_LT(run.cancel.polls(), poll);
+      EXPECT_GT(poll, 5);
+    } else {
+      EXPECT_EQ(result.error().code, ec::cancelled);
+    }
   }
   ASSERT_TRUE(system->solve(b, d, 1e-5, 500, {}).has_value());
   EXPECT_EQ(d, expected_d);
