@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -12,14 +14,37 @@ namespace tedit {
 /// idempotent and thread-safe. Workers poll it at least every 50 ms.
 class cancel_token {
 public:
-  cancel_token() : flag_(std::make_shared<std::atomic<bool>>(false)) {}
+  cancel_token() : state_(std::make_shared<state>()) {}
 
-  void cancel() const noexcept { flag_->store(true, std::memory_order_relaxed); }
+  /// Cancels itself at the `poll`-th call of `cancelled`, from 1: for tests that stop work at each
+  /// of its checks.
+  [[nodiscard]] static cancel_token at_poll(std::uint64_t poll) {
+    cancel_token result;
+    result.state_->last = poll;
+    return result;
+  }
 
-  [[nodiscard]] bool cancelled() const noexcept { return flag_->load(std::memory_order_relaxed); }
+  void cancel() const noexcept { state_->set.store(true, std::memory_order_relaxed); }
+
+  [[nodiscard]] bool cancelled() const noexcept {
+    if (state_->polls.fetch_add(1, std::memory_order_relaxed) + 1 >= state_->last)
+      cancel();
+    return state_->set.load(std::memory_order_relaxed);
+  }
+
+  /// How often `cancelled` was asked.
+  [[nodiscard]] std::uint64_t polls() const noexcept {
+    return state_->polls.load(std::memory_order_relaxed);
+  }
 
 private:
-  std::shared_ptr<std::atomic<bool>> flag_;
+  struct state {
+    std::atomic<bool> set{false};
+    std::atomic<std::uint64_t> polls{0};
+    std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+  };
+
+  std::shared_ptr<state> state_;
 };
 
 /// What every long call receives: how to notice a cancel and how to report progress.

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
+#include <utility>
+
+#include "base/guard.hpp"
 
 namespace tedit {
 
@@ -13,13 +18,34 @@ namespace {
 
 using chunk_work = std::function<void(std::size_t, std::size_t, std::size_t)>;
 
+/// What all chunks of one call share.
+struct job {
+  const chunk_work* work = nullptr;
+  std::size_t items = 0;
+  std::size_t chunk_items = parallel_chunk;
+  const cancel_token* token = nullptr;
+};
+
+void do_chunk(const job& now, std::size_t chunk) {
+  if (now.token && now.token->cancelled())
+    throw work_cancelled{};
+  const std::size_t first = chunk * now.chunk_items;
+  (*now.work)(first, std::min(now.items, first + now.chunk_items), chunk);
+}
+
+thread_local bool inside_work = false;
+
 /// Threads that wait for one job at a time.
 class thread_pool {
 public:
   thread_pool() {
     const unsigned helpers = std::max(1u, std::thread::hardware_concurrency()) - 1;
-    for (unsigned i = 0; i < helpers; ++i)
-      threads_.emplace_back([this] { serve(); });
+    try {
+      for (unsigned i = 0; i < helpers; ++i)
+        threads_.emplace_back([this] { serve(); });
+    } catch (const std::system_error&) {
+      // No room for more threads: fewer will do, even none.
+    }
   }
 
   ~thread_pool() {
@@ -32,21 +58,24 @@ public:
       thread.join();
   }
 
-  void run(std::size_t items, const chunk_work& work, std::size_t chunk_items) {
+  void run(const job& wanted) {
     const std::lock_guard one_job(job_mutex_);
     {
       const std::lock_guard lock(mutex_);
-      work_ = &work;
-      items_ = items;
-      chunk_items_ = chunk_items;
+      job_ = wanted;
       next_ = 0;
+      failed_ = false;
       busy_ = threads_.size();
       ++generation_;
     }
     wake_.notify_all();
-    take_chunks(work, items, chunk_items);
+    inside_work = true;
+    take_chunks(wanted);
+    inside_work = false;
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return busy_ == 0; });
+    if (failed_)
+      std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
   static thread_pool& instance() {
@@ -55,13 +84,18 @@ public:
   }
 
 private:
-  void take_chunks(const chunk_work& work, std::size_t items, std::size_t chunk_items) {
-    for (;;) {
-      const std::size_t chunk = next_.fetch_add(1, std::memory_order_relaxed);
-      const std::size_t first = chunk * chunk_items;
-      if (first >= items)
-        return;
-      work(first, std::min(items, first + chunk_items), chunk);
+  void take_chunks(const job& now) noexcept {
+    try {
+      while (!failed_.load(std::memory_order_relaxed)) {
+        const std::size_t chunk = next_.fetch_add(1, std::memory_order_relaxed);
+        if (chunk * now.chunk_items >= now.items)
+          return;
+        do_chunk(now, chunk);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failed_.exchange(true))
+        failure_ = std::current_exception();
     }
   }
 
@@ -72,35 +106,29 @@ private:
   std::mutex mutex_;
   std::condition_variable wake_;
   std::condition_variable done_;
-  const chunk_work* work_ = nullptr;
-  std::size_t items_ = 0;
-  std::size_t chunk_items_ = parallel_chunk;
+  job job_;
   std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;  ///< The first one.
   std::size_t busy_ = 0;
   std::size_t generation_ = 0;
   bool closing_ = false;
 };
 
-thread_local bool inside_work = false;
-
 void thread_pool::serve() {
   inside_work = true;
   std::size_t seen = 0;
   for (;;) {
-    const chunk_work* work = nullptr;
-    std::size_t items = 0;
-    std::size_t chunk_items = 0;
+    job now;
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [&] { return closing_ || generation_ != seen; });
       if (closing_)
         return;
       seen = generation_;
-      work = work_;
-      items = items_;
-      chunk_items = chunk_items_;
+      now = job_;
     }
-    take_chunks(*work, items, chunk_items);
+    take_chunks(now);
     {
       const std::lock_guard lock(mutex_);
       --busy_;
@@ -112,12 +140,13 @@ void thread_pool::serve() {
 }  // namespace
 
 void parallel_for(std::size_t items, const chunk_work& work, std::size_t chunk_items) {
+  const job wanted{&work, items, chunk_items, cancel_scope::current()};
   if (items <= chunk_items || inside_work) {
     for (std::size_t chunk = 0; chunk * chunk_items < items; ++chunk)
-      work(chunk * chunk_items, std::min(items, (chunk + 1) * chunk_items), chunk);
+      do_chunk(wanted, chunk);
     return;
   }
-  thread_pool::instance().run(items, work, chunk_items);
+  thread_pool::instance().run(wanted);
 }
 
 double parallel_sum(std::size_t items,

@@ -16,7 +16,6 @@ struct device_info {
   std::string kind;    ///< "native", "software", "integrated", "discrete".
   std::string driver;  ///< Driver name and version; empty for native.
   std::uint64_t memory_bytes = 0;  ///< 0 when unknown.
-  bool double_precision = false;   ///< Inner solves may go down to the final tolerance at once.
 };
 
 /// How an inner solve ended.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/guard.hpp"
 #include "base/parallel.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
@@ -227,8 +228,10 @@ std::string point_text(vec3 p) {
   return text;
 }
 
-expected<problem> make_problem(const mesh_version& mesh, const load_case& loads, int element_order,
-                               std::uint32_t spare_corners) {
+namespace {
+
+expected<problem> discretised(const mesh_version& mesh, const load_case& loads, int element_order,
+                              std::uint32_t spare_corners) {
   if (element_order != 1 && element_order != 2)
     return fail(ec::invalid_argument,
                 "there are no elements of order " + std::to_string(element_order),
@@ -236,17 +239,27 @@ expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
   problem p;
   std::vector<std::uint32_t> node_of;
   number_nodes(mesh, spare_corners, p, node_of);
+  check_cancelled();
   if (auto ok = assign_materials(mesh, loads, p); !ok)
     return fail(ok.error());
   add_elements(mesh, node_of, p);
   if (auto ok = check_shapes(mesh, p.element_tets); !ok)
     return fail(ok.error());
+  check_cancelled();
   sort_elements(p);
+  check_cancelled();
   if (element_order == 2)
     add_mid_nodes(p);
   if (auto ok = set_conditions(mesh, loads, p); !ok)
     return fail(ok.error());
   return p;
+}
+
+}  // namespace
+
+expected<problem> make_problem(const mesh_version& mesh, const load_case& loads, int element_order,
+                               std::uint32_t spare_corners) {
+  return guarded([&] { return discretised(mesh, loads, element_order, spare_corners); });
 }
 
 expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {
@@ -257,12 +270,14 @@ expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, 
   const surface_triangles triangles(mesh, node_of, p);
   if (auto ok = triangles.check_ids(mesh, loads); !ok)
     return ok;
+  check_cancelled();
   if (auto ok = add_constraints(triangles, loads, p); !ok)
     return ok;
   for (const auto n : p.unused)
     p.filter[n] = {};
   if (auto ok = add_loads(triangles, loads, p); !ok)
     return ok;
+  check_cancelled();
   return check_supports(mesh, p);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/guard.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/problem_parts.hpp"
 
@@ -226,22 +227,28 @@ expected<void> solve_session::assemble(const version_ptr& mesh, const load_case&
   return {};
 }
 
+/// A system for the mesh and the conditions: the one that there is, carried on where it can be.
+expected<void> solve_session::prepare(const version_ptr& mesh, const load_case& loads,
+                                      int element_order, backend& device, const execution& run) {
+  renewed_rows_ = 0;
+  assembled_ = false;
+  if (fits(loads, element_order, device)) {
+    if (mesh_->id() == mesh->id())
+      return renew_conditions(loads);
+    const auto followed = follow(mesh, loads);
+    if (!followed)
+      return fail(followed.error());
+    if (*followed)
+      return {};
+  }
+  assembled_ = true;
+  return assemble(mesh, loads, element_order, device, run);
+}
+
 expected<solve_session::result> solve_session::solve(
   const version_ptr& mesh, const load_case& loads, int element_order, backend& device,
   const solve_settings& settings, const execution& run, const frame_callback& on_frame) {
-  bool again = fits(loads, element_order, device);
-  renewed_rows_ = 0;
-  expected<void> ready;
-  if (again && mesh_->id() == mesh->id()) {
-    ready = renew_conditions(loads);
-  } else if (again) {
-    const auto followed = follow(mesh, loads);
-    again = followed.has_value() && *followed;
-    if (!followed)
-      ready = fail(followed.error());
-  }
-  if (ready && !again)
-    ready = assemble(mesh, loads, element_order, device, run);
+  auto ready = guarded(run, [&] { return prepare(mesh, loads, element_order, device, run); });
   if (!ready) {
     system_.reset();
     if (problem_ && displacement_.size() != problem_->dofs())
@@ -253,12 +260,15 @@ expected<solve_session::result> solve_session::solve(
     started.start = displacement_;
   auto solved =
     fem::solve(*problem_, *operator_, *system_, device.info().name, started, run, on_frame);
-  if (!solved)
+  if (!solved) {
+    if (const auto code = solved.error().code; code == ec::device_lost || code == ec::out_of_memory)
+      system_.reset();  // It may be incomplete, or stand on a device that is gone.
     return fail(solved.error());
+  }
   solved->assembly_ms = assembly_ms_;
   solved->setup_ms = setup_ms_;
   displacement_ = solved->displacement;
-  return result{std::move(*solved), !again, renewed_rows_};
+  return result{std::move(*solved), assembled_, renewed_rows_};
 }
 
 }  // namespace tedit::fem

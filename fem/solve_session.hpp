@@ -33,6 +33,8 @@ public:
 private:
   [[nodiscard]] bool fits(const load_case& loads, int element_order, const backend& device) const;
   [[nodiscard]] expected<void> renew_conditions(const load_case& loads);
+  [[nodiscard]] expected<void> prepare(const version_ptr& mesh, const load_case& loads,
+                                       int element_order, backend& device, const execution& run);
   [[nodiscard]] expected<bool> follow(const version_ptr& mesh, const load_case& loads);
   [[nodiscard]] expected<void> assemble(const version_ptr& mesh, const load_case& loads,
                                         int element_order, backend& device, const execution& run);
@@ -42,7 +44,8 @@ private:
   const backend* device_ = nullptr;
   std::unique_ptr<problem> problem_;
   std::unique_ptr<problem_updater> updater_;
-  std::size_t renewed_rows_ = 0;
+  std::size_t renewed_rows_ = 0;  ///< By the last solve.
+  bool assembled_ = false;
   std::unique_ptr<element_operator> operator_;
   std::unique_ptr<linear_system> system_;
   double assembly_ms_ = 0;

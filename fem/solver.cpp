@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/guard.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/recovery.hpp"
@@ -59,7 +60,7 @@ public:
       exec.report(progress(out), "solving");
       if (on_frame && !done(out))
         on_frame({round, out.iterations, out.true_relative_residual, out.energy_error,
-                  [&] { return as_it_is(out); }});
+                  [&] { return guarded([&] { return as_it_is(out); }); }});
     }
     out.converged = out.true_relative_residual <= settings_.tolerance;
     return {};
@@ -180,29 +181,10 @@ private:
   double reference_ = 0;
 };
 
-}  // namespace
-
-expected<solution> solve(const problem& p, backend& device, const solve_settings& settings,
-                         const execution& run, const frame_callback& on_frame) {
-  run.report(0.02, "assembling");
-  stopwatch clock;
-  auto system = device.assemble(p, run);
-  if (!system)
-    return fail(system.error());
-  const double assembly_ms = clock.restart();
-  const element_operator k(p);
-  const double setup_ms = clock.restart();
-  auto result = solve(p, k, **system, device.info().name, settings, run, on_frame);
-  if (result) {
-    result->assembly_ms = assembly_ms;
-    result->setup_ms = setup_ms;
-  }
-  return result;
-}
-
-expected<solution> solve(const problem& p, const element_operator& k, linear_system& system,
-                         const std::string& device, const solve_settings& settings,
-                         const execution& run, const frame_callback& on_frame) {
+expected<solution> refine_and_recover(const problem& p, const element_operator& k,
+                                      linear_system& system, const std::string& device,
+                                      const solve_settings& settings, const execution& run,
+                                      const frame_callback& on_frame) {
   if (!(settings.tolerance > 0))
     return fail(ec::invalid_argument, "the tolerance must be a positive number");
   if (!settings.start.empty() && settings.start.size() != p.dofs())
@@ -222,6 +204,39 @@ expected<solution> solve(const problem& p, const element_operator& k, linear_sys
   out.recovery_ms = clock.restart();
   run.report(1, "done");
   return out;
+}
+
+expected<solution> assemble_and_solve(const problem& p, backend& device,
+                                      const solve_settings& settings, const execution& run,
+                                      const frame_callback& on_frame) {
+  run.report(0.02, "assembling");
+  stopwatch clock;
+  auto system = device.assemble(p, run);
+  if (!system)
+    return fail(system.error());
+  const double assembly_ms = clock.restart();
+  const element_operator k(p);
+  const double setup_ms = clock.restart();
+  auto result = refine_and_recover(p, k, **system, device.info().name, settings, run, on_frame);
+  if (result) {
+    result->assembly_ms = assembly_ms;
+    result->setup_ms = setup_ms;
+  }
+  return result;
+}
+
+}  // namespace
+
+expected<solution> solve(const problem& p, backend& device, const solve_settings& settings,
+                         const execution& run, const frame_callback& on_frame) {
+  return guarded(run, [&] { return assemble_and_solve(p, device, settings, run, on_frame); });
+}
+
+expected<solution> solve(const problem& p, const element_operator& k, linear_system& system,
+                         const std::string& device, const solve_settings& settings,
+                         const execution& run, const frame_callback& on_frame) {
+  return guarded(run,
+                 [&] { return refine_and_recover(p, k, system, device, settings, run, on_frame); });
 }
 
 void residual(const problem& p, std::span<const double> displacement, std::span<double> result) {

@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "base/guard.hpp"
+#include "base/parallel.hpp"
 #include "fem/problem_parts.hpp"
 
 namespace tedit::fem {
@@ -22,7 +24,9 @@ std::vector<std::uint32_t> body_of_tets(const mesh_version& mesh, std::uint32_t&
       continue;
     body[seed] = count;
     open.push_back(seed);
-    while (!open.empty()) {
+    for (std::size_t done = 1; !open.empty(); ++done) {
+      if (done % parallel_chunk == 0)
+        check_cancelled();
       const auto t = open.back();
       open.pop_back();
       for (const auto behind : mesh.neighbours(t))

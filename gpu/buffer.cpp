@@ -15,7 +15,7 @@ expected<buffer> buffer::make(std::shared_ptr<device> on, std::uint64_t bytes, p
   info.size = result.bytes_;
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
-  const auto what = "allocating " + std::to_string(result.bytes_ >> 20) + " MiB";
+  const auto what = "allocating " + std::to_string((result.bytes_ >> 10) + 1) + " KiB";
   if (const auto r = calls.vkCreateBuffer(handle, &info, nullptr, &result.buffer_); r != VK_SUCCESS)
     return fail(to_error(r, what));
   VkMemoryRequirements needs;
@@ -68,9 +68,10 @@ void buffer::release() {
   if (!device_)
     return;
   const auto& calls = device_->calls();
-  if (buffer_)
+  const bool free = !device_->given_up();
+  if (buffer_ && free)
     calls.vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-  if (memory_)
+  if (memory_ && free)
     calls.vkFreeMemory(device_->handle(), memory_, nullptr);
   buffer_ = VK_NULL_HANDLE;
   memory_ = VK_NULL_HANDLE;

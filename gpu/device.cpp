@@ -93,9 +93,12 @@ std::vector<VkPhysicalDevice> physical_devices() {
   if (!instance())
     return result;
   std::uint32_t count = 0;
-  vkEnumeratePhysicalDevices(instance(), &count, nullptr);
+  if (vkEnumeratePhysicalDevices(instance(), &count, nullptr) != VK_SUCCESS)
+    return result;
   result.resize(count);
-  vkEnumeratePhysicalDevices(instance(), &count, result.data());
+  if (vkEnumeratePhysicalDevices(instance(), &count, result.data()) < VK_SUCCESS)
+    count = 0;  // What stands in the list then is nothing.
+  result.resize(count);
   std::erase_if(result, [](VkPhysicalDevice physical) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
@@ -222,6 +225,8 @@ expected<void> device::create(VkPhysicalDevice physical) {
 }
 
 device::~device() {
+  if (given_up_)
+    return;
   if (pool_)
     calls_.vkDestroyCommandPool(device_, pool_, nullptr);
   if (device_)

@@ -50,6 +50,12 @@ public:
   [[nodiscard]] VkQueue queue() const { return queue_; }
   [[nodiscard]] VkCommandPool pool() const { return pool_; }
 
+  /// Work that was submitted has not come back and never may: from now on nothing of this device is
+  /// destroyed or freed, since the device may still use it. What it holds is lost until the process
+  /// ends.
+  void give_up() { given_up_ = true; }
+  [[nodiscard]] bool given_up() const { return given_up_; }
+
   /// A memory type with all wanted properties, or -1.
   [[nodiscard]] int memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
 
@@ -67,6 +73,7 @@ private:
   VkQueue queue_ = VK_NULL_HANDLE;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VolkDeviceTable calls_{};
+  bool given_up_ = false;
 };
 
 /// A failed Vulkan call as an error: `device_lost`, `out_of_memory` or `device_unavailable`.

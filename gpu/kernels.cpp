@@ -2,6 +2,7 @@
 #include "gpu/kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -40,6 +41,8 @@ expected<std::shared_ptr<kernel_layout>> kernel_layout::make(std::shared_ptr<dev
 }
 
 kernel_layout::~kernel_layout() {
+  if (device_->given_up())
+    return;
   const auto& calls = device_->calls();
   if (layout_)
     calls.vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
@@ -70,7 +73,7 @@ binding_pool::binding_pool(binding_pool&& other) noexcept
     : layout_(std::move(other.layout_)), pool_(std::exchange(other.pool_, VK_NULL_HANDLE)) {}
 
 binding_pool::~binding_pool() {
-  if (pool_)
+  if (pool_ && !layout_->on()->given_up())
     layout_->on()->calls().vkDestroyDescriptorPool(layout_->on()->handle(), pool_, nullptr);
 }
 
@@ -144,7 +147,7 @@ kernel& kernel::operator=(kernel&& other) noexcept {
 }
 
 kernel::~kernel() {
-  if (pipeline_)
+  if (pipeline_ && !layout_->on()->given_up())
     layout_->on()->calls().vkDestroyPipeline(layout_->on()->handle(), pipeline_, nullptr);
 }
 
@@ -178,7 +181,7 @@ commands::commands(commands&& other) noexcept
       fence_(std::exchange(other.fence_, VK_NULL_HANDLE)) {}
 
 commands::~commands() {
-  if (!layout_)
+  if (!layout_ || layout_->on()->given_up())
     return;
   const auto& on = *layout_->on();
   if (fence_)
@@ -237,24 +240,46 @@ expected<void> commands::end() {
   return {};
 }
 
-expected<void> commands::run(int times) {
-  const auto& on = *layout_->on();
-  const std::vector<VkCommandBuffer> buffers(static_cast<std::size_t>(times), buffer_);
+expected<void> commands::run() {
+  const std::array<const commands*, 1> list{this};
+  return run_in_order(list);
+}
+
+expected<void> commands::run_in_order(std::span<const commands* const> list) {
+  const auto& fence = list.front()->fence_;
+  auto& on = *list.front()->layout_->on();
+  if (on.given_up())
+    return fail(ec::device_lost, "the device was given up when it did not answer",
+                "Use --device cpu");
+  std::vector<VkCommandBuffer> buffers;
+  for (const auto* one : list)
+    buffers.push_back(one->buffer_);
   VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
   submit.commandBufferCount = static_cast<std::uint32_t>(buffers.size());
   submit.pCommandBuffers = buffers.data();
-  if (const auto r = on.calls().vkResetFences(on.handle(), 1, &fence_); r != VK_SUCCESS)
+  if (const auto r = on.calls().vkResetFences(on.handle(), 1, &fence); r != VK_SUCCESS)
     return fail(to_error(r, "submitting work"));
-  if (const auto r = on.calls().vkQueueSubmit(on.queue(), 1, &submit, fence_); r != VK_SUCCESS)
+  if (const auto r = on.calls().vkQueueSubmit(on.queue(), 1, &submit, fence); r != VK_SUCCESS)
     return fail(to_error(r, "submitting work"));
+  return list.front()->wait();
+}
+
+expected<void> commands::wait() const {
+  auto& on = *layout_->on();
   constexpr std::uint64_t two_seconds = 2'000'000'000;
+  VkResult last = VK_TIMEOUT;
   for (int waits = 0; waits < 30; ++waits) {
     const auto r = on.calls().vkWaitForFences(on.handle(), 1, &fence_, VK_TRUE, two_seconds);
     if (r == VK_SUCCESS)
       return {};
-    if (r != VK_TIMEOUT)
+    if (r == VK_ERROR_DEVICE_LOST)
       return fail(to_error(r, "working"));
+    // Whatever else kept the call from waiting, the work goes on: only waiting again may end this.
+    last = r;
   }
+  on.give_up();
+  if (last != VK_TIMEOUT)
+    return fail(to_error(last, "working"));
   return fail(ec::device_lost, "the device has not answered for 60 s", "Use --device cpu");
 }
 

@@ -96,13 +96,18 @@ public:
             std::uint64_t to_offset, std::uint64_t bytes);
   [[nodiscard]] expected<void> end();
 
-  /// Submits `times` times in a row and waits. Errors: `device_lost` (also when nothing comes back
-  /// within 60 s).
-  [[nodiscard]] expected<void> run(int times = 1);
+  /// Submits and waits. Errors: those of `run_in_order`.
+  [[nodiscard]] expected<void> run();
+
+  /// Submits all of `list` at once, to be worked off one after the other, and waits; entries may
+  /// repeat, none is empty. Errors: `device_lost` (also when nothing comes back within 60 s; then
+  /// the device is given up), `out_of_memory`.
+  [[nodiscard]] static expected<void> run_in_order(std::span<const commands* const> list);
 
 private:
   commands() = default;
   void barrier();
+  [[nodiscard]] expected<void> wait() const;
 
   std::shared_ptr<kernel_layout> layout_;
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;

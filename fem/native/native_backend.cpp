@@ -5,11 +5,14 @@
 #include <optional>
 #include <thread>
 
+#include "base/guard.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/element.hpp"
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/native/conjugate_gradients.hpp"
+#include "fem/native/memory_estimate.hpp"
 #include "fem/native/quadratic_cycle.hpp"
 
 namespace tedit::fem {
@@ -91,7 +94,9 @@ public:
     return {};
   }
 
-  expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+  expected<void> set_filter(filter_span filter) override {
+    return guarded([&] { return prepare(filter, {}); });
+  }
 
   expected<bool> update(const problem_change& change, const incidence& corners) override {
     if (k_.places.crowded() || hierarchy_.crowded())
@@ -110,7 +115,9 @@ public:
   expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
                                double reduction, int max_iterations,
                                const execution& run) override {
-    return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    return guarded(run, [&] {
+      return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    });
   }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
@@ -162,7 +169,9 @@ public:
     return {};
   }
 
-  expected<void> set_filter(filter_span filter) override { return prepare(filter, {}); }
+  expected<void> set_filter(filter_span filter) override {
+    return guarded([&] { return prepare(filter, {}); });
+  }
 
   expected<bool> update(const problem_change& change, const incidence& corners) override {
     if (corner_matrix_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded())
@@ -191,7 +200,9 @@ public:
   expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
                                double reduction, int max_iterations,
                                const execution& run) override {
-    return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    return guarded(run, [&] {
+      return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
+    });
   }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
@@ -262,7 +273,6 @@ public:
     info_.name = "cpu";
     info_.kind = "native";
     info_.driver = std::to_string(std::max(1u, std::thread::hardware_concurrency())) + " threads";
-    info_.double_precision = false;
   }
 
   const device_info& info() const override { return info_; }
@@ -272,15 +282,12 @@ public:
     const stopwatch clock;
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
-    try {
+    if (auto ok = check_room(p); !ok)
+      return fail(ok.error());
+    return guarded(run, [&] {
       return p.element_order == 1 ? make<linear_tets>(p, clock, run)
                                   : make<quadratic_tets>(p, clock, run);
-    } catch (const std::bad_alloc&) {
-      return fail(ec::out_of_memory,
-                  "the stiffness matrix of " + std::to_string(p.node_count()) +
-                    " nodes does not fit into memory",
-                  "Close other programs or take a coarser mesh");
-    }
+    });
   }
 
 private:
@@ -291,6 +298,14 @@ private:
     if (auto ok = system->prepare(p.filter, run); !ok)
       return fail(ok.error());
     return system;
+  }
+
+  [[nodiscard]] expected<void> check_room(const problem& p) const {
+    return check_memory(native_solve_bytes(p),
+                        settings_.memory_limit
+                          ? memory_room{settings_.memory_limit, "the backend's limit"}
+                          : available_memory(),
+                        "the solve of " + std::to_string(p.node_count()) + " nodes");
   }
 
   native_settings settings_;

@@ -16,6 +16,8 @@ struct native_settings {
   /// took 49 to 55 iterations where 2 and 0.1 took 58 to 65, in less time (thin parts, coarse).
   multilevel_settings corner_multilevel{.weak_edge = 0.15F};
   cycle_settings corner_cycle{.node_degree = 3};
+  /// Bytes that a solve may take; 0: what there is (base/memory.hpp). More is refused.
+  std::uint64_t memory_limit = 0;
 };
 
 /// The backend on the CPU's cores: what runs without a GPU, and what other devices are compared

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_backend.hpp"
 
-#include <new>
-
+#include "base/guard.hpp"
 #include "fem/vulkan/vulkan_system.hpp"
 
 namespace tedit::fem {
@@ -27,14 +26,9 @@ public:
 
   expected<std::unique_ptr<linear_system>> assemble(const problem& p,
                                                     const execution& run) override {
-    try {
+    return guarded(run, [&]() -> expected<std::unique_ptr<linear_system>> {
       return vulkan_system::make(device_, p, settings_, run);
-    } catch (const std::bad_alloc&) {
-      return fail(ec::out_of_memory,
-                  "the hierarchy of " + std::to_string(p.node_count()) +
-                    " nodes does not fit into the host's memory",
-                  "Close other programs or take a coarser mesh");
-    }
+    });
   }
 
 private:

@@ -16,6 +16,13 @@ struct vulkan_settings {
   cycle_settings cycle;
   /// Bytes of matrix that one binding may hold; 0 takes the device's limit. Tests set it low.
   std::uint64_t most_bytes_per_binding = 0;
+  /// Invocations of a workgroup, and rows side by side in memory; powers of two, 0 takes what suits
+  /// the device. Kernels use no subgroup operations, so any will do: at most the device's limit and
+  /// 1024, and as many rows as invocations.
+  std::uint32_t group_size = 0;
+  std::uint32_t slice_rows = 0;
+  /// Rows of all dispatches in one part of a recorded program; 0 takes what suits the device.
+  std::uint32_t rows_per_part = 0;
 };
 
 /// A Vulkan device as a backend, in single precision: linear tets are assembled, both orders are

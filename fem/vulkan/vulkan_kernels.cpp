@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/guard.hpp"
+
 #include "kernels/assemble_rows.h"
 #include "kernels/cg_advance.h"
 #include "kernels/cg_first.h"
@@ -32,6 +34,8 @@ namespace tedit::fem {
 
 namespace {
 
+constexpr std::uint32_t most_in_group = 1024;  // what group_sum.glsl has room for
+
 struct entry {
   gpu::kernel* kernel;
   std::span<const std::uint32_t> code;
@@ -42,6 +46,7 @@ struct entry {
 expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
                        std::span<const entry> entries, const cycle_kernels& like) {
   for (const auto& e : entries) {
+    check_cancelled();
     auto made =
       gpu::kernel::make(layout, e.code, {like.group_size, like.slice_rows, e.third, e.fourth});
     if (!made)
@@ -49,6 +54,23 @@ expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
     *e.kernel = std::move(*made);
   }
   return {};
+}
+
+expected<void> choose_sizes(const gpu::device_limits& limits, const vulkan_settings& settings,
+                            cycle_kernels& result) {
+  const auto most = std::min(std::bit_floor(limits.workgroup_size), most_in_group);
+  result.group_size = settings.group_size ? settings.group_size : std::min(64u, most);
+  result.slice_rows = settings.slice_rows
+                        ? settings.slice_rows
+                        : std::clamp(std::bit_floor(limits.subgroup_size), 1u, result.group_size);
+  if (std::has_single_bit(result.group_size) && result.group_size <= most &&
+      std::has_single_bit(result.slice_rows) && result.slice_rows <= result.group_size)
+    return {};
+  return fail(
+    ec::invalid_argument,
+    "workgroups of " + std::to_string(result.group_size) + " with slices of " +
+      std::to_string(result.slice_rows) + " rows do not exist on this device",
+    "Take powers of two, at most " + std::to_string(most) + ", and no more rows than invocations");
 }
 
 }  // namespace
@@ -70,15 +92,18 @@ expected<elasticity_kernels> make_elasticity_kernels(std::shared_ptr<gpu::device
   return result;
 }
 
-expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on) {
+expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
+                                           const vulkan_settings& settings) {
   cycle_kernels result;
-  const auto& limits = on->limits();
-  result.group_size = std::min(64u, std::bit_floor(limits.workgroup_size));
-  result.slice_rows = std::clamp(std::bit_floor(limits.subgroup_size), 1u, result.group_size);
+  if (auto ok = choose_sizes(on->limits(), settings, result); !ok)
+    return fail(ok.error());
   if (on->summary().kind != "software") {
     result.most_groups = 65535;  // what Vulkan guarantees
     result.sum_groups = 512;
+    result.rows_per_part = 1u << 20;
   }
+  if (settings.rows_per_part > 0)
+    result.rows_per_part = settings.rows_per_part;
   auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_CYCLE_BINDINGS, sizeof(cycle_push));
   if (!layout)
     return fail(layout.error());

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fem/vulkan/vulkan_backend.hpp"
 #include "gpu/kernels.hpp"
 #include "shaders/cycle_bindings.h"
 
@@ -29,6 +30,7 @@ struct cycle_kernels {
   std::uint32_t slice_rows = 8;    ///< Rows side by side, so that a subgroup reads in a row.
   std::uint32_t most_groups = 64;  ///< Of a dispatch; kernels stride over their rows.
   std::uint32_t sum_groups = 16;   ///< Of a dispatch that leaves partial sums.
+  std::uint32_t rows_per_part = 1u << 16;  ///< A part of a program ends after so many.
 };
 
 /// `most_columns` bounds the blocks of one row; `like` gives group size and slices.
@@ -36,6 +38,8 @@ struct cycle_kernels {
                                                                    const cycle_kernels& like,
                                                                    std::uint32_t most_columns);
 
-[[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on);
+/// Errors: those of the device; `invalid_argument` for sizes that it cannot have.
+[[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
+                                                         const vulkan_settings& settings);
 
 }  // namespace tedit::fem

@@ -9,9 +9,6 @@ namespace tedit::fem {
 
 namespace {
 
-/// A batch should take about this long, so that a cancelled solve ends soon and yet a fast device
-/// does not wait for the host.
-constexpr double batch_ms = 25;
 constexpr int most_per_batch = 8;
 
 }  // namespace
@@ -29,7 +26,10 @@ vulkan_krylov::vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory
 expected<void> vulkan_krylov::record_product() {
   product_.emplace(kernels_);
   k_.add(*product_, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, {});
-  return product_->record();
+  auto recorded = product_->record();
+  if (!recorded)
+    product_.reset();  // The next call tries again.
+  return recorded;
 }
 
 expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
@@ -110,7 +110,8 @@ expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& ri
       break;
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
-    const double fit = times > 0 ? batch_ms * times / std::max(clock.milliseconds(), 1e-3) : 1;
+    const double fit =
+      times > 0 ? vulkan_program::submission_ms * times / std::max(clock.milliseconds(), 1e-3) : 1;
     times = static_cast<int>(std::clamp(fit, 1.0, double{most_per_batch}));
     times = std::min(times, max_iterations - result.iterations);
   }

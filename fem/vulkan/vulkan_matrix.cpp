@@ -3,9 +3,15 @@
 
 #include <cmath>
 
+#include "base/guard.hpp"
+#include "base/stopwatch.hpp"
+
 namespace tedit::fem {
 
 namespace {
+
+/// Of the first submission: about 25 ms on a slow device.
+constexpr std::uint32_t first_rows = 2048;
 
 constexpr std::uint64_t entry_bytes = 48;  // column and nine values in three uvec4
 
@@ -150,16 +156,29 @@ expected<void> vulkan_matrix::dispatch(const gpu::kernel& k, const gpu::buffer& 
   const auto set = pool->bind(all);
   if (!set)
     return fail(set.error());
+  // At most 65535 groups a dispatch are guaranteed; slow devices get fewer, by measured time.
+  const std::uint32_t most = 65535 * shapes_.group_size;
+  std::uint32_t fit = first_rows;
+  for (std::uint32_t done = 0; done < rows;) {
+    check_cancelled();
+    const push_constants push{first + done, std::min({fit, most, rows - done})};
+    const stopwatch clock;
+    if (auto ok = dispatch_rows(k, *set, push); !ok)
+      return ok;
+    done += push.rows;
+    const double now = vulkan_program::submission_ms / std::max(clock.milliseconds(), 1e-3);
+    fit = static_cast<std::uint32_t>(std::clamp(now, 0.25, 4.0) * push.rows) + shapes_.group_size;
+  }
+  return {};
+}
+
+expected<void> vulkan_matrix::dispatch_rows(const gpu::kernel& k, VkDescriptorSet set,
+                                            const push_constants& push) {
   auto work = gpu::commands::begin(kernels_.layout);
   if (!work)
     return fail(work.error());
-  work->use(*set);
-  // At most 65535 groups a dispatch are guaranteed.
-  const std::uint32_t most = 65535 * shapes_.group_size;
-  for (std::uint32_t done = 0; done < rows; done += most) {
-    const push_constants push{first + done, std::min(most, rows - done)};
-    work->dispatch(k, (push.rows + shapes_.group_size - 1) / shapes_.group_size, &push);
-  }
+  work->use(set);
+  work->dispatch(k, (push.rows + shapes_.group_size - 1) / shapes_.group_size, &push);
   if (auto ok = work->end(); !ok)
     return ok;
   return work->run();

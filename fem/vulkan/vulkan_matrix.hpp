@@ -62,6 +62,8 @@ private:
   [[nodiscard]] expected<void> make_stress_room();
   [[nodiscard]] expected<void> dispatch(const gpu::kernel& k, const gpu::buffer& blocks,
                                         std::uint32_t rows, std::uint32_t first = 0);
+  [[nodiscard]] expected<void> dispatch_rows(const gpu::kernel& k, VkDescriptorSet set,
+                                             const push_constants& push);
 
   const cycle_kernels& shapes_;
   vulkan_memory& memory_;

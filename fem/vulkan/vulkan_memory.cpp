@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_memory.hpp"
 
+#include "base/guard.hpp"
+
 namespace tedit::fem {
 
 vulkan_memory::vulkan_memory(std::shared_ptr<gpu::kernel_layout> layout,
@@ -30,6 +32,7 @@ gpu::buffer vulkan_memory::room(std::uint64_t bytes) {
 }
 
 gpu::buffer vulkan_memory::put_bytes(std::span<const std::byte> bytes) {
+  check_cancelled();
   auto result = room(bytes.size());
   if (status_)
     status_ = gpu::upload(layout_, result, bytes);

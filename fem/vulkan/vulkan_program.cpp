@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
+#include <cmath>
+
+#include "base/guard.hpp"
+#include "base/stopwatch.hpp"
 
 namespace tedit::fem {
 
@@ -71,10 +74,27 @@ expected<void> vulkan_program::record(const gpu::buffer* gates) {
       return fail(bound.error());
     set = *bound;
   }
+  parts_.clear();
+  for (std::size_t first = 0, last = 0; first < steps_.size(); first = last) {
+    std::uint64_t rows = 0;
+    while (last < steps_.size() && rows < kernels_.rows_per_part)
+      rows += steps_[last++].push.rows;
+    auto part = record_part(std::span(steps_).subspan(first, last - first), sets, gates);
+    if (!part)
+      return fail(part.error());
+    parts_.push_back(std::move(*part));
+  }
+  part_ms_.assign(parts_.size(), submission_ms);
+  return {};
+}
+
+expected<gpu::commands> vulkan_program::record_part(std::span<const step> steps,
+                                                    const std::map<buffers, VkDescriptorSet>& sets,
+                                                    const gpu::buffer* gates) const {
   auto work = gpu::commands::begin(kernels_.layout);
   if (!work)
-    return fail(work.error());
-  for (const auto& s : steps_) {
+    return work;
+  for (const auto& s : steps) {
     work->use(sets.at(s.at));
     if (gates)
       work->dispatch_indirect(*s.kernel, *gates, 16 * std::uint64_t{s.gate}, &s.push);
@@ -82,13 +102,49 @@ expected<void> vulkan_program::record(const gpu::buffer* gates) {
       work->dispatch(*s.kernel, groups_of(s.gate), &s.push);
   }
   if (auto ok = work->end(); !ok)
-    return ok;
-  commands_.emplace(std::move(*work));
-  return {};
+    return fail(ok.error());
+  return work;
 }
 
 expected<void> vulkan_program::run(int times) {
-  return commands_->run(times);
+  const std::size_t all = parts_.size() * static_cast<std::size_t>(times);
+  for (std::size_t done = 0; done < all;) {
+    check_cancelled();
+    const auto count = fitting(done % parts_.size(), all - done);
+    if (auto ok = submit(done % parts_.size(), count); !ok)
+      return ok;
+    done += count;
+  }
+  return {};
+}
+
+/// How many parts from `first` on, in a circle, are worth one submission; at least one.
+std::size_t vulkan_program::fitting(std::size_t first, std::size_t most) const {
+  double sum = part_ms_[first];
+  std::size_t count = 1;
+  while (count < most && sum < submission_ms) {
+    sum += part_ms_[(first + count) % parts_.size()];
+    count += sum <= submission_ms ? 1 : 0;
+  }
+  return count;
+}
+
+expected<void> vulkan_program::submit(std::size_t first, std::size_t count) {
+  std::vector<const gpu::commands*> list;
+  double foreseen = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    list.push_back(&parts_[(first + i) % parts_.size()]);
+    foreseen += part_ms_[(first + i) % parts_.size()];
+  }
+  const stopwatch clock;
+  if (auto ok = gpu::commands::run_in_order(list); !ok)
+    return ok;
+  const double ms = std::max(clock.milliseconds(), 1e-3);
+  // A part that was never measured went alone.
+  const double change = count == 1 ? ms / foreseen : std::sqrt(ms / foreseen);
+  for (std::size_t i = 0; i < std::min(count, parts_.size()); ++i)
+    part_ms_[(first + i) % parts_.size()] *= change;
+  return {};
 }
 
 }  // namespace tedit::fem

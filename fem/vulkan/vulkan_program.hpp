@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fem/vulkan/vulkan_kernels.hpp"
@@ -10,6 +12,9 @@ namespace tedit::fem {
 
 /// A list of dispatches that is recorded once and run any number of times. With gates their group
 /// counts come from a buffer that `cg_scalars` zeroes when the loop is over.
+///
+/// It is recorded in parts, so that a slow device gets a run in several submissions and a fast one
+/// several runs in one: each should take about `submission_ms`. The cut changes no bits.
 class vulkan_program {
 public:
   using place = std::pair<int, const gpu::buffer*>;
@@ -28,7 +33,12 @@ public:
   /// Records what was added; the buffers must exist now and as long as the program runs. Without
   /// `gates` the group counts are fixed.
   [[nodiscard]] expected<void> record(const gpu::buffer* gates = nullptr);
+  /// Runs it `times` times and waits; asks `check_cancelled` before each submission.
   [[nodiscard]] expected<void> run(int times = 1);
+
+  /// How long a submission should take: a cancelled solve ends soon, yet a fast device does not
+  /// wait for the host.
+  static constexpr double submission_ms = 25;
 
   [[nodiscard]] const cycle_kernels& kernels() const { return kernels_; }
 
@@ -44,13 +54,19 @@ private:
     std::uint32_t gate;
   };
 
+  [[nodiscard]] expected<gpu::commands> record_part(std::span<const step> steps,
+                                                    const std::map<buffers, VkDescriptorSet>& sets,
+                                                    const gpu::buffer* gates) const;
+  [[nodiscard]] std::size_t fitting(std::size_t first, std::size_t most) const;
+  [[nodiscard]] expected<void> submit(std::size_t first, std::size_t count);
   void add_step(const gpu::kernel& k, std::initializer_list<place> places, const cycle_push& push,
                 std::uint32_t gate);
 
   const cycle_kernels& kernels_;
   std::vector<step> steps_;
   std::optional<gpu::binding_pool> pool_;
-  std::optional<gpu::commands> commands_;
+  std::vector<gpu::commands> parts_;
+  std::vector<double> part_ms_;  ///< How long each takes, by measurement.
 };
 
 }  // namespace tedit::fem

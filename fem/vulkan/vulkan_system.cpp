@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/guard.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/multilevel/lanczos.hpp"
 
@@ -76,7 +77,7 @@ expected<void> vulkan_system::check_memory() const {
 }
 
 expected<void> vulkan_system::build() {
-  auto kernels = make_cycle_kernels(device_);
+  auto kernels = make_cycle_kernels(device_, settings_);
   if (!kernels)
     return fail(kernels.error());
   kernels_ = std::move(*kernels);
@@ -102,10 +103,11 @@ expected<void> vulkan_system::build() {
 }
 
 expected<void> vulkan_system::set_filter(filter_span filter) {
-  return prepare(filter, {});
+  return guarded([&] { return prepare(filter, {}); });
 }
 
 expected<void> vulkan_system::prepare(filter_span filter, const execution& run) {
+  ready_ = false;
   quadratic_cycle_.reset();
   cycle_.reset();
   memory_->forget(std::exchange(cycle_bytes_, 0));
@@ -151,6 +153,8 @@ expected<float> vulkan_system::largest_eigenvalue() {
   std::vector<device_float4> packed(problem_.node_count());
   const auto back = static_cast<float>(scale_.matrix());
   const auto product = [&](const float* x, float* y) {
+    if (!status)
+      return;  // The first failure counts, and a device that hangs is asked once.
     for (std::size_t n = 0; n < packed.size(); ++n)
       packed[n] = {back * x[3 * n], back * x[3 * n + 1], back * x[3 * n + 2], 0};
     if (auto ok = krylov_->multiply(packed, packed); !ok)
@@ -167,7 +171,8 @@ expected<float> vulkan_system::largest_eigenvalue() {
 }
 
 expected<void> vulkan_system::record() {
-  return krylov_->prepare(
+  ready_ = false;
+  auto recorded = krylov_->prepare(
     [this](vulkan_program& program, const gpu::buffer& right, const gpu::buffer& z) {
       if (quadratic_cycle_)
         quadratic_cycle_->add(program, right, z);
@@ -175,11 +180,29 @@ expected<void> vulkan_system::record() {
         cycle_->add(program, right, z);
     },
     quadratic_cycle_ ? quadratic_cycle_->filter() : cycle_->filter());
+  ready_ = recorded.has_value();
+  return recorded;
+}
+
+expected<void> vulkan_system::check_ready() const {
+  if (ready_)
+    return {};
+  return fail(ec::device_unavailable, "an earlier failure left this system incomplete",
+              "Assemble it again, or use --device cpu");
 }
 
 expected<inner_result> vulkan_system::solve(std::span<const double> residual,
                                             std::span<double> correction, double reduction,
                                             int max_iterations, const execution& run) {
+  return guarded(run,
+                 [&] { return correct(residual, correction, reduction, max_iterations, run); });
+}
+
+expected<inner_result> vulkan_system::correct(std::span<const double> residual,
+                                              std::span<double> correction, double reduction,
+                                              int max_iterations, const execution& run) {
+  if (auto ok = check_ready(); !ok)
+    return fail(ok.error());
   const double length = norm_of(residual);
   std::ranges::fill(correction, 0.0);
   if (!(length > 0))
@@ -219,6 +242,8 @@ expected<void> vulkan_system::multiply(std::span<const double> x, std::span<doub
 }
 
 expected<void> vulkan_system::precondition(std::span<const double> r, std::span<double> z) {
+  if (auto ok = check_ready(); !ok)
+    return ok;
   const double length = norm_of(r);
   std::vector<device_float4> packed(problem_.node_count());
   if (auto ok = krylov_->precondition(packed3(r, 1 / length), packed); !ok)

@@ -48,16 +48,22 @@ private:
   [[nodiscard]] expected<void> prepare(filter_span filter, const execution& run);
   [[nodiscard]] expected<void> prepare_quadratic(filter_span filter);
   [[nodiscard]] expected<float> largest_eigenvalue();
+  /// `solve` without its guard.
+  [[nodiscard]] expected<inner_result> correct(std::span<const double> residual,
+                                               std::span<double> correction, double reduction,
+                                               int max_iterations, const execution& run);
   [[nodiscard]] expected<void> record();
+  [[nodiscard]] expected<void> raise_bounds();
+  [[nodiscard]] expected<void> check_ready() const;
 
   std::shared_ptr<gpu::device> device_;
   const problem& problem_;
   vulkan_settings settings_;
   device_scale scale_;
-  [[nodiscard]] expected<void> raise_bounds();
-
   double assembly_ms_ = 0;
   bool distrusted_ = false;
+  /// All programs are recorded and their buffers stand; false after a failure on the way there.
+  bool ready_ = false;
   std::uint64_t cycle_bytes_ = 0;  ///< On the device, of the cycles.
 
   // On the host: what the hierarchy is built from.

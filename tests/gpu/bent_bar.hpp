@@ -11,8 +11,9 @@
 namespace tedit::fem::test {
 
 /// 7 x 9 x 11 corners (693: no multiple of any group size), bent so that no two tets are alike,
-/// with one planted sliver and rollers; a stiffness jump is in `constants`.
-inline problem bent_bar(int order = 1) {
+/// with one planted sliver (of an even number of cells) and rollers; a stiffness jump is in
+/// `constants`.
+inline problem bent_bar(int order = 1, std::array<int, 3> cells = {6, 8, 10}) {
   using tedit::test::box_mesh;
   load_case loads;
   loads.materials = {{"a", 70e9, 0.33, 2700, 0, {}}};
@@ -25,7 +26,7 @@ inline problem bent_bar(int order = 1) {
       q.x += 0.16;  // close to the opposite face of its cells
     return 0.05 * q;
   };
-  auto p = make_problem(*box_mesh({6, 8, 10}, {1, 1, 1}, place), loads, order);
+  auto p = make_problem(*box_mesh(cells, {1, 1, 1}, place), loads, order);
   EXPECT_TRUE(p.has_value()) << (p ? "" : render(p.error()));
   p->constants.push_back({p->constants[0].lambda * 1e-3, p->constants[0].mu * 1e-3});
   p->densities.push_back(p->densities[0]);

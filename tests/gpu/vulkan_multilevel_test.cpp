@@ -169,6 +169,48 @@ TEST_P(VulkanMultilevel, AllNodesHeldIsNoWork) {
   EXPECT_EQ(largest(d), 0);
 }
 
+/// What a device's subgroup size decides: nothing but the shapes of groups and slices.
+TEST_P(VulkanMultilevel, AnySizeOfGroupsAndSlicesIsEquivalentToNative) {
+  const auto native = std::move(*make_native_backend()->assemble(p_, {}));
+  const auto x = wave(p_.dofs(), 0.7);
+  std::vector<double> expected_y(p_.dofs());
+  std::vector<double> y(p_.dofs());
+  ASSERT_TRUE(native->multiply(x, expected_y).has_value());
+  const auto r = wave(p_.dofs(), 0.9);
+  const auto expected_z = native_cycle(p_, {}, r);
+  std::vector<double> z(p_.dofs());
+  const auto most = gpu::device::open("").value()->limits().workgroup_size;
+  // Small groups, then those of devices with subgroups of 4, 32 and 64, then more than the
+  // usual 64.
+  for (const auto& [group, slice] : {std::pair(8u, 1u), std::pair(64u, 4u), std::pair(64u, 32u),
+                                     std::pair(64u, 64u), std::pair(128u, 16u)}) {
+    if (group > most)
+      continue;
+    SCOPED_TRACE(std::to_string(group) + "/" + std::to_string(slice));
+    vulkan_settings settings;
+    settings.group_size = group;
+    settings.slice_rows = slice;
+    const auto system = open(p_, settings);
+    ASSERT_TRUE(system->multiply(x, y).has_value());
+    expect_near_all(y, expected_y, kProductTolerance);
+    ASSERT_TRUE(system->precondition(r, z).has_value());
+    expect_near_all(z, expected_z, kCycleTolerance);
+  }
+}
+
+TEST_P(VulkanMultilevel, SizesThatCannotBeAreRefused) {
+  const auto on = gpu::device::open("").value();
+  for (const auto& [group, slice] :
+       {std::pair(48u, 8u), std::pair(64u, 12u), std::pair(32u, 64u), std::pair(1u << 20, 8u)}) {
+    vulkan_settings settings;
+    settings.group_size = group;
+    settings.slice_rows = slice;
+    const auto made = vulkan_system::make(on, p_, settings, {});
+    ASSERT_FALSE(made.has_value());
+    EXPECT_EQ(made.error().code, ec::invalid_argument);
+  }
+}
+
 TEST_P(VulkanMultilevel, SolutionIsEquivalentToNative) {
   expect_solution_as_native(p_);
 }
@@ -203,6 +245,42 @@ TEST_P(VulkanMultilevel, RepeatsBitForBit) {
 
   EXPECT_EQ(first, second);
   EXPECT_EQ(first, third);
+}
+
+TEST_P(VulkanMultilevel, AnyCutIntoSubmissionsGivesTheSameBits) {
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> whole(p_.dofs());
+  ASSERT_TRUE(open(p_, {.rows_per_part = 1u << 30})->solve(b, whole, 1e-5, 500, {}).has_value());
+  for (const std::uint32_t rows : {1u, 1000u, 10'000u}) {
+    std::vector<double> cut(p_.dofs());
+    ASSERT_TRUE(open(p_, {.rows_per_part = rows})->solve(b, cut, 1e-5, 500, {}).has_value());
+    EXPECT_EQ(cut, whole) << rows;
+  }
+}
+
+TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
+  const auto system = open(p_);
+  const auto b = wave(p_.dofs(), 1.1);
+  std::vector<double> expected_d(p_.dofs());
+  std::vector<double> d(p_.dofs());
+  execution whole;
+  ASSERT_TRUE(system->solve(b, expected_d, 1e-5, 500, whole).has_value());
+  const auto last = whole.cancel.polls();
+  ASSERT_GE(last, 10);
+  for (std::uint64_t poll = 1; poll <= last; poll += 1 + poll / 4) {
+    execution run;
+    run.cancel = cancel_token::at_poll(poll);
+    const auto result = system->solve(b, d, 1e-5, 500, run);
+    // Submissions follow measured times, and with them the number of checks.
+    if (result) {
+      EXPECT_LT(run.cancel.polls(), poll);
+      EXPECT_GT(poll, 5);
+    } else {
+      EXPECT_EQ(result.error().code, ec::cancelled);
+    }
+  }
+  ASSERT_TRUE(system->solve(b, d, 1e-5, 500, {}).has_value());
+  EXPECT_EQ(d, expected_d);
 }
 
 TEST_P(VulkanMultilevel, IterationsAreBounded) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace tedit {
+
+/// How much more memory this process may take, and what sets the limit.
+struct memory_room {
+  std::uint64_t bytes = 0;
+  std::string limit;  ///< "the machine", "the control group" or "the process's address space".
+};
+
+/// The least of MemAvailable, what the control groups (v2 or v1) leave, and RLIMIT_AS less what is
+/// mapped. A limit that cannot be read does not count. `root` is where /proc and /sys are: tests
+/// give their own. Cost: reads a few small files.
+[[nodiscard]] memory_room available_memory(const std::filesystem::path& root = "/");
+
+/// Refuses work that needs `bytes` when there are less. `what` begins the message ("the solve").
+/// Errors: `out_of_memory` with both sizes, the limit and what to do.
+[[nodiscard]] expected<void> check_memory(std::uint64_t bytes, const memory_room& room,
+                                          const std::string& what);
+
+}  // namespace tedit

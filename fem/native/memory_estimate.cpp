@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/native/memory_estimate.hpp"
+
+namespace tedit::fem {
+
+std::uint64_t native_solve_bytes(const problem& p) {
+  const std::uint64_t elements = p.element_count();
+  const std::uint64_t nodes = p.node_count();
+  return p.element_order == 1 ? 420 * elements + 735 * nodes : 525 * elements + 755 * nodes;
+}
+
+}  // namespace tedit::fem

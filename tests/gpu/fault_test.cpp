@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Every Vulkan call of a small solve fails once, in every way that the specification allows. Each
+// run ends with the right result or a named error, and leaves nothing behind.
+#include "tests/gpu/fault_injection.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include <gmock/gmock.h>
+
+#include "fem/native/native_backend.hpp"
+#include "fem/solver.hpp"
+#include "fem/vulkan/vulkan_backend.hpp"
+#include "gpu/kernels.hpp"
+#include "tests/gpu/bent_bar.hpp"
+
+namespace tedit::fem {
+namespace {
+
+using gpu::test::fault;
+using gpu::test::fault_layer;
+using test::bent_bar;
+using test::expect_near_all;
+
+/// Set for the full sweep: every call instead of one in `kStride` once the set-up is over.
+bool full_sweep() {
+  const char* wanted = std::getenv("TEDIT_FAULT_SWEEP");
+  return wanted && std::string(wanted) == "full";
+}
+
+constexpr std::size_t kStride = 97;
+/// Calls that open the device and make the first kernels and buffers: all of them fail.
+constexpr std::size_t kSetUpCalls = 30;
+
+ec code_of(fault what) {
+  return what == fault::lost || what == fault::hung ? ec::device_lost : ec::out_of_memory;
+}
+
+class VulkanFaults : public ::testing::TestWithParam<int> {
+protected:
+  void SetUp() override {
+    if (list_vulkan_devices().empty())
+      GTEST_SKIP() << "no Vulkan device on this machine";
+    before_ = gpu::device::validation_messages();
+    p_ = bent_bar(GetParam(), {2, 3, 3});
+    settings_.multilevel.coarsest = 2;  // rigid levels even in so small a part
+    layer_.emplace();
+    right_ = solve_once().value().displacement;
+    calls_ = layer_->calls();
+  }
+
+  void TearDown() override { EXPECT_EQ(gpu::device::validation_messages(), before_); }
+
+  expected<solution> solve_once() {
+    auto device = open_vulkan("", settings_);
+    return device ? solve(p_, **device, {}, {}) : expected<solution>(fail(device.error()));
+  }
+
+  static std::string describe(fault what, std::size_t at) {
+    return "fault " + std::to_string(static_cast<int>(what)) + " at call " + std::to_string(at);
+  }
+
+  void expect_right(const solution& result) const {
+    EXPECT_LE(result.true_relative_residual, 1e-6);
+    expect_near_all(result.displacement, right_, 1e-5);
+  }
+
+  void expect_right_or_named(const expected<solution>& result, ec code) const {
+    if (result)
+      return expect_right(*result);
+    EXPECT_EQ(result.error().code, code) << render(result.error());
+    EXPECT_FALSE(result.error().message.empty());
+  }
+
+  void expect_solves() {
+    layer_->plan(fault::none, 0);
+    const auto result = solve_once();
+    ASSERT_TRUE(result.has_value()) << render(result.error());
+    expect_right(*result);
+  }
+
+  /// The calls of the last whole run that are to fail.
+  [[nodiscard]] std::vector<std::size_t> chosen(fault what) const {
+    std::vector<std::size_t> result;
+    for (std::size_t at = 1; at <= calls_; ++at)
+      if (layer_->possible(what, at))
+        result.push_back(at);
+    if (full_sweep())
+      return result;
+    std::size_t n = 0;
+    // The two kinds of full memory take the same way; nothing else can happen so early.
+    const auto all = what == fault::device_full ? kSetUpCalls : 0;
+    std::erase_if(result, [&](std::size_t at) { return at > all && n++ % kStride != 0; });
+    return result;
+  }
+
+  int before_ = 0;
+  problem p_;
+  vulkan_settings settings_;
+  std::optional<fault_layer> layer_;
+  std::vector<double> right_;
+  std::size_t calls_ = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Orders, VulkanFaults, ::testing::Values(1, 2));
+
+TEST_P(VulkanFaults, EveryCallOfASolveMayFail) {
+  std::vector<std::pair<fault, std::size_t>> runs;
+  for (const auto what : {fault::lost, fault::device_full, fault::host_full, fault::late})
+    for (const auto at : chosen(what))
+      runs.emplace_back(what, at);
+  RecordProperty("runs", static_cast<int>(runs.size()));
+  RecordProperty("calls", static_cast<int>(calls_));
+  for (const auto& [what, at] : runs) {
+    layer_->plan(what, at);
+    const auto result = solve_once();
+    SCOPED_TRACE(describe(what, at));
+    ASSERT_TRUE(layer_->happened() || layer_->calls() <= at + kStride);
+    // A failure while devices are listed, the first two calls, means that there is none.
+    expect_right_or_named(result, at <= 2 ? ec::device_unavailable : code_of(what));
+    EXPECT_TRUE(result.has_value() || what != fault::late) << "waiting again was enough";
+    ASSERT_EQ(layer_->standing(), 0);  // nothing leaks
+    if (full_sweep() && at % kStride == 0)
+      expect_solves();
+  }
+  expect_solves();
+}
+
+TEST_P(VulkanFaults, ASystemThatMetAFaultGivesNoWrongResultLater) {
+  for (const auto what : {fault::lost, fault::device_full}) {
+    std::size_t calls = 0;
+    for (std::size_t at = 1, step = 1; at == 1 || at <= calls; at += step) {
+      layer_->plan(fault::none, 0);
+      auto device = open_vulkan("", settings_).value();
+      auto system = device->assemble(p_, {}).value();
+      const element_operator k(p_);
+      const auto work = [&]() -> expected<solution> {
+        if (auto ok = system->set_filter(p_.filter); !ok)
+          return fail(ok.error());
+        system->distrust();
+        return solve(p_, k, *system, "", {}, {});
+      };
+      layer_->plan(what, at);
+      auto first = work();
+      calls = std::max(calls, layer_->calls());
+      SCOPED_TRACE(describe(what, at));
+      if (layer_->happened())
+        expect_right_or_named(first, code_of(what));
+      if (what == fault::device_full)
+        layer_->plan(fault::none, 0);  // There is room again; a lost device stays lost.
+      auto again = solve(p_, k, *system, "", {}, {});
+      if (again)
+        expect_right(*again);
+      step = full_sweep() ? 1 : 2 * kStride;
+    }
+  }
+  ASSERT_EQ(layer_->standing(), 0);
+}
+
+TEST_P(VulkanFaults, NothingIsDestroyedWhileAHungDeviceMayUseIt) {
+  layer_->plan(fault::hung, calls_ / 2);
+
+  const auto result = solve_once();
+
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ec::device_lost);
+  EXPECT_THAT(result.error().message, ::testing::HasSubstr("has not answered"));
+  EXPECT_EQ(layer_->destroyed_since(), 0);
+  EXPECT_GT(layer_->standing(), 0);
+  layer_->forget();
+  expect_solves();
+}
+
+TEST_P(VulkanFaults, NoFeatureIsSwitchedOnAndNoKernelNeedsOne) {
+  constexpr std::uint32_t shader = 1;
+
+  EXPECT_EQ(layer_->features(), 0);  // also not shaderFloat64
+  EXPECT_EQ(layer_->capabilities(), std::set<std::uint32_t>{shader});
+}
+
+/// A kernel that asks for more than every Vulkan device has would fail on some of them.
+TEST(Kernels, NoneDeclaresMoreThanTheShaderCapability) {
+  constexpr std::uint32_t shader = 1;
+  std::size_t count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(TEDIT_BIN "/../generated/kernels")) {
+    if (file.path().extension() != ".spv")
+      continue;
+    std::vector<std::uint32_t> words(file.file_size() / 4);
+    std::ifstream(file.path(), std::ios::binary)
+      .read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(4 * words.size()));
+    EXPECT_EQ(gpu::test::capabilities_of(words.data(), words.size()),
+              std::set<std::uint32_t>{shader})
+      << file.path();
+    ++count;
+  }
+  EXPECT_GE(count, 22);
+}
+
+TEST(Kernels, AFloat64CapabilityWouldBeFound) {
+  // Header, OpCapability Shader, OpCapability Float64, OpMemoryModel.
+  const std::vector<std::uint32_t> words{
+    0x07230203, 0x10300, 0, 9, 0, 2u << 16 | 17, 1, 2u << 16 | 17, 10, 3u << 16 | 14, 0, 1};
+
+  EXPECT_EQ(gpu::test::capabilities_of(words.data(), words.size()),
+            (std::set<std::uint32_t>{1, 10}));
+}
+
+}  // namespace
+}  // namespace tedit::fem
