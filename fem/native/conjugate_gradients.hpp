@@ -28,8 +28,8 @@ using held_nodes = std::vector<std::pair<std::uint32_t, std::array<float, 6>>>;
 /// and so is the residual: reactions that pile up in its held parts would meet the rounding errors
 /// of z there, and r.z turned negative after six digits.
 ///
-/// Every case has its own step lengths and its own end: one that is done is written out, and its
-/// lanes are zero from then on, which all steps leave as they are.
+/// Every case has its own step lengths and its own end: one that is done takes steps of length zero
+/// from then on.
 template <class L>
 class conjugate_gradients {
 public:
@@ -64,6 +64,7 @@ public:
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (running_[c])
         finish(c);
+    write(0, cases.size());
     return {};
   }
 
@@ -74,13 +75,15 @@ private:
     cases_ = cases;
     results_ = results;
     running_ = {};
+    written_ = {};
+    std::fill_n(running_.begin(), cases.size(), true);
+    std::ranges::fill(results, inner_result{});
     std::ranges::fill(r_, 0.0F);
-    for (std::size_t c = 0; c < cases.size(); ++c) {
-      running_[c] = true;
-      results[c] = {};
-      for (std::size_t i = 0; i < cases[c].residual.size(); ++i)
-        r_[L::width * i + c] = static_cast<float>(cases[c].residual[i]);
-    }
+    parallel_for(cases[0].residual.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t c = 0; c < cases.size(); ++c)
+        for (std::size_t i = first; i < last; ++i)
+          r_[L::width * i + c] = static_cast<float>(cases[c].residual[i]);
+    });
     std::ranges::fill(x_, 0.0F);
     filter_residual();
   }
@@ -129,19 +132,29 @@ private:
     return results_[c].broke_down || !(rz_[c] > wanted * wanted * start_[c]);
   }
 
-  /// Writes the correction of a case, and frees its lanes of numbers that are not finite.
   void finish(std::size_t c) {
     running_[c] = false;
-    results_[c].recurrence_reduction = start_[c] > 0     ? std::sqrt(rz_[c] / start_[c])
-                                       : start_[c] == 0 ? 0
-                                                        : 1;
-    const auto correction = cases_[c].correction;
-    for (std::size_t i = 0; i < correction.size(); ++i)
-      correction[i] = static_cast<double>(x_[L::width * i + c]);
-    if constexpr (L::width > 1)
-      for (auto* v : {&x_, &r_, &z_, &p_, &q_})
-        for (std::size_t i = c; i < v->size(); i += L::width)
-          (*v)[i] = 0;
+    const double start = start_[c];
+    results_[c].recurrence_reduction = start > 0 ? std::sqrt(rz_[c] / start) : start == 0 ? 0 : 1;
+    if (!results_[c].broke_down)
+      return;
+    // Numbers that are not finite would stay in all steps to come.
+    write(c, c + 1);
+    written_[c] = true;
+    for (auto* v : {&x_, &r_, &z_, &p_, &q_})
+      for (std::size_t i = c; i < v->size(); i += L::width)
+        (*v)[i] = 0;
+  }
+
+  /// Writes the corrections of the cases [first, last).
+  void write(std::size_t first_case, std::size_t last_case) {
+    const std::size_t unknowns = cases_[first_case].correction.size();
+    parallel_for(unknowns, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t c = first_case; c < last_case; ++c)
+        if (!written_[c])
+          for (std::size_t i = first; i < last; ++i)
+            cases_[c].correction[i] = static_cast<double>(x_[L::width * i + c]);
+    });
   }
 
   void filter_residual() {
@@ -187,6 +200,7 @@ private:
   std::span<const inner_case> cases_;
   std::span<inner_result> results_;
   std::array<bool, L::width> running_{};
+  std::array<bool, L::width> written_{};
   case_sums<L> rz_{}, start_{};
 };
 

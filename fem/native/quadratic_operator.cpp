@@ -11,10 +11,9 @@ namespace {
 
 constexpr std::uint32_t elements_per_patch = 256;
 
-/// The middle node of the edge between two corners, in VTK's order.
-constexpr std::uint8_t none = 0;
-constexpr std::array<std::array<std::uint8_t, 4>, 4> middle{
-  {{none, 4, 6, 7}, {4, none, 5, 8}, {6, 5, none, 9}, {7, 8, 9, none}}};
+/// The ends of the edge with middle node 4 + i, in VTK's order.
+constexpr std::array<std::array<std::uint8_t, 2>, 6> ends{
+  {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
 /// Two elements side by side, three components and one unused lane each.
 using float8 [[gnu::vector_size(32)]] = float;
@@ -55,6 +54,16 @@ TEDIT_INLINE columns<Vector> add(const columns<Vector>& a, const columns<Vector>
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
+template <class Vector>
+TEDIT_INLINE columns<Vector> subtract(const columns<Vector>& a, const columns<Vector>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class Vector>
+TEDIT_INLINE columns<Vector> scaled(float factor, const columns<Vector>& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+
 /// lambda tr(G) I + mu (G + G^T), G by columns.
 TEDIT_INLINE columns<float8> stress(const columns<float8>& g, float8 lambda, float8 mu) {
   const float8 low = __builtin_shuffle(g.x, g.y, int8{0, 8, 1, 9, 4, 12, 5, 13});
@@ -90,38 +99,46 @@ TEDIT_INLINE Vector times(const columns<Vector>& t, const Gradient& g) {
 }
 
 /// The ten nodal forces from the nodal displacements, of two elements side by side or of one and
-/// several cases, with V/20 in lambda and mu.
+/// several cases, with V/20 in lambda and mu. With the sum A of the corner stresses s, those of
+/// corner k are (4 s_k - A) g_k, those in the middle of a and b 4 (s_a + A) g_b + 4 (s_b + A) g_a.
 template <class Vector, class Gradient, class Constant>
 TEDIT_INLINE void element_forces(const std::array<Vector, 10>& u,
                                  const std::array<Gradient, 4>& gradient, Constant lambda,
                                  Constant mu, std::array<Vector, 10>& force) {
+  // Seen from corner a, along the edge to b: 4 (u_ab - u_a) - (u_b - u_a).
+  std::array<std::array<Vector, 4>, 4> along;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    const auto [a, b] = ends[i];
+    const Vector edge = u[b] - u[a];
+    along[a][b] = 4.0F * (u[4 + i] - u[a]) - edge;
+    along[b][a] = along[a][b] - 2.0F * edge;
+  }
   std::array<columns<Vector>, 4> s;
+#pragma GCC unroll 4
   for (int k = 0; k < 4; ++k) {
     columns<Vector> grad{};
+#pragma GCC unroll 4
     for (int b = 0; b < 4; ++b) {
       if (b == k)
         continue;
-      const Vector d = 4.0F * (u[middle[k][b]] - u[k]) - (u[b] - u[k]);
-      grad.x += d * each<0>(gradient[b]);
-      grad.y += d * each<1>(gradient[b]);
-      grad.z += d * each<2>(gradient[b]);
+      grad.x += along[k][b] * each<0>(gradient[b]);
+      grad.y += along[k][b] * each<1>(gradient[b]);
+      grad.z += along[k][b] * each<2>(gradient[b]);
     }
     s[k] = stress(grad, lambda, mu);
   }
   const auto all = add(add(s[0], s[1]), add(s[2], s[3]));
-  force = {};
+#pragma GCC unroll 4
   for (int k = 0; k < 4; ++k) {
-    const auto mean = add(s[k], all);
-    Vector back{};
-    for (int b = 0; b < 4; ++b) {
-      if (b == k)
-        continue;
-      const Vector f = times(mean, gradient[b]);
-      force[middle[k][b]] += 4.0F * f;
-      force[b] -= f;
-      back += f;
-    }
-    force[k] -= 3.0F * back;
+    s[k] = scaled(4.0F, s[k]);
+    force[k] = times(subtract(s[k], all), gradient[k]);
+    s[k] = add(s[k], scaled(4.0F, all));
+  }
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    const auto [a, b] = ends[i];
+    force[4 + i] = times(s[a], gradient[b]) + times(s[b], gradient[a]);
   }
 }
 
@@ -135,9 +152,11 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const
     const bool both = e + 1 < count;
     const auto& two = elements[both ? e + 1 : e];
     std::array<float8, 10> u;
+#pragma GCC unroll 10
     for (int a = 0; a < 10; ++a)
       u[a] = pair(local[one.node[a]], local[two.node[a]]);
     std::array<float8, 4> gradient{};
+#pragma GCC unroll 4
     for (int b = 1; b < 4; ++b) {
       gradient[b] = pair(load4(&one.gradient[3 * (b - 1)]), load4(&two.gradient[3 * (b - 1)]));
       gradient[0] -= gradient[b];
@@ -146,9 +165,11 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const
     const float8 mu = pair(splat(one.mu), splat(two.mu));
     std::array<float8, 10> force;
     element_forces(u, gradient, lambda, mu, force);
+#pragma GCC unroll 10
     for (int a = 0; a < 10; ++a)
       sums[one.node[a]] += first_of(force[a]);
     if (both)
+#pragma GCC unroll 10
       for (int a = 0; a < 10; ++a)
         sums[two.node[a]] += second_of(force[a]);
   }
@@ -161,16 +182,20 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
   for (std::size_t e = 0; e < count; ++e) {
     const auto& one = elements[e];
     std::array<node_lanes<W>, 10> u;
+#pragma GCC unroll 10
     for (int a = 0; a < 10; ++a)
       u[a] = local[one.node[a]];
     std::array<std::array<float, 3>, 4> gradient{};
+#pragma GCC unroll 4
     for (int b = 1; b < 4; ++b)
+#pragma GCC unroll 3
       for (int i = 0; i < 3; ++i) {
         gradient[b][i] = one.gradient[3 * (b - 1) + i];
         gradient[0][i] -= gradient[b][i];
       }
     std::array<node_lanes<W>, 10> force;
     element_forces(u, gradient, one.lambda, one.mu, force);
+#pragma GCC unroll 10
     for (int a = 0; a < 10; ++a)
       sums[one.node[a]] += force[a];
   }
