@@ -151,8 +151,8 @@ expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_cas
   for (const auto& other : loads)
     if (!same_materials(loads.front(), other))
       return fail(ec::invalid_material,
-                  "load case '" + other.name + "' has other materials than '" +
-                    loads.front().name + "', and load cases share one stiffness matrix",
+                  "load case '" + other.name + "' has other materials than '" + loads.front().name +
+                    "', and load cases share one stiffness matrix",
                   "Give both the same materials, or solve them one at a time");
   const auto name_of = [&](std::size_t c) { return loads.size() > 1 ? loads[c].name : ""; };
   auto p = make_problem(mesh, loads.front(), element_order);

@@ -43,8 +43,8 @@ struct envelope {
   std::vector<double> safety_factor;  ///< The smallest; 0 where no yield strength is known. Empty
                                       ///< when it is unknown everywhere.
   std::vector<std::uint32_t> safety_factor_case;
-  case_extreme max_von_mises;     ///< Pa; element or node as in `solution::max_von_mises_pa`.
-  case_extreme max_displacement;  ///< m.
+  case_extreme max_von_mises;      ///< Pa; element or node as in `solution::max_von_mises_pa`.
+  case_extreme max_displacement;   ///< m.
   case_extreme min_safety_factor;  ///< Value 0 when no yield strength is known.
 };
 

@@ -165,11 +165,11 @@ private:
   /// q = K p; returns p.q.
   template <class Operator>
   case_sums<L> multiply_direction(const Operator& k) {
-    return for_rows<L>(
-      k, p_.data(), [this](std::size_t i, const typename L::node& row) TEDIT_INLINED {
-        L::store(row, q_.data(), i);
-        return L::dot(L::load(p_.data(), i), row);
-      });
+    return for_rows<L>(k, p_.data(),
+                       [this](std::size_t i, const typename L::node& row) TEDIT_INLINED {
+                         L::store(row, q_.data(), i);
+                         return L::dot(L::load(p_.data(), i), row);
+                       });
   }
 
   void advance(const std::array<float, L::width>& factor) {

@@ -218,9 +218,8 @@ void multilevel_cycle<L>::restrict_residual() {
 template <class L>
 void multilevel_cycle<L>::prolongate() {
   for_lanes<L>(k_.rows(), [&](std::size_t first, std::size_t last) TEDIT_INLINED {
-    const auto coarse = [&](std::size_t a, std::size_t c) TEDIT_INLINED {
-      return L::load_scalar(coarse_.data(), 6 * a + c);
-    };
+    const auto coarse = [&](std::size_t a, std::size_t c)
+                          TEDIT_INLINED { return L::load_scalar(coarse_.data(), 6 * a + c); };
     for (std::size_t n = first; n < last; ++n) {
       typename L::node u{};
       if (const std::size_t a = h_.aggregate[n]; a != no_id) {

@@ -253,14 +253,14 @@ public:
     smoother_ = make_quadratic_smoother(
       problem_, filter,
       cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition));
-    smoother_.lambda = settings_.corner_multilevel.lambda_safety *
-                       largest_ritz_value(
-                         problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
-                         [this](const float* x, float* y) {
-                           for_rows(k_, x,
-                                    [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
-                         },
-                         [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
+    smoother_.lambda =
+      settings_.corner_multilevel.lambda_safety *
+      largest_ritz_value(
+        problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
+        [this](const float* x, float* y) {
+          for_rows(k_, x, [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
+        },
+        [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
     held_ = held_nodes_of(filter);
     solvers_.reset();
     return {};

@@ -78,9 +78,7 @@ struct rigid_six<one_case> {
   void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
     v.noalias() += matrix(block).transpose() * x.v;
   }
-  void add(float a, float b, float c, float d, float e, float f) {
-    v += vector6(a, b, c, d, e, f);
-  }
+  void add(float a, float b, float c, float d, float e, float f) { v += vector6(a, b, c, d, e, f); }
 
   friend rigid_six operator+(const rigid_six& a, const rigid_six& b) { return {a.v + b.v}; }
   friend rigid_six operator-(const rigid_six& a, const rigid_six& b) { return {a.v - b.v}; }
