@@ -6,13 +6,28 @@
 
 namespace tedit::cli {
 
+namespace {
+
+std::vector<std::pair<std::string, std::string>> notes_of(const mesh_version& mesh,
+                                                          const fem::solution& result) {
+  return {{"version_id", to_hex(mesh.id())},
+          {"quality", result.preview() ? "preview (linear tets)" : "final (quadratic tets)"},
+          {"device", result.device}};
+}
+
+}  // namespace
+
 expected<void> write_field(const std::filesystem::path& path, const mesh_version& mesh,
                            const fem::problem& problem, const fem::solution& result) {
-  return write_vtu(
-    path, mesh, fem::make_fields(mesh, problem, result),
-    {{"version_id", to_hex(mesh.id())},
-     {"quality", result.preview() ? "preview (linear tets)" : "final (quadratic tets)"},
-     {"device", result.device}});
+  return write_vtu(path, mesh, fem::make_fields(mesh, problem, result), notes_of(mesh, result));
+}
+
+expected<void> write_field(const std::filesystem::path& path, const mesh_version& mesh,
+                           const fem::case_set& set, const fem::solved_cases& result) {
+  auto notes = notes_of(mesh, result.cases.front());
+  for (std::size_t c = 0; c < set.cases.size(); ++c)
+    notes.emplace_back("case_" + std::to_string(c), set.cases[c].name);
+  return write_vtu(path, mesh, fem::make_fields(mesh, set, result), notes);
 }
 
 }  // namespace tedit::cli

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "fem/solver.hpp"
+#include "fem/load_cases.hpp"
 #include "mesh/version.hpp"
 
 namespace tedit::cli {
@@ -13,5 +13,11 @@ namespace tedit::cli {
 [[nodiscard]] expected<void> write_field(const std::filesystem::path& path,
                                          const mesh_version& mesh, const fem::problem& problem,
                                          const fem::solution& result);
+
+/// The same of several load cases and their envelope (`fem::make_fields`), with the cases' names as
+/// notes "case_0", "case_1", ...
+[[nodiscard]] expected<void> write_field(const std::filesystem::path& path,
+                                         const mesh_version& mesh, const fem::case_set& set,
+                                         const fem::solved_cases& result);
 
 }  // namespace tedit::cli

@@ -160,6 +160,24 @@ void add_judgement(const solve_report& report, nlohmann::ordered_json& json) {
     json["max_von_mises_singularity"] = singularity_name(*report.max_von_mises_singularity);
 }
 
+/// One row for each case; safety factors where they are known.
+std::string case_table(std::span<const solve_report> cases) {
+  std::vector<std::vector<std::string>> rows{{"load case", "iterations", "max displacement mm",
+                                              "max von Mises MPa", "safety factor", "error %"}};
+  for (const auto& report : cases)
+    rows.push_back({report.load_case, std::to_string(report.iterations),
+                    pretty(1e3 * report.max_displacement_m, 6),
+                    pretty(1e-6 * report.max_von_mises_pa, 5),
+                    report.min_safety_factor ? pretty(*report.min_safety_factor, 3) : "-",
+                    pretty(100 * report.relative_error_estimate, 2)});
+  return format_table(rows);
+}
+
+/// " at PLACE in CASE".
+std::string origin(std::span<const solve_report> cases, const fem::case_extreme& worst) {
+  return " at " + place(worst.at) + " in " + cases[worst.of].load_case;
+}
+
 }  // namespace
 
 std::string without_noise(double value, double scale, int digits, double noise) {
@@ -290,6 +308,53 @@ std::string describe(const solve_report& report) {
   add_judgement(report, lines);
   add_sums(report, scale, lines);
   return lines.text();
+}
+
+nlohmann::ordered_json to_json(std::span<const solve_report> cases, const fem::envelope& worst) {
+  nlohmann::ordered_json json;
+  json["cases"] = nlohmann::ordered_json::array();
+  for (const auto& report : cases) {
+    auto one = to_json(report);
+    one.erase("timings_ms");
+    json["cases"].push_back(std::move(one));
+  }
+  auto& envelope = json["envelope"];
+  const auto add = [&](const std::string& name, const std::string& unit,
+                       const fem::case_extreme& e) {
+    envelope[name + unit] = e.value;
+    envelope[name + "_at_m"] = triple(e.at);
+    envelope[name + "_case"] = cases[e.of].load_case;
+  };
+  add("max_displacement", "_m", worst.max_displacement);
+  add("max_von_mises", "_pa", worst.max_von_mises);
+  if (worst.min_safety_factor.value > 0)
+    add("min_safety_factor", "", worst.min_safety_factor);
+  return json;
+}
+
+std::string describe(std::span<const solve_report> cases, const fem::envelope& worst) {
+  labelled_lines head;
+  const auto& first = cases.front();
+  const bool linear = first.element_order == 1;
+  head.add("device", first.device);
+  head.add("unknowns",
+           std::to_string(first.dofs) + (linear ? " (linear tets)" : " (quadratic tets)"));
+  labelled_lines lines;
+  lines.add("max displacement", pretty(1e3 * worst.max_displacement.value, 6) + " mm" +
+                                  origin(cases, worst.max_displacement));
+  lines.add("max von Mises", pretty(1e-6 * worst.max_von_mises.value, 5) + " MPa" +
+                               origin(cases, worst.max_von_mises) +
+                               (linear ? " (element)" : " (node)"));
+  if (worst.min_safety_factor.value > 0)
+    lines.add("safety factor", pretty(worst.min_safety_factor.value, 3) +
+                                 origin(cases, worst.min_safety_factor) +
+                                 (linear ? " (nodal means)" : ""));
+  std::string text =
+    head.text() + case_table(cases) + "  worst of all load cases:\n" + lines.text();
+  for (const auto& report : cases)
+    if (const auto warning = warning_line(report); !warning.empty())
+      text += "  " + report.load_case + ":\n" + warning;
+  return text;
 }
 
 std::string remarks(const solve_report& report) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "fem/load_cases.hpp"
 #include "protocol/report.hpp"
 
 namespace tedit::cli {
@@ -25,6 +27,14 @@ namespace tedit::cli {
 /// What belongs below the times: the reactions when several surfaces hold the part, and a warning
 /// when the largest stress says nothing about strength.
 [[nodiscard]] std::string remarks(const solve_report& report);
+
+/// The JSON object of `tedit solve` with several load cases, but for the times: `cases`, each as
+/// above without times, and `envelope`.
+[[nodiscard]] nlohmann::ordered_json to_json(std::span<const solve_report> cases,
+                                             const fem::envelope& worst);
+
+/// The same for people: a table with a row for each case, the worst of all, and the warnings.
+[[nodiscard]] std::string describe(std::span<const solve_report> cases, const fem::envelope& worst);
 
 /// Only what says how strong the part is and how far that can be trusted, in few lines.
 [[nodiscard]] std::string summarize(const solve_report& report);

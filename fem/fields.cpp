@@ -41,4 +41,24 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
   return fields;
 }
 
+std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
+                               const solved_cases& result) {
+  const auto& p = set.problem;
+  const auto at_vertices = [&](const char* name, const std::vector<double>& values) {
+    return scatter(name, field_location::vertex, 1, mesh.vertex_slots(), p.node_vertices, values);
+  };
+  const auto& worst = result.envelope;
+  std::vector<field> fields{
+    at_vertices("envelope_von_mises", worst.von_mises),
+    at_vertices("envelope_case", {worst.von_mises_case.begin(), worst.von_mises_case.end()})};
+  if (!worst.safety_factor.empty())
+    fields.push_back(at_vertices("envelope_safety_factor", worst.safety_factor));
+  for (std::size_t c = 0; c < result.cases.size(); ++c)
+    for (auto& one : make_fields(mesh, p, result.cases[c])) {
+      one.name += " (" + set.cases[c].name + ")";
+      fields.push_back(std::move(one));
+    }
+  return fields;
+}
+
 }  // namespace tedit::fem

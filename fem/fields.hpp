@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fem/solver.hpp"
+#include "fem/load_cases.hpp"
 #include "mesh/field.hpp"
 
 namespace tedit::fem {
@@ -15,5 +15,12 @@ namespace tedit::fem {
 /// reactions, too, so take totals from the solution. Cost: O(mesh).
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const problem& p,
                                              const solution& result);
+
+/// The arrays of several load cases: those of each under "NAME (CASE)", and at vertices
+/// envelope_von_mises (Pa, the largest over the cases), envelope_case (the index of the case that
+/// it is of) and, when a yield strength is known, envelope_safety_factor (the smallest). Cost:
+/// O(mesh) per case.
+[[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
+                                             const solved_cases& result);
 
 }  // namespace tedit::fem

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/execution.hpp"
 #include "fem/problem_update.hpp"
@@ -27,6 +28,13 @@ struct inner_result {
   bool broke_down = false;  ///< p.Kp <= 0, r.z <= 0 or a number that is not finite.
 };
 
+/// One right-hand side of several for the same matrix.
+struct inner_case {
+  std::span<const double> residual;  ///< N, 3 per node.
+  std::span<double> correction;      ///< m, 3 per node; written.
+  double reduction = 1e-4;           ///< Of its preconditioned residual.
+};
+
 /// A matrix on a device, with its filter and preconditioner: assembled once per version.
 class linear_system {
 public:
@@ -39,6 +47,21 @@ public:
   [[nodiscard]] virtual expected<inner_result> solve(std::span<const double> residual,
                                                      std::span<double> correction, double reduction,
                                                      int max_iterations, const execution& run) = 0;
+
+  /// `solve` for several right-hand sides with an end of its own for each; results in their order.
+  /// A case's answer does not depend on the others beyond rounding. Here: one after the other, as
+  /// devices do that have no better way.
+  [[nodiscard]] virtual expected<std::vector<inner_result>> solve_many(
+    std::span<const inner_case> cases, int max_iterations, const execution& run) {
+    std::vector<inner_result> results;
+    for (const auto& c : cases) {
+      auto result = solve(c.residual, c.correction, c.reduction, max_iterations, run);
+      if (!result)
+        return fail(result.error());
+      results.push_back(*result);
+    }
+    return results;
+  }
 
   /// The last correction did not reduce the true residual: make the preconditioner safer, if there
   /// is anything to make safer.

@@ -32,34 +32,47 @@ void member_lists::replace(std::uint32_t owner, std::span<const std::uint32_t> i
   std::ranges::copy(items, item.begin() + at);
 }
 
+template <class L>
 void add_clusters(const cluster_inverses& clusters, float factor, const float* r, float* d) {
-  parallel_for(
+  for_lanes<L>(
     clusters.inverse.size(),
-    [&](std::size_t first, std::size_t last, std::size_t) {
+    [&](std::size_t first, std::size_t last) TEDIT_INLINED {
       std::vector<float> local;
       for (std::size_t c = first; c < last; ++c) {
         const auto nodes = clusters.nodes.of(c);
-        local.resize(3 * nodes.size());
+        const std::size_t size = 3 * nodes.size();
+        local.resize(L::width * size);
         for (std::size_t a = 0; a < nodes.size(); ++a)
-          std::copy_n(r + 3 * std::size_t{nodes[a]}, 3, &local[3 * a]);
+          std::copy_n(r + 3 * L::width * nodes[a], 3 * L::width, &local[3 * L::width * a]);
         const float* row = clusters.inverse[c].data();
         for (const auto node : nodes)
-          for (int i = 0; i < 3; ++i, row += local.size())
-            d[3 * std::size_t{node} + i] +=
-              factor * std::inner_product(local.begin(), local.end(), row, 0.0F);
+          for (std::size_t at = 3 * std::size_t{node}, end = at + 3; at < end; ++at, row += size) {
+            typename L::scalar sum{};
+            for (std::size_t j = 0; j < size; ++j)
+              sum += row[j] * L::load_scalar(local.data(), j);
+            L::store_scalar(L::load_scalar(d, at) + factor * sum, d, at);
+          }
       }
     },
     16);
 }
 
+template <class L>
 void apply_inverse(const node_smoother& smoother, float factor, const float* r, float* d) {
-  parallel_for(smoother.inverse.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+  for_lanes<L>(smoother.inverse.size(), [&](std::size_t first, std::size_t last) TEDIT_INLINED {
     for (std::size_t n = first; n < last; ++n)
-      store3(multiply_symmetric(smoother.inverse[n], load4(r + 3 * n)) * splat(factor), d + 3 * n);
+      L::store(factor * multiply_symmetric(smoother.inverse[n], L::load(r, n)), d, n);
   });
   if (!smoother.clusters.empty())
-    add_clusters(smoother.clusters, factor, r, d);
+    add_clusters<L>(smoother.clusters, factor, r, d);
 }
+
+template void add_clusters<one_case>(const cluster_inverses&, float, const float*, float*);
+template void add_clusters<cases_of<4>>(const cluster_inverses&, float, const float*, float*);
+template void add_clusters<cases_of<8>>(const cluster_inverses&, float, const float*, float*);
+template void apply_inverse<one_case>(const node_smoother&, float, const float*, float*);
+template void apply_inverse<cases_of<4>>(const node_smoother&, float, const float*, float*);
+template void apply_inverse<cases_of<8>>(const node_smoother&, float, const float*, float*);
 
 namespace {
 

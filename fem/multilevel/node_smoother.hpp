@@ -2,26 +2,28 @@
 #pragma once
 
 #include "fem/multilevel/hierarchy.hpp"
+#include "fem/multilevel/lanes.hpp"
 
 namespace tedit::fem {
 
 /// A product with an operator on nodes with three unknowns each: calls `sink(i, y_i)` for the rows
-/// of one chunk after the other, on all cores; the sink returns a term of the sum that is returned.
-/// `block_matrix` and the quadratic operator both have this form.
-template <class Sink>
-double for_rows(const block_matrix& k, const float* x, Sink&& sink) {
-  return parallel_sum(k.rows(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i)
-      sum += static_cast<double>(sink(i, k.row(i, x)));
-    return sum;
-  });
+/// of one chunk after the other, on all cores; what the sink returns, if anything, is summed for
+/// each case. `block_matrix` and the quadratic operator both have this form.
+template <class L = one_case, class Sink>
+case_sums<L> for_rows(const block_matrix& k, const float* x, const Sink& sink) {
+  return sum_lanes<L>(k.rows(),
+                      [&](std::size_t first, std::size_t last, typename L::sum& sum) TEDIT_INLINED {
+                        for (std::size_t i = first; i < last; ++i)
+                          take_row<L>(sink, i, row_of(k, i, x, L{}), sum);
+                      });
 }
 
 /// Adds factor * C^-1 r of the clusters' nodes to `d`.
+template <class L = one_case>
 void add_clusters(const cluster_inverses& clusters, float factor, const float* r, float* d);
 
 /// d = factor * B r, with B the blocks and the clusters.
+template <class L = one_case>
 void apply_inverse(const node_smoother& smoother, float factor, const float* r, float* d);
 
 /// The blocks of `k` inverted, cluster by cluster and node by node, within the free directions.

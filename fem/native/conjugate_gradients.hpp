@@ -10,117 +10,198 @@
 
 namespace tedit::fem {
 
+/// S of the nodes that are not free.
+using held_nodes = std::vector<std::pair<std::uint32_t, std::array<float, 6>>>;
+
+[[nodiscard]] inline held_nodes held_nodes_of(filter_span filter) {
+  held_nodes result;
+  for (std::uint32_t n = 0; n < filter.size(); ++n)
+    if (filter[n] != std::array<double, 6>{1, 0, 0, 1, 0, 1}) {
+      auto& [node, s] = result.emplace_back(n, std::array<float, 6>{});
+      std::ranges::transform(filter[n], s.begin(), [](double v) { return static_cast<float>(v); });
+    }
+  return result;
+}
+
 /// Conjugate gradients in single precision within the free directions (MPCG, Baraff & Witkin 1998;
 /// the filter as a projection on both sides: Ascher & Boxerman 2003). The preconditioner filters,
 /// and so is the residual: reactions that pile up in its held parts would meet the rounding errors
 /// of z there, and r.z turned negative after six digits.
+///
+/// Every case has its own step lengths and its own end: one that is done takes steps of length zero
+/// from then on.
+template <class L>
 class conjugate_gradients {
 public:
-  explicit conjugate_gradients(std::size_t nodes) { resize(nodes); }
-
-  void resize(std::size_t nodes) {
+  /// `held` must outlive this.
+  conjugate_gradients(std::size_t nodes, const held_nodes& held) : held_(held) {
     for (auto* v : {&x_, &r_, &z_, &p_, &q_})
-      v->assign(padded3(nodes), 0);
+      v->assign(L::size(nodes), 0);
   }
 
-  /// S of every node, for the residual.
-  void set_filter(filter_span filter) {
-    held_.clear();
-    for (std::uint32_t n = 0; n < filter.size(); ++n)
-      if (filter[n] != std::array<double, 6>{1, 0, 0, 1, 0, 1}) {
-        auto& [node, s] = held_.emplace_back(n, std::array<float, 6>{});
-        std::ranges::transform(filter[n], s.begin(),
-                               [](double v) { return static_cast<float>(v); });
-      }
-  }
-
-  /// Solves K x = residual until the preconditioned residual has fallen by `reduction`;
-  /// `precondition(r, z)` writes z = B r. Contract: `linear_system::solve`.
+  /// Solves K x = residual for each of at most `L::width` cases until its preconditioned residual
+  /// has fallen by its reduction; `precondition(r, z)` writes z = B r. Contract:
+  /// `linear_system::solve_many`.
   template <class Operator, class Precondition>
-  expected<inner_result> solve(const Operator& k, Precondition&& precondition,
-                               std::span<const double> residual, std::span<double> correction,
-                               double reduction, int max_iterations, const execution& run) {
-    begin(residual);
-    inner_result result;
+  expected<void> solve(const Operator& k, const Precondition& precondition,
+                       std::span<const inner_case> cases, int max_iterations, const execution& run,
+                       std::span<inner_result> results) {
+    begin(cases, results);
     precondition(r_.data(), z_.data());
     p_ = z_;
-    double rz = dot_of(r_, z_);
-    const double start = rz;
-    if (rz == 0)
-      result.recurrence_reduction = 0;
-    result.broke_down = !(rz >= 0);
-    while (!result.broke_down && result.iterations < max_iterations &&
-           rz > reduction * reduction * start) {
+    rz_ = dots_of<L>(r_, z_);
+    start_ = rz_;
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      results[c].broke_down = !(rz_[c] >= 0);
+      if (is_done(c))
+        finish(c);
+    }
+    for (int i = 0; i < max_iterations && any_running(); ++i) {
       if (run.cancel.cancelled())
         return fail(ec::cancelled, "the solve was cancelled");
-      const double bend = multiply_direction(k);
-      if (!(bend > 0)) {
-        result.broke_down = true;
-        break;
-      }
-      advance(static_cast<float>(rz / bend));
-      ++result.iterations;
-      precondition(r_.data(), z_.data());
-      const double next = dot_of(r_, z_);
-      if (!(next >= 0)) {
-        result.broke_down = true;
-        break;  // `rz` stays the last one that meant something.
-      }
-      turn(static_cast<float>(next / rz));
-      rz = next;
+      step(k, precondition);
     }
-    std::transform(x_.begin(), x_.end() - 1, correction.begin(),
-                   [](float v) { return static_cast<double>(v); });
-    if (start > 0)
-      result.recurrence_reduction = std::sqrt(rz / start);
-    return result;
+    for (std::size_t c = 0; c < cases.size(); ++c)
+      if (running_[c])
+        finish(c);
+    write(0, cases.size());
+    return {};
   }
 
   [[nodiscard]] std::uint64_t bytes() const { return 5 * x_.size() * sizeof(float); }
 
 private:
-  void begin(std::span<const double> residual) {
-    std::ranges::transform(residual, r_.begin(), [](double v) { return static_cast<float>(v); });
+  void begin(std::span<const inner_case> cases, std::span<inner_result> results) {
+    cases_ = cases;
+    results_ = results;
+    running_ = {};
+    written_ = {};
+    std::fill_n(running_.begin(), cases.size(), true);
+    std::ranges::fill(results, inner_result{});
+    std::ranges::fill(r_, 0.0F);
+    parallel_for(cases[0].residual.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t c = 0; c < cases.size(); ++c)
+        for (std::size_t i = first; i < last; ++i)
+          r_[L::width * i + c] = static_cast<float>(cases[c].residual[i]);
+    });
     std::ranges::fill(x_, 0.0F);
     filter_residual();
   }
 
-  void filter_residual() {
-    for (const auto& [node, s] : held_) {
-      float* r = &r_[3 * std::size_t{node}];
-      store3(multiply_symmetric(s, load4(r)), r);
+  template <class Operator, class Precondition>
+  void step(const Operator& k, const Precondition& precondition) {
+    const auto bend = multiply_direction(k);
+    std::array<float, L::width> factor{};
+    for (std::size_t c = 0; c < L::width; ++c) {
+      if (!running_[c])
+        continue;
+      if (bend[c] > 0) {
+        factor[c] = static_cast<float>(rz_[c] / bend[c]);
+        ++results_[c].iterations;
+        continue;
+      }
+      results_[c].broke_down = true;
+      finish(c);
     }
+    if (!any_running())
+      return;
+    advance(factor);
+    precondition(r_.data(), z_.data());
+    const auto next = dots_of<L>(r_, z_);
+    for (std::size_t c = 0; c < L::width; ++c) {
+      if (!running_[c])
+        continue;
+      results_[c].broke_down = !(next[c] >= 0);
+      if (!results_[c].broke_down) {  // Else `rz_` stays the last one that meant something.
+        factor[c] = static_cast<float>(next[c] / rz_[c]);
+        rz_[c] = next[c];
+      }
+      if (is_done(c))
+        finish(c);
+    }
+    if (any_running())
+      turn(factor);
+  }
+
+  [[nodiscard]] bool any_running() const {
+    return std::ranges::find(running_, true) != running_.end();
+  }
+
+  [[nodiscard]] bool is_done(std::size_t c) const {
+    const double wanted = cases_[c].reduction;
+    return results_[c].broke_down || !(rz_[c] > wanted * wanted * start_[c]);
+  }
+
+  void finish(std::size_t c) {
+    running_[c] = false;
+    const double start = start_[c];
+    results_[c].recurrence_reduction = start > 0 ? std::sqrt(rz_[c] / start) : start == 0 ? 0 : 1;
+    if (!results_[c].broke_down)
+      return;
+    // Numbers that are not finite would stay in all steps to come.
+    write(c, c + 1);
+    written_[c] = true;
+    for (auto* v : {&x_, &r_, &z_, &p_, &q_})
+      for (std::size_t i = c; i < v->size(); i += L::width)
+        (*v)[i] = 0;
+  }
+
+  /// Writes the corrections of the cases [first, last).
+  void write(std::size_t first_case, std::size_t last_case) {
+    const std::size_t unknowns = cases_[first_case].correction.size();
+    parallel_for(unknowns, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t c = first_case; c < last_case; ++c)
+        if (!written_[c])
+          for (std::size_t i = first; i < last; ++i)
+            cases_[c].correction[i] = static_cast<double>(x_[L::width * i + c]);
+    });
+  }
+
+  void filter_residual() {
+    for (const auto& [node, s] : held_)
+      L::store(multiply_symmetric(s, L::load(r_.data(), node)), r_.data(), node);
   }
 
   /// q = K p; returns p.q.
   template <class Operator>
-  double multiply_direction(const Operator& k) {
-    return for_rows(k, p_.data(), [this](std::size_t i, float4 row) {
-      store3(row, &q_[3 * i]);
-      const float4 d = load4(&p_[3 * i]) * row;
-      return d[0] + d[1] + d[2];
-    });
+  case_sums<L> multiply_direction(const Operator& k) {
+    return for_rows<L>(k, p_.data(),
+                       [this](std::size_t i, const typename L::node& row) TEDIT_INLINED {
+                         L::store(row, q_.data(), i);
+                         return L::dot(L::load(p_.data(), i), row);
+                       });
   }
 
-  void advance(float alpha) {
-    parallel_for(x_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+  void advance(const std::array<float, L::width>& factor) {
+    for_lanes<L>(x_.size() / L::width, [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+      const auto alpha = L::load_scalar(factor.data(), 0);
+      float* x = x_.data();
+      float* r = r_.data();
       for (std::size_t i = first; i < last; ++i) {
-        x_[i] += alpha * p_[i];
-        r_[i] -= alpha * q_[i];
+        L::store_scalar(L::load_scalar(x, i) + alpha * L::load_scalar(p_.data(), i), x, i);
+        L::store_scalar(L::load_scalar(r, i) - alpha * L::load_scalar(q_.data(), i), r, i);
       }
     });
     filter_residual();
   }
 
-  void turn(float beta) {
-    parallel_for(x_.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+  void turn(const std::array<float, L::width>& factor) {
+    for_lanes<L>(x_.size() / L::width, [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+      const auto beta = L::load_scalar(factor.data(), 0);
+      float* p = p_.data();
       for (std::size_t i = first; i < last; ++i)
-        p_[i] = z_[i] + beta * p_[i];
+        L::store_scalar(L::load_scalar(z_.data(), i) + beta * L::load_scalar(p, i), p, i);
     });
   }
 
-  std::vector<std::pair<std::uint32_t, std::array<float, 6>>> held_;  ///< Nodes that are not free.
+  const held_nodes& held_;
   std::vector<float> x_, r_, z_, p_, q_;  ///< Correction, residual, B r, direction, K p.
+
+  std::span<const inner_case> cases_;
+  std::span<inner_result> results_;
+  std::array<bool, L::width> running_{};
+  std::array<bool, L::width> written_{};
+  case_sums<L> rz_{}, start_{};
 };
 
 }  // namespace tedit::fem

@@ -1,171 +1,244 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/native/cycle.hpp"
 
-#include <Eigen/Core>
-
 #include <algorithm>
+
+#include "fem/native/rigid_six.hpp"
 
 namespace tedit::fem {
 
 namespace {
 
-using vector6 = Eigen::Matrix<float, 6, 1>;
-using matrix6f = Eigen::Matrix<float, 6, 6>;
-
 constexpr std::size_t rigid_chunk = 512;
 
-Eigen::Map<const vector6> six(const float* x, std::size_t i) {
-  return Eigen::Map<const vector6>(x + 6 * i);
-}
-
-Eigen::Map<vector6> six(float* x, std::size_t i) {
-  return Eigen::Map<vector6>(x + 6 * i);
-}
-
-Eigen::Map<const matrix6f> matrix(const rigid_level::block6& block) {
-  return Eigen::Map<const matrix6f>(block.data());
-}
-
 /// Calls sink(i, row i of A x) for all rows.
-template <class Sink>
-void for_rigid_rows(const rigid_level& level, const float* x, Sink&& sink) {
-  parallel_for(
+template <class L, class Sink>
+void for_rigid_rows(const rigid_level& level, const float* x, const Sink& sink) {
+  using six = rigid_six<L>;
+  for_lanes<L>(
     level.nodes(),
-    [&](std::size_t first, std::size_t last, std::size_t) {
+    [&](std::size_t first, std::size_t last) TEDIT_INLINED {
       for (std::size_t i = first; i < last; ++i) {
-        vector6 sum = vector6::Zero();
-        for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
-          sum.noalias() += matrix(level.block[s]) * six(x, level.column[s]);
+        six sum;
+        for_blocks(level, i, [&](std::size_t column, const auto& block) TEDIT_INLINED {
+          sum.add_product(block, six::load(x, column));
+        });
         sink(i, sum);
       }
     },
     rigid_chunk);
 }
 
-float4 filtered(const hierarchy& h, std::size_t n, float4 x) {
+/// block * x.
+template <class L>
+TEDIT_INLINE rigid_six<L> product(const rigid_level::block6& block, const rigid_six<L>& x) {
+  rigid_six<L> result;
+  result.add_product(block, x);
+  return result;
+}
+
+template <class Node>
+TEDIT_INLINE Node filtered(const hierarchy& h, std::size_t n, const Node& x) {
   return h.filter.empty() ? x : multiply_symmetric(h.filter[n], x);
+}
+
+/// down = P^T fine, to the next level.
+template <class L>
+void restrict_rigid(const rigid_level& a, const float* fine, std::span<float> down) {
+  for_lanes<L>(
+    down.size() / (6 * L::width),
+    [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+      for (std::size_t p = first; p < last; ++p) {
+        rigid_six<L> sum;
+        for_children(a, p, [&](std::size_t child, const auto& block) TEDIT_INLINED {
+          sum.add_transposed(block, rigid_six<L>::load(fine, child));
+        });
+        sum.store(down.data(), p);
+      }
+    },
+    rigid_chunk);
+}
+
+/// fine = P up.
+template <class L>
+void prolongate_rigid(const rigid_level& a, const float* up, float* fine) {
+  for_lanes<L>(
+    a.nodes(),
+    [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+      for (std::size_t i = first; i < last; ++i) {
+        rigid_six<L> sum;
+        for_parents(a, i, [&](std::size_t parent, const auto& block) TEDIT_INLINED {
+          sum.add_product(block, rigid_six<L>::load(up, parent));
+        });
+        sum.store(fine, i);
+      }
+    },
+    rigid_chunk);
 }
 
 }  // namespace
 
-rigid_cycle::rigid_cycle(const hierarchy& h, const cycle_settings& settings)
+template <class L>
+rigid_cycle<L>::rigid_cycle(const hierarchy& h, const cycle_settings& settings)
     : h_(h), settings_(settings), work_(h.levels.size()) {
   for (std::size_t l = 0; l < work_.size(); ++l)
     for (auto* v : {&work_[l].residual, &work_[l].step, &work_[l].other, &work_[l].right,
                     &work_[l].correction})
-      v->assign(std::size_t{6} * h.levels[l].nodes(), 0);
+      v->assign(6 * L::width * h.levels[l].nodes(), 0);
 }
 
-void rigid_cycle::solve(std::size_t level, std::span<const float> right, std::span<float> result) {
+template <class L>
+void rigid_cycle<L>::solve(std::size_t level, std::span<const float> right,
+                           std::span<float> result) {
   if (level + 1 == h_.levels.size()) {
-    h_.coarsest->solve(right, result);
+    solve_coarsest(right, result);
     return;
   }
   once(level, right, result);
   auto& w = work_[level];
+  using six = rigid_six<L>;
   for (int again = 1; again < settings_.repeats; ++again) {
-    for_rigid_rows(h_.levels[level], result.data(), [&](std::size_t i, const vector6& row) {
-      six(w.right.data(), i) = six(right.data(), i) - row;
-    });
+    for_rigid_rows<L>(h_.levels[level], result.data(),
+                      [&](std::size_t i, const six& row) TEDIT_INLINED {
+                        (six::load(right.data(), i) - row).store(w.right.data(), i);
+                      });
     once(level, w.right, w.correction);
     add_to(w.correction.data(), result.data(), result.size());
   }
 }
 
-void rigid_cycle::once(std::size_t level, std::span<const float> right, std::span<float> z) {
+/// The factors are scalar: each case for itself, and a case that is done costs nothing.
+template <class L>
+void rigid_cycle<L>::solve_coarsest(std::span<const float> right, std::span<float> result) const {
+  if constexpr (L::width == 1) {
+    h_.coarsest->solve(right, result);
+  } else {
+    const auto lane = [&](std::size_t c) {
+      std::vector<float> own(right.size() / L::width);
+      for (std::size_t i = 0; i < own.size(); ++i)
+        own[i] = right[L::width * i + c];
+      if (std::ranges::any_of(own, [](float v) { return v != 0; }))
+        h_.coarsest->solve(own, own);
+      for (std::size_t i = 0; i < own.size(); ++i)
+        result[L::width * i + c] = own[i];
+    };
+    parallel_for(
+      L::width, [&](std::size_t first, std::size_t, std::size_t) { lane(first); }, 1);
+  }
+}
+
+template <class L>
+void rigid_cycle<L>::once(std::size_t level, std::span<const float> right, std::span<float> z) {
+  using six = rigid_six<L>;
   const auto& a = h_.levels[level];
   auto& w = work_[level];
   const auto move = [&](chebyshev_weights c, float enter) {
-    for_rigid_rows(a, w.step.data(), [&](std::size_t i, const vector6& row) {
-      six(w.residual.data(), i) -= row;
-      const vector6 old = six(w.step.data(), i);
-      const vector6 now =
-        c.before * old + c.fresh * (matrix(a.inverse[i]) * six(w.residual.data(), i));
-      six(w.other.data(), i) = now;
-      six(z.data(), i) += enter * old + now;
+    float* residual = w.residual.data();
+    const float* step = w.step.data();
+    float* next = w.other.data();
+    for_rigid_rows<L>(a, step, [&](std::size_t i, const six& row) TEDIT_INLINED {
+      const six left = six::load(residual, i) - row;
+      left.store(residual, i);
+      const six old = six::load(step, i);
+      const six now = c.before * old + c.fresh * product<L>(a.inverse[i], left);
+      now.store(next, i);
+      (six::load(z.data(), i) + (enter * old + now)).store(z.data(), i);
     });
     w.step.swap(w.other);
   };
   std::ranges::copy(right, w.residual.begin());
-  for (std::size_t i = 0; i < a.nodes(); ++i)
-    six(w.step.data(), i).noalias() =
-      chebyshev_start(a.lambda) * (matrix(a.inverse[i]) * six(right.data(), i));
+  for_lanes<L>(
+    a.nodes(),
+    [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+      for (std::size_t i = first; i < last; ++i)
+        (chebyshev_start(a.lambda) * product<L>(a.inverse[i], six::load(right.data(), i)))
+          .store(w.step.data(), i);
+    },
+    rigid_chunk);
   std::ranges::copy(w.step, z.begin());
   for (int k = 2; k <= settings_.rigid_degree; ++k)
     move(chebyshev_step(k, a.lambda), 0);
-  for_rigid_rows(a, w.step.data(),
-                 [&](std::size_t i, const vector6& row) { six(w.residual.data(), i) -= row; });
+  for_rigid_rows<L>(a, w.step.data(), [&](std::size_t i, const six& row) TEDIT_INLINED {
+    (six::load(w.residual.data(), i) - row).store(w.residual.data(), i);
+  });
 
-  const std::size_t parents = h_.levels[level + 1].nodes();
-  std::vector<float> down(6 * parents, 0);
-  std::vector<float> up(6 * parents, 0);
-  for (std::size_t p = 0; p < parents; ++p)
-    for (const auto entry : a.entries.of(p))
-      six(down.data(), p).noalias() +=
-        matrix(a.prolongation[entry]).transpose() * six(w.residual.data(), a.entry_row[entry]);
+  std::vector<float> down(6 * L::width * h_.levels[level + 1].nodes());
+  std::vector<float> up(down.size());
+  restrict_rigid<L>(a, w.residual.data(), down);
   solve(level + 1, down, up);
-  std::ranges::fill(w.step, 0.0F);
-  for (std::size_t i = 0; i < a.nodes(); ++i)
-    for (auto s = a.prolongation_rows.begin(i); s < a.prolongation_rows.end(i); ++s)
-      six(w.step.data(), i).noalias() +=
-        matrix(a.prolongation[s]) * six(up.data(), a.prolongation_column[s]);
+  prolongate_rigid<L>(a, up.data(), w.step.data());
 
   move({0, chebyshev_start(a.lambda)}, 1);
   for (int k = 2; k <= settings_.rigid_degree; ++k)
     move(chebyshev_step(k, a.lambda), 0);
 }
 
-multilevel_cycle::multilevel_cycle(const block_matrix& k, const hierarchy& h,
-                                   const cycle_settings& settings)
+template <class L>
+multilevel_cycle<L>::multilevel_cycle(const block_matrix& k, const hierarchy& h,
+                                      const cycle_settings& settings)
     : k_(k),
       h_(h),
       settings_(settings),
       rigid_(h, settings),
       v_(k.rows()),
-      coarse_right_(std::size_t{6} * h.levels.front().nodes()),
+      coarse_right_(6 * L::width * h.levels.front().nodes()),
       coarse_(coarse_right_.size()) {}
 
-void multilevel_cycle::apply(const float* right, float* z) {
-  smooth_from_zero(k_, h_.smoother, settings_.node_degree, right, v_, z);
+template <class L>
+void multilevel_cycle<L>::apply(const float* right, float* z) {
+  smooth_from_zero<L>(k_, h_.smoother, settings_.node_degree, right, v_, z);
   restrict_residual();
   rigid_.solve(coarse_right_, coarse_);
   prolongate();
-  smooth_correction(k_, h_.smoother, settings_.node_degree, v_, z);
+  smooth_correction<L>(k_, h_.smoother, settings_.node_degree, v_, z);
 }
 
-void multilevel_cycle::restrict_residual() {
-  parallel_for(
+template <class L>
+void multilevel_cycle<L>::restrict_residual() {
+  for_lanes<L>(
     h_.levels.front().nodes(),
-    [&](std::size_t first, std::size_t last, std::size_t) {
+    [&](std::size_t first, std::size_t last) TEDIT_INLINED {
       for (std::size_t a = first; a < last; ++a) {
-        vector6 sum = vector6::Zero();
+        rigid_six<L> sum;
         for (const auto n : h_.members.of(a)) {
-          const float4 f = filtered(h_, n, load4(&v_.residual[3 * std::size_t{n}]));
+          const auto f = filtered(h_, n, L::load(v_.residual.data(), n));
+          const auto x = L::component(f, 0);
+          const auto y = L::component(f, 1);
+          const auto t = L::component(f, 2);
           const auto& d = h_.arm[n];
-          sum += vector6(f[0], f[1], f[2], d[1] * f[2] - d[2] * f[1], d[2] * f[0] - d[0] * f[2],
-                         d[0] * f[1] - d[1] * f[0]);
+          sum.add(x, y, t, d[1] * t - d[2] * y, d[2] * x - d[0] * t, d[0] * y - d[1] * x);
         }
-        six(coarse_right_.data(), a) = sum;
+        sum.store(coarse_right_.data(), a);
       }
     },
     rigid_chunk);
 }
 
 /// The correction of the rigid levels, as a step.
-void multilevel_cycle::prolongate() {
-  parallel_for(k_.rows(), [&](std::size_t first, std::size_t last, std::size_t) {
+template <class L>
+void multilevel_cycle<L>::prolongate() {
+  for_lanes<L>(k_.rows(), [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+    const auto coarse = [&](std::size_t a, std::size_t c)
+                          TEDIT_INLINED { return L::load_scalar(coarse_.data(), 6 * a + c); };
     for (std::size_t n = first; n < last; ++n) {
-      float4 u{};
-      if (const auto a = h_.aggregate[n]; a != no_id) {
-        const float* c = &coarse_[6 * std::size_t{a}];
+      typename L::node u{};
+      if (const std::size_t a = h_.aggregate[n]; a != no_id) {
         const auto& d = h_.arm[n];
         u = filtered(h_, n,
-                     float4{c[0] + c[4] * d[2] - c[5] * d[1], c[1] + c[5] * d[0] - c[3] * d[2],
-                            c[2] + c[3] * d[1] - c[4] * d[0], 0});
+                     L::node_of(coarse(a, 0) + coarse(a, 4) * d[2] - coarse(a, 5) * d[1],
+                                coarse(a, 1) + coarse(a, 5) * d[0] - coarse(a, 3) * d[2],
+                                coarse(a, 2) + coarse(a, 3) * d[1] - coarse(a, 4) * d[0]));
       }
-      store3(u, &v_.step[3 * n]);
+      L::store(u, v_.step.data(), n);
     }
   });
 }
+
+template class rigid_cycle<one_case>;
+template class rigid_cycle<cases_of<4>>;
+template class rigid_cycle<cases_of<8>>;
+template class multilevel_cycle<one_case>;
+template class multilevel_cycle<cases_of<4>>;
+template class multilevel_cycle<cases_of<8>>;
 
 }  // namespace tedit::fem

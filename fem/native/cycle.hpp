@@ -7,17 +7,19 @@
 namespace tedit::fem {
 
 /// The rigid-body levels of a hierarchy: one symmetric cycle. Not for two threads at once.
+template <class L = one_case>
 class rigid_cycle {
 public:
   /// `h` must outlive the cycle.
   rigid_cycle(const hierarchy& h, const cycle_settings& settings);
 
-  /// result = about A_1^-1 right, both 6 per aggregate of the finest rigid level.
+  /// result = about A_1^-1 right, both 6 per aggregate of the finest rigid level and case.
   void solve(std::span<const float> right, std::span<float> result) { solve(0, right, result); }
 
 private:
   void solve(std::size_t level, std::span<const float> right, std::span<float> result);
   void once(std::size_t level, std::span<const float> right, std::span<float> result);
+  void solve_coarsest(std::span<const float> right, std::span<float> result) const;
 
   struct vectors {
     std::vector<float> residual, step, other, right, correction;
@@ -29,78 +31,82 @@ private:
 };
 
 /// Vectors of a smoother on nodes with three unknowns.
+template <class L>
 struct node_vectors {
   std::vector<float> residual, step, other;
 
   explicit node_vectors(std::size_t nodes)
-      : residual(padded3(nodes)), step(padded3(nodes)), other(padded3(nodes)) {}
+      : residual(L::size(nodes)), step(L::size(nodes)), other(L::size(nodes)) {}
+
+  [[nodiscard]] std::uint64_t bytes() const { return 3 * residual.size() * sizeof(float); }
 };
 
 /// r -= K x.
-template <class Operator>
+template <class L, class Operator>
 void subtract_product(const Operator& k, const float* x, float* r) {
-  for_rows(k, x, [&](std::size_t i, float4 row) {
-    store3(load3(r + 3 * i) - row, r + 3 * i);
-    return 0.0F;
+  for_rows<L>(k, x, [&](std::size_t i, const typename L::node& row) TEDIT_INLINED {
+    L::store(L::load_own(r, i) - row, r, i);
   });
 }
 
 /// Takes K step from the residual, finds the next step from what is left, and adds it, and `enter`
 /// times the old one, to `z`.
-template <class Operator>
+template <class L, class Operator>
 void chebyshev_move(const Operator& k, const node_smoother& smoother, chebyshev_weights w,
-                    float enter, node_vectors& v, float* z) {
+                    float enter, node_vectors<L>& v, float* z) {
+  using node = typename L::node;
   float* r = v.residual.data();
   const float* step = v.step.data();
   float* next = v.other.data();
   const bool clusters = !smoother.clusters.empty();
-  for_rows(k, step, [&](std::size_t i, float4 row) {
-    const float4 left = load3(r + 3 * i) - row;
-    store3(left, r + 3 * i);
-    const float4 old = load4(step + 3 * i);
-    const float4 now =
-      splat(w.before) * old + splat(w.fresh) * multiply_symmetric(smoother.inverse[i], left);
-    store3(now, next + 3 * i);
-    store3(load3(z + 3 * i) + splat(enter) * old + (clusters ? float4{} : now), z + 3 * i);
-    return 0.0F;
+  for_rows<L>(k, step, [&](std::size_t i, const node& row) TEDIT_INLINED {
+    const node left = L::load_own(r, i) - row;
+    L::store(left, r, i);
+    const node old = L::load(step, i);
+    const node now = w.before * old + w.fresh * multiply_symmetric(smoother.inverse[i], left);
+    L::store(now, next, i);
+    L::store(L::load_own(z, i) + enter * old + (clusters ? node{} : now), z, i);
   });
   if (clusters) {
-    add_clusters(smoother.clusters, w.fresh, r, next);
-    add_to(next, z, 3 * smoother.inverse.size());
+    add_clusters<L>(smoother.clusters, w.fresh, r, next);
+    add_to(next, z, 3 * L::width * smoother.inverse.size());
   }
   v.step.swap(v.other);
 }
 
 /// Chebyshev smoothing from z = 0: fills `z`, leaves right - K z in `v.residual`.
-template <class Operator>
+template <class L, class Operator>
 void smooth_from_zero(const Operator& k, const node_smoother& smoother, int degree,
-                      const float* right, node_vectors& v, float* z) {
-  const std::size_t n = 3 * smoother.inverse.size();
+                      const float* right, node_vectors<L>& v, float* z) {
+  const std::size_t n = 3 * L::width * smoother.inverse.size();
   std::copy_n(right, n, v.residual.data());
-  apply_inverse(smoother, chebyshev_start(smoother.lambda), right, v.step.data());
+  apply_inverse<L>(smoother, chebyshev_start(smoother.lambda), right, v.step.data());
   std::copy_n(v.step.data(), n, z);
   for (int i = 2; i <= degree; ++i)
-    chebyshev_move(k, smoother, chebyshev_step(i, smoother.lambda), 0, v, z);
-  subtract_product(k, v.step.data(), v.residual.data());
+    chebyshev_move<L>(k, smoother, chebyshev_step(i, smoother.lambda), 0, v, z);
+  subtract_product<L>(k, v.step.data(), v.residual.data());
 }
 
 /// Adds the correction in `v.step` to `z` and smooths: the mirror image of `smooth_from_zero`.
-template <class Operator>
+template <class L, class Operator>
 void smooth_correction(const Operator& k, const node_smoother& smoother, int degree,
-                       node_vectors& v, float* z) {
-  chebyshev_move(k, smoother, {0, chebyshev_start(smoother.lambda)}, 1, v, z);
+                       node_vectors<L>& v, float* z) {
+  chebyshev_move<L>(k, smoother, {0, chebyshev_start(smoother.lambda)}, 1, v, z);
   for (int i = 2; i <= degree; ++i)
-    chebyshev_move(k, smoother, chebyshev_step(i, smoother.lambda), 0, v, z);
+    chebyshev_move<L>(k, smoother, chebyshev_step(i, smoother.lambda), 0, v, z);
 }
 
 /// One symmetric multilevel cycle on a matrix of linear tets. Not for two threads at once.
+template <class L = one_case>
 class multilevel_cycle {
 public:
   /// `k` and `h` must outlive the cycle.
   multilevel_cycle(const block_matrix& k, const hierarchy& h, const cycle_settings& settings);
 
-  /// z = about (S K S)^-1 right; both have `padded3` floats.
+  /// z = about (S K S)^-1 right; both have `L::size` floats.
   void apply(const float* right, float* z);
+
+  [[nodiscard]] std::uint64_t bytes() const { return v_.bytes(); }
 
 private:
   void restrict_residual();
@@ -109,8 +115,8 @@ private:
   const block_matrix& k_;
   const hierarchy& h_;
   cycle_settings settings_;
-  rigid_cycle rigid_;
-  node_vectors v_;
+  rigid_cycle<L> rigid_;
+  node_vectors<L> v_;
   std::vector<float> coarse_right_, coarse_;
 };
 

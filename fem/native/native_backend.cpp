@@ -2,8 +2,9 @@
 #include "fem/native/native_backend.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <numeric>
 #include <thread>
+#include <tuple>
 
 #include "base/guard.hpp"
 #include "base/memory.hpp"
@@ -23,7 +24,33 @@ namespace {
 class native_system : public linear_system {
 public:
   native_system(const problem& p, const native_settings& settings)
-      : problem_(p), settings_(settings), krylov_(p.node_count()) {}
+      : problem_(p), settings_(settings) {}
+
+  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
+                               double reduction, int max_iterations,
+                               const execution& run) override {
+    const inner_case one{residual, correction, reduction};
+    inner_result result;
+    if (auto ok = solve_group({&one, 1}, max_iterations, run, {&result, 1}); !ok)
+      return fail(ok.error());
+    return result;
+  }
+
+  /// Up to eight cases share every read of the matrix, the hierarchy and the elements.
+  expected<std::vector<inner_result>> solve_many(std::span<const inner_case> cases,
+                                                 int max_iterations,
+                                                 const execution& run) override {
+    constexpr std::size_t widest = 8;
+    std::vector<inner_result> results(cases.size());
+    for (std::size_t first = 0; first < cases.size(); first += widest) {
+      const auto count = std::min(widest, cases.size() - first);
+      if (auto ok = solve_group(cases.subspan(first, count), max_iterations, run,
+                                std::span(results).subspan(first, count));
+          !ok)
+        return fail(ok.error());
+    }
+    return results;
+  }
 
   expected<void> element_stress(std::span<const double> displacement,
                                 std::span<double> stress) override;
@@ -33,30 +60,9 @@ public:
   double assembly_ms() const override { return assembly_ms_; }
 
 protected:
-  /// Conjugate gradients on K x = residual under `cycle`. Breaks down where the cycle is not
-  /// positive definite: then bounds are raised, and what got nowhere is tried again.
-  template <class Operator, class Cycle>
-  expected<inner_result> solve_by(const Operator& k, Cycle& cycle, std::span<const double> residual,
-                                  std::span<double> correction, double reduction,
-                                  int max_iterations, const execution& run) {
-    constexpr int most_attempts = 10;
-    int spent = 0;
-    for (int attempt = 1;; ++attempt) {
-      auto result = krylov_.solve(
-        k, [&cycle](const float* r, float* z) { cycle.apply(r, z); }, residual, correction,
-        reduction, max_iterations, run);
-      if (!result)
-        return result;
-      spent += result->iterations;
-      result->iterations = spent;
-      if (!result->broke_down)
-        return result;
-      distrust();
-      // What there is counts; the next call goes on from there.
-      if (result->recurrence_reduction < 0.5 || attempt == most_attempts)
-        return result;
-    }
-  }
+  /// One attempt at up to eight cases; results in their order.
+  virtual expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
+                                 const execution& run, std::span<inner_result> results) = 0;
 
   template <class Operator>
   expected<void> multiply_by(const Operator& k, std::span<const double> x, std::span<double> y) {
@@ -65,15 +71,98 @@ protected:
     for_rows(k, single.data(), [&](std::size_t i, float4 row) {
       for (int c = 0; c < 3; ++c)
         y[3 * i + c] = static_cast<double>(row[c]);
-      return 0.0F;
     });
     return {};
   }
 
   const problem& problem_;
   native_settings settings_;
-  conjugate_gradients krylov_;
+  held_nodes held_;
   double assembly_ms_ = 0;
+
+private:
+  expected<void> solve_group(std::span<const inner_case> cases, int max_iterations,
+                             const execution& run, std::span<inner_result> results);
+};
+
+/// Conjugate gradients break down where the cycle is not positive definite: then bounds are raised,
+/// and the cases that got nowhere are tried again.
+expected<void> native_system::solve_group(std::span<const inner_case> cases, int max_iterations,
+                                          const execution& run, std::span<inner_result> results) {
+  constexpr int most_attempts = 10;
+  std::vector<inner_case> open(cases.begin(), cases.end());
+  std::vector<std::size_t> place(cases.size());
+  std::iota(place.begin(), place.end(), std::size_t{0});
+  for (int attempt_number = 1; !open.empty(); ++attempt_number) {
+    std::vector<inner_result> got(open.size());
+    if (auto ok = guarded(run, [&] { return attempt(open, max_iterations, run, got); }); !ok)
+      return ok;
+    bool broke_down = false;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const int spent = results[place[i]].iterations + got[i].iterations;
+      results[place[i]] = got[i];
+      results[place[i]].iterations = spent;
+      broke_down = broke_down || got[i].broke_down;
+      // What there is counts; the next call goes on from there.
+      if (!got[i].broke_down || got[i].recurrence_reduction < 0.5 ||
+          attempt_number == most_attempts)
+        continue;
+      open[kept] = open[i];
+      place[kept++] = place[i];
+    }
+    open.resize(kept);
+    if (broke_down)
+      distrust();
+  }
+  return {};
+}
+
+/// Solvers for one, four and eight cases; those for several are made when first needed.
+template <template <class> class Solver>
+class lane_solvers {
+public:
+  void reset() { solvers_ = {}; }
+
+  /// At most eight cases on the narrowest solver that has room; `make(lane type)` makes it.
+  template <class Operator, class Make>
+  expected<void> solve(const Operator& k, const Make& make, std::span<const inner_case> cases,
+                       int max_iterations, const execution& run, std::span<inner_result> results) {
+    const auto on = [&]<class L>(L lanes) {
+      auto& solver = std::get<std::unique_ptr<Solver<L>>>(solvers_);
+      if (!solver)
+        solver = make(lanes);
+      return solver->krylov.solve(
+        k, [&](const float* r, float* z) { solver->cycle.apply(r, z); }, cases, max_iterations, run,
+        results);
+    };
+    if (cases.size() == 1)
+      return on(one_case{});
+    return cases.size() <= 4 ? on(cases_of<4>{}) : on(cases_of<8>{});
+  }
+
+  [[nodiscard]] std::uint64_t bytes() const {
+    return std::apply(
+      [](const auto&... solver) { return ((solver ? solver->bytes() : std::uint64_t{0}) + ...); },
+      solvers_);
+  }
+
+private:
+  std::tuple<std::unique_ptr<Solver<one_case>>, std::unique_ptr<Solver<cases_of<4>>>,
+             std::unique_ptr<Solver<cases_of<8>>>>
+    solvers_;
+};
+
+template <class L>
+struct linear_solver {
+  conjugate_gradients<L> krylov;
+  multilevel_cycle<L> cycle;
+
+  linear_solver(const block_matrix& k, const hierarchy& h, const held_nodes& held,
+                const cycle_settings& settings)
+      : krylov(k.rows(), held), cycle(k, h, settings) {}
+
+  [[nodiscard]] std::uint64_t bytes() const { return krylov.bytes() + cycle.bytes(); }
 };
 
 /// Linear tets: an assembled matrix under a multilevel cycle.
@@ -89,8 +178,8 @@ public:
     if (!built)
       return fail(built.error());
     hierarchy_ = std::move(*built);
-    cycle_.emplace(k_, hierarchy_, settings_.cycle);
-    krylov_.set_filter(filter);
+    held_ = held_nodes_of(filter);
+    solvers_.reset();
     return {};
   }
 
@@ -104,42 +193,60 @@ public:
     update_blocks(problem_, corners, change.nodes, k_);
     update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes, settings_.multilevel,
                      hierarchy_);
-    cycle_.emplace(k_, hierarchy_, settings_.cycle);
-    krylov_.resize(problem_.node_count());
-    krylov_.set_filter(problem_.filter);
+    held_ = held_nodes_of(problem_.filter);
+    solvers_.reset();
     return true;
   }
 
   void distrust() override { raise_lambdas(hierarchy_); }
-
-  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
-                               double reduction, int max_iterations,
-                               const execution& run) override {
-    return guarded(run, [&] {
-      return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
-    });
-  }
 
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
     return multiply_by(k_, x, y);
   }
 
   std::uint64_t device_bytes() const override {
-    return k_.bytes() + hierarchy_.bytes() + krylov_.bytes() +
-           3 * sizeof(float) * padded3(k_.rows());
+    return k_.bytes() + hierarchy_.bytes() + solvers_.bytes();
   }
 
 private:
+  expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
+                         const execution& run, std::span<inner_result> results) override {
+    const auto make = [this]<class L>(L) {
+      return std::make_unique<linear_solver<L>>(k_, hierarchy_, held_, settings_.cycle);
+    };
+    return solvers_.solve(k_, make, cases, max_iterations, run, results);
+  }
+
   block_matrix k_;
   hierarchy hierarchy_;
-  std::optional<multilevel_cycle> cycle_;
+  lane_solvers<linear_solver> solvers_;
+};
+
+template <class L>
+struct quadratic_solver {
+  conjugate_gradients<L> krylov;
+  multilevel_cycle<L> corners;
+  quadratic_cycle<L> cycle;
+
+  quadratic_solver(const quadratic_operator& k, const node_smoother& smoother,
+                   const edge_transfer& edges, const block_matrix& corner_matrix,
+                   const hierarchy& h, const held_nodes& held, const native_settings& settings)
+      : krylov(k.rows(), held),
+        corners(corner_matrix, h, settings.corner_cycle),
+        cycle(k, smoother, edges, corners, settings.cycle.quadratic_degree) {}
+
+  [[nodiscard]] std::uint64_t bytes() const {
+    return krylov.bytes() + corners.bytes() + cycle.bytes();
+  }
 };
 
 /// Quadratic tets: element by element, under a cycle over the linear tets of the corners.
 class quadratic_tets final : public native_system {
 public:
   quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings), k_(p), corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
+      : native_system(p, settings),
+        k_(p),
+        corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
     assembly_ms_ = clock.milliseconds();
   }
 
@@ -154,18 +261,16 @@ public:
       cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition);
     smoother_ = make_quadratic_smoother(problem_, filter, clusters);
     cluster_of_ = clusters.of;
-    smoother_.lambda = settings_.corner_multilevel.lambda_safety *
-                       largest_ritz_value(
-                         problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
-                         [this](const float* x, float* y) {
-                           for_rows(k_, x, [y](std::size_t i, float4 row) {
-                             store3(row, y + 3 * i);
-                             return 0.0F;
-                           });
-                         },
-                         [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-    make_cycle();
-    krylov_.set_filter(filter);
+    smoother_.lambda =
+      settings_.corner_multilevel.lambda_safety *
+      largest_ritz_value(
+        problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
+        [this](const float* x, float* y) {
+          for_rows(k_, x, [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
+        },
+        [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
+    held_ = held_nodes_of(filter);
+    solvers_.reset();
     return {};
   }
 
@@ -174,10 +279,12 @@ public:
   }
 
   expected<bool> update(const problem_change& change, const incidence& corners) override {
-    if (corner_matrix_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded())
+    if (corner_matrix_.places.crowded() || hierarchy_.crowded() ||
+        edges_.middles.places.crowded())
       return false;
     const filter_span filter = problem_.filter;
-    const auto middles = std::ranges::lower_bound(change.nodes, problem_.corner_count);
+    const auto middles =
+      std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
     const std::span corner_nodes(change.nodes.begin(), middles);
     k_.update(problem_, change.elements);
     update_blocks(problem_, corners, corner_nodes, corner_matrix_);
@@ -186,9 +293,8 @@ public:
     update_edge_transfer(problem_, filter, change.nodes, edges_);
     update_quadratic_smoother(problem_, corners, filter, change.nodes,
                               settings_.corner_multilevel.sliver_condition, cluster_of_, smoother_);
-    make_cycle();
-    krylov_.resize(problem_.node_count());
-    krylov_.set_filter(filter);
+    held_ = held_nodes_of(filter);
+    solvers_.reset();
     return true;
   }
 
@@ -197,28 +303,23 @@ public:
     raise_lambdas(hierarchy_);
   }
 
-  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
-                               double reduction, int max_iterations,
-                               const execution& run) override {
-    return guarded(run, [&] {
-      return solve_by(k_, *cycle_, residual, correction, reduction, max_iterations, run);
-    });
-  }
-
   expected<void> multiply(std::span<const double> x, std::span<double> y) override {
     return multiply_by(k_, x, y);
   }
 
   std::uint64_t device_bytes() const override {
-    return k_.bytes() + corner_matrix_.bytes() + hierarchy_.bytes() + krylov_.bytes() +
-           3 * sizeof(float) * (padded3(k_.rows()) + padded3(corner_matrix_.rows())) +
+    return k_.bytes() + corner_matrix_.bytes() + hierarchy_.bytes() + solvers_.bytes() +
            24 * smoother_.inverse.size();
   }
 
 private:
-  void make_cycle() {
-    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
-    cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+  expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
+                         const execution& run, std::span<inner_result> results) override {
+    const auto make = [this]<class L>(L) {
+      return std::make_unique<quadratic_solver<L>>(k_, smoother_, edges_, corner_matrix_,
+                                                   hierarchy_, held_, settings_);
+    };
+    return solvers_.solve(k_, make, cases, max_iterations, run, results);
   }
 
   quadratic_operator k_;
@@ -227,8 +328,7 @@ private:
   edge_transfer edges_;
   node_smoother smoother_;
   std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
-  std::optional<multilevel_cycle> corner_cycle_;
-  std::optional<quadratic_cycle> cycle_;
+  lane_solvers<quadratic_solver> solvers_;
 };
 
 expected<void> native_system::element_stress(std::span<const double> displacement,

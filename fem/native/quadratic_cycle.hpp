@@ -9,26 +9,31 @@ namespace tedit::fem {
 
 /// One symmetric cycle for quadratic tets: smoothing there, a correction from the linear tets of
 /// the corners (p-multigrid), smoothing. Not for two threads at once.
+template <class L = one_case>
 class quadratic_cycle {
 public:
   /// All arguments must outlive the cycle.
   quadratic_cycle(const quadratic_operator& k, const node_smoother& smoother,
-                  const edge_transfer& edges, multilevel_cycle& corners, int degree)
+                  const edge_transfer& edges, multilevel_cycle<L>& corners, int degree)
       : k_(k),
         smoother_(smoother),
         edges_(edges),
         corners_(corners),
         degree_(degree),
         v_(k.rows()),
-        coarse_right_(padded3(edges.corners())),
-        coarse_(padded3(edges.corners())) {}
+        coarse_right_(L::size(edges.corners())),
+        coarse_(L::size(edges.corners())) {}
 
-  /// z = about (S K S)^-1 right; both have `padded3` floats.
+  /// z = about (S K S)^-1 right; both have `L::size` floats.
   void apply(const float* right, float* z);
 
+  [[nodiscard]] std::uint64_t bytes() const { return v_.bytes(); }
+
 private:
-  [[nodiscard]] float4 filtered(std::size_t node, float4 x) const {
-    return edges_.filter.empty() ? x : multiply_symmetric(edges_.filter[node], x);
+  using node = typename L::node;
+
+  [[nodiscard]] TEDIT_INLINE node filtered(std::size_t at, const node& x) const {
+    return edges_.filter.empty() ? x : multiply_symmetric(edges_.filter[at], x);
   }
 
   void restrict_residual();
@@ -37,9 +42,9 @@ private:
   const quadratic_operator& k_;
   const node_smoother& smoother_;
   const edge_transfer& edges_;
-  multilevel_cycle& corners_;
+  multilevel_cycle<L>& corners_;
   int degree_;
-  node_vectors v_;
+  node_vectors<L> v_;
   std::vector<float> coarse_right_, coarse_;
 };
 

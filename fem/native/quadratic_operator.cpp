@@ -11,20 +11,13 @@ namespace {
 
 constexpr std::uint32_t elements_per_patch = 256;
 
-/// The middle node of the edge between two corners, in VTK's order.
-constexpr std::uint8_t none = 0;
-constexpr std::array<std::array<std::uint8_t, 4>, 4> middle{
-  {{none, 4, 6, 7}, {4, none, 5, 8}, {6, 5, none, 9}, {7, 8, 9, none}}};
-
-// Vectors of 32 bytes only live inside one function: no binary interface depends on them.
-#pragma GCC diagnostic ignored "-Wpsabi"
+/// The ends of the edge with middle node 4 + i, in VTK's order.
+constexpr std::array<std::array<std::uint8_t, 2>, 6> ends{
+  {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
 /// Two elements side by side, three components and one unused lane each.
 using float8 [[gnu::vector_size(32)]] = float;
 using int8 [[gnu::vector_size(32)]] = int;
-
-/// Everything below is inlined into a function that exists once for AVX2 and once for any machine.
-#define TEDIT_INLINE [[gnu::always_inline]] inline
 
 TEDIT_INLINE float8 pair(float4 first, float4 second) {
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
@@ -44,17 +37,35 @@ TEDIT_INLINE float8 each(float8 x) {
   return __builtin_shuffle(x, int8{i, i, i, i, i + 4, i + 4, i + 4, i + 4});
 }
 
-/// A tensor of each of two elements by columns.
+/// The same number for all cases.
+template <int i>
+TEDIT_INLINE float each(const std::array<float, 3>& g) {
+  return g[i];
+}
+
+/// A tensor by columns: of each of two elements, or of each case in one.
+template <class Vector>
 struct columns {
-  float8 x, y, z;
+  Vector x, y, z;
 };
 
-TEDIT_INLINE columns add(const columns& a, const columns& b) {
+template <class Vector>
+TEDIT_INLINE columns<Vector> add(const columns<Vector>& a, const columns<Vector>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
+template <class Vector>
+TEDIT_INLINE columns<Vector> subtract(const columns<Vector>& a, const columns<Vector>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class Vector>
+TEDIT_INLINE columns<Vector> scaled(float factor, const columns<Vector>& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+
 /// lambda tr(G) I + mu (G + G^T), G by columns.
-TEDIT_INLINE columns stress(const columns& g, float8 lambda, float8 mu) {
+TEDIT_INLINE columns<float8> stress(const columns<float8>& g, float8 lambda, float8 mu) {
   const float8 low = __builtin_shuffle(g.x, g.y, int8{0, 8, 1, 9, 4, 12, 5, 13});
   const float8 high = __builtin_shuffle(g.x, g.y, int8{2, 10, 3, 11, 6, 14, 7, 15});
   const float8 row_x = __builtin_shuffle(low, g.z, int8{0, 1, 8, 8, 4, 5, 12, 12});
@@ -68,43 +79,66 @@ TEDIT_INLINE columns stress(const columns& g, float8 lambda, float8 mu) {
           mu * (g.z + row_z) + pressure * unit_z};
 }
 
+template <std::size_t W>
+TEDIT_INLINE columns<node_lanes<W>> stress(const columns<node_lanes<W>>& g, float lambda,
+                                           float mu) {
+  using scalar = typename node_lanes<W>::scalar;
+  const scalar pressure = lambda * (g.x.x + g.y.y + g.z.z);
+  const scalar xy = mu * (g.x.y + g.y.x);
+  const scalar yz = mu * (g.y.z + g.z.y);
+  const scalar zx = mu * (g.z.x + g.x.z);
+  return {{2 * mu * g.x.x + pressure, xy, zx},
+          {xy, 2 * mu * g.y.y + pressure, yz},
+          {zx, yz, 2 * mu * g.z.z + pressure}};
+}
+
 /// sum_j column_j g_j: a tensor times a vector.
-TEDIT_INLINE float8 times(const columns& t, float8 g) {
+template <class Vector, class Gradient>
+TEDIT_INLINE Vector times(const columns<Vector>& t, const Gradient& g) {
   return t.x * each<0>(g) + t.y * each<1>(g) + t.z * each<2>(g);
 }
 
-/// The ten nodal forces of two elements from their nodal displacements, each with V/20 in lambda
-/// and mu.
-TEDIT_INLINE void element_forces(const std::array<float8, 10>& u,
-                                 const std::array<float8, 4>& gradient, float8 lambda, float8 mu,
-                                 std::array<float8, 10>& force) {
-  std::array<columns, 4> s;
+/// The ten nodal forces from the nodal displacements, of two elements side by side or of one and
+/// several cases, with V/20 in lambda and mu. With the sum A of the corner stresses s, those of
+/// corner k are (4 s_k - A) g_k, those in the middle of a and b 4 (s_a + A) g_b + 4 (s_b + A) g_a.
+template <class Vector, class Gradient, class Constant>
+TEDIT_INLINE void element_forces(const std::array<Vector, 10>& u,
+                                 const std::array<Gradient, 4>& gradient, Constant lambda,
+                                 Constant mu, std::array<Vector, 10>& force) {
+  // Seen from corner a, along the edge to b: 4 (u_ab - u_a) - (u_b - u_a).
+  std::array<std::array<Vector, 4>, 4> along;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    const auto [a, b] = ends[i];
+    const Vector edge = u[b] - u[a];
+    along[a][b] = 4.0F * (u[4 + i] - u[a]) - edge;
+    along[b][a] = along[a][b] - 2.0F * edge;
+  }
+  std::array<columns<Vector>, 4> s;
+#pragma GCC unroll 4
   for (int k = 0; k < 4; ++k) {
-    columns grad{};
+    columns<Vector> grad{};
+#pragma GCC unroll 4
     for (int b = 0; b < 4; ++b) {
       if (b == k)
         continue;
-      const float8 d = 4.0F * (u[middle[k][b]] - u[k]) - (u[b] - u[k]);
-      grad.x += d * each<0>(gradient[b]);
-      grad.y += d * each<1>(gradient[b]);
-      grad.z += d * each<2>(gradient[b]);
+      grad.x += along[k][b] * each<0>(gradient[b]);
+      grad.y += along[k][b] * each<1>(gradient[b]);
+      grad.z += along[k][b] * each<2>(gradient[b]);
     }
     s[k] = stress(grad, lambda, mu);
   }
-  const columns all = add(add(s[0], s[1]), add(s[2], s[3]));
-  force = {};
+  const auto all = add(add(s[0], s[1]), add(s[2], s[3]));
+#pragma GCC unroll 4
   for (int k = 0; k < 4; ++k) {
-    const columns mean = add(s[k], all);
-    float8 back{};
-    for (int b = 0; b < 4; ++b) {
-      if (b == k)
-        continue;
-      const float8 f = times(mean, gradient[b]);
-      force[middle[k][b]] += 4.0F * f;
-      force[b] -= f;
-      back += f;
-    }
-    force[k] -= 3.0F * back;
+    s[k] = scaled(4.0F, s[k]);
+    force[k] = times(subtract(s[k], all), gradient[k]);
+    s[k] = add(s[k], scaled(4.0F, all));
+  }
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    const auto [a, b] = ends[i];
+    force[4 + i] = times(s[a], gradient[b]) + times(s[b], gradient[a]);
   }
 }
 
@@ -118,9 +152,11 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const
     const bool both = e + 1 < count;
     const auto& two = elements[both ? e + 1 : e];
     std::array<float8, 10> u;
+#pragma GCC unroll 10
     for (int a = 0; a < 10; ++a)
       u[a] = pair(local[one.node[a]], local[two.node[a]]);
     std::array<float8, 4> gradient{};
+#pragma GCC unroll 4
     for (int b = 1; b < 4; ++b) {
       gradient[b] = pair(load4(&one.gradient[3 * (b - 1)]), load4(&two.gradient[3 * (b - 1)]));
       gradient[0] -= gradient[b];
@@ -129,11 +165,39 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const
     const float8 mu = pair(splat(one.mu), splat(two.mu));
     std::array<float8, 10> force;
     element_forces(u, gradient, lambda, mu, force);
+#pragma GCC unroll 10
     for (int a = 0; a < 10; ++a)
       sums[one.node[a]] += first_of(force[a]);
     if (both)
+#pragma GCC unroll 10
       for (int a = 0; a < 10; ++a)
         sums[two.node[a]] += second_of(force[a]);
+  }
+}
+
+/// The same for several cases: element by element.
+template <class Element, std::size_t W>
+TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
+                               const node_lanes<W>* local, node_lanes<W>* sums) {
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto& one = elements[e];
+    std::array<node_lanes<W>, 10> u;
+#pragma GCC unroll 10
+    for (int a = 0; a < 10; ++a)
+      u[a] = local[one.node[a]];
+    std::array<std::array<float, 3>, 4> gradient{};
+#pragma GCC unroll 4
+    for (int b = 1; b < 4; ++b)
+#pragma GCC unroll 3
+      for (int i = 0; i < 3; ++i) {
+        gradient[b][i] = one.gradient[3 * (b - 1) + i];
+        gradient[0][i] -= gradient[b][i];
+      }
+    std::array<node_lanes<W>, 10> force;
+    element_forces(u, gradient, one.lambda, one.mu, force);
+#pragma GCC unroll 10
+    for (int a = 0; a < 10; ++a)
+      sums[one.node[a]] += force[a];
   }
 }
 
@@ -191,7 +255,6 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
     part.last_node = static_cast<std::uint32_t>(patch_nodes_.size());
     patches_.push_back(part);
   }
-  shares_.resize(patch_nodes_.size());
   make_shares(p.node_count());
 }
 
@@ -237,7 +300,6 @@ void quadratic_operator::make_patches(const problem& p) {
       place[patch_nodes_[i]] = no_id;
     patches_.push_back(part);
   }
-  shares_.resize(patch_nodes_.size());
 }
 
 void quadratic_operator::make_shares(std::size_t nodes) {
@@ -253,34 +315,41 @@ void quadratic_operator::make_shares(std::size_t nodes) {
 }
 
 std::uint64_t quadratic_operator::bytes() const {
-  return elements_.size() * sizeof(element) + patch_nodes_.size() * (8 + sizeof(float4)) +
+  const auto shares = std::apply(
+    [](const auto&... by_lanes) { return ((by_lanes.size() * sizeof(by_lanes[0])) + ...); },
+    shares_);
+  return elements_.size() * sizeof(element) + patch_nodes_.size() * 8 + shares +
          share_first_.size() * 4;
 }
 
+template <class L>
 void quadratic_operator::sum_patches(const float* x) const {
+  using node = typename L::node;
+  auto& all = shares<L>();
+  all.resize(patch_nodes_.size());
   parallel_for(
     patches_.size(),
     [&](std::size_t first, std::size_t last, std::size_t) {
-      std::vector<float4> local;
-      for (std::size_t i = first; i < last; ++i)
-        sum_patch(patches_[i], x, local);
+      run_widest([&]() TEDIT_INLINED {
+        std::vector<node> local;
+        for (std::size_t i = first; i < last; ++i) {
+          const auto& part = patches_[i];
+          const std::size_t count = part.last_node - part.first_node;
+          local.resize(count);
+          for (std::size_t n = 0; n < count; ++n)
+            local[n] = L::load(x, patch_nodes_[part.first_node + n]);
+          node* sums = &all[part.first_node];
+          std::fill_n(sums, count, node{});
+          add_elements(&elements_[part.first_element], part.last_element - part.first_element,
+                       local.data(), sums);
+        }
+      });
     },
     8);
 }
 
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-[[gnu::target_clones("arch=x86-64-v3", "default")]]
-#endif
-void quadratic_operator::sum_patch(const patch& part, const float* x,
-                                   std::vector<float4>& local) const {
-  const std::size_t count = part.last_node - part.first_node;
-  local.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    local[i] = load4(x + 3 * std::size_t{patch_nodes_[part.first_node + i]});
-  float4* sums = &shares_[part.first_node];
-  std::fill_n(sums, count, float4{});
-  add_elements(&elements_[part.first_element], part.last_element - part.first_element, local.data(),
-               sums);
-}
+template void quadratic_operator::sum_patches<one_case>(const float*) const;
+template void quadratic_operator::sum_patches<cases_of<4>>(const float*) const;
+template void quadratic_operator::sum_patches<cases_of<8>>(const float*) const;
 
 }  // namespace tedit::fem

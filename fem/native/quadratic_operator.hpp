@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "fem/block_matrix.hpp"
+#include <tuple>
+
+#include "fem/multilevel/lanes.hpp"
 
 namespace tedit::fem {
 
@@ -15,7 +17,7 @@ namespace tedit::fem {
 /// corner stresses sigma_k the exact integrals are S_k = V/20 (sigma_k + sum_l sigma_l).
 ///
 /// Memory: 64 bytes an element and about 60 for the patches' sums, against 1,600 of an assembled
-/// matrix.
+/// matrix; eight cases at once take about 360 for their sums.
 class quadratic_operator {
 public:
   /// `p` must have elements of order 2; it is not needed afterwards.
@@ -28,21 +30,21 @@ public:
   [[nodiscard]] std::size_t rows() const { return share_first_.size() - 1; }
   [[nodiscard]] std::uint64_t bytes() const;
 
-  /// Calls `sink(i, row i of K x)` for all rows, on all cores; returns the sum of what it returns.
-  /// Not for two threads at once.
-  template <class Sink>
-  friend double for_rows(const quadratic_operator& k, const float* x, Sink&& sink) {
-    k.sum_patches(x);
-    return parallel_sum(k.rows(), [&](std::size_t first, std::size_t last) {
-      double sum = 0;
-      for (std::size_t i = first; i < last; ++i) {
-        float4 row{};
-        for (auto s = k.share_first_[i]; s < k.share_first_[i + 1]; ++s)
-          row += k.shares_[k.share_[s]];
-        sum += static_cast<double>(sink(i, row));
-      }
-      return sum;
-    });
+  /// Calls `sink(i, row i of K x)` for all rows, on all cores; returns the sums of what it returns,
+  /// if anything. Not for two threads at once.
+  template <class L = one_case, class Sink>
+  friend case_sums<L> for_rows(const quadratic_operator& k, const float* x, const Sink& sink) {
+    k.sum_patches<L>(x);
+    const auto& shares = k.shares<L>();
+    return sum_lanes<L>(
+      k.rows(), [&](std::size_t first, std::size_t last, typename L::sum& sum) TEDIT_INLINED {
+        for (std::size_t i = first; i < last; ++i) {
+          typename L::node row{};
+          for (auto s = k.share_first_[i], end = k.share_first_[i + 1]; s < end; ++s)
+            row += shares[k.share_[s]];
+          take_row<L>(sink, i, row, sum);
+        }
+      });
   }
 
 private:
@@ -63,14 +65,22 @@ private:
   void make_patches(const problem& p);
   void number_patch(const problem& p, const patch& part, std::vector<std::uint32_t>& nodes);
   void make_shares(std::size_t nodes);
+  template <class L>
+  [[nodiscard]] std::vector<typename L::node>& shares() const {
+    return std::get<std::vector<typename L::node>>(shares_);
+  }
+
+  template <class L>
   void sum_patches(const float* x) const;
-  void sum_patch(const patch& part, const float* x, std::vector<float4>& local) const;
 
   std::vector<element> elements_;
   std::vector<patch> patches_;
   std::vector<std::uint32_t> patch_nodes_;
   std::vector<std::uint32_t> share_first_, share_;  ///< Where the sums of each node lie.
-  mutable std::vector<float4> shares_;
+  /// The patches' sums, by lane type; allocated when first used.
+  mutable std::tuple<std::vector<one_case::node>, std::vector<cases_of<4>::node>,
+                     std::vector<cases_of<8>::node>>
+    shares_;
 };
 
 }  // namespace tedit::fem

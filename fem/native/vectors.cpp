@@ -4,12 +4,7 @@
 namespace tedit::fem {
 
 double dot_of(const std::vector<float>& a, const std::vector<float>& b) {
-  return parallel_sum(a.size(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i)
-      sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-    return sum;
-  });
+  return dots_of<one_case>(a, b)[0];
 }
 
 void add_to(const float* x, float* z, std::size_t n) {

@@ -3,11 +3,21 @@
 
 #include <vector>
 
-#include "fem/block_matrix.hpp"
+#include "fem/multilevel/lanes.hpp"
 
 namespace tedit::fem {
 
-/// a.b, summed in double precision in a fixed order.
+/// a.b of each case, summed in double precision in a fixed order.
+template <class L>
+[[nodiscard]] case_sums<L> dots_of(const std::vector<float>& a, const std::vector<float>& b) {
+  return sum_lanes<L>(a.size() / L::width, [&](std::size_t first, std::size_t last,
+                                               typename L::sum& sum) TEDIT_INLINED {
+    for (std::size_t i = first; i < last; ++i)
+      L::add_product(L::load_scalar(a.data(), i), L::load_scalar(b.data(), i), sum);
+  });
+}
+
+/// The same for one case.
 [[nodiscard]] double dot_of(const std::vector<float>& a, const std::vector<float>& b);
 
 /// z += x, n values.

@@ -177,6 +177,55 @@ TEST(Solve, HasTheDocumentedKeysAndWritesAField) {
   EXPECT_GT(std::filesystem::file_size(file), 1000000u);
 }
 
+TEST(Solve, SeveralLoadCasesHaveRowsAndAnEnvelope) {
+  const auto file = scratch("cases.vtu");
+  const auto doubled = scratch("doubled.json");
+  std::ifstream in(plate_loads);
+  auto loads = json::parse(in);
+  const std::string name = loads["name"];
+  for (auto& load : loads["loads"])
+    load["force"]["total_n"]["z"] = 2 * load["force"]["total_n"]["z"].get<double>();
+  std::ofstream(doubled) << loads;
+
+  // The mesh may stand behind the load cases, as it always could.
+  const auto solve = run("solve --json --device cpu --order 1 --load-case " + plate_loads +
+                         " --load-case " + doubled.string() + " " + plate + " -o " + file.string());
+
+  ASSERT_EQ(solve.status, 0);
+  const auto result = solve.parsed();
+  ASSERT_EQ(result["cases"].size(), 2u);
+  EXPECT_EQ(result["cases"][0]["load_case"], name);
+  EXPECT_EQ(result["cases"][1]["load_case"], name + " 2");
+  EXPECT_EQ(result["envelope"]["max_displacement_case"], name + " 2");
+  EXPECT_NEAR(result["envelope"]["max_displacement_m"], 2 * 3.484500e-05, 2e-10);
+  EXPECT_EQ(result["envelope"]["max_von_mises_pa"], result["cases"][1]["max_von_mises_pa"]);
+  EXPECT_EQ(result["envelope"]["min_safety_factor"], result["cases"][1]["min_safety_factor"]);
+  EXPECT_TRUE(result["timings_ms"].contains("total"));
+  std::ifstream vtu(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(vtu), {}};
+  for (const std::string& field : {std::string("envelope_von_mises"), std::string("envelope_case"),
+                                   std::string("envelope_safety_factor"),
+                                   "von_mises_pa (" + name + ")", "stress_pa (" + name + " 2)"})
+    EXPECT_THAT(text, HasSubstr("Name=\"" + field + "\""));
+}
+
+TEST(Solve, OneBadLoadCaseOfSeveralIsNamedAndNothingIsSolved) {
+  const auto loose = scratch("loose.json");
+  std::ifstream in(plate_loads);
+  auto loads = json::parse(in);
+  loads["name"] = "loose";
+  loads["constraints"].clear();
+  std::ofstream(loose) << loads;
+
+  const auto solve = run("solve --json --device cpu " + plate + " --load-case " + plate_loads +
+                         " --load-case " + loose.string());
+
+  EXPECT_EQ(solve.status, 1);
+  EXPECT_EQ(solve.parsed()["error"]["code"], "under_constrained");
+  EXPECT_THAT(solve.parsed()["error"]["message"].get<std::string>(),
+              HasSubstr("load case 'loose': the part is not held"));
+}
+
 TEST(Solve, KeysOfUnknownValuesAreLeftOut) {
   const auto file = scratch("bare.json");
   std::ifstream in(plate_loads);

@@ -156,5 +156,61 @@ TEST(ReadableNumbers, NoiseIsZeroAndTheRestIsKept) {
   EXPECT_EQ(components({1e-9, -2.5, 1234.5678}, 5, 1234.5678), "0, -2.5, 1234.6");
 }
 
+TEST(DescribeCases, HasARowForEachAndTheWorstOfAll) {
+  auto soft = plate();
+  soft.load_case = "lifting";
+  auto hard = plate();
+  hard.load_case = "braking";
+  hard.iterations = 31;
+  hard.max_displacement_m = 1e-4;
+  hard.max_von_mises_pa = 55.5e6;
+  hard.min_safety_factor = 4.5;
+  hard.max_von_mises_singularity = fem::singularity::clamp_rim;
+  fem::envelope worst;
+  worst.max_displacement = {1e-4, {0.1, 0, 0}, 1};
+  worst.max_von_mises = {55.5e6, {0.35, 0.12, 0.04}, 1};
+  worst.min_safety_factor = {4.5, {0.35, 0.12, 0.04}, 1};
+  const std::vector<solve_report> cases{soft, hard};
+
+  EXPECT_EQ(
+    describe(cases, worst),
+    "  device            cpu\n"
+    "  unknowns          93303 (quadratic tets)\n"
+    "  load case  iterations  max displacement mm  max von Mises MPa  safety factor  error %\n"
+    "  -------------------------------------------------------------------------------------\n"
+    "  lifting            24            0.0469065             14.839           18.6      8.1\n"
+    "  braking            31                  0.1               55.5            4.5      8.1\n"
+    "  worst of all load cases:\n"
+    "  max displacement  0.1 mm at (100, 0, 0) mm in braking\n"
+    "  max von Mises     55.5 MPa at (350, 120, 40) mm in braking (node)\n"
+    "  safety factor     4.5 at (350, 120, 40) mm in braking\n"
+    "  braking:\n"
+    "  WARNING: the largest stress is at a clamp's rim, where it grows with every refinement: do "
+    "not read it as strength\n");
+}
+
+TEST(JsonOfCases, HasCasesAndEnvelope) {
+  auto one = plate();
+  one.load_case = "lifting";
+  one.min_safety_factor.reset();
+  auto other = one;
+  other.load_case = "braking";
+  fem::envelope worst;
+  worst.max_displacement = {1e-4, {0.1, 0, 0}, 1};
+  worst.max_von_mises = {55.5e6, {0.35, 0.12, 0.04}, 0};
+
+  const auto json = to_json(std::vector{one, other}, worst);
+
+  ASSERT_EQ(json["cases"].size(), 2u);
+  EXPECT_EQ(json["cases"][1]["load_case"], "braking");
+  EXPECT_FALSE(json["cases"][0].contains("timings_ms"));
+  EXPECT_EQ(json["envelope"]["max_von_mises_pa"], 55.5e6);
+  EXPECT_EQ(json["envelope"]["max_von_mises_case"], "lifting");
+  EXPECT_EQ(json["envelope"]["max_displacement_case"], "braking");
+  EXPECT_EQ(json["envelope"]["max_displacement_at_m"], nlohmann::ordered_json({0.1, 0, 0}));
+  // No yield strength, no safety factor.
+  EXPECT_FALSE(json["envelope"].contains("min_safety_factor"));
+}
+
 }  // namespace
 }  // namespace tedit::cli

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+
+namespace tedit::fem {
+
+namespace {
+
+constexpr int most_stalled_rounds = 8;
+
+double norm_of(std::span<const double> x) {
+  return std::sqrt(parallel_sum(x.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i)
+      sum += x[i] * x[i];
+    return sum;
+  }));
+}
+
+void apply_filter(std::span<const std::array<double, 6>> filter, std::span<double> x) {
+  for (std::size_t n = 0; n < filter.size(); ++n) {
+    const auto& s = filter[n];
+    double* v = &x[3 * n];
+    const std::array<double, 3> y{s[0] * v[0] + s[1] * v[1] + s[2] * v[2],
+                                  s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
+                                  s[2] * v[0] + s[4] * v[1] + s[5] * v[2]};
+    std::ranges::copy(y, v);
+  }
+}
+
+}  // namespace
+
+std::string in_case(const std::string& name, const std::string& message) {
+  return name.empty() ? message : "load case '" + name + "': " + message;
+}
+
+expected<void> check_settings(const problem& p, const solve_settings& settings) {
+  if (!(settings.tolerance > 0))
+    return fail(ec::invalid_argument, "the tolerance must be a positive number");
+  if (!settings.start.empty() && settings.start.size() != p.dofs())
+    return fail(ec::invalid_argument, "the start value has the wrong length");
+  return {};
+}
+
+refinement::refinement(conditions_view conditions, const element_operator& k,
+                       const solve_settings& settings, solution& out)
+    : conditions_(std::move(conditions)),
+      k_(&k),
+      settings_(&settings),
+      out_(&out),
+      residual_(conditions_.loads.size()),
+      correction_(conditions_.loads.size()) {
+  out.displacement.assign(conditions_.prescribed.begin(), conditions_.prescribed.end());
+  reference_ = residual_norm();
+  if (!settings.start.empty())
+    add_start();
+  update();
+  // A start that is near has a small residual; how near in energy nobody knows yet.
+  out.energy_error = std::min(1.0, out.true_relative_residual);
+}
+
+bool refinement::done() const {
+  return out_->true_relative_residual <= settings_->tolerance ||
+         (settings_->energy_tolerance > 0 && out_->energy_error <= settings_->energy_tolerance);
+}
+
+bool refinement::gave_up() const {
+  return round_ >= settings_->max_outer_rounds || stalled_ > most_stalled_rounds;
+}
+
+double refinement::progress() const {
+  const double reached = std::log(std::max(out_->true_relative_residual, 1e-300));
+  return std::clamp(reached / std::log(settings_->tolerance), 0.0, 1.0);
+}
+
+/// The preconditioned norm that steers the inner loop may lag behind the true one.
+inner_case refinement::next(bool early) {
+  ++round_;
+  double wanted = 0.3 * settings_->tolerance / out_->true_relative_residual;
+  wanted = std::max(wanted, settings_->energy_tolerance / out_->energy_error);
+  wanted = std::max(wanted, settings_->inner_reduction);
+  if (early && round_ == 1)
+    wanted = std::max(wanted, settings_->preview_energy);
+  // Single precision works best near one; its own scale is the residual's norm.
+  scale_ = norm_of(residual_);
+  for (auto& value : residual_)
+    value /= scale_;
+  return {residual_, correction_, wanted};
+}
+
+bool refinement::take(const inner_result& inner) {
+  const double previous = out_->true_relative_residual;
+  out_->iterations += inner.iterations;
+  if (!inner.broke_down)
+    out_->energy_error *= std::min(1.0, inner.recurrence_reduction);
+  add_correction(scale_);
+  if (out_->true_relative_residual <= 0.7 * previous)
+    return true;
+  ++stalled_;
+  if (!(out_->true_relative_residual <= previous) && round_ > 1) {
+    add_correction(-scale_);
+    out_->energy_error = 1;
+  }
+  return false;
+}
+
+void refinement::add_correction(double factor) {
+  for (std::size_t i = 0; i < correction_.size(); ++i)
+    out_->displacement[i] += factor * correction_[i];
+  update();
+}
+
+/// Adds the multiple of the start value whose error has the least energy: alpha = d.r / d.Kd.
+void refinement::add_start() {
+  auto d = settings_->start;
+  apply_filter(conditions_.filter, d);
+  std::vector<double> kd(d.size());
+  k_->apply(d, kd);
+  double work = 0;
+  double energy = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    work += d[i] * residual_[i];
+    energy += d[i] * kd[i];
+  }
+  if (!(energy > 0) || !std::isfinite(work))
+    return;
+  for (std::size_t i = 0; i < d.size(); ++i)
+    out_->displacement[i] += work / energy * d[i];
+}
+
+double refinement::residual_norm() {
+  k_->apply(out_->displacement, residual_);
+  for (std::size_t i = 0; i < residual_.size(); ++i)
+    residual_[i] = conditions_.loads[i] - residual_[i];
+  apply_filter(conditions_.filter, residual_);
+  return norm_of(residual_);
+}
+
+void refinement::update() {
+  const double now = residual_norm();
+  out_->true_relative_residual = reference_ > 0 ? now / reference_ : 0;
+}
+
+tl::unexpected<error> refinement::not_converged() const {
+  char text[160];
+  std::snprintf(
+    text, sizeof(text),
+    "the solver stopped at a relative residual of %.2g after %d iterations; %.2g was asked for",
+    out_->true_relative_residual, out_->iterations, settings_->tolerance);
+  return fail(ec::not_converged, in_case(conditions_.name, text),
+              "Check for very thin tets (tedit info), or ask for a larger tolerance");
+}
+
+expected<void> refine(std::span<refinement> cases, linear_system& system,
+                      const solve_settings& settings, const execution& run,
+                      const std::function<void(int round)>& on_round) {
+  for (int round = 1;; ++round) {
+    std::vector<refinement*> open;
+    std::vector<inner_case> inner;
+    for (auto& c : cases)
+      if (!c.done()) {
+        if (c.gave_up())
+          return c.not_converged();
+        open.push_back(&c);
+        inner.push_back(c.next(on_round != nullptr));
+      }
+    if (open.empty())
+      return {};
+    const auto results = system.solve_many(inner, settings.max_inner_iterations, run);
+    if (!results)
+      return fail(results.error());
+    bool worth_while = true;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      worth_while = open[i]->take((*results)[i]) && worth_while;
+    if (!worth_while)
+      system.distrust();
+    double progress = 1;
+    for (const auto& c : cases)
+      progress = std::min(progress, c.progress());
+    run.report(0.1 + 0.8 * progress, "solving");
+    if (on_round && !std::ranges::all_of(cases, &refinement::done))
+      on_round(round);
+  }
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "fem/solver.hpp"
+
+/// The outer iteration in double precision around a backend's inner solves; internal to fem/.
+namespace tedit::fem {
+
+/// Loads and supports of one case, as in `problem`; what they show must outlive the view.
+struct conditions_view {
+  std::string name;  ///< For errors; empty when there is only one case.
+  std::span<const double> loads;
+  std::span<const std::array<double, 6>> filter;
+  std::span<const double> prescribed;
+};
+
+/// A message that starts with the load case it is about; an empty name changes nothing.
+[[nodiscard]] std::string in_case(const std::string& name, const std::string& message);
+
+/// Errors: `invalid_argument` for a tolerance that is not positive or a start of another length.
+[[nodiscard]] expected<void> check_settings(const problem& p, const solve_settings& settings);
+
+/// How far one load case has come. The true residual is its own, whatever it is solved with.
+class refinement {
+public:
+  /// Starts from the prescribed displacement, plus the multiple of the start value that has the
+  /// least energy of the error. `out` takes displacement, residual and iterations. All arguments
+  /// must outlive this.
+  refinement(conditions_view conditions, const element_operator& k, const solve_settings& settings,
+             solution& out);
+
+  [[nodiscard]] bool done() const;
+  [[nodiscard]] bool gave_up() const;
+  [[nodiscard]] double progress() const;  ///< In [0, 1].
+  [[nodiscard]] const solution& state() const { return *out_; }
+
+  /// The next inner solve; `early`: end it where a first frame is wanted.
+  [[nodiscard]] inner_case next(bool early);
+
+  /// Adds the correction of the inner solve that `next` asked for. A correction that made things
+  /// worse is taken back, except the first one. Returns whether it was worth its while.
+  [[nodiscard]] bool take(const inner_result& inner);
+
+  /// Errors: `not_converged` with the case and the residual that was reached.
+  [[nodiscard]] tl::unexpected<error> not_converged() const;
+
+private:
+  void add_start();
+  [[nodiscard]] double residual_norm();
+  void update();
+  void add_correction(double factor);
+
+  conditions_view conditions_;
+  const element_operator* k_;
+  const solve_settings* settings_;
+  solution* out_;
+  std::vector<double> residual_;
+  std::vector<double> correction_;
+  double scale_ = 1;  ///< Of the last correction.
+  double reference_ = 0;
+  int round_ = 0;
+  int stalled_ = 0;
+};
+
+/// Inner solves of all cases that are not done, until all are. `on_round(round)` is called after
+/// each round that is not the last; empty: not wanted. Errors: those of the system;
+/// `not_converged`.
+[[nodiscard]] expected<void> refine(std::span<refinement> cases, linear_system& system,
+                                    const solve_settings& settings, const execution& run,
+                                    const std::function<void(int round)>& on_round = {});
+
+}  // namespace tedit::fem
