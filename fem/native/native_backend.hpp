@@ -22,7 +22,9 @@ struct native_settings {
 
 /// The backend on the CPU's cores: what runs without a GPU, and what other devices are compared
 /// with. Single precision in difference form with a multilevel preconditioner; the outer loop of
-/// `solve` makes the result exact to double precision.
+/// `solve` makes the result exact to double precision. Several right-hand sides are solved up to
+/// eight at a time on one read of everything but their own vectors, which take about 900 bytes a
+/// node while the system stands.
 [[nodiscard]] std::unique_ptr<backend> make_native_backend(const native_settings& settings = {});
 
 }  // namespace tedit::fem
