@@ -25,6 +25,9 @@ struct inner_result {
   /// sqrt(delta / delta_0) of the preconditioned recurrence: steers the loop, never an accuracy
   /// claim.
   double recurrence_reduction = 1;
+  /// sqrt(delta) at the end, delta = r.Br: about the energy norm sqrt(e.Ke) of what is left of the
+  /// error, as far as B is K^-1.
+  double energy = 0;
   bool broke_down = false;  ///< p.Kp <= 0, r.z <= 0 or a number that is not finite.
 };
 
@@ -32,7 +35,8 @@ struct inner_result {
 struct inner_case {
   std::span<const double> residual;  ///< N, 3 per node.
   std::span<double> correction;      ///< m, 3 per node; written.
-  double reduction = 1e-4;           ///< Of its preconditioned residual.
+  double reduction = 1e-4;           ///< It ends when sqrt(r.Br) has fallen by this,
+  double energy = 0;                 ///< or to this; N^.5 m^.5.
 };
 
 /// A matrix on a device, with its filter and preconditioner: assembled once per version.
@@ -41,12 +45,10 @@ public:
   virtual ~linear_system() = default;
 
   /// Solves S K S d = S r for the correction d, starting from d = 0, by preconditioned conjugate
-  /// gradients (MPCG) until the preconditioned residual has fallen by `reduction` or after
-  /// `max_iterations`. `residual` and `correction` hold 3 values per node, N and m. Checks
-  /// `run.cancel` at least every 50 ms. Errors: `cancelled`, `device_lost`, `out_of_memory`.
-  [[nodiscard]] virtual expected<inner_result> solve(std::span<const double> residual,
-                                                     std::span<double> correction, double reduction,
-                                                     int max_iterations, const execution& run) = 0;
+  /// gradients (MPCG) until the case's goal or for `max_iterations`. Checks `run.cancel` at least
+  /// every 50 ms. Errors: `cancelled`, `device_lost`, `out_of_memory`.
+  [[nodiscard]] virtual expected<inner_result> solve(const inner_case& one, int max_iterations,
+                                                     const execution& run) = 0;
 
   /// `solve` for several right-hand sides with an end of its own for each; results in their order.
   /// A case's answer does not depend on the others beyond rounding. Here: one after the other, as
@@ -55,7 +57,7 @@ public:
     std::span<const inner_case> cases, int max_iterations, const execution& run) {
     std::vector<inner_result> results;
     for (const auto& c : cases) {
-      auto result = solve(c.residual, c.correction, c.reduction, max_iterations, run);
+      auto result = solve(c, max_iterations, run);
       if (!result)
         return fail(result.error());
       results.push_back(*result);

@@ -59,8 +59,7 @@ refinement::refinement(conditions_view conditions, const element_operator& k,
   if (!settings.start.empty())
     add_start();
   update();
-  // A start that is near has a small residual; how near in energy nobody knows yet.
-  out.energy_error = std::min(1.0, out.true_relative_residual);
+  out.energy_error = out.true_relative_residual > 0 ? 1 : 0;  // Nobody knows yet.
 }
 
 bool refinement::done() const {
@@ -80,24 +79,27 @@ double refinement::progress() const {
 /// The preconditioned norm that steers the inner loop may lag behind the true one.
 inner_case refinement::next(bool early) {
   ++round_;
-  double wanted = 0.3 * settings_->tolerance / out_->true_relative_residual;
-  wanted = std::max(wanted, settings_->energy_tolerance / out_->energy_error);
-  wanted = std::max(wanted, settings_->inner_reduction);
+  const double wanted = std::max(0.3 * settings_->tolerance / out_->true_relative_residual,
+                                 settings_->inner_reduction);
+  double energy = settings_->energy_tolerance;
   if (early && round_ == 1)
-    wanted = std::max(wanted, settings_->preview_energy);
+    energy = std::max(energy, settings_->preview_energy);
   // Single precision works best near one; its own scale is the residual's norm.
   scale_ = norm_of(residual_);
   for (auto& value : residual_)
     value /= scale_;
-  return {residual_, correction_, wanted};
+  // From nothing the error is the whole field, and its reduction the relative error.
+  if (!(energy_ > 0))
+    return {residual_, correction_, std::max(wanted, energy)};
+  return {residual_, correction_, wanted, energy * energy_ / scale_};
 }
 
 bool refinement::take(const inner_result& inner) {
   const double previous = out_->true_relative_residual;
   out_->iterations += inner.iterations;
-  if (!inner.broke_down)
-    out_->energy_error *= std::min(1.0, inner.recurrence_reduction);
   add_correction(scale_);
+  if (!inner.broke_down && energy_ > 0)
+    out_->energy_error = std::min(1.0, scale_ * inner.energy / energy_);
   if (out_->true_relative_residual <= 0.7 * previous)
     return true;
   ++stalled_;
@@ -134,8 +136,12 @@ void refinement::add_start() {
 
 double refinement::residual_norm() {
   k_->apply(out_->displacement, residual_);
-  for (std::size_t i = 0; i < residual_.size(); ++i)
+  double twice_strain = 0;
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    twice_strain += residual_[i] * out_->displacement[i];
     residual_[i] = conditions_.loads[i] - residual_[i];
+  }
+  energy_ = std::sqrt(std::max(0.0, twice_strain));
   apply_filter(conditions_.filter, residual_);
   return norm_of(residual_);
 }

@@ -56,7 +56,8 @@ private:
   solution* out_;
   std::vector<double> residual_;
   std::vector<double> correction_;
-  double scale_ = 1;  ///< Of the last correction.
+  double scale_ = 1;   ///< Of the last correction.
+  double energy_ = 0;  ///< sqrt(u.Ku) of the displacement.
   double reference_ = 0;
   int round_ = 0;
   int stalled_ = 0;

@@ -23,6 +23,7 @@
 #define TEDIT_CG_STATE 2      // 0 running, 1 converged, 2 broken down
 #define TEDIT_CG_ITERATIONS 3
 #define TEDIT_CG_FACTOR 4     // alpha, then beta
+#define TEDIT_CG_START 5      // r.z of the first iteration
 #define TEDIT_CG_SCALARS 8
 
 // Numbers of workgroups that a dispatch of the loop can have: powers of two, at most 65535.
@@ -46,9 +47,10 @@ TEDIT_CYCLE_PUSH {
   float fresh;
   float enter;     // how much of the old step enters z
   float reduction2; // square of the wanted reduction
+  float energy2;    // r.Br that is small enough in any case
 #ifdef __cplusplus
 };
-static_assert(sizeof(cycle_push) == 32);
+static_assert(sizeof(cycle_push) == 36);
 }  // namespace tedit::fem
 #else
 } push;

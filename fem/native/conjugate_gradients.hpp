@@ -128,14 +128,16 @@ private:
   }
 
   [[nodiscard]] bool is_done(std::size_t c) const {
-    const double wanted = cases_[c].reduction;
-    return results_[c].broke_down || !(rz_[c] > wanted * wanted * start_[c]);
+    const auto& [residual, correction, reduction, energy] = cases_[c];
+    return results_[c].broke_down ||
+           !(rz_[c] > std::max(reduction * reduction * start_[c], energy * energy));
   }
 
   void finish(std::size_t c) {
     running_[c] = false;
     const double start = start_[c];
     results_[c].recurrence_reduction = start > 0 ? std::sqrt(rz_[c] / start) : start == 0 ? 0 : 1;
+    results_[c].energy = std::sqrt(std::max(rz_[c], 0.0));
     if (!results_[c].broke_down)
       return;
     // Numbers that are not finite would stay in all steps to come.

@@ -26,10 +26,8 @@ public:
   native_system(const problem& p, const native_settings& settings)
       : problem_(p), settings_(settings) {}
 
-  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
-                               double reduction, int max_iterations,
+  expected<inner_result> solve(const inner_case& one, int max_iterations,
                                const execution& run) override {
-    const inner_case one{residual, correction, reduction};
     inner_result result;
     if (auto ok = solve_group({&one, 1}, max_iterations, run, {&result, 1}); !ok)
       return fail(ok.error());

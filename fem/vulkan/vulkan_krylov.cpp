@@ -69,7 +69,7 @@ expected<void> vulkan_krylov::record_iteration(const preconditioner& b, const gp
 }
 
 /// r = S r, u = 0, z = B r, p = z, and the scalars of the first iteration.
-expected<void> vulkan_krylov::begin(double reduction) {
+expected<void> vulkan_krylov::begin(const inner_case& goal) {
   if (auto ok = start_->run(); !ok)
     return ok;
   if (auto ok = preconditioned_->run(); !ok)
@@ -79,7 +79,8 @@ expected<void> vulkan_krylov::begin(double reduction) {
   push.rows = k_.rows();
   first.add(kernels_.cg_first, {{2, &z_}, {6, &p_}}, push);
   push.rows = first.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
-  push.reduction2 = static_cast<float>(reduction * reduction);
+  push.reduction2 = static_cast<float>(goal.reduction * goal.reduction);
+  push.energy2 = static_cast<float>(goal.energy * goal.energy);
   first.add_single(kernels_.cg_scalars[TEDIT_CG_BEGIN],
                    {{7, &partials_}, {8, &scalars_}, {9, &gates_}}, push);
   if (auto ok = first.record(); !ok)
@@ -89,11 +90,11 @@ expected<void> vulkan_krylov::begin(double reduction) {
 
 expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& right,
                                             std::vector<device_float4>& correction,
-                                            double reduction, int max_iterations,
+                                            const inner_case& goal, int max_iterations,
                                             const execution& run) {
   if (auto ok = memory_.upload(r_, right); !ok)
     return fail(ok.error());
-  if (auto ok = begin(reduction); !ok)
+  if (auto ok = begin(goal); !ok)
     return fail(ok.error());
   std::vector<float> scalars(TEDIT_CG_SCALARS);
   inner_result result;
@@ -116,9 +117,10 @@ expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& ri
     times = std::min(times, max_iterations - result.iterations);
   }
   result.broke_down = scalars[TEDIT_CG_STATE] == 2;
-  const double start = static_cast<double>(scalars[TEDIT_CG_THRESHOLD]) / (reduction * reduction);
+  const auto start = static_cast<double>(scalars[TEDIT_CG_START]);
   const double now = std::max(static_cast<double>(scalars[TEDIT_CG_DELTA]), 0.0);
   result.recurrence_reduction = start > 0 ? std::sqrt(now / start) : 0;
+  result.energy = std::sqrt(now);
   if (auto ok = memory_.download(u_, correction); !ok)
     return fail(ok.error());
   return result;

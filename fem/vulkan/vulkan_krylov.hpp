@@ -23,10 +23,10 @@ public:
   /// Records the loop; `b` need not outlive the call. `filter` is S.
   [[nodiscard]] expected<void> prepare(const preconditioner& b, const gpu::buffer& filter);
 
-  /// Contract: `linear_system::solve`, in the device's units.
+  /// Contract: `linear_system::solve`, in the device's units; of `goal` only the ends count.
   [[nodiscard]] expected<inner_result> solve(const std::vector<device_float4>& right,
                                              std::vector<device_float4>& correction,
-                                             double reduction, int max_iterations,
+                                             const inner_case& goal, int max_iterations,
                                              const execution& run);
   /// y = K x, for estimates and tests; needs no preconditioner.
   [[nodiscard]] expected<void> multiply(const std::vector<device_float4>& x,
@@ -38,7 +38,7 @@ public:
 private:
   [[nodiscard]] expected<void> record_product();
   [[nodiscard]] expected<void> record_iteration(const preconditioner& b, const gpu::buffer& filter);
-  [[nodiscard]] expected<void> begin(double reduction);
+  [[nodiscard]] expected<void> begin(const inner_case& goal);
 
   const cycle_kernels& kernels_;
   vulkan_memory& memory_;

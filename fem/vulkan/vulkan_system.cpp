@@ -191,31 +191,32 @@ expected<void> vulkan_system::check_ready() const {
               "Assemble it again, or use --device cpu");
 }
 
-expected<inner_result> vulkan_system::solve(std::span<const double> residual,
-                                            std::span<double> correction, double reduction,
-                                            int max_iterations, const execution& run) {
-  return guarded(run,
-                 [&] { return correct(residual, correction, reduction, max_iterations, run); });
+expected<inner_result> vulkan_system::solve(const inner_case& one, int max_iterations,
+                                            const execution& run) {
+  return guarded(run, [&] { return correct(one, max_iterations, run); });
 }
 
-expected<inner_result> vulkan_system::correct(std::span<const double> residual,
-                                              std::span<double> correction, double reduction,
-                                              int max_iterations, const execution& run) {
+expected<inner_result> vulkan_system::correct(const inner_case& one, int max_iterations,
+                                              const execution& run) {
   if (auto ok = check_ready(); !ok)
     return fail(ok.error());
-  const double length = norm_of(residual);
-  std::ranges::fill(correction, 0.0);
+  const double length = norm_of(one.residual);
+  std::ranges::fill(one.correction, 0.0);
   if (!(length > 0))
-    return inner_result{0, 0, length != 0};
+    return inner_result{0, 0, 0, length != 0};
   if (std::exchange(distrusted_, false))
     if (auto ok = raise_bounds(); !ok)
       return fail(ok.error());
   std::vector<device_float4> packed(problem_.node_count());
-  auto result =
-    krylov_->solve(packed3(residual, 1 / length), packed, reduction, max_iterations, run);
+  // On the device the residual is r / length and the matrix K / scale.
+  const double energy_scale = length / std::sqrt(scale_.matrix());
+  auto goal = one;
+  goal.energy /= energy_scale;
+  auto result = krylov_->solve(packed3(one.residual, 1 / length), packed, goal, max_iterations, run);
   if (!result)
     return result;
-  unpack3(packed, length / scale_.matrix(), correction);
+  result->energy *= energy_scale;
+  unpack3(packed, length / scale_.matrix(), one.correction);
   if (result->broke_down)
     if (auto ok = raise_bounds(); !ok)
       return fail(ok.error());

@@ -18,8 +18,8 @@ public:
     std::shared_ptr<gpu::device> on, const problem& p, const vulkan_settings& settings,
     const execution& run);
 
-  expected<inner_result> solve(std::span<const double> residual, std::span<double> correction,
-                               double reduction, int max_iterations, const execution& run) override;
+  expected<inner_result> solve(const inner_case& one, int max_iterations,
+                               const execution& run) override;
   /// Builds the hierarchy anew; the matrix stays.
   expected<void> set_filter(filter_span filter) override;
   expected<void> multiply(std::span<const double> x, std::span<double> y) override;
@@ -49,9 +49,8 @@ private:
   [[nodiscard]] expected<void> prepare_quadratic(filter_span filter);
   [[nodiscard]] expected<float> largest_eigenvalue();
   /// `solve` without its guard.
-  [[nodiscard]] expected<inner_result> correct(std::span<const double> residual,
-                                               std::span<double> correction, double reduction,
-                                               int max_iterations, const execution& run);
+  [[nodiscard]] expected<inner_result> correct(const inner_case& one, int max_iterations,
+                                               const execution& run);
   [[nodiscard]] expected<void> record();
   [[nodiscard]] expected<void> raise_bounds();
   [[nodiscard]] expected<void> check_ready() const;

@@ -162,7 +162,7 @@ TEST_P(VulkanMultilevel, AllNodesHeldIsNoWork) {
   const auto system = open(p_);
   std::vector<double> d(p_.dofs(), 1);
 
-  const auto result = system->solve(wave(p_.dofs(), 0.9), d, 1e-4, 100, {});
+  const auto result = system->solve({wave(p_.dofs(), 0.9), d, 1e-4}, 100, {});
 
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->iterations, 0);
@@ -226,7 +226,7 @@ TEST_P(VulkanMultilevel, AMatrixInManyPiecesGivesTheSame) {
   expect_near_all(cut, whole, kProductTolerance);
 
   std::vector<double> d(p_.dofs());
-  const auto result = pieces->solve(x, d, 1e-4, 200, {});
+  const auto result = pieces->solve({x, d, 1e-4}, 200, {});
   ASSERT_TRUE(result.has_value());
   EXPECT_FALSE(result->broke_down);
   EXPECT_LE(result->recurrence_reduction, 1.01e-4);
@@ -239,9 +239,9 @@ TEST_P(VulkanMultilevel, RepeatsBitForBit) {
   std::vector<double> third(p_.dofs());
   const auto system = open(p_);
 
-  ASSERT_TRUE(system->solve(b, first, 1e-5, 500, {}).has_value());
-  ASSERT_TRUE(system->solve(b, second, 1e-5, 500, {}).has_value());
-  ASSERT_TRUE(open(p_)->solve(b, third, 1e-5, 500, {}).has_value());
+  ASSERT_TRUE(system->solve({b, first, 1e-5}, 500, {}).has_value());
+  ASSERT_TRUE(system->solve({b, second, 1e-5}, 500, {}).has_value());
+  ASSERT_TRUE(open(p_)->solve({b, third, 1e-5}, 500, {}).has_value());
 
   EXPECT_EQ(first, second);
   EXPECT_EQ(first, third);
@@ -250,10 +250,10 @@ TEST_P(VulkanMultilevel, RepeatsBitForBit) {
 TEST_P(VulkanMultilevel, AnyCutIntoSubmissionsGivesTheSameBits) {
   const auto b = wave(p_.dofs(), 1.1);
   std::vector<double> whole(p_.dofs());
-  ASSERT_TRUE(open(p_, {.rows_per_part = 1u << 30})->solve(b, whole, 1e-5, 500, {}).has_value());
+  ASSERT_TRUE(open(p_, {.rows_per_part = 1u << 30})->solve({b, whole, 1e-5}, 500, {}).has_value());
   for (const std::uint32_t rows : {1u, 1000u, 10'000u}) {
     std::vector<double> cut(p_.dofs());
-    ASSERT_TRUE(open(p_, {.rows_per_part = rows})->solve(b, cut, 1e-5, 500, {}).has_value());
+    ASSERT_TRUE(open(p_, {.rows_per_part = rows})->solve({b, cut, 1e-5}, 500, {}).has_value());
     EXPECT_EQ(cut, whole) << rows;
   }
 }
@@ -264,13 +264,13 @@ TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
   std::vector<double> expected_d(p_.dofs());
   std::vector<double> d(p_.dofs());
   execution whole;
-  ASSERT_TRUE(system->solve(b, expected_d, 1e-5, 500, whole).has_value());
+  ASSERT_TRUE(system->solve({b, expected_d, 1e-5}, 500, whole).has_value());
   const auto last = whole.cancel.polls();
   ASSERT_GE(last, 10);
   for (std::uint64_t poll = 1; poll <= last; poll += 1 + poll / 4) {
     execution run;
     run.cancel = cancel_token::at_poll(poll);
-    const auto result = system->solve(b, d, 1e-5, 500, run);
+    const auto result = system->solve({b, d, 1e-5}, 500, run);
     // Submissions follow measured times, and with them the number of checks.
     if (result) {
       EXPECT_LT(run.cancel.polls(), poll);
@@ -279,14 +279,14 @@ TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
       EXPECT_EQ(result.error().code, ec::cancelled);
     }
   }
-  ASSERT_TRUE(system->solve(b, d, 1e-5, 500, {}).has_value());
+  ASSERT_TRUE(system->solve({b, d, 1e-5}, 500, {}).has_value());
   EXPECT_EQ(d, expected_d);
 }
 
 TEST_P(VulkanMultilevel, IterationsAreBounded) {
   std::vector<double> d(p_.dofs());
 
-  const auto result = open(p_)->solve(wave(p_.dofs(), 1.1), d, 1e-30, 3, {});
+  const auto result = open(p_)->solve({wave(p_.dofs(), 1.1), d, 1e-30}, 3, {});
 
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->iterations, 3);
@@ -304,7 +304,7 @@ TEST_P(VulkanMultilevel, CancelIsObeyedWhileItRuns) {
 
   // Never done: nothing ever falls by so much before it is cancelled or breaks down.
   for (;;) {
-    const auto result = system->solve(b, d, 1e-30, 1'000'000, run);
+    const auto result = system->solve({b, d, 1e-30}, 1'000'000, run);
     if (result)
       continue;
     EXPECT_EQ(result.error().code, ec::cancelled);
@@ -319,13 +319,13 @@ TEST_P(VulkanMultilevel, ATooSmallEigenvalueBreaksDownOnce) {
   const auto b = wave(p_.dofs(), 1.1);
   std::vector<double> d(p_.dofs());
 
-  const auto first = system->solve(b, d, 1e-4, 500, {});
+  const auto first = system->solve({b, d, 1e-4}, 500, {});
   ASSERT_TRUE(first.has_value());
   EXPECT_TRUE(first->broke_down);
 
   // The bound on nodes holds at once; the rigid levels may need a few raises.
   for (int raise = 0; raise < 6; ++raise)
-    if (const auto again = system->solve(b, d, 1e-4, 500, {}); again && !again->broke_down)
+    if (const auto again = system->solve({b, d, 1e-4}, 500, {}); again && !again->broke_down)
       return;
   FAIL() << "still not positive definite";
 }

@@ -76,8 +76,8 @@ TEST_F(VulkanSystem, SolveIsEquivalentToNative) {
   std::vector<double> expected_d(p_.dofs());
   std::vector<double> d(p_.dofs());
 
-  const auto reference = native_->solve(b, expected_d, 1e-6, 5000, {});
-  const auto result = device_->solve(b, d, 1e-6, 5000, {});
+  const auto reference = native_->solve({b, expected_d, 1e-6}, 5000, {});
+  const auto result = device_->solve({b, d, 1e-6}, 5000, {});
 
   ASSERT_TRUE(reference.has_value());
   ASSERT_TRUE(result.has_value());
@@ -90,7 +90,7 @@ TEST_F(VulkanSystem, HeldDirectionsStayAtZero) {
   const auto b = wave(p_.dofs(), 0.9);
   std::vector<double> d(p_.dofs());
 
-  ASSERT_TRUE(device_->solve(b, d, 1e-4, 5000, {}).has_value());
+  ASSERT_TRUE(device_->solve({b, d, 1e-4}, 5000, {}).has_value());
 
   for (std::size_t n = 0; n < p_.node_count(); ++n)
     if (p_.filter[n] == std::array<double, 6>{}) {
@@ -106,8 +106,8 @@ TEST_F(VulkanSystem, RepeatsBitForBit) {
   std::vector<double> second(p_.dofs());
   const auto again = open();
 
-  ASSERT_TRUE(device_->solve(b, first, 1e-5, 5000, {}).has_value());
-  ASSERT_TRUE(again->solve(b, second, 1e-5, 5000, {}).has_value());
+  ASSERT_TRUE(device_->solve({b, first, 1e-5}, 5000, {}).has_value());
+  ASSERT_TRUE(again->solve({b, second, 1e-5}, 5000, {}).has_value());
 
   EXPECT_EQ(first, second);
 }
@@ -125,7 +125,7 @@ TEST_F(VulkanSystem, AMatrixInManyBindingsGivesTheSame) {
   EXPECT_EQ(whole, cut);
 
   std::vector<double> d(p_.dofs());
-  const auto result = pieces->solve(x, d, 1e-4, 5000, {});
+  const auto result = pieces->solve({x, d, 1e-4}, 5000, {});
   ASSERT_TRUE(result.has_value());
   EXPECT_FALSE(result->broke_down);
 }
@@ -165,7 +165,7 @@ TEST_F(VulkanSystem, CancelIsObeyed) {
   const auto b = wave(p_.dofs(), 1.1);
   std::vector<double> d(p_.dofs());
 
-  const auto result = device_->solve(b, d, 1e-5, 5000, run);
+  const auto result = device_->solve({b, d, 1e-5}, 5000, run);
 
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ec::cancelled);
@@ -178,7 +178,7 @@ TEST_F(VulkanSystem, AnotherFilterNeedsNoNewMatrix) {
   std::vector<double> d(p_.dofs());
 
   ASSERT_TRUE(device_->set_filter(free).has_value());
-  ASSERT_TRUE(device_->solve(b, d, 1e-3, 20000, {}).has_value());
+  ASSERT_TRUE(device_->solve({b, d, 1e-3}, 20000, {}).has_value());
 
   EXPECT_EQ(d[0], 0);
   EXPECT_EQ(d[8], 0);
