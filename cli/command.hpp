@@ -31,6 +31,7 @@ void add_info(CLI::App& app, action& chosen);
 void add_ops(CLI::App& app, action& chosen);
 void add_edit(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);
+void add_export(CLI::App& app, action& chosen);
 void add_run(CLI::App& app, action& chosen);
 void add_serve(CLI::App& app, action& chosen);
 void add_worker(CLI::App& app, action& chosen);

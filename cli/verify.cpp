@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -29,6 +30,8 @@ struct verify_options {
   std::string output;
   std::string part;
   std::string load_case;
+  bool calculix = false;
+  std::string parts;
   std::string length_unit = "mm";
 };
 
@@ -73,6 +76,19 @@ nlohmann::ordered_json to_json(const verification::suite_report& report) {
                     {"energy_error", r.energy_error},
                     {"l2_rate", r.l2_rate},
                     {"energy_rate", r.energy_rate}});
+  json side_by_side = json::array();
+  for (const auto& r : report.side_by_side)
+    side_by_side.push_back({{"part", r.part},
+                            {"program", r.program},
+                            {"element_order", r.element_order},
+                            {"elements", r.elements},
+                            {"nodes", r.nodes},
+                            {"displacement", r.displacement},
+                            {"reaction", r.reaction},
+                            {"surface_reaction", r.surface_reaction},
+                            {"compliance", r.compliance},
+                            {"milliseconds", r.milliseconds},
+                            {"other_milliseconds", r.other_milliseconds}});
   json left_out = json::array();
   for (const auto& item : report.left_out)
     left_out.push_back({{"what", item.what}, {"why", item.why}});
@@ -83,6 +99,7 @@ nlohmann::ordered_json to_json(const verification::suite_report& report) {
           {"milliseconds", report.milliseconds},
           {"results", results},
           {"convergence", rows},
+          {"side_by_side", side_by_side},
           {"left_out", left_out}};
 }
 
@@ -97,7 +114,20 @@ std::string convergence_text(const verification::suite_report& report) {
   return "\n" + format_table(rows);
 }
 
-/// Refusals that hold are counted, not listed: each is a sentence of its own.
+std::string side_by_side_text(const verification::suite_report& report) {
+  std::vector<std::vector<std::string>> rows{{report.side_by_side.front().program, "order", "tets",
+                                              "displacement", "total reaction", "surface reaction",
+                                              "compliance", "s", "CalculiX s"}};
+  for (const auto& r : report.side_by_side)
+    rows.push_back({r.part, std::to_string(r.element_order), std::to_string(r.elements),
+                    pretty(r.displacement, 2), pretty(r.reaction, 2), pretty(r.surface_reaction, 2),
+                    pretty(r.compliance, 2), pretty(1e-3 * r.milliseconds, 2),
+                    pretty(1e-3 * r.other_milliseconds, 2)});
+  return "\n" + format_table(rows);
+}
+
+/// Refusals that hold are counted, not listed: each is a sentence of its own. What holds side by
+/// side with CalculiX has a table of its own.
 std::string describe(const verification::suite_report& report) {
   std::vector<std::vector<std::string>> rows{
     {"case", "order", "tets", "quantity", "target", "computed", "error", "tolerance", "ms", ""}};
@@ -107,6 +137,8 @@ std::string describe(const verification::suite_report& report) {
       ++refused;
       continue;
     }
+    if (r.name == verification::side_by_side_case && r.passed)
+      continue;
     const auto t = verification::text_of(r);
     rows.push_back({r.name, std::to_string(r.element_order), std::to_string(r.elements), r.quantity,
                     t.target, t.computed, t.error, t.tolerance, pretty(r.milliseconds, 3),
@@ -115,6 +147,8 @@ std::string describe(const verification::suite_report& report) {
   std::string text = format_table(rows);
   if (!report.convergence.empty())
     text += convergence_text(report);
+  if (!report.side_by_side.empty())
+    text += side_by_side_text(report);
   text += "\n  " + std::to_string(refused) + " checks with bad input: refused by name\n";
   for (const auto& item : report.left_out)
     text += "  left out: " + item.what + ": " + item.why + "\n";
@@ -124,27 +158,59 @@ std::string describe(const verification::suite_report& report) {
   return text;
 }
 
-/// The part that was asked for, or the shipped plate when the program stands in its source tree.
-expected<std::optional<verification::real_part>> read_part(const verify_options& options) {
-  fs::path mesh = options.part;
-  fs::path loads = options.load_case;
-  if (mesh.empty()) {
-    const fs::path plate = "examples/ctc01_plate";
-    for (const fs::path& root : {fs::current_path(), executable_folder() / "../../.."})
-      if (mesh.empty() && fs::exists(root / plate / "load_case.json")) {
-        mesh = root / plate / "ctc01_plate.coarse.msh";
-        loads = root / plate / "load_case.json";
-      }
-    if (mesh.empty())
-      return std::nullopt;
-  }
+expected<verification::real_part> read_part(const fs::path& mesh, const fs::path& loads,
+                                            const std::string& length_unit) {
   const auto case_read = protocol::load_case_from_file(loads);
   if (!case_read)
     return fail(case_read.error());
-  const auto imported = import_mesh(mesh, options.length_unit);
+  const auto imported = import_mesh(mesh, length_unit);
   if (!imported)
     return fail(imported.error());
   return verification::real_part{mesh.filename().string(), imported->version, *case_read};
+}
+
+/// A folder of the source tree when the program stands in one or is run in one, else empty.
+fs::path shipped(const fs::path& folder) {
+  for (const fs::path& root : {fs::current_path(), executable_folder() / "../../.."})
+    if (fs::exists(root / folder))
+      return root / folder;
+  return {};
+}
+
+/// The part that was asked for, or the shipped plate when there is one.
+expected<std::optional<verification::real_part>> read_part(const verify_options& options) {
+  if (!options.part.empty())
+    return read_part(options.part, options.load_case, options.length_unit);
+  const auto plate = shipped("examples/ctc01_plate");
+  if (plate.empty())
+    return std::nullopt;
+  return read_part(plate / "ctc01_plate.coarse.msh", plate / "load_case.json", options.length_unit);
+}
+
+/// The parts to solve side by side with CalculiX, by name: NAME/NAME.coarse.msh with
+/// NAME/load_case.json, in the folder that was asked for or the shipped one.
+expected<std::vector<verification::real_part>> read_parts(const verify_options& options) {
+  std::vector<verification::real_part> parts;
+  const auto folder = options.parts.empty() ? shipped("tests/data/parts") : fs::path(options.parts);
+  std::error_code code;
+  std::vector<fs::path> names;
+  for (const auto& entry : fs::directory_iterator(folder, code))
+    if (fs::exists(entry.path() / "load_case.json"))
+      names.push_back(entry.path());
+  std::ranges::sort(names);
+  for (const auto& name : names) {
+    auto part = read_part(name / (name.filename().string() + ".coarse.msh"),
+                          name / "load_case.json", options.length_unit);
+    if (!part)
+      return fail(part.error());
+    part->name = name.filename().string();
+    parts.push_back(std::move(*part));
+  }
+  if (parts.empty())
+    return fail(ec::not_found,
+                "there is no part to solve side by side in \"" + folder.string() + "\"",
+                "Give --parts a folder that has NAME/NAME.coarse.msh and NAME/load_case.json");
+  return parts;
 }
 
 expected<void> write_page(const verify_options& options, const verification::suite_report& report) {
@@ -153,7 +219,8 @@ expected<void> write_page(const verify_options& options, const verification::sui
   picture.replace_extension(".svg");
   const verification::page_facts facts{
     std::string("TEdit ") + TEDIT_VERSION,
-    "build/release/bin/tedit verify --suite --device " + options.device + " -o " + options.output,
+    "build/release/bin/tedit verify --suite " + std::string(options.calculix ? "--calculix " : "") +
+      "--device " + options.device + " -o " + options.output,
     report.convergence.empty() ? std::string() : picture.filename().string()};
   if (!report.convergence.empty())
     if (auto ok = write_file(
@@ -174,8 +241,13 @@ int run_verify(const verify_options& options, session& s) {
   const auto device = fem::open_backend(options.device);
   if (!device)
     return print_error(s, device.error());
+  expected<std::vector<verification::real_part>> parts;
+  if (options.calculix)
+    parts = read_parts(options);
+  if (!parts)
+    return print_error(s, parts.error());
   const auto report =
-    verification::run_suite(**device, *part ? &**part : nullptr, make_execution(s));
+    verification::run_suite(**device, *part ? &**part : nullptr, make_execution(s), *parts);
   if (!report)
     return print_error(s, report.error());
   if (!options.output.empty())
@@ -202,7 +274,16 @@ void add_verify(CLI::App& app, action& chosen) {
   command->add_option("--part", options->part,
                       "Mesh for the invariance cases (default: examples/ctc01_plate)");
   command->add_option("--load-case", options->load_case, "Load case of --part (JSON)");
-  command->add_option("--length-unit", options->length_unit, "Unit of the part's coordinates")
+  auto* calculix =
+    command->add_flag("--calculix", options->calculix,
+                      "Also solve real parts side by side with CalculiX (the program "
+                      "ccx, Debian package calculix-ccx): minutes");
+  command
+    ->add_option("--parts", options->parts,
+                 "Folder of parts for --calculix, each NAME/NAME.coarse.msh and "
+                 "NAME/load_case.json (default: tests/data/parts)")
+    ->needs(calculix);
+  command->add_option("--length-unit", options->length_unit, "Unit of the parts' coordinates")
     ->capture_default_str();
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_verify(*options, s); }; });

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "fem/incidence.hpp"
+#include "fem/rows.hpp"
 
 namespace tedit::fem {
 
@@ -45,20 +46,22 @@ inline void store3(float4 value, float* at) {
 /// and rotations to rounding of their differences; plain single precision is wrong by percents.
 /// Memory: 40 bytes a block.
 struct block_matrix {
-  std::vector<std::uint32_t> first;   ///< Start of each row in `column` and `value`; rows + 1.
+  row_places places;                  ///< Of the rows in `column` and `value`.
   std::vector<std::uint32_t> column;  ///< Ascending within a row, without the diagonal.
   std::vector<float> value;           ///< 9 per entry, column by column, and 1 of padding; N/m.
 
-  [[nodiscard]] std::size_t rows() const { return first.size() - 1; }
+  [[nodiscard]] std::size_t rows() const { return places.size(); }
+  [[nodiscard]] std::uint32_t begin(std::size_t row) const { return places.begin(row); }
+  [[nodiscard]] std::uint32_t end(std::size_t row) const { return places.end(row); }
   [[nodiscard]] std::uint64_t bytes() const {
-    return first.size() * 4 + column.size() * 4 + value.size() * 4;
+    return places.bytes() + column.size() * 4 + value.size() * 4;
   }
 
   /// Row i of K x; x has `padded3` floats.
   [[nodiscard]] float4 row(std::size_t i, const float* x) const {
     const float4 own = load4(x + 3 * i);
     float4 sum{};
-    for (auto s = first[i]; s < first[i + 1]; ++s) {
+    for (auto s = begin(i), last = end(i); s < last; ++s) {
       const float4 d = load4(x + 3 * std::size_t{column[s]}) - own;
       const float* v = &value[9 * std::size_t{s}];
       sum += load4(v) * splat(d[0]) + load4(v + 3) * splat(d[1]) + load4(v + 6) * splat(d[2]);
@@ -67,15 +70,23 @@ struct block_matrix {
   }
 };
 
-/// Builds pattern and values of linear tets by gathering over each node's elements: no atomics, the
-/// same bits every time. Block of an element: K_ab = V [lambda g_a g_b^T + mu g_b g_a^T + mu
-/// (g_a.g_b) I], summed in double precision.
+/// Builds pattern and values of the linear tets at the corners of a problem of any order, by
+/// gathering over each node's elements: no atomics, the same bits every time. Block of an element:
+/// K_ab = V [lambda g_a g_b^T + mu g_b g_a^T + mu (g_a.g_b) I], summed in double precision.
+/// `corners` has the elements' corners.
 [[nodiscard]] block_matrix assemble_blocks(const problem& p, const incidence& corners);
 
-/// The diagonal blocks D_i = -sum_{j != i} K_ij, symmetric: xx, xy, xz, yy, yz, zz.
+/// Gathers the rows of `nodes` again, and adds rows of new corners. Cost: O(rows).
+void update_blocks(const problem& p, const incidence& corners, std::span<const std::uint32_t> nodes,
+                   block_matrix& k);
+
+/// A diagonal block D_i = -sum_{j != i} K_ij, symmetric: xx, xy, xz, yy, yz, zz.
+[[nodiscard]] std::array<float, 6> diagonal_block(const block_matrix& k, std::size_t row);
 [[nodiscard]] std::vector<std::array<float, 6>> diagonal_blocks(const block_matrix& k);
 
-/// S (S D S + I - S)^-1 S for each node: the inverse of D within the free directions of filter S.
+/// S (S D S + I - S)^-1 S: the inverse of D within the free directions of filter S.
+[[nodiscard]] std::array<float, 6> invert_block(const std::array<float, 6>& diagonal,
+                                                const std::array<double, 6>& filter);
 [[nodiscard]] std::vector<std::array<float, 6>> invert_blocks(
   std::span<const std::array<float, 6>> diagonal, std::span<const std::array<double, 6>> filter);
 

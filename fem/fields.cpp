@@ -10,7 +10,7 @@ field scatter(const char* name, field_location location, int components, std::si
   const auto width = static_cast<std::size_t>(components);
   std::vector<double> by_slot(slots * width, 0.0);
   for (std::size_t i = 0; i < owners.size(); ++i)
-    for (std::size_t c = 0; c < width; ++c)
+    for (std::size_t c = 0; c < width && owners[i] != no_id; ++c)
       by_slot[owners[i] * width + c] = values[i * width + c];
   return {name, location, components, paged_array<double>::from(by_slot)};
 }

@@ -9,20 +9,51 @@
 
 namespace tedit::fem {
 
-incidence::incidence(const problem& p, int locals) : first_(p.node_count() + 1, 0) {
+incidence::incidence(const problem& p, int locals)
+    : locals_(static_cast<std::uint32_t>(std::min(p.nodes_per_element, locals))) {
   const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
-  const auto used = std::min(per, static_cast<std::uint32_t>(locals));
   const auto for_each_corner = [&](const auto& visit) {
     for (std::uint32_t e = 0; e < p.element_count(); ++e)
-      for (std::uint32_t corner = per * e; corner < per * e + used; ++corner)
+      for (std::uint32_t corner = per * e; corner < per * e + locals_; ++corner)
         visit(p.element_nodes[corner], corner);
   };
-  for_each_corner([&](std::uint32_t node, std::uint32_t) { ++first_[node + 1]; });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  corners_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  std::vector<std::uint32_t> next(locals_ == 4 ? p.corner_count : p.node_count(), 0);
+  for_each_corner([&](std::uint32_t node, std::uint32_t) { ++next[node]; });
+  places_ = row_places(next);
+  corners_.resize(places_.room());
+  for (std::size_t n = 0; n < next.size(); ++n)
+    next[n] = places_.begin(n);
   for_each_corner(
     [&](std::uint32_t node, std::uint32_t corner) { corners_[next[node]++] = corner; });
+}
+
+void incidence::update(const problem& p, std::span<const std::uint32_t> elements,
+                       std::span<const std::uint32_t> nodes) {
+  const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
+  // New corners of changed elements by node, in the elements' order.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh;
+  for (const auto e : elements)
+    for (std::uint32_t a = 0; a < locals_ && e < p.element_count(); ++a)
+      fresh.emplace_back(p.element_nodes[per * std::size_t{e} + a], per * e + a);
+  std::ranges::sort(fresh);
+  auto next = fresh.begin();
+  std::vector<std::uint32_t> row;
+  for (const auto n : nodes) {
+    if (locals_ == 4 && n >= p.corner_count)
+      break;
+    while (n >= places_.size())
+      places_.add(0);
+    row.clear();
+    for (const auto corner : of_node(n))
+      if (!std::ranges::binary_search(elements, corner / per))
+        row.push_back(corner);
+    for (; next != fresh.end() && next->first == n; ++next)
+      row.push_back(next->second);
+    std::ranges::sort(row);
+    const auto at = places_.replace(n, static_cast<std::uint32_t>(row.size()));
+    corners_.resize(places_.room());
+    std::ranges::copy(row, corners_.begin() + at);
+  }
 }
 
 // -- the operator ------------------------------------------------------------------
@@ -94,18 +125,28 @@ void add_forces(const problem& p, std::size_t first, std::size_t last, const std
 }  // namespace
 
 element_operator::element_operator(const problem& p)
-    : problem_(p),
-      local_(p.element_nodes.size()),
-      chunk_first_(chunk_count(p.element_count()) + 1) {
-  std::vector<std::vector<std::uint32_t>> lists(chunk_count(p.element_count()));
-  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t chunk) {
-    list_chunk_nodes(first, last, lists[chunk]);
+    : problem_(p), local_(p.element_nodes.size()), chunks_(chunk_count(p.element_count())) {
+  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t c) {
+    list_chunk_nodes(first, last, chunks_[c].nodes);
   });
-  for (std::size_t c = 0; c < lists.size(); ++c)
-    chunk_first_[c + 1] = chunk_first_[c] + lists[c].size();
-  chunk_nodes_.reserve(chunk_first_.back());
-  for (const auto& list : lists)
-    chunk_nodes_.insert(chunk_nodes_.end(), list.begin(), list.end());
+  share_nodes();
+}
+
+void element_operator::update(std::span<const std::uint32_t> elements) {
+  const std::size_t count = problem_.element_count();
+  local_.resize(problem_.element_nodes.size());
+  chunks_.resize(chunk_count(count));
+  std::size_t listed = chunks_.size();
+  for (const auto e : elements) {
+    // What went was at the end, and its chunk may be gone or shorter.
+    const std::size_t c = e / parallel_chunk;
+    if (c >= chunks_.size() || c == listed)
+      continue;
+    listed = c;
+    chunks_[c].nodes.clear();
+    list_chunk_nodes(c * parallel_chunk, std::min(count, (c + 1) * parallel_chunk),
+                     chunks_[c].nodes);
+  }
   share_nodes();
 }
 
@@ -129,9 +170,11 @@ void element_operator::list_chunk_nodes(std::size_t first, std::size_t last,
 
 void element_operator::share_nodes() {
   std::vector<std::uint32_t> users(problem_.node_count(), 0);
-  for (const auto node : chunk_nodes_)
-    ++users[node];
-  shared_first_.push_back(0);
+  for (const auto& part : chunks_)
+    for (const auto node : part.nodes)
+      ++users[node];
+  shared_.clear();
+  shared_first_.assign(1, 0);
   std::vector<std::uint32_t> next(problem_.node_count(), no_id);
   for (std::uint32_t n = 0; n < users.size(); ++n) {
     if (users[n] == 1)
@@ -140,9 +183,13 @@ void element_operator::share_nodes() {
     shared_.push_back(n);
     shared_first_.push_back(next[n] + users[n]);
   }
-  slot_.resize(chunk_nodes_.size());
-  for (std::size_t i = 0; i < slot_.size(); ++i)
-    slot_[i] = next[chunk_nodes_[i]] == no_id ? no_id : next[chunk_nodes_[i]]++;
+  for (auto& part : chunks_) {
+    part.slot.resize(part.nodes.size());
+    for (std::size_t i = 0; i < part.slot.size(); ++i) {
+      auto& at = next[part.nodes[i]];
+      part.slot[i] = at == no_id ? no_id : at++;
+    }
+  }
 }
 
 /// Arrays that live for one application.
@@ -154,9 +201,7 @@ struct element_operator::chunk_scratch {
 void element_operator::apply_chunk(std::span<const double> displacement, std::size_t first,
                                    std::size_t last, chunk_scratch& scratch) const {
   const auto& p = problem_;
-  const std::size_t chunk = first / parallel_chunk;
-  const auto nodes = std::span(chunk_nodes_)
-                       .subspan(chunk_first_[chunk], chunk_first_[chunk + 1] - chunk_first_[chunk]);
+  const auto& [nodes, slot] = chunks_[first / parallel_chunk];
   std::vector<vec3> own(3 * nodes.size());
   vec3* force = own.data();
   vec3* value = force + nodes.size();
@@ -170,7 +215,6 @@ void element_operator::apply_chunk(std::span<const double> displacement, std::si
     add_forces<10>(p, first, last, local_.data(), position, value, force);
   else
     add_forces<4>(p, first, last, local_.data(), position, value, force);
-  const auto* slot = &slot_[chunk_first_[chunk]];
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (slot[i] != no_id) {
       scratch.rims[slot[i]] = force[i];

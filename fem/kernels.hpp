@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/execution.hpp"
-#include "fem/problem.hpp"
+#include "fem/problem_update.hpp"
 
 namespace tedit::fem {
 
@@ -47,6 +47,16 @@ public:
   /// Replaces the constraint filter; the matrix stays. Cost: O(nodes).
   [[nodiscard]] virtual expected<void> set_filter(
     std::span<const std::array<double, 6>> filter) = 0;
+
+  /// The problem was carried on by `problem_updater`, and its loads and constraints are set: renews
+  /// the rows of `change.nodes` and what stands on them; `corners` has the elements' corners now.
+  /// False when this system cannot: it is lost then, assemble another one. Cost: the change.
+  [[nodiscard]] virtual expected<bool> update(const problem_change& change,
+                                              const incidence& corners) {
+    static_cast<void>(change);
+    static_cast<void>(corners);
+    return false;
+  }
 
   /// y = K x in the device's own precision and storage: for tests against the native backend.
   [[nodiscard]] virtual expected<void> multiply(std::span<const double> x, std::span<double> y) = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <cmath>
+#include <set>
 
 #include "fem/problem_parts.hpp"
 
@@ -34,11 +35,27 @@ expected<void> check_material(const material& m) {
 
 }  // namespace
 
+region_materials materials_of_regions(const load_case& loads) {
+  region_materials result;
+  for (std::uint32_t i = 0; i < loads.materials.size(); ++i) {
+    if (loads.materials[i].regions.empty())
+      result.fallback = i;
+    for (const auto region : loads.materials[i].regions)
+      result.named.emplace(region, i);
+  }
+  return result;
+}
+
+tl::unexpected<error> refuse_region(region_id region) {
+  return fail(ec::invalid_material, "region " + std::to_string(region) + " has no material",
+              "Name it in a material, or give one material without regions");
+}
+
 expected<void> assign_materials(const mesh_version& mesh, const load_case& loads, problem& p) {
   if (loads.materials.empty())
     return fail(ec::invalid_material, "the load case has no material",
                 "Give at least one, with Young's modulus and Poisson's ratio");
-  std::map<region_id, std::uint32_t> by_region;
+  std::set<region_id> named;
   std::int64_t fallback = -1;
   for (std::uint32_t i = 0; i < loads.materials.size(); ++i) {
     const auto& m = loads.materials[i];
@@ -58,20 +75,17 @@ expected<void> assign_materials(const mesh_version& mesh, const load_case& loads
       fallback = i;
     }
     for (const auto region : m.regions)
-      if (!by_region.emplace(region, i).second)
+      if (!named.insert(region).second)
         return fail(ec::invalid_material, "region " + std::to_string(region) + " has two materials",
                     "Name each region in one material");
   }
+  const auto materials = materials_of_regions(loads);
   for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
     if (!mesh.is_live_tet(t))
       continue;
-    const auto found = by_region.find(mesh.region_of(t));
-    if (found == by_region.end() && fallback < 0)
-      return fail(ec::invalid_material,
-                  "region " + std::to_string(mesh.region_of(t)) + " has no material",
-                  "Name it in a material, or give one material without regions");
-    p.element_materials.push_back(found == by_region.end() ? static_cast<std::uint32_t>(fallback)
-                                                           : found->second);
+    p.element_materials.push_back(materials.of(mesh.region_of(t)));
+    if (p.element_materials.back() == no_id)
+      return refuse_region(mesh.region_of(t));
   }
   return {};
 }

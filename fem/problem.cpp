@@ -26,7 +26,8 @@ std::uint64_t spread_bits(std::uint64_t x) {
 }
 
 /// Nodes along a Morton curve, so that neighbours in space are neighbours in memory.
-void number_nodes(const mesh_version& mesh, problem& p, std::vector<std::uint32_t>& node_of) {
+void number_nodes(const mesh_version& mesh, std::uint32_t spare, problem& p,
+                  std::vector<std::uint32_t>& node_of) {
   vec3 low{1e300, 1e300, 1e300};
   vec3 high = -low;
   for (vertex_id v = 0; v < mesh.vertex_slots(); ++v) {
@@ -53,6 +54,11 @@ void number_nodes(const mesh_version& mesh, problem& p, std::vector<std::uint32_
     node_of[p.node_vertices[n]] = n;
     p.nodes.push_back(mesh.position(p.node_vertices[n]));
   }
+  for (; spare > 0; --spare) {
+    p.unused.push_back(static_cast<std::uint32_t>(p.nodes.size()));
+    p.node_vertices.push_back(no_id);
+    p.nodes.emplace_back();
+  }
   p.corner_count = p.nodes.size();
 }
 
@@ -72,33 +78,14 @@ std::string list_of(const std::vector<tet_id>& tets) {
   return tets.size() > 8 ? text + ", ..." : text;
 }
 
-expected<void> add_elements(const mesh_version& mesh, const std::vector<std::uint32_t>& node_of,
-                            problem& p) {
-  std::vector<tet_id> flat;
-  std::vector<tet_id> inverted;
+void add_elements(const mesh_version& mesh, const std::vector<std::uint32_t>& node_of, problem& p) {
   for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
     if (!mesh.is_live_tet(t))
       continue;
-    const auto corners = mesh.corners(t);
-    if (is_flat(corners))
-      flat.push_back(t);
-    else if (signed_volume(corners) < 0)
-      inverted.push_back(t);
     p.element_tets.push_back(t);
     for (const auto v : mesh.tet_at(t).v)
       p.element_nodes.push_back(node_of[v]);
   }
-  const auto refuse = [&](ec code, const std::vector<tet_id>& tets, const char* what) {
-    const auto c = mesh.corners(tets.front());
-    const vec3 at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
-    return fail(code, std::to_string(tets.size()) + " tets " + what + ": tet " + list_of(tets),
-                "Repair or remesh the part there", "first at " + point_text(at));
-  };
-  if (!inverted.empty())
-    return refuse(ec::inverted_tet, inverted, "are inverted (negative volume)");
-  if (!flat.empty())
-    return refuse(ec::degenerate_tet, flat, "have no volume (flat within rounding)");
-  return {};
 }
 
 /// Elements by their smallest node (stable): a counting sort.
@@ -165,6 +152,29 @@ edge_rows rows_of_edges(const problem& p) {
 
 }  // namespace
 
+expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> tets) {
+  std::vector<tet_id> flat;
+  std::vector<tet_id> inverted;
+  for (const auto t : tets) {
+    const auto corners = mesh.corners(t);
+    if (is_flat(corners))
+      flat.push_back(t);
+    else if (signed_volume(corners) < 0)
+      inverted.push_back(t);
+  }
+  const auto refuse = [&](ec code, const std::vector<tet_id>& bad, const char* what) {
+    const auto c = mesh.corners(bad.front());
+    const vec3 at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
+    return fail(code, std::to_string(bad.size()) + " tets " + what + ": tet " + list_of(bad),
+                "Repair or remesh the part there", "first at " + point_text(at));
+  };
+  if (!inverted.empty())
+    return refuse(ec::inverted_tet, inverted, "are inverted (negative volume)");
+  if (!flat.empty())
+    return refuse(ec::degenerate_tet, flat, "have no volume (flat within rounding)");
+  return {};
+}
+
 void add_mid_nodes(problem& p) {
   const auto rows = rows_of_edges(p);
   std::vector<std::uint32_t> node_of_row(p.corner_count + 1,
@@ -196,17 +206,20 @@ void add_mid_nodes(problem& p) {
     }
   });
   p.element_nodes.swap(all);
+  p.ordered_edges = p.edge_ends.size();
   p.element_order = 2;
   p.nodes_per_element = 10;
 }
 
 std::uint32_t mid_node(const problem& p, std::uint32_t a, std::uint32_t b) {
   const std::array<std::uint32_t, 2> ends{std::min(a, b), std::max(a, b)};
-  const auto found = std::ranges::lower_bound(p.edge_ends, ends);
-  return found == p.edge_ends.end() || *found != ends
-           ? no_id
-           : static_cast<std::uint32_t>(p.corner_count +
-                                        static_cast<std::size_t>(found - p.edge_ends.begin()));
+  const auto ordered = std::span(p.edge_ends).first(p.ordered_edges);
+  const auto found = std::ranges::lower_bound(ordered, ends);
+  if (found != ordered.end() && *found == ends)
+    return static_cast<std::uint32_t>(p.corner_count +
+                                      static_cast<std::size_t>(found - ordered.begin()));
+  const auto late = p.late_edges.find(ends);
+  return late == p.late_edges.end() ? no_id : late->second;
 }
 
 std::string point_text(vec3 p) {
@@ -217,18 +230,20 @@ std::string point_text(vec3 p) {
 
 namespace {
 
-expected<problem> discretised(const mesh_version& mesh, const load_case& loads, int element_order) {
+expected<problem> discretised(const mesh_version& mesh, const load_case& loads, int element_order,
+                              std::uint32_t spare_corners) {
   if (element_order != 1 && element_order != 2)
     return fail(ec::invalid_argument,
                 "there are no elements of order " + std::to_string(element_order),
                 "Ask for order 1 (linear) or 2 (quadratic)");
   problem p;
   std::vector<std::uint32_t> node_of;
-  number_nodes(mesh, p, node_of);
+  number_nodes(mesh, spare_corners, p, node_of);
   check_cancelled();
   if (auto ok = assign_materials(mesh, loads, p); !ok)
     return fail(ok.error());
-  if (auto ok = add_elements(mesh, node_of, p); !ok)
+  add_elements(mesh, node_of, p);
+  if (auto ok = check_shapes(mesh, p.element_tets); !ok)
     return fail(ok.error());
   check_cancelled();
   sort_elements(p);
@@ -242,21 +257,24 @@ expected<problem> discretised(const mesh_version& mesh, const load_case& loads, 
 
 }  // namespace
 
-expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
-                               int element_order) {
-  return guarded([&] { return discretised(mesh, loads, element_order); });
+expected<problem> make_problem(const mesh_version& mesh, const load_case& loads, int element_order,
+                               std::uint32_t spare_corners) {
+  return guarded([&] { return discretised(mesh, loads, element_order, spare_corners); });
 }
 
 expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {
   std::vector<std::uint32_t> node_of(mesh.vertex_slots(), no_id);
   for (std::uint32_t n = 0; n < p.node_vertices.size(); ++n)
-    node_of[p.node_vertices[n]] = n;
+    if (p.node_vertices[n] != no_id)
+      node_of[p.node_vertices[n]] = n;
   const surface_triangles triangles(mesh, node_of, p);
   if (auto ok = triangles.check_ids(mesh, loads); !ok)
     return ok;
   check_cancelled();
   if (auto ok = add_constraints(triangles, loads, p); !ok)
     return ok;
+  for (const auto n : p.unused)
+    p.filter[n] = {};
   if (auto ok = add_loads(triangles, loads, p); !ok)
     return ok;
   check_cancelled();

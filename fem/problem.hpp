@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "base/error.hpp"
@@ -35,11 +36,16 @@ struct node_holder {
 struct problem {
   int element_order = 1;                 ///< 1: linear tets. 2: quadratic, mid nodes on edges.
   int nodes_per_element = 4;             ///< 4 for order 1, 10 for order 2.
-  std::size_t corner_count = 0;          ///< Nodes that are vertices of the mesh.
+  std::size_t corner_count = 0;          ///< Nodes for vertices of the mesh.
   std::vector<vec3> nodes;               ///< Rest positions, m.
-  std::vector<vertex_id> node_vertices;  ///< Mesh vertex of each corner node; mid nodes have none.
-  /// Lower and higher end of the edge of node corner_count + i, ascending. Empty for order 1.
+  std::vector<vertex_id> node_vertices;  ///< Mesh vertex of each corner node; `no_id` when unused.
+  /// Lower and higher end of the edge of node corner_count + i. Empty for order 1.
   std::vector<std::array<std::uint32_t, 2>> edge_ends;
+  std::size_t ordered_edges = 0;  ///< So many of `edge_ends` ascend; the others are `late_edges`.
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> late_edges;  ///< Mid node by ends.
+  /// Nodes that no element has, ascending: held, without load. Spare corners for later edits, and
+  /// what edits left.
+  std::vector<std::uint32_t> unused;
   std::vector<std::uint32_t> element_nodes;      ///< nodes_per_element per element.
   std::vector<tet_id> element_tets;              ///< Mesh tet of each element.
   std::vector<std::uint32_t> element_materials;  ///< Index into `constants`.
@@ -59,19 +65,23 @@ struct problem {
   [[nodiscard]] std::size_t node_count() const { return nodes.size(); }
   [[nodiscard]] std::size_t element_count() const { return element_tets.size(); }
   [[nodiscard]] std::size_t dofs() const { return 3 * nodes.size(); }
+  /// `dofs` without those of unused nodes: what a person calls the size of the problem.
+  [[nodiscard]] std::size_t unknowns() const { return 3 * (nodes.size() - unused.size()); }
 };
 
 /// Sets up the problem of a load case on a version with linear (`element_order` 1) or quadratic (2)
-/// tets: nodes renumbered for locality, loads summed, constraints turned into the filter. Cost:
-/// O(mesh). Errors, each naming the place and the numbers: `surface_not_found`; `invalid_material`
-/// (E <= 0, nu outside (-1, 0.5), not finite, a region without material or with two);
-/// `invalid_load` (not finite, on no area, gravity without density, no load at all and no
-/// prescribed displacement); `inverted_tet`/`degenerate_tet` (count and first ids);
-/// `under_constrained` (a connected component with rigid-body modes left: names component size,
-/// place and free modes; tets joined only at a vertex or an edge count as hinged, not as
-/// connected); `invalid_argument` for another order.
+/// tets: nodes renumbered for locality, loads summed, constraints turned into the filter.
+/// `spare_corners` unused corner nodes are room for vertices that an edit adds. Cost: O(mesh).
+/// Errors, each naming the place and the numbers: `surface_not_found`; `invalid_material` (E <= 0,
+/// nu outside (-1, 0.5), not finite, a region without material or with two); `invalid_load` (not
+/// finite, on no area, gravity without density, no load at all and no prescribed displacement);
+/// `inverted_tet`/`degenerate_tet` (count and first ids); `under_constrained` (a connected
+/// component with rigid-body modes left: names component size, place and free modes; tets joined
+/// only at a vertex or an edge count as hinged, not as connected); `invalid_argument` for another
+/// order.
 [[nodiscard]] expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
-                                             int element_order = 1);
+                                             int element_order = 1,
+                                             std::uint32_t spare_corners = 0);
 
 /// Replaces loads and constraints of a problem that `make_problem` made of the same mesh and the
 /// same materials: nodes, elements and with them the matrix stay. Cost: O(surfaces' triangles +

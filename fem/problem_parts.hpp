@@ -19,7 +19,7 @@ namespace tedit::fem {
 void add_mid_nodes(problem& p);
 
 /// The node in the middle of the edge between corner nodes a and b of a quadratic problem, or
-/// `no_id`. Cost: O(log edges).
+/// `no_id`. May be unused. Cost: O(log edges).
 [[nodiscard]] std::uint32_t mid_node(const problem& p, std::uint32_t a, std::uint32_t b);
 
 /// The triangles of each surface by node, boundary and interface ones.
@@ -58,6 +58,26 @@ private:
 /// Fills constants, yield strengths, densities per element. Errors: `invalid_material`.
 [[nodiscard]] expected<void> assign_materials(const mesh_version& mesh, const load_case& loads,
                                               problem& p);
+
+/// Which material each region has, by index.
+struct region_materials {
+  std::map<region_id, std::uint32_t> named;
+  std::uint32_t fallback = no_id;  ///< Of all other regions.
+
+  [[nodiscard]] std::uint32_t of(region_id region) const {
+    const auto found = named.find(region);
+    return found == named.end() ? fallback : found->second;
+  }
+};
+
+/// Of a load case whose materials `assign_materials` took.
+[[nodiscard]] region_materials materials_of_regions(const load_case& loads);
+
+/// `invalid_material`: the region has no material.
+[[nodiscard]] tl::unexpected<error> refuse_region(region_id region);
+
+/// Errors: `inverted_tet`, `degenerate_tet`, naming the first of these tets and their number.
+[[nodiscard]] expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> tets);
 
 /// Fills filter, prescribed values and holders. Errors: `invalid_argument` for contradictions, not
 /// finite values.

@@ -2,6 +2,7 @@
 #include "fem/solve_session.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
@@ -25,10 +26,12 @@ void put(vec3 value, std::size_t n, std::vector<double>& u) {
 std::vector<std::uint32_t> same_corners(const problem& from, const problem& to) {
   vertex_id last = 0;
   for (const auto v : from.node_vertices)
-    last = std::max(last, v);
+    if (v != no_id)
+      last = std::max(last, v);
   std::vector<std::uint32_t> node_of(std::size_t{last} + 1, no_id);
   for (std::uint32_t n = 0; n < from.node_vertices.size(); ++n)
-    node_of[from.node_vertices[n]] = n;
+    if (from.node_vertices[n] != no_id)
+      node_of[from.node_vertices[n]] = n;
   std::vector<std::uint32_t> same(to.corner_count, no_id);
   for (std::size_t n = 0; n < same.size(); ++n) {
     const auto v = to.node_vertices[n];
@@ -91,16 +94,92 @@ std::vector<double> carry_over(const problem& from, std::span<const double> disp
     auto old = no_id;
     if (from.element_order == 2 && same[a] != no_id && same[b] != no_id)
       old = mid_node(from, same[a], same[b]);
+    if (std::ranges::binary_search(from.unused, old))
+      old = no_id;
     put(old != no_id ? value_at(displacement, old) : 0.5 * (value_at(u, a) + value_at(u, b)),
         to.corner_count + i, u);
   }
   return u;
 }
 
-bool solve_session::fits(const mesh_version& mesh, const load_case& loads, int element_order,
-                         const backend& device) const {
-  return system_ && mesh_->id() == mesh.id() && device_ == &device &&
-         problem_->element_order == element_order && materials_ == loads.materials;
+void fill_fresh(const problem& p, const problem_change& change, const incidence& corners,
+                std::vector<double>& u) {
+  u.resize(p.dofs(), 0);
+  for (const auto n : p.unused)
+    put({}, n, u);
+  const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
+  std::vector<std::uint32_t> open;
+  for (const auto n : change.fresh)
+    if (n < p.corner_count)
+      open.push_back(n);
+  while (!open.empty()) {
+    std::vector<std::pair<std::uint32_t, vec3>> reached;
+    for (const auto n : open) {
+      vec3 sum;
+      int count = 0;
+      for (const auto corner : corners.of_node(n))
+        for (int a = 0; a < 4; ++a)
+          if (const auto other = p.element_nodes[per * std::size_t{corner / per} + a];
+              !std::ranges::binary_search(open, other)) {
+            sum += value_at(u, other);
+            ++count;
+          }
+      if (count > 0)
+        reached.emplace_back(n, sum / count);
+    }
+    if (reached.empty())
+      break;  // A piece without any known point stays as it is.
+    for (const auto& [n, value] : reached)
+      put(value, n, u);
+    std::erase_if(open, [&](std::uint32_t n) {
+      return std::ranges::binary_search(reached, n, {}, &std::pair<std::uint32_t, vec3>::first);
+    });
+  }
+  for (const auto n : change.fresh)
+    if (n >= p.corner_count) {
+      const auto [low, high] = p.edge_ends[n - p.corner_count];
+      put(0.5 * (value_at(u, low) + value_at(u, high)), n, u);
+    }
+}
+
+bool solve_session::fits(const load_case& loads, int element_order, const backend& device) const {
+  return system_ && device_ == &device && problem_->element_order == element_order &&
+         materials_ == loads.materials;
+}
+
+/// Carries problem and system on to the next version. False when they must be built anew.
+expected<bool> solve_session::follow(const version_ptr& mesh, const load_case& loads) {
+  const stopwatch clock;
+  std::map<std::uint32_t, std::array<double, 6>> held;
+  for (const auto& h : problem_->holders)
+    held[h.node] = problem_->filter[h.node];
+  auto change = updater_->apply(*mesh_, *mesh, loads, *problem_);
+  if (!change)
+    return fail(change.error());
+  if (!*change)
+    return false;
+  auto& changed = **change;
+  mesh_ = mesh;
+  if (auto ok = set_conditions(*mesh, loads, *problem_); !ok)
+    return fail(ok.error());
+  // A filter may change away from the edit: a roller's normals, another load case's supports.
+  for (const auto& h : problem_->holders)
+    held.try_emplace(h.node, std::array<double, 6>{1, 0, 0, 1, 0, 1});
+  for (const auto& [node, filter] : held)
+    if (problem_->filter[node] != filter)
+      changed.nodes.push_back(node);
+  std::ranges::sort(changed.nodes);
+  changed.nodes.erase(std::ranges::unique(changed.nodes).begin(), changed.nodes.end());
+  if (!displacement_.empty())
+    fill_fresh(*problem_, changed, updater_->corners(), displacement_);
+  setup_ms_ = clock.milliseconds();
+  auto updated = system_->update(changed, updater_->corners());
+  if (!updated || !*updated)
+    return updated;
+  operator_->update(changed.elements);
+  renewed_rows_ = changed.nodes.size();
+  assembly_ms_ = clock.milliseconds() - setup_ms_;
+  return true;
 }
 
 expected<void> solve_session::renew_conditions(const load_case& loads) {
@@ -123,7 +202,9 @@ expected<void> solve_session::assemble(const version_ptr& mesh, const load_case&
   // The old system goes first: two of them may not fit.
   system_.reset();
   operator_.reset();
-  auto made = make_problem(*mesh, loads, element_order);
+  updater_.reset();
+  const auto spare = static_cast<std::uint32_t>(256 + mesh->vertex_count() / 50);
+  auto made = make_problem(*mesh, loads, element_order, spare);
   if (!made)
     return fail(made.error());
   auto next = std::make_unique<problem>(std::move(*made));
@@ -137,6 +218,7 @@ expected<void> solve_session::assemble(const version_ptr& mesh, const load_case&
     return fail(system.error());
   assembly_ms_ = clock.restart();
   operator_ = std::make_unique<element_operator>(*problem_);
+  updater_ = std::make_unique<problem_updater>(*problem_);
   setup_ms_ += clock.restart();
   system_ = std::move(*system);
   mesh_ = mesh;
@@ -148,12 +230,26 @@ expected<void> solve_session::assemble(const version_ptr& mesh, const load_case&
 expected<solve_session::result> solve_session::solve(
   const version_ptr& mesh, const load_case& loads, int element_order, backend& device,
   const solve_settings& settings, const execution& run, const frame_callback& on_frame) {
-  const bool again = fits(*mesh, loads, element_order, device);
-  auto ready = guarded(run, [&] {
-    return again ? renew_conditions(loads) : assemble(mesh, loads, element_order, device, run);
-  });
+  bool again = fits(loads, element_order, device);
+  renewed_rows_ = 0;
+  expected<void> ready;
+  if (again && mesh_->id() == mesh->id()) {
+    ready = guarded(run, [&] { return renew_conditions(loads); });
+  } else if (again) {
+    // Without a check for a cancel: it is short, and half of it would be of no use.
+    const auto followed = guarded([&] { return follow(mesh, loads); });
+    again = followed.has_value() && *followed;
+    if (!followed) {
+      displacement_.clear();  // Who knows which version it is of.
+      ready = fail(followed.error());
+    }
+  }
+  if (ready && !again)
+    ready = guarded(run, [&] { return assemble(mesh, loads, element_order, device, run); });
   if (!ready) {
     system_.reset();
+    if (problem_ && displacement_.size() != problem_->dofs())
+      displacement_.clear();
     return fail(ready.error());
   }
   auto started = settings;
@@ -169,7 +265,7 @@ expected<solve_session::result> solve_session::solve(
   solved->assembly_ms = assembly_ms_;
   solved->setup_ms = setup_ms_;
   displacement_ = solved->displacement;
-  return result{std::move(*solved), !again};
+  return result{std::move(*solved), !again, renewed_rows_};
 }
 
 }  // namespace tedit::fem

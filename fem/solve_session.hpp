@@ -4,18 +4,21 @@
 #include <memory>
 #include <optional>
 
+#include "fem/problem_update.hpp"
 #include "fem/solver.hpp"
 
 namespace tedit::fem {
 
 /// Solves one thing after the other and keeps what the next solve can use: the assembled system
-/// while mesh and materials stay (new loads or constraints never assemble again), and the last
-/// displacement as a start for the next version. Holds one system; not for two threads at once.
+/// while mesh and materials stay (new loads or constraints never assemble again); where an edit
+/// changed the mesh a little, the system with the rows that it touched renewed; and the last
+/// displacement as a start. Holds one system; not for two threads at once.
 class solve_session {
 public:
   struct result {
     fem::solution solution;
-    bool assembled = true;  ///< False when the system of the last solve was used again.
+    bool assembled = true;         ///< False when the system of the last solve was used again.
+    std::size_t renewed_rows = 0;  ///< Rows of it that an edit changed.
   };
 
   /// Errors: those of `make_problem` and `solve`; what was kept stays usable or is dropped.
@@ -28,9 +31,9 @@ public:
   [[nodiscard]] const problem& last_problem() const { return *problem_; }
 
 private:
-  [[nodiscard]] bool fits(const mesh_version& mesh, const load_case& loads, int element_order,
-                          const backend& device) const;
+  [[nodiscard]] bool fits(const load_case& loads, int element_order, const backend& device) const;
   [[nodiscard]] expected<void> renew_conditions(const load_case& loads);
+  [[nodiscard]] expected<bool> follow(const version_ptr& mesh, const load_case& loads);
   [[nodiscard]] expected<void> assemble(const version_ptr& mesh, const load_case& loads,
                                         int element_order, backend& device, const execution& run);
 
@@ -38,6 +41,8 @@ private:
   std::vector<material> materials_;
   const backend* device_ = nullptr;
   std::unique_ptr<problem> problem_;
+  std::unique_ptr<problem_updater> updater_;
+  std::size_t renewed_rows_ = 0;
   std::unique_ptr<element_operator> operator_;
   std::unique_ptr<linear_system> system_;
   double assembly_ms_ = 0;
@@ -51,5 +56,10 @@ private:
 [[nodiscard]] std::vector<double> carry_over(const problem& from,
                                              std::span<const double> displacement,
                                              const problem& to);
+
+/// Gives the `change.fresh` nodes the mean of their neighbours' values; `u` has the values of the
+/// problem before the change. Cost: the change.
+void fill_fresh(const problem& p, const problem_change& change, const incidence& corners,
+                std::vector<double>& u);
 
 }  // namespace tedit::fem

@@ -74,7 +74,7 @@ solve_report make_report(const mesh_version& mesh, const std::string& load_case,
   report.device = result.device;
   report.element_order = result.element_order;
   report.preview = result.preview();
-  report.dofs = problem.dofs();
+  report.dofs = problem.unknowns();
   report.iterations = result.iterations;
   report.true_relative_residual = result.true_relative_residual;
   report.max_displacement_m = result.max_displacement_m;

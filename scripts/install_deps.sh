@@ -16,7 +16,7 @@ packages=(
   # pictures
   libvtk9-dev libgl1-mesa-dri xvfb xauth
   # tests
-  libgtest-dev libgmock-dev librapidcheck-dev
+  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx
 )
 
 missing=()

@@ -53,6 +53,15 @@ public:
 
   void add_convergence(convergence_row row);
 
+  /// The times of both solves are filled in here.
+  void add_side_by_side(side_by_side_row row, double other_milliseconds);
+
+  /// Names the case among what was left out, once for each reason.
+  void leave_out(const std::string& why);
+
+  /// For work that a case does outside of `solve`: obeys a cancel.
+  [[nodiscard]] execution silent_execution() const;
+
 private:
   void add(const std::string& quantity, comparison kind, double target, double computed,
            double tolerance, bool passed);
@@ -80,10 +89,12 @@ struct case_entry {
 
 [[nodiscard]] std::vector<case_entry> exact_cases();
 [[nodiscard]] std::vector<case_entry> beam_cases();
+[[nodiscard]] std::vector<case_entry> flexure_cases();
 [[nodiscard]] std::vector<case_entry> ring_cases();
 [[nodiscard]] std::vector<case_entry> nafems_cases();
 [[nodiscard]] std::vector<case_entry> convergence_cases();
 [[nodiscard]] std::vector<case_entry> invariance_cases();
+[[nodiscard]] std::vector<case_entry> calculix_cases();
 [[nodiscard]] std::vector<case_entry> refusal_cases();
 
 /// A load case of one material (Pa, -, kg/m^3) without supports and loads.

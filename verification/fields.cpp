@@ -216,6 +216,19 @@ void add_body_force(fem::problem& p, const vector_field& density) {
   }
 }
 
+void add_initial_stress(fem::problem& p, const stress_field& stress) {
+  for (std::size_t e = 0; e < p.element_count(); ++e) {
+    const element_view element(p, e);
+    for (const auto& point : tet_rule()) {
+      const auto at_point = stress(element.position(point.at));
+      const double weight = point.weight * element.volume();
+      for (std::size_t a = 0; a < element.count(); ++a)
+        add_force(p, element.node(a),
+                  weight * traction_of(at_point, element.shape_gradient(a, point.at)));
+    }
+  }
+}
+
 std::size_t nearest_node(const fem::problem& p, vec3 at, bool corners_only) {
   std::size_t best = 0;
   for (std::size_t n = 0; n < (corners_only ? p.corner_count : p.node_count()); ++n)

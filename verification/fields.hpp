@@ -39,6 +39,10 @@ void add_traction(fem::problem& p, const mesh_version& mesh, std::span<const sur
 /// Adds the work-equivalent nodal forces of a force density, N/m^3.
 void add_body_force(fem::problem& p, const vector_field& density);
 
+/// Adds the nodal forces that a stress which no displacement causes exerts (a thermal strain, say):
+/// the integral of B^T sigma. The stress of the part is then that of its strain less this one.
+void add_initial_stress(fem::problem& p, const stress_field& stress);
+
 /// The node nearest to a point; `corners_only` leaves mid nodes out.
 [[nodiscard]] std::size_t nearest_node(const fem::problem& p, vec3 at, bool corners_only = false);
 

@@ -177,6 +177,13 @@ private:
   int layers_;
 };
 
+/// Cosine and sine of a part of 90 degrees, exact at both ends: the rounding of pi would leave a
+/// trace on symmetry planes.
+std::array<double, 2> quarter_turn(double part) {
+  const double angle = 0.5 * std::numbers::pi * part;
+  return {part == 1 ? 0 : std::cos(angle), part == 0 ? 0 : std::sin(angle)};
+}
+
 }  // namespace
 
 expected<version_ptr> block_mesh(std::array<int, 3> cells, const placement& place) {
@@ -225,12 +232,34 @@ placement shaken_box(vec3 size) {
 
 vec3 quarter_ring::operator()(vec3 stu) const {
   const double s = std::pow(stu.x, towards_inside);
-  const double angle = 0.5 * std::numbers::pi * std::pow(stu.y, towards_x);
-  // Exactly on the symmetry planes, where the rounding of pi would leave a trace.
-  const double c = stu.y == 1 ? 0 : std::cos(angle);
-  const double d = stu.y == 0 ? 0 : std::sin(angle);
+  const auto [c, d] = quarter_turn(std::pow(stu.y, towards_x));
   return {c * (inside[0] + s * (outside[0] - inside[0])),
           d * (inside[1] + s * (outside[1] - inside[1])), height * stu.z};
+}
+
+vec3 tapered_sphere(vec3 stu) {
+  using point = std::array<double, 2>;  // r, z
+  constexpr double knee = std::numbers::sqrt2 / 2;
+  const auto between = [](point a, point b, double t) {
+    return point{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+  };
+  const auto on_circle = [](double radius, double angle) {
+    return point{radius * std::cos(angle), angle == 0 ? 0 : radius * std::sin(angle)};
+  };
+  const double height = knee + 0.69;
+  const auto at = [&](double radius, double shoulder) {
+    // Where the circle of this radius reaches the knee's height.
+    const double angle = std::asin(knee / radius);
+    const point corner{shoulder, height};
+    if (stu.y <= 0.4)
+      return on_circle(radius, angle * stu.y / 0.4);
+    if (stu.y <= 0.8)
+      return between(on_circle(radius, angle), corner, (stu.y - 0.4) / 0.4);
+    return between(corner, {shoulder, height + 0.4}, (stu.y - 0.8) / 0.2);
+  };
+  const auto [r, z] = between(at(1, knee), at(1.4, 1), stu.x);
+  const auto [c, d] = quarter_turn(stu.z);
+  return {c * r, d * r, z};
 }
 
 }  // namespace tedit::verification

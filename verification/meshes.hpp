@@ -59,4 +59,10 @@ struct quarter_ring {
   [[nodiscard]] vec3 operator()(vec3 stu) const;
 };
 
+/// A quarter of NAFEMS LE11's body, revolved about z: a sphere of radius 1 inside and 1.4 outside
+/// up to z = 1/sqrt 2, a taper of 0.69 above it, a cylinder of 0.4 (radii 1/sqrt 2 and 1) on top. s
+/// from inside to outside, t from the bottom to the top (its fifths: two sphere, two taper, one
+/// cylinder), u the angle from the x axis to the y axis.
+[[nodiscard]] vec3 tapered_sphere(vec3 stu);
+
 }  // namespace tedit::verification

@@ -13,8 +13,8 @@ namespace {
 
 std::vector<case_entry> all_cases() {
   std::vector<case_entry> all;
-  for (auto&& group : {exact_cases(), beam_cases(), ring_cases(), nafems_cases(),
-                       convergence_cases(), invariance_cases(), refusal_cases()})
+  for (auto&& group : {exact_cases(), beam_cases(), flexure_cases(), ring_cases(), nafems_cases(),
+                       convergence_cases(), invariance_cases(), calculix_cases(), refusal_cases()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -28,6 +28,13 @@ std::string why_not(fem::backend& device, int order, const execution& run) {
   const auto p = fem::make_problem(**mesh, loads, order);
   const auto system = device.assemble(*p, run);
   return system ? std::string() : system.error().message;
+}
+
+std::vector<const real_part*> pointers_to(std::span<const real_part> parts) {
+  std::vector<const real_part*> pointers;
+  for (const auto& part : parts)
+    pointers.push_back(&part);
+  return pointers;
 }
 
 std::string number(const char* format, double value) {
@@ -44,9 +51,7 @@ expected<fem::solution> case_context::solve(const fem::problem& p, double tolera
   const stopwatch clock;
   fem::solve_settings settings;
   settings.tolerance = tolerance;
-  execution silent;
-  silent.cancel = run_.cancel;
-  auto result = fem::solve(p, device_, settings, silent);
+  auto result = fem::solve(p, device_, settings, silent_execution());
   elements_ = p.element_count();
   milliseconds_ = clock.milliseconds();
   return result;
@@ -94,6 +99,24 @@ void case_context::add_refusal(const std::string& what, ec code, const error* e)
 
 void case_context::add_convergence(convergence_row row) {
   report_.convergence.push_back(row);
+}
+
+void case_context::add_side_by_side(side_by_side_row row, double other_milliseconds) {
+  row.milliseconds = milliseconds_;
+  row.other_milliseconds = other_milliseconds;
+  report_.side_by_side.push_back(std::move(row));
+}
+
+void case_context::leave_out(const std::string& why) {
+  left_out_case item{name_ + " (order " + std::to_string(order_) + ")", why};
+  if (std::ranges::find(report_.left_out, item) == report_.left_out.end())
+    report_.left_out.push_back(std::move(item));
+}
+
+execution case_context::silent_execution() const {
+  execution silent;
+  silent.cancel = run_.cancel;
+  return silent;
 }
 
 // -- helpers of cases ------------------------------------------------------------------
@@ -159,8 +182,8 @@ expected<void> run_case(const case_id& id, fem::backend& device, const real_part
   return {};
 }
 
-expected<suite_report> run_suite(fem::backend& device, const real_part* part,
-                                 const execution& run) {
+expected<suite_report> run_suite(fem::backend& device, const real_part* part, const execution& run,
+                                 std::span<const real_part> side_by_side) {
   const stopwatch clock;
   suite_report report;
   report.device = device.info().name;
@@ -173,15 +196,17 @@ expected<suite_report> run_suite(fem::backend& device, const real_part* part,
       report.left_out.push_back(
         {"all cases with tets of order " + std::to_string(order), refusal[order]});
   }
-  report.left_out.push_back(
-    {"NAFEMS LE11 (solid cylinder, taper and sphere)", "TEdit has no thermal loads yet"});
+  if (side_by_side.empty())
+    report.left_out.push_back({side_by_side_case, "not asked for: add --calculix"});
   const auto ids = list_cases();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!refusal[ids[i].element_order].empty())
       continue;
     run.report(static_cast<double>(i) / static_cast<double>(ids.size()), ids[i].name);
-    if (auto ok = run_case(ids[i], device, part, run, report); !ok)
-      return fail(ok.error());
+    const bool by_part = ids[i].name == side_by_side_case;
+    for (const auto* each : by_part ? pointers_to(side_by_side) : std::vector{part})
+      if (auto ok = run_case(ids[i], device, each, run, report); !ok)
+        return fail(ok.error());
   }
   report.milliseconds = clock.milliseconds();
   run.report(1, "done");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,13 +49,31 @@ struct convergence_row {
   double energy_rate = 0;
 };
 
+/// A real part solved by us and by CalculiX. Differences are relative: of the displacement to the
+/// largest one, of reactions to the sum of all surfaces' magnitudes.
+struct side_by_side_row {
+  std::string part;
+  int element_order = 1;
+  std::size_t elements = 0;
+  std::size_t nodes = 0;
+  double displacement = 0;      ///< The largest difference at a node.
+  double reaction = 0;          ///< Of the sum of all reactions.
+  double surface_reaction = 0;  ///< The largest difference of a surface.
+  double compliance = 0;
+  double milliseconds = 0;        ///< Our solve.
+  double other_milliseconds = 0;  ///< The other program's run, files included.
+  std::string program;            ///< The other program and its version.
+};
+
 /// What was not run, and why.
 struct left_out_case {
   std::string what;
   std::string why;
+
+  friend bool operator==(const left_out_case&, const left_out_case&) = default;
 };
 
-/// A real part with a load case: what the invariance cases are run on.
+/// A real part with a load case: what the invariances and the side by side are run on.
 struct real_part {
   std::string name;
   version_ptr mesh;
@@ -65,6 +84,7 @@ struct suite_report {
   std::string device;
   std::vector<case_result> results;
   std::vector<convergence_row> convergence;
+  std::vector<side_by_side_row> side_by_side;
   std::vector<left_out_case> left_out;
   double milliseconds = 0;
 
@@ -82,6 +102,9 @@ struct case_description {
 /// All cases, in the order in which they run.
 [[nodiscard]] std::vector<case_description> describe_cases();
 
+/// The case that needs the program `ccx` and takes minutes on all parts.
+inline constexpr auto side_by_side_case = "side by side with CalculiX";
+
 /// A case for one element order.
 struct case_id {
   std::string name;
@@ -98,9 +121,12 @@ struct case_id {
                                       suite_report& report);
 
 /// Runs all cases that the device can do; the others are named in `left_out`, and so are the
-/// invariances when `part` is null. Errors: `cancelled`. Cost: about ten seconds on two cores.
+/// invariances when `part` is null. Side by side with CalculiX come the parts of `side_by_side`, in
+/// both orders. Errors: `cancelled`. Cost: about ten seconds on two cores; CalculiX takes up to
+/// 20 s for 20 000 quadratic tets.
 [[nodiscard]] expected<suite_report> run_suite(fem::backend& device, const real_part* part,
-                                               const execution& run);
+                                               const execution& run,
+                                               std::span<const real_part> side_by_side = {});
 
 /// The target, the computed figure, the error and the tolerance as text; empty where a kind of
 /// comparison has none.

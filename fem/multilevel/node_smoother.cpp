@@ -10,17 +10,26 @@
 
 namespace tedit::fem {
 
-member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners)
-    : first(owners + 1, 0) {
+member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners) {
+  std::vector<std::uint32_t> next(owners, 0);
   for (const auto o : owner)
     if (o != no_id)
-      ++first[o + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  item.resize(first.back());
-  auto next = first;
+      ++next[o];
+  places = row_places(next);
+  item.resize(places.room());
+  for (std::uint32_t o = 0; o < owners; ++o)
+    next[o] = places.begin(o);
   for (std::uint32_t i = 0; i < owner.size(); ++i)
     if (owner[i] != no_id)
       item[next[owner[i]]++] = i;
+}
+
+void member_lists::replace(std::uint32_t owner, std::span<const std::uint32_t> items) {
+  while (owner >= places.size())
+    places.add(0);
+  const auto at = places.replace(owner, static_cast<std::uint32_t>(items.size()));
+  item.resize(places.room());
+  std::ranges::copy(items, item.begin() + at);
 }
 
 void add_clusters(const cluster_inverses& clusters, float factor, const float* r, float* d) {
@@ -60,17 +69,16 @@ Eigen::Matrix3d symmetric(const auto& s) {
   return m;
 }
 
-/// The matrix of a cluster's nodes.
-Eigen::MatrixXd cluster_matrix(const block_matrix& k,
-                               std::span<const std::array<float, 6>> diagonal,
-                               std::span<const std::uint32_t> nodes) {
+}  // namespace
+
+Eigen::MatrixXd cluster_matrix(const block_matrix& k, std::span<const std::uint32_t> nodes) {
   const auto size = static_cast<Eigen::Index>(3 * nodes.size());
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto i = nodes[a];
     const auto at = static_cast<Eigen::Index>(3 * a);
-    m.block<3, 3>(at, at) = symmetric(diagonal[i]);
-    for (auto e = k.first[i]; e < k.first[i + 1]; ++e) {
+    m.block<3, 3>(at, at) = symmetric(diagonal_block(k, i));
+    for (auto e = k.begin(i); e < k.end(i); ++e) {
       const auto found = std::ranges::lower_bound(nodes, k.column[e]);
       if (found != nodes.end() && *found == k.column[e])
         m.block<3, 3>(at, 3 * (found - nodes.begin())) =
@@ -80,7 +88,6 @@ Eigen::MatrixXd cluster_matrix(const block_matrix& k,
   return m;
 }
 
-/// The inverse of a cluster's matrix within the free directions of its nodes.
 std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
                                   std::span<const std::uint32_t> nodes) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
@@ -107,8 +114,6 @@ std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
   return {result.data(), result.data() + result.size()};
 }
 
-}  // namespace
-
 void invert_clusters(const sliver_clusters& clusters, filter_span filter,
                      const cluster_matrix_of& matrix_of, node_smoother& smoother) {
   if (clusters.count == 0)
@@ -133,13 +138,43 @@ node_smoother make_node_smoother(const block_matrix& k,
                                  std::span<const std::array<double, 6>> filter,
                                  const sliver_clusters& clusters) {
   node_smoother result;
-  const auto diagonal = diagonal_blocks(k);
-  result.inverse = invert_blocks(diagonal, filter);
+  result.inverse = invert_blocks(diagonal_blocks(k), filter);
   invert_clusters(
     clusters, filter,
-    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, diagonal, nodes); },
-    result);
+    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(k, nodes); }, result);
   return result;
+}
+
+std::vector<std::uint32_t> update_smoother(const smoother_source& source,
+                                           std::span<const std::uint32_t> nodes,
+                                           std::vector<std::uint32_t>& cluster_of,
+                                           node_smoother& smoother) {
+  const auto held = [&](std::uint32_t n) {
+    const auto& s = source.filter[n];
+    return s[0] + s[3] + s[5] < 1e-9;
+  };
+  auto& lists = smoother.clusters;
+  sliver_clusters clusters{std::move(cluster_of), lists.nodes.owners()};
+  auto change = recluster(
+    source.p, nodes, [&](std::uint32_t n) { return n >= source.filter.size() || held(n); },
+    source.elements_at, [&](std::uint32_t c) { return lists.nodes.of(c); }, source.most,
+    source.condition, clusters);
+  cluster_of = std::move(clusters.of);
+  lists.inverse.resize(clusters.count);
+  for (std::size_t i = 0; i < change.clusters.size(); ++i) {
+    const auto c = change.clusters[i];
+    const std::span<const std::uint32_t> members = change.members[i];
+    lists.nodes.replace(c, members);
+    lists.inverse[c].clear();
+    if (!members.empty())
+      lists.inverse[c] = invert_cluster(source.matrix_of(members), source.filter, members);
+  }
+  smoother.inverse.resize(source.filter.size());
+  for (const auto n : change.nodes)
+    smoother.inverse[n] = n < cluster_of.size() && cluster_of[n] != no_id
+                            ? std::array<float, 6>{}
+                            : invert_block(source.diagonal_of(n), source.filter[n]);
+  return change.nodes;
 }
 
 }  // namespace tedit::fem

@@ -49,39 +49,33 @@ Eigen::Matrix3d element_block(const std::array<vec3, 4>& v, const std::array<vec
   return c.lambda * m + c.mu * m.transpose() + c.mu * m.trace() * Eigen::Matrix3d::Identity();
 }
 
-tet_gradients gradients_at(const problem& p, std::size_t e) {
-  const auto* n = &p.element_nodes[10 * e];
-  return gradients_of({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
-}
-
-std::vector<std::array<float, 6>> diagonal_blocks(const problem& p, const incidence& around) {
-  std::vector<std::array<float, 6>> result(p.node_count());
-  parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t n = first; n < last; ++n) {
-      Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-      for (const auto corner : around.of_node(n)) {
-        const auto g = gradients_at(p, corner / 10);
-        const auto v = corner_gradients(g, static_cast<int>(corner % 10));
-        sum += element_block(v, v, g.volume, p.constants[p.element_materials[corner / 10]]);
-      }
-      int c = 0;
-      for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j)
-          result[n][c++] = static_cast<float>(sum(i, j));
-    }
-  });
+/// `corners`: the elements around a node as element * 10 + local node.
+template <class Corners>
+std::array<float, 6> diagonal_block(const problem& p, const Corners& corners) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const auto corner : corners) {
+    const auto g = gradients_of(p, corner / 10);
+    const auto v = corner_gradients(g, static_cast<int>(corner % 10));
+    sum += element_block(v, v, g.volume, p.constants[p.element_materials[corner / 10]]);
+  }
+  std::array<float, 6> result;
+  int c = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      result[c++] = static_cast<float>(sum(i, j));
   return result;
 }
 
 /// The matrix of a cluster's nodes, from every element that touches two of them or one.
-Eigen::MatrixXd cluster_matrix(const problem& p, const incidence& around,
+template <class CornersAt>
+Eigen::MatrixXd cluster_matrix(const problem& p, const CornersAt& corners_at,
                                std::span<const std::uint32_t> nodes) {
   const auto size = static_cast<Eigen::Index>(3 * nodes.size());
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t a = 0; a < nodes.size(); ++a)
-    for (const auto corner : around.of_node(nodes[a])) {
+    for (const auto corner : corners_at(nodes[a])) {
       const std::size_t e = corner / 10;
-      const auto g = gradients_at(p, e);
+      const auto g = gradients_of(p, e);
       const auto v = corner_gradients(g, static_cast<int>(corner % 10));
       for (int b = 0; b < 10; ++b) {
         const auto found = std::ranges::lower_bound(nodes, p.element_nodes[10 * e + b]);
@@ -92,6 +86,24 @@ Eigen::MatrixXd cluster_matrix(const problem& p, const incidence& around,
       }
     }
   return m;
+}
+
+/// The same from the elements' corners alone: those around the lower end of an edge.
+std::vector<std::uint32_t> corners_of(const problem& p, const incidence& corners,
+                                      std::uint32_t node) {
+  const bool corner_node = node < p.corner_count;
+  const auto around = corners.of_node(corner_node ? node : p.edge_ends[node - p.corner_count][0]);
+  if (corner_node)
+    return {around.begin(), around.end()};
+  std::vector<std::uint32_t> result;
+  for (const auto corner : around) {
+    const std::uint32_t e = corner / 10;
+    const auto* n = &p.element_nodes[10 * std::size_t{e}];
+    const auto* found = std::find(n + 4, n + 10, node);
+    if (found != n + 10)
+      result.push_back(10 * e + static_cast<std::uint32_t>(found - n));
+  }
+  return result;
 }
 
 }  // namespace
@@ -140,13 +152,72 @@ edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter) {
 node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
                                       const sliver_clusters& clusters) {
   const incidence around(quadratic);
+  std::vector<std::array<float, 6>> diagonal(quadratic.node_count());
+  parallel_for(diagonal.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n)
+      diagonal[n] = diagonal_block(quadratic, around.of_node(n));
+  });
   node_smoother result;
-  result.inverse = invert_blocks(diagonal_blocks(quadratic, around), filter);
+  result.inverse = invert_blocks(diagonal, filter);
+  const auto corners_at = [&](std::uint32_t n) { return around.of_node(n); };
   invert_clusters(
     clusters, filter,
-    [&](std::span<const std::uint32_t> nodes) { return cluster_matrix(quadratic, around, nodes); },
+    [&](std::span<const std::uint32_t> nodes) {
+      return cluster_matrix(quadratic, corners_at, nodes);
+    },
     result);
   return result;
+}
+
+void update_edge_transfer(const problem& quadratic, filter_span filter,
+                          std::span<const std::uint32_t> nodes, edge_transfer& edges) {
+  const auto corners = static_cast<std::uint32_t>(quadratic.corner_count);
+  for (auto i = static_cast<std::uint32_t>(edges.ends.size()); i < quadratic.edge_ends.size();
+       ++i) {
+    edges.ends.push_back(quadratic.edge_ends[i]);
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const auto end = edges.ends[i][side];
+      const auto old = edges.middles.of(end);
+      std::vector<std::uint32_t> more(old.begin(), old.end());
+      more.push_back(2 * i + side);
+      edges.middles.replace(end, more);
+    }
+  }
+  edges.held.resize(corners + edges.ends.size());
+  for (const auto n : nodes) {
+    const double trace = filter[n][0] + filter[n][3] + filter[n][5];
+    edges.held[n] = trace < 1e-9 ? 1 : 0;
+    if (edges.filter.empty() && trace > 3 - 1e-9)
+      continue;
+    edges.filter.resize(edges.held.size(), {1, 0, 0, 1, 0, 1});
+    std::ranges::transform(filter[n], edges.filter[n].begin(),
+                           [](double s) { return static_cast<float>(s); });
+  }
+  if (!edges.filter.empty())
+    edges.filter.resize(edges.held.size(), {1, 0, 0, 1, 0, 1});
+}
+
+void update_quadratic_smoother(const problem& quadratic, const incidence& corners,
+                               filter_span filter, std::span<const std::uint32_t> nodes,
+                               double condition, std::vector<std::uint32_t>& cluster_of,
+                               node_smoother& smoother) {
+  const auto corners_at = [&](std::uint32_t n) { return corners_of(quadratic, corners, n); };
+  const smoother_source source{
+    quadratic,
+    filter,
+    [&](std::uint32_t n) {
+      auto elements = corners_at(n);
+      for (auto& e : elements)
+        e /= 10;
+      return elements;
+    },
+    [&](std::uint32_t n) { return diagonal_block(quadratic, corners_at(n)); },
+    [&](std::span<const std::uint32_t> members) {
+      return cluster_matrix(quadratic, corners_at, members);
+    },
+    100,
+    condition};
+  static_cast<void>(update_smoother(source, nodes, cluster_of, smoother));
 }
 
 }  // namespace tedit::fem

@@ -18,15 +18,26 @@ struct edge_transfer {
   std::vector<std::array<float, 6>> filter;        ///< Of every node; empty when all are free.
   std::vector<std::uint8_t> held;                  ///< Of every node.
 
-  [[nodiscard]] std::size_t corners() const { return middles.first.size() - 1; }
+  [[nodiscard]] std::size_t corners() const { return middles.owners(); }
 };
 
 [[nodiscard]] edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter);
+
+/// After nodes and edges were added or their filters changed at `nodes`, ascending.
+void update_edge_transfer(const problem& quadratic, filter_span filter,
+                          std::span<const std::uint32_t> nodes, edge_transfer& edges);
 
 /// The smoother's blocks of a problem of order 2, gathered from the elements, and dense inverses of
 /// sliver clusters of at most 100 nodes. `lambda` is left to the caller, who has the operator.
 /// Cost: O(elements).
 [[nodiscard]] node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
                                                     const sliver_clusters& clusters);
+
+/// Renews blocks and clusters where the elements around `nodes` (ascending) changed. `corners` has
+/// the elements' corners. Cost: the elements around.
+void update_quadratic_smoother(const problem& quadratic, const incidence& corners,
+                               filter_span filter, std::span<const std::uint32_t> nodes,
+                               double condition, std::vector<std::uint32_t>& cluster_of,
+                               node_smoother& smoother);
 
 }  // namespace tedit::fem

@@ -56,9 +56,7 @@ namespace {
 
 constexpr std::size_t rows_per_chunk = 32;
 
-void store(const matrix6& from, rigid_level::block6& to) {
-  Eigen::Map<Eigen::Matrix<float, 6, 6>>(to.data()) = from.cast<float>();
-}
+}  // namespace
 
 matrix6 inverse_of(const matrix6& m) {
   Eigen::LDLT<matrix6> factor(m);
@@ -68,6 +66,18 @@ matrix6 inverse_of(const matrix6& m) {
   return shifted.inverse();
 }
 
+matrix6 parent_modes(const level_memory& level, const level_memory& parents, std::size_t i) {
+  const auto& child = level.frames[i];
+  const auto& parent = parents.frames[level.group[i]];
+  matrix6 m = matrix6::Identity();
+  m.topRightCorner<3, 3>() =
+    rigid_modes((child.centre - parent.centre) / parent.radius).rightCols<3>();
+  m.bottomRightCorner<3, 3>() *= child.radius / parent.radius;
+  return level.keep[i] * m;
+}
+
+namespace {
+
 void multiply(const rigid_level& level, const float* x, float* y) {
   parallel_for(
     level.nodes(),
@@ -75,7 +85,7 @@ void multiply(const rigid_level& level, const float* x, float* y) {
       using vector6f = Eigen::Matrix<float, 6, 1>;
       for (std::size_t i = first; i < last; ++i) {
         vector6f sum = vector6f::Zero();
-        for (auto s = level.first[i]; s < level.first[i + 1]; ++s)
+        for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
           sum += Eigen::Map<const Eigen::Matrix<float, 6, 6>>(level.block[s].data()) *
                  Eigen::Map<const vector6f>(x + 6 * std::size_t{level.column[s]});
         Eigen::Map<vector6f>(y + 6 * i) = sum;
@@ -86,7 +96,6 @@ void multiply(const rigid_level& level, const float* x, float* y) {
 
 rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settings) {
   rigid_level level;
-  level.first.push_back(0);
   level.inverse.resize(rows.column.size());
   for (std::size_t i = 0; i < rows.column.size(); ++i) {
     for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
@@ -95,7 +104,7 @@ rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settin
       if (rows.column[i][s] == i)
         store(inverse_of(rows.block[i][s]), level.inverse[i]);
     }
-    level.first.push_back(static_cast<std::uint32_t>(level.column.size()));
+    level.rows.add(static_cast<std::uint32_t>(rows.column[i].size()));
   }
   const float lambda = largest_ritz_value(
     6 * rows.column.size(), 0, settings.lambda_steps,
@@ -131,7 +140,7 @@ node_graph graph_of(const rigid_rows& rows) {
 
 std::vector<rigid_frame> parent_frames(const std::vector<rigid_frame>& frames,
                                        const member_lists& children) {
-  std::vector<rigid_frame> result(children.first.size() - 1);
+  std::vector<rigid_frame> result(children.owners());
   for (std::size_t a = 0; a < result.size(); ++a) {
     const auto nodes = children.of(a);
     const auto count = static_cast<double>(nodes.size());
@@ -148,42 +157,20 @@ std::vector<rigid_frame> parent_frames(const std::vector<rigid_frame>& frames,
   return result;
 }
 
-/// A rigid motion of the parent, seen by a child.
-matrix6 child_modes(const rigid_frame& child, const rigid_frame& parent) {
-  matrix6 m = matrix6::Identity();
-  m.topRightCorner<3, 3>() =
-    rigid_modes((child.centre - parent.centre) / parent.radius).rightCols<3>();
-  m.bottomRightCorner<3, 3>() *= child.radius / parent.radius;
-  return m;
-}
-
-/// The prolongation (I - omega D^-1 A) P_0: rigid motions of the groups, with the energy at their
-/// rims smoothed away (Vanek, Mandel & Brezina 1996).
 rigid_rows smoothed_prolongation(const rigid_rows& rows, const rigid_level& level,
-                                 const aggregation& groups, const std::vector<matrix6>& modes) {
-  rigid_rows result;
-  result.column.resize(modes.size());
-  result.block.resize(modes.size());
+                                 std::span<const std::uint32_t> group,
+                                 const std::vector<matrix6>& modes) {
+  rigid_rows result(modes.size());
   const double omega = static_cast<double>(chebyshev_start(level.lambda));
   parallel_for(
     modes.size(),
     [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) {
-        row_sum sum;
-        for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
-          const auto j = rows.column[i][s];
-          sum.at(groups.of[j]).noalias() -= rows.block[i][s] * modes[j];
-        }
-        sum.finish(result.column[i], result.block[i]);
-        const matrix6 scaled =
-          omega *
-          Eigen::Map<const Eigen::Matrix<float, 6, 6>>(level.inverse[i].data()).cast<double>();
-        for (std::size_t s = 0; s < result.block[i].size(); ++s) {
-          result.block[i][s] = scaled * result.block[i][s];
-          if (result.column[i][s] == groups.of[i])
-            result.block[i][s] += modes[i];
-        }
-      }
+      for (std::size_t i = first; i < last; ++i)
+        prolongation_row(
+          i, rows.column[i], [&](std::size_t s) -> const matrix6& { return rows.block[i][s]; },
+          omega* wide(level.inverse[i]), group,
+          [&](std::size_t j) -> const matrix6& { return modes[j]; }, result.column[i],
+          result.block[i]);
     },
     rows_per_chunk);
   return result;
@@ -213,7 +200,7 @@ rigid_rows product(const rigid_rows& a, const rigid_rows& b) {
 /// P^T (A P), with P's entries by column.
 rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_level& level) {
   rigid_rows result;
-  const std::size_t count = level.entries.first.size() - 1;
+  const std::size_t count = level.entries.owners();
   result.column.resize(count);
   result.block.resize(count);
   parallel_for(
@@ -223,7 +210,7 @@ rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_lev
         row_sum sum;
         for (const auto entry : level.entries.of(a)) {
           const auto i = level.entry_row[entry];
-          const auto& block = p.block[i][entry - level.prolongation_first[i]];
+          const auto& block = p.block[i][entry - level.prolongation_rows.begin(i)];
           for (std::size_t t = 0; t < ap.column[i].size(); ++t)
             sum.at(ap.column[i][t]).noalias() += block.transpose() * ap.block[i][t];
         }
@@ -235,56 +222,55 @@ rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_lev
 }
 
 void store_prolongation(const rigid_rows& p, std::uint32_t parents, rigid_level& level) {
-  level.prolongation_first.push_back(0);
   for (std::size_t i = 0; i < p.column.size(); ++i) {
     for (std::size_t s = 0; s < p.column[i].size(); ++s) {
       level.prolongation_column.push_back(p.column[i][s]);
       level.entry_row.push_back(static_cast<std::uint32_t>(i));
       store(p.block[i][s], level.prolongation.emplace_back());
     }
-    level.prolongation_first.push_back(
-      static_cast<std::uint32_t>(level.prolongation_column.size()));
+    level.prolongation_rows.add(static_cast<std::uint32_t>(p.column[i].size()));
   }
   level.entries = member_lists(level.prolongation_column, parents);
 }
 
-/// The next coarser level: its matrix, frames and motions replace those given.
-void coarsen(rigid_level& level, const aggregation& groups, rigid_rows& rows,
-             std::vector<rigid_frame>& frames, std::vector<matrix6>& keep) {
-  const member_lists children(groups.of, groups.count);
-  auto coarser = parent_frames(frames, children);
-  std::vector<matrix6> modes(frames.size());
-  std::vector<matrix6> gram(groups.count, matrix6::Zero());
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    modes[i] = keep[i] * child_modes(frames[i], coarser[groups.of[i]]);
-    gram[groups.of[i]] += modes[i].transpose() * modes[i];
+/// The next coarser level: its matrix replaces `rows`, its frames and motions are returned.
+level_memory coarsen(rigid_level& level, const level_memory& memory, std::uint32_t groups,
+                     rigid_rows& rows) {
+  level_memory coarser;
+  coarser.frames = parent_frames(memory.frames, member_lists(memory.group, groups));
+  std::vector<matrix6> modes(memory.frames.size());
+  std::vector<matrix6> gram(groups, matrix6::Zero());
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    modes[i] = parent_modes(memory, coarser, i);
+    gram[memory.group[i]] += modes[i].transpose() * modes[i];
   }
-  const auto p = smoothed_prolongation(rows, level, groups, modes);
-  store_prolongation(p, groups.count, level);
+  const auto p = smoothed_prolongation(rows, level, memory.group, modes);
+  store_prolongation(p, groups, level);
   rows = restricted(p, product(rows, p), level);
-  keep.resize(groups.count);
-  for (std::uint32_t a = 0; a < groups.count; ++a) {
+  coarser.keep.resize(groups);
+  for (std::uint32_t a = 0; a < groups; ++a) {
     const auto at = std::ranges::find(rows.column[a], a) - rows.column[a].begin();
-    keep[a] = remove_null_motions(gram[a], rows.block[a][static_cast<std::size_t>(at)]);
+    coarser.keep[a] = remove_null_motions(gram[a], rows.block[a][static_cast<std::size_t>(at)]);
   }
-  frames = std::move(coarser);
+  return coarser;
 }
 
 /// Sparse Cholesky factors of the coarsest matrix.
 class sparse_factor final : public coarsest_solver {
 public:
-  explicit sparse_factor(const rigid_rows& rows) {
-    if (rows.column.empty())
+  explicit sparse_factor(const rigid_level& level) {
+    if (level.nodes() == 0)
       return;  // Every node is held.
     std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t i = 0; i < rows.column.size(); ++i)
-      for (std::size_t s = 0; s < rows.column[i].size(); ++s)
+    for (std::uint32_t i = 0; i < level.nodes(); ++i)
+      for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s) {
+        const matrix6 block = wide(level.block[s]);
         for (int r = 0; r < 6; ++r)
           for (int c = 0; c < 6; ++c)
             entries.emplace_back(static_cast<int>(6 * i) + r,
-                                 static_cast<int>(6 * rows.column[i][s]) + c,
-                                 rows.block[i][s](r, c));
-    const auto size = static_cast<Eigen::Index>(6 * rows.column.size());
+                                 static_cast<int>(6 * level.column[s]) + c, block(r, c));
+      }
+    const auto size = static_cast<Eigen::Index>(std::size_t{6} * level.nodes());
     Eigen::SparseMatrix<double> m(size, size);
     m.setFromTriplets(entries.begin(), entries.end());
     for (double shift = 0; shift < 1e-2; shift = std::max(1e-12, 100 * shift)) {
@@ -309,21 +295,28 @@ private:
 
 }  // namespace
 
+std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest) {
+  return std::make_unique<sparse_factor>(coarsest);
+}
+
 expected<void> add_rigid_levels(rigid_rows rows, std::vector<rigid_frame> frames,
                                 std::vector<matrix6> keep, const multilevel_settings& settings,
                                 const execution& run, hierarchy& result) {
+  auto& memory = result.memory->levels;
+  memory.push_back({std::move(frames), std::move(keep), {}});
   for (;;) {
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
     auto& level = result.levels.emplace_back(make_level(rows, settings));
     if (level.nodes() <= settings.coarsest)
       break;
-    const auto groups = aggregate_pairs(graph_of(rows));
+    auto groups = aggregate_pairs(graph_of(rows));
     if (groups.count > 0.8 * level.nodes())
       break;  // Separate pieces that do not coarsen any further.
-    coarsen(level, groups, rows, frames, keep);
+    memory.back().group = std::move(groups.of);
+    memory.push_back(coarsen(level, memory.back(), groups.count, rows));
   }
-  result.coarsest = std::make_unique<sparse_factor>(rows);
+  result.coarsest = factor(result.levels.back());
   return {};
 }
 

@@ -83,27 +83,117 @@ sliver_clusters cluster_slivers(const problem& p, const std::vector<std::uint8_t
   const auto thin = thin_tets(p, condition);
   if (thin.empty())
     return result;
-  disjoint_sets sets(p.node_count());
+  const std::size_t nodes = excluded.size();
+  disjoint_sets sets(nodes);
   for (const auto& [negated, e] : thin) {
     std::uint32_t before = no_id;
     for (int a = 0; a < p.nodes_per_element; ++a) {
       const auto node = p.element_nodes[p.nodes_per_element * e + a];
-      if (excluded[node] != 0)
+      if (node >= nodes || excluded[node] != 0)
         continue;
       if (before != no_id)
         sets.join(before, node, most);
       before = node;
     }
   }
-  result.of.assign(p.node_count(), no_id);
-  std::vector<std::uint32_t> number(p.node_count(), no_id);
-  for (std::uint32_t n = 0; n < p.node_count(); ++n) {
+  result.of.assign(nodes, no_id);
+  std::vector<std::uint32_t> number(nodes, no_id);
+  for (std::uint32_t n = 0; n < nodes; ++n) {
     const auto root = sets.find(n);
     if (excluded[n] != 0 || sets.size(root) < 2)
       continue;
     if (number[root] == no_id)
       number[root] = result.count++;
     result.of[n] = number[root];
+  }
+  return result;
+}
+
+namespace {
+
+void sort_unique(std::vector<std::uint32_t>& list) {
+  std::ranges::sort(list);
+  list.erase(std::ranges::unique(list).begin(), list.end());
+}
+
+/// The thin tets around nodes, worst first.
+std::vector<std::pair<double, std::uint32_t>> thin_tets_around(
+  const problem& p, std::span<const std::uint32_t> nodes, double condition,
+  const std::function<std::vector<std::uint32_t>(std::uint32_t node)>& elements_at) {
+  std::vector<std::uint32_t> elements;
+  for (const auto n : nodes) {
+    const auto around = elements_at(n);
+    elements.insert(elements.end(), around.begin(), around.end());
+  }
+  sort_unique(elements);
+  std::vector<std::pair<double, std::uint32_t>> result;
+  for (const auto e : elements) {
+    const auto* n = &p.element_nodes[p.nodes_per_element * std::size_t{e}];
+    const double of = tet_condition({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
+    if (of > condition)
+      result.emplace_back(-of, e);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+}  // namespace
+
+cluster_change recluster(
+  const problem& p, std::span<const std::uint32_t> nodes,
+  const std::function<bool(std::uint32_t node)>& excluded,
+  const std::function<std::vector<std::uint32_t>(std::uint32_t node)>& elements_at,
+  const std::function<std::span<const std::uint32_t>(std::uint32_t cluster)>& members_of,
+  std::uint32_t most, double condition, sliver_clusters& clusters) {
+  cluster_change result;
+  result.nodes.assign(nodes.begin(), nodes.end());
+  for (const auto n : nodes)
+    if (n < clusters.of.size() && clusters.of[n] != no_id)
+      result.clusters.push_back(clusters.of[n]);
+  sort_unique(result.clusters);
+  for (const auto c : result.clusters)
+    for (const auto n : members_of(c))
+      result.nodes.push_back(n);
+  sort_unique(result.nodes);
+  const auto thin = thin_tets_around(p, result.nodes, condition, elements_at);
+  if (thin.empty() && result.clusters.empty())
+    return result;
+  const auto place = [&](std::uint32_t node) {
+    const auto found = std::ranges::lower_bound(result.nodes, node);
+    return found == result.nodes.end() || *found != node || excluded(node)
+             ? no_id
+             : static_cast<std::uint32_t>(found - result.nodes.begin());
+  };
+  disjoint_sets sets(result.nodes.size());
+  for (const auto& [negated, e] : thin) {
+    std::uint32_t before = no_id;
+    for (int a = 0; a < p.nodes_per_element; ++a) {
+      const auto at = place(p.element_nodes[p.nodes_per_element * std::size_t{e} + a]);
+      if (at == no_id)
+        continue;
+      if (before != no_id)
+        sets.join(before, at, most);
+      before = at;
+    }
+  }
+  result.members.resize(result.clusters.size());
+  std::vector<std::uint32_t> number(result.nodes.size(), no_id);
+  std::uint32_t used = 0;
+  clusters.of.resize(std::max<std::size_t>(clusters.of.size(), result.nodes.back() + 1), no_id);
+  for (std::uint32_t i = 0; i < result.nodes.size(); ++i) {
+    clusters.of[result.nodes[i]] = no_id;
+    const auto root = sets.find(i);
+    if (sets.size(root) < 2)
+      continue;
+    if (number[root] == no_id) {
+      number[root] = used++;
+      if (used > result.clusters.size()) {
+        result.clusters.push_back(clusters.count++);
+        result.members.emplace_back();
+      }
+    }
+    clusters.of[result.nodes[i]] = result.clusters[number[root]];
+    result.members[number[root]].push_back(result.nodes[i]);
   }
   return result;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "fem/problem.hpp"
@@ -19,9 +21,26 @@ struct sliver_clusters {
 };
 
 /// Joins the free nodes of tets with a condition above 10, worst first, into clusters of at most
-/// `most` nodes. `excluded` marks nodes that are wholly held. Cost: O(elements).
+/// `most` nodes. `excluded` marks nodes that are wholly held; nodes beyond its length do
+/// not count, so that the corners of quadratic tets can be taken alone. Cost: O(elements).
 [[nodiscard]] sliver_clusters cluster_slivers(const problem& p,
                                               const std::vector<std::uint8_t>& excluded,
                                               std::uint32_t most = 64, double condition = 10);
+
+/// Clusters anew what changes at `nodes` (ascending) touch: dissolves the clusters of these nodes
+/// and joins nodes along the thin tets around. `elements_at(n)` lists the elements around a node;
+/// `excluded(n)` says which nodes do not count. Numbers of dissolved clusters are used again.
+/// Cost: the elements around.
+struct cluster_change {
+  std::vector<std::uint32_t> nodes;                 ///< All that were or are concerned, ascending.
+  std::vector<std::uint32_t> clusters;              ///< Whose members changed, ascending.
+  std::vector<std::vector<std::uint32_t>> members;  ///< Of each of these; empty: it is gone.
+};
+[[nodiscard]] cluster_change recluster(
+  const problem& p, std::span<const std::uint32_t> nodes,
+  const std::function<bool(std::uint32_t node)>& excluded,
+  const std::function<std::vector<std::uint32_t>(std::uint32_t node)>& elements_at,
+  const std::function<std::span<const std::uint32_t>(std::uint32_t cluster)>& members_of,
+  std::uint32_t most, double condition, sliver_clusters& clusters);
 
 }  // namespace tedit::fem

@@ -16,7 +16,9 @@ namespace tedit::fem {
 /// of z there, and r.z turned negative after six digits.
 class conjugate_gradients {
 public:
-  explicit conjugate_gradients(std::size_t nodes) {
+  explicit conjugate_gradients(std::size_t nodes) { resize(nodes); }
+
+  void resize(std::size_t nodes) {
     for (auto* v : {&x_, &r_, &z_, &p_, &q_})
       v->assign(padded3(nodes), 0);
   }

@@ -34,7 +34,7 @@ void for_rigid_rows(const rigid_level& level, const float* x, Sink&& sink) {
     [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t i = first; i < last; ++i) {
         vector6 sum = vector6::Zero();
-        for (auto s = level.first[i]; s < level.first[i + 1]; ++s)
+        for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
           sum.noalias() += matrix(level.block[s]) * six(x, level.column[s]);
         sink(i, sum);
       }
@@ -106,7 +106,7 @@ void rigid_cycle::once(std::size_t level, std::span<const float> right, std::spa
   solve(level + 1, down, up);
   std::ranges::fill(w.step, 0.0F);
   for (std::size_t i = 0; i < a.nodes(); ++i)
-    for (auto s = a.prolongation_first[i]; s < a.prolongation_first[i + 1]; ++s)
+    for (auto s = a.prolongation_rows.begin(i); s < a.prolongation_rows.end(i); ++s)
       six(w.step.data(), i).noalias() +=
         matrix(a.prolongation[s]) * six(up.data(), a.prolongation_column[s]);
 

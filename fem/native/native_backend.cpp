@@ -23,7 +23,7 @@ namespace {
 class native_system : public linear_system {
 public:
   native_system(const problem& p, const native_settings& settings)
-      : problem_(p), settings_(settings), corners_(p), krylov_(p.node_count()) {}
+      : problem_(p), settings_(settings), krylov_(p.node_count()) {}
 
   expected<void> element_stress(std::span<const double> displacement,
                                 std::span<double> stress) override;
@@ -72,7 +72,6 @@ protected:
 
   const problem& problem_;
   native_settings settings_;
-  incidence corners_;
   conjugate_gradients krylov_;
   double assembly_ms_ = 0;
 };
@@ -81,7 +80,7 @@ protected:
 class linear_tets final : public native_system {
 public:
   linear_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings), k_(assemble_blocks(p, corners_)) {
+      : native_system(p, settings), k_(assemble_blocks(p, incidence(p))) {
     assembly_ms_ = clock.milliseconds();
   }
 
@@ -97,6 +96,18 @@ public:
 
   expected<void> set_filter(filter_span filter) override {
     return guarded([&] { return prepare(filter, {}); });
+  }
+
+  expected<bool> update(const problem_change& change, const incidence& corners) override {
+    if (k_.places.crowded() || hierarchy_.crowded())
+      return false;
+    update_blocks(problem_, corners, change.nodes, k_);
+    update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes, settings_.multilevel,
+                     hierarchy_);
+    cycle_.emplace(k_, hierarchy_, settings_.cycle);
+    krylov_.resize(problem_.node_count());
+    krylov_.set_filter(problem_.filter);
+    return true;
   }
 
   void distrust() override { raise_lambdas(hierarchy_); }
@@ -128,23 +139,21 @@ private:
 class quadratic_tets final : public native_system {
 public:
   quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings),
-        k_(p),
-        corner_(corner_problem(p)),
-        corner_matrix_(assemble_blocks(corner_, incidence(corner_))) {
+      : native_system(p, settings), k_(p), corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
     assembly_ms_ = clock.milliseconds();
   }
 
   expected<void> prepare(filter_span filter, const execution& run) {
-    auto built = build_hierarchy(corner_, corner_matrix_, filter.first(corner_.node_count()),
+    auto built = build_hierarchy(problem_, corner_matrix_, filter.first(corner_matrix_.rows()),
                                  settings_.corner_multilevel, run);
     if (!built)
       return fail(built.error());
     hierarchy_ = std::move(*built);
     edges_ = make_edge_transfer(problem_, filter);
-    smoother_ = make_quadratic_smoother(
-      problem_, filter,
-      cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition));
+    const auto clusters =
+      cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition);
+    smoother_ = make_quadratic_smoother(problem_, filter, clusters);
+    cluster_of_ = clusters.of;
     smoother_.lambda = settings_.corner_multilevel.lambda_safety *
                        largest_ritz_value(
                          problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
@@ -155,14 +164,32 @@ public:
                            });
                          },
                          [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
-    cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+    make_cycle();
     krylov_.set_filter(filter);
     return {};
   }
 
   expected<void> set_filter(filter_span filter) override {
     return guarded([&] { return prepare(filter, {}); });
+  }
+
+  expected<bool> update(const problem_change& change, const incidence& corners) override {
+    if (corner_matrix_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded())
+      return false;
+    const filter_span filter = problem_.filter;
+    const auto middles = std::ranges::lower_bound(change.nodes, problem_.corner_count);
+    const std::span corner_nodes(change.nodes.begin(), middles);
+    k_.update(problem_, change.elements);
+    update_blocks(problem_, corners, corner_nodes, corner_matrix_);
+    update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
+                     corner_nodes, settings_.corner_multilevel, hierarchy_);
+    update_edge_transfer(problem_, filter, change.nodes, edges_);
+    update_quadratic_smoother(problem_, corners, filter, change.nodes,
+                              settings_.corner_multilevel.sliver_condition, cluster_of_, smoother_);
+    make_cycle();
+    krylov_.resize(problem_.node_count());
+    krylov_.set_filter(filter);
+    return true;
   }
 
   void distrust() override {
@@ -184,17 +211,22 @@ public:
 
   std::uint64_t device_bytes() const override {
     return k_.bytes() + corner_matrix_.bytes() + hierarchy_.bytes() + krylov_.bytes() +
-           3 * sizeof(float) * (padded3(k_.rows()) + padded3(corner_.node_count())) +
+           3 * sizeof(float) * (padded3(k_.rows()) + padded3(corner_matrix_.rows())) +
            24 * smoother_.inverse.size();
   }
 
 private:
+  void make_cycle() {
+    corner_cycle_.emplace(corner_matrix_, hierarchy_, settings_.corner_cycle);
+    cycle_.emplace(k_, smoother_, edges_, *corner_cycle_, settings_.cycle.quadratic_degree);
+  }
+
   quadratic_operator k_;
-  problem corner_;
   block_matrix corner_matrix_;
   hierarchy hierarchy_;
   edge_transfer edges_;
   node_smoother smoother_;
+  std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
   std::optional<multilevel_cycle> corner_cycle_;
   std::optional<quadratic_cycle> cycle_;
 };
@@ -216,11 +248,12 @@ expected<void> native_system::element_stress(std::span<const double> displacemen
 expected<void> native_system::nodal_stress(std::span<const double> element_stress,
                                            std::span<double> nodal) {
   const auto& p = problem_;
+  const incidence corners(p);
   parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n) {
       std::array<double, 6> sum{};
       double volume = 0;
-      for (const auto corner : corners_.of_node(n)) {
+      for (const auto corner : corners.of_node(n)) {
         const std::size_t e = corner / 4;
         const double v = gradients_of(p, e).volume;
         volume += v;

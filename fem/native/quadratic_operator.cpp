@@ -142,22 +142,73 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const
 quadratic_operator::quadratic_operator(const problem& p) {
   elements_.resize(p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t e = first; e < last; ++e) {
-      const auto* n = &p.element_nodes[10 * e];
-      const auto g = gradients_of({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
-      const auto& c = p.constants[p.element_materials[e]];
-      auto& to = elements_[e];
-      for (int b = 1; b < 4; ++b)
-        for (int i = 0; i < 3; ++i) {
-          const vec3 d = g.gradient[b];
-          to.gradient[3 * (b - 1) + i] = static_cast<float>(i == 0 ? d.x : i == 1 ? d.y : d.z);
-        }
-      to.lambda = static_cast<float>(c.lambda * g.volume / 20);
-      to.mu = static_cast<float>(c.mu * g.volume / 20);
-    }
+    for (std::size_t e = first; e < last; ++e)
+      set_element(p, e);
   });
   make_patches(p);
   make_shares(p.node_count());
+}
+
+void quadratic_operator::set_element(const problem& p, std::size_t e) {
+  const auto g = gradients_of(p, e);
+  const auto& c = p.constants[p.element_materials[e]];
+  auto& to = elements_[e];
+  for (int b = 1; b < 4; ++b)
+    for (int i = 0; i < 3; ++i) {
+      const vec3 d = g.gradient[b];
+      to.gradient[3 * (b - 1) + i] = static_cast<float>(i == 0 ? d.x : i == 1 ? d.y : d.z);
+    }
+  to.lambda = static_cast<float>(c.lambda * g.volume / 20);
+  to.mu = static_cast<float>(c.mu * g.volume / 20);
+}
+
+void quadratic_operator::update(const problem& p, std::span<const std::uint32_t> elements) {
+  const auto count = static_cast<std::uint32_t>(p.element_count());
+  elements_.resize(count);
+  std::vector<std::uint32_t> dirty;
+  for (const auto e : elements) {
+    if (e < count)
+      set_element(p, e);
+    if (dirty.empty() || dirty.back() != e / elements_per_patch)
+      dirty.push_back(e / elements_per_patch);
+  }
+  const auto old_patches = std::exchange(patches_, {});
+  const auto old_nodes = std::exchange(patch_nodes_, {});
+  patch_nodes_.reserve(old_nodes.size() + 64);
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t i = 0; i * elements_per_patch < count; ++i) {
+    const auto first = i * elements_per_patch;
+    patch part{first, std::min(count, first + elements_per_patch),
+               static_cast<std::uint32_t>(patch_nodes_.size()), 0};
+    if (std::ranges::binary_search(dirty, i)) {
+      number_patch(p, part, nodes);
+      patch_nodes_.insert(patch_nodes_.end(), nodes.begin(), nodes.end());
+    } else {
+      const auto old = std::span(old_nodes).subspan(
+        old_patches[i].first_node, old_patches[i].last_node - old_patches[i].first_node);
+      patch_nodes_.insert(patch_nodes_.end(), old.begin(), old.end());
+    }
+    part.last_node = static_cast<std::uint32_t>(patch_nodes_.size());
+    patches_.push_back(part);
+  }
+  shares_.resize(patch_nodes_.size());
+  make_shares(p.node_count());
+}
+
+/// The nodes of a patch's elements, ascending, and their numbers in the elements.
+void quadratic_operator::number_patch(const problem& p, const patch& part,
+                                      std::vector<std::uint32_t>& nodes) {
+  const auto all = std::span(p.element_nodes)
+                     .subspan(10 * std::size_t{part.first_element},
+                              10 * std::size_t{part.last_element - part.first_element});
+  nodes.assign(all.begin(), all.end());
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  for (auto e = part.first_element; e < part.last_element; ++e)
+    for (int a = 0; a < 10; ++a) {
+      const auto found = std::ranges::lower_bound(nodes, p.element_nodes[10 * std::size_t{e} + a]);
+      elements_[e].node[a] = static_cast<std::uint16_t>(found - nodes.begin());
+    }
 }
 
 void quadratic_operator::make_patches(const problem& p) {

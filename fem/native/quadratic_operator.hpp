@@ -21,6 +21,10 @@ public:
   /// `p` must have elements of order 2; it is not needed afterwards.
   explicit quadratic_operator(const problem& p);
 
+  /// After `elements` (ascending) of the problem changed, some may be gone. Cost: their patches,
+  /// and a copy of all patches' lists.
+  void update(const problem& p, std::span<const std::uint32_t> elements);
+
   [[nodiscard]] std::size_t rows() const { return share_first_.size() - 1; }
   [[nodiscard]] std::uint64_t bytes() const;
 
@@ -55,7 +59,9 @@ private:
     std::uint32_t first_node, last_node;  ///< Into `patch_nodes_` and `shares_`.
   };
 
+  void set_element(const problem& p, std::size_t e);
   void make_patches(const problem& p);
+  void number_patch(const problem& p, const patch& part, std::vector<std::uint32_t>& nodes);
   void make_shares(std::size_t nodes);
   void sum_patches(const float* x) const;
   void sum_patch(const patch& part, const float* x, std::vector<float4>& local) const;

@@ -109,13 +109,13 @@ void vulkan_rigid_cycle::upload(vulkan_memory& memory, const rigid_level& from, 
   for (const auto& block : from.inverse)
     inverse.push_back(scaled(block, scale));
   to.inverse = memory.put(inverse);
-  to.matrix.emplace(memory, from.first, [&](std::uint32_t s) {
+  to.matrix.emplace(memory, from.rows.starts(), [&](std::uint32_t s) {
     return std::pair(from.column[s], scaled(from.block[s], 1 / scale));
   });
-  to.up.emplace(memory, from.prolongation_first, [&](std::uint32_t s) {
+  to.up.emplace(memory, from.prolongation_rows.starts(), [&](std::uint32_t s) {
     return std::pair(from.prolongation_column[s], from.prolongation[s]);
   });
-  to.down.emplace(memory, from.entries.first, [&](std::uint32_t s) {
+  to.down.emplace(memory, from.entries.places.starts(), [&](std::uint32_t s) {
     const auto at = from.entries.item[s];
     return std::pair(from.entry_row[at], transposed(from.prolongation[at]));
   });
@@ -187,7 +187,7 @@ vulkan_cycle::vulkan_cycle(vulkan_memory& memory, const row_operator& k, const h
     arms[n][3] = h.aggregate[n];
   }
   arms_ = memory.put(arms);
-  member_first_ = memory.put(h.members.first);
+  member_first_ = memory.put(h.members.places.starts());
   members_ = memory.put(h.members.item);
 }
 
@@ -225,7 +225,7 @@ vulkan_quadratic_cycle::vulkan_quadratic_cycle(vulkan_memory& memory, const row_
   for (const auto side : edges.middles.item)
     middles.push_back(corner_count_ + side / 2);
   ends_ = memory.put(edges.ends);
-  middle_first_ = memory.put(edges.middles.first);
+  middle_first_ = memory.put(edges.middles.places.starts());
   middles_ = memory.put(middles);
   coarse_right_ = memory.room(16 * std::uint64_t{corner_count_});
   coarse_ = memory.room(16 * std::uint64_t{corner_count_});

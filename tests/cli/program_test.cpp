@@ -54,11 +54,11 @@ TEST(Program, HelpNamesTheCommandsAndExitStatuses) {
   const auto help = run("--help");
 
   EXPECT_EQ(help.status, 0);
-  for (const auto* word : {"info", "edit", "solve", "run", "serve", "worker", "render", "ops",
-                           "verify", "doctor", "130"})
+  for (const auto* word : {"info", "edit", "solve", "export", "run", "serve", "worker", "render",
+                           "ops", "verify", "doctor", "130"})
     EXPECT_THAT(help.out, HasSubstr(word));
   for (const auto* command :
-       {"info", "edit", "solve", "run", "serve", "worker", "ops", "verify", "doctor"})
+       {"info", "edit", "solve", "export", "run", "serve", "worker", "ops", "verify", "doctor"})
     EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
 }
 
@@ -246,6 +246,53 @@ TEST(Solve, AnInterruptEndsWith130) {
   EXPECT_TRUE(by_handler || by_default) << status;
 }
 
+TEST(Export, WritesADeckAndSaysHowToRunIt) {
+  const auto file = scratch("plate.inp");
+
+  const auto result = run("export --json --order 1 " + plate + " --load-case " + plate_loads +
+                          " -o " + file.string());
+
+  ASSERT_EQ(result.status, 0) << result.out;
+  const auto report = result.parsed();
+  EXPECT_EQ(report["elements"], 21750);
+  EXPECT_EQ(report["nodes"], 5683);
+  EXPECT_EQ(report["held_nodes"], 224);
+  EXPECT_EQ(report["boundaries"], 3 * 224);
+  EXPECT_EQ(report["equations"], 0);
+  EXPECT_EQ(report["command"], "ccx -i " + scratch("plate").string());
+  std::stringstream deck;
+  deck << std::ifstream(file).rdbuf();
+  EXPECT_THAT(deck.str(), HasSubstr("TYPE=C3D4"));
+  EXPECT_THAT(deck.str(), HasSubstr("*STATIC, SOLVER=SPOOLES"));
+  EXPECT_TRUE(deck.str().ends_with("*END STEP\n"));
+}
+
+TEST(Export, QuadraticTetsAndTheOtherSolverCanBeAskedFor) {
+  const auto file = scratch("plate.inp");
+
+  const auto result = run("export --solver cholesky " + plate + " --load-case " + plate_loads +
+                          " -o " + file.string());
+
+  ASSERT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, HasSubstr("21750 C3D10, 37324 nodes"));
+  std::stringstream deck;
+  deck << std::ifstream(file).rdbuf();
+  EXPECT_THAT(deck.str(), HasSubstr("*STATIC, SOLVER=ITERATIVE CHOLESKY"));
+}
+
+TEST(Export, ARefusedPartWritesNothing) {
+  const auto file = scratch("never.inp");
+  const auto part = parts + "base_so101/";
+
+  const auto result = run("export --json " + part + "base_so101.coarse.msh --load-case " + part +
+                          "load_case.json -o " + file.string());
+
+  EXPECT_EQ(result.parsed()["error"]["code"], "degenerate_tet");
+  EXPECT_NE(result.status, 0);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(run("export " + plate + " --load-case " + plate_loads + " -o deck.txt").status, 2);
+}
+
 TEST(Run, CarriesOutARecipeWithUndo) {
   const auto file = scratch("recipe.json");
   std::ofstream(file) << json{{"device", "cpu"},
@@ -305,6 +352,7 @@ TEST(Verify, AllFiguresHoldAndThePageIsWritten) {
   EXPECT_TRUE(report["passed"]);
   EXPECT_GT(report["results"].size(), 40u);
   EXPECT_EQ(report["convergence"].size(), 6u);
+  EXPECT_EQ(report["side_by_side"].size(), 0u);
   std::stringstream text;
   text << std::ifstream(page).rdbuf();
   EXPECT_THAT(text.str(), HasSubstr("(page.svg)"));
@@ -315,6 +363,9 @@ TEST(Verify, NeedsToBeToldWhatToVerify) {
   EXPECT_EQ(run("verify").status, 2);
   EXPECT_EQ(run("verify --suite --part " + plate).status, 2);
   EXPECT_EQ(run("verify --suite --device nosuchdevice").status, 1);
+  EXPECT_EQ(run("verify --suite --parts " + parts).status, 2) << "only with --calculix";
+  const auto nothing = run("verify --suite --json --calculix --parts /nowhere");
+  EXPECT_EQ(nothing.parsed()["error"]["code"], "not_found");
 }
 
 TEST(Doctor, FindsNothingMissing) {

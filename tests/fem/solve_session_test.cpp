@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fem/native/native_backend.hpp"
+#include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::fem {
@@ -112,6 +113,96 @@ TEST_F(SolveSession, AnotherMeshStartsFromTheOldField) {
   EXPECT_TRUE(warm.assembled);
   EXPECT_LE(warm.solution.iterations, cold.iterations);
   EXPECT_NEAR(warm.solution.compliance_j, cold.compliance_j, 1e-6 * cold.compliance_j);
+}
+
+/// Follows edits with one session, and solves each version anew beside it.
+class FollowedEdits : public testing::TestWithParam<int> {
+protected:
+  void expect_follows(const version_ptr& next, const load_case& loads) {
+    ASSERT_TRUE(next);
+    const auto kept = value(session_.solve(next, loads, GetParam(), *device_, {}, {}));
+    const auto fresh = value(solve_session().solve(next, loads, GetParam(), *device_, {}, {}));
+    const auto& a = kept.solution;
+    const auto& b = fresh.solution;
+    EXPECT_FALSE(kept.assembled);
+    EXPECT_GT(kept.renewed_rows, 0u);
+    EXPECT_TRUE(a.converged);
+    EXPECT_LE(a.iterations, b.iterations + 4);
+    EXPECT_NEAR(a.compliance_j, b.compliance_j, 1e-5 * b.compliance_j);
+    EXPECT_NEAR(a.max_displacement_m, b.max_displacement_m, 1e-5 * b.max_displacement_m);
+    EXPECT_NEAR(a.max_von_mises_pa, b.max_von_mises_pa, 1e-4 * b.max_von_mises_pa);
+    EXPECT_NEAR(a.strain_energy_j, b.strain_energy_j, 1e-5 * b.strain_energy_j);
+    EXPECT_NEAR(a.relative_error, b.relative_error, 1e-4);
+    EXPECT_NEAR(norm(a.reaction_n + a.applied_n), 0, 1e-5 * norm(a.applied_n));
+    mesh_ = next;
+  }
+
+  std::unique_ptr<backend> device_ = make_native_backend();
+  solve_session session_;
+  version_ptr mesh_ = test::box_mesh({32, 8, 8}, {4, 1, 1});
+};
+
+INSTANTIATE_TEST_SUITE_P(Orders, FollowedEdits, testing::Values(1, 2));
+
+TEST_P(FollowedEdits, CostTheirRowsAndGiveTheSameAnswer) {
+  const auto loads = cantilever({0, 0, -1000});
+  value(session_.solve(mesh_, loads, GetParam(), *device_, {}, {}));
+  for (int round = 0; round < 3; ++round) {
+    const double at = 0.7 + round;
+    expect_follows(test::split(mesh_, [&](tet_id t) { return t % 2503 == 17u * round; }), loads);
+    expect_follows(test::dig(
+                     mesh_,
+                     [&](vec3 x) {
+                       return norm(x - vec3{at, .5, 1}) < 0.2;
+                     },
+                     7),
+                   loads);
+    expect_follows(test::move(mesh_,
+                              [&](vec3 x) {
+                                return norm(x - vec3{at, .5, .5}) < 0.2 ? x + vec3{0, .01, .01} : x;
+                              }),
+                   loads);
+  }
+}
+
+TEST_P(FollowedEdits, SliversThatAnEditMakesAreClusteredTogether) {
+  const auto loads = cantilever({0, 0, -1000});
+  value(session_.solve(mesh_, loads, GetParam(), *device_, {}, {}));
+  // A grid plane that nearly meets the next one: tets of 1/50 of their height, and back again.
+  const auto squeeze = [](vec3 x) {
+    return norm(x - vec3{2, .5, .5}) < 0.2 && std::abs(x.x - 2) < 1e-9 ? x + vec3{.1225, 0, 0} : x;
+  };
+  expect_follows(test::move(mesh_, squeeze), loads);
+  expect_follows(test::move(mesh_,
+                            [](vec3 x) {
+                              return std::abs(x.x - 2.1225) < 1e-9 ? x - vec3{.1225, 0, 0} : x;
+                            }),
+                 loads);
+}
+
+TEST_P(FollowedEdits, OtherLoadsAndSupportsMayComeWithTheEdit) {
+  value(session_.solve(mesh_, cantilever({0, 0, -1000}), GetParam(), *device_, {}, {}));
+  auto turned = cantilever({0, 0, -1000});
+  turned.constraints = {{{2}, fixed{}}, {{3}, roller{}}};
+  turned.loads = {{{1}, force{{0, 0, -1000}}}};
+  expect_follows(test::split(mesh_, [](tet_id t) { return t == 900; }), turned);
+}
+
+TEST_P(FollowedEdits, APartCutThroughIsRefusedAndTheNextVersionSolved) {
+  const auto loads = cantilever({0, 0, -1000});
+  const auto thin = test::dig(
+    mesh_, [](vec3 x) { return x.x > 2 && x.x < 2.125 && x.z > .125; }, 7);
+  ASSERT_TRUE(thin);
+  value(session_.solve(thin, loads, GetParam(), *device_, {}, {}));
+  const auto cut = test::dig(
+    thin, [](vec3 x) { return x.x > 2 && x.x < 2.125; }, 7);
+  ASSERT_TRUE(cut);
+  const auto refused = session_.solve(cut, loads, GetParam(), *device_, {}, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::under_constrained);
+  const auto after = value(session_.solve(thin, loads, GetParam(), *device_, {}, {}));
+  EXPECT_TRUE(after.solution.converged);
+  EXPECT_TRUE(after.assembled);
 }
 
 TEST(CarryOver, KeepsWhatIsTheSameAndFillsWhatIsNew) {

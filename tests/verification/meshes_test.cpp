@@ -54,6 +54,21 @@ TEST(QuarterRing, LiesBetweenTheEllipses) {
   EXPECT_LT(total_volume(**mesh), 2 * area);
 }
 
+TEST(TaperedSphere, HasTheVolumeOfItsThreePieces) {
+  const auto mesh = block_mesh({4, 40, 40}, tapered_sphere);
+
+  ASSERT_TRUE(mesh.has_value());
+  // A quarter of the revolved pieces, by Pappus: pi/2 times the integral of (R^2 - r^2) / 2 over z.
+  const double knee = std::numbers::sqrt2 / 2;
+  const double sphere = (1.96 - 1) * knee;
+  const double rim = std::sqrt(1.96 - 0.5);
+  const double taper = 0.69 * ((1 + rim + rim * rim) / 3 - 0.5);
+  const double volume = std::numbers::pi / 4 * (sphere + taper + 0.4 * 0.5);
+  EXPECT_NEAR(total_volume(**mesh), volume, 2e-3 * volume);
+  EXPECT_NEAR(area_of(**mesh, u_low), area_of(**mesh, u_high), 1e-12);
+  EXPECT_NEAR(area_of(**mesh, t_high), std::numbers::pi / 8, 1e-3);
+}
+
 TEST(OctantMesh, LiesBetweenTheSpheres) {
   const auto mesh = octant_mesh(24, 3, 1, 2);
 
@@ -86,6 +101,22 @@ TEST(Fields, LoadsKeepTheirTotals) {
       sum += node_value(p.loads, n);
     // Integrals of y^2 and z over the side x = 1.
     EXPECT_NEAR(norm(sum - vec3{8, 9, 0}), 0, 1e-12);
+  }
+}
+
+TEST(Fields, AnEvenInitialStressPullsOnTheSurfaceOnly) {
+  constexpr std::array<double, 6> stress{3, 2, 1, 0.5, 0.25, 0.125};
+  for (const int order : {1, 2}) {
+    const auto mesh = *block_mesh({2, 2, 2}, shaken_box({1, 2, 3}));
+    auto p = *bare_problem(*mesh, with_material(1, 0.3), order);
+    auto q = p;
+
+    add_initial_stress(p, [&](vec3) { return stress; });
+
+    add_traction(q, *mesh, std::array<surface_id, 6>{s_low, s_high, t_low, t_high, u_low, u_high},
+                 [&](vec3) { return stress; });
+    for (std::size_t i = 0; i < p.dofs(); ++i)
+      EXPECT_NEAR(p.loads[i], q.loads[i], 1e-13);
   }
 }
 

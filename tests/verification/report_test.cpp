@@ -104,7 +104,7 @@ TEST(Suite, SaysWhatItLeavesOut) {
   for (const auto& item : report->left_out)
     text += item.what + ": " + item.why + "\n";
   EXPECT_THAT(text, HasSubstr("order 2: this device knows linear tets only"));
-  EXPECT_THAT(text, HasSubstr("LE11"));
+  EXPECT_THAT(text, HasSubstr("CalculiX: not asked for: add --calculix"));
   EXPECT_THAT(text, HasSubstr("real part (order 1): no real part was given"));
 }
 
@@ -121,13 +121,30 @@ TEST(Suite, CancelIsObeyed) {
 TEST(Page, ShowsFailuresAndEscapesBars) {
   suite_report report;
   report.results = {figure(2, 2.03, 0.01)};
-  report.left_out = {{"LE11", "no thermal loads"}};
+  report.results.push_back(figure(2, 2, 0.01));
+  report.results.back().name = side_by_side_case;
+  report.left_out = {{"Cook", "no time"}};
+  report.side_by_side = {{.part = "foot",
+                          .element_order = 2,
+                          .elements = 12,
+                          .nodes = 34,
+                          .displacement = 2e-7,
+                          .reaction = 3e-9,
+                          .surface_reaction = 4e-8,
+                          .compliance = 5e-10,
+                          .milliseconds = 600,
+                          .other_milliseconds = 7000,
+                          .program = "CalculiX 2.20"}};
 
   const auto page = markdown_page(report, {"TEdit", "tedit verify --suite", ""});
 
   EXPECT_THAT(page, HasSubstr("1 outside"));
   EXPECT_THAT(page, HasSubstr("| \\|u\\| at the end | 2 | 2.03 | +1.5 % | 1 % | **NO** |"));
-  EXPECT_THAT(page, HasSubstr("- LE11: no thermal loads"));
+  EXPECT_THAT(page, Not(HasSubstr(std::string("| ") + side_by_side_case)));
+  EXPECT_THAT(page, HasSubstr("- Cook: no time"));
+  EXPECT_THAT(page, HasSubstr("## Side by side with CalculiX 2.20\n"));
+  EXPECT_THAT(page, HasSubstr("| foot | 2 | 12 | 34 | 2.0e-07 | 3.0e-09 | 4.0e-08 | 5.0e-10 | "
+                              "0.6 | 7.0 |\n"));
   EXPECT_THAT(page, Not(HasSubstr("![")));
 }
 

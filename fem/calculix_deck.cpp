@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/calculix_deck.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <ostream>
+#include <utility>
+
+namespace tedit::fem {
+
+namespace {
+
+// -- numbers ---------------------------------------------------------------------------
+
+/// CalculiX cuts a number here without a word: it reads -1.00000000000000e-05 as -1.
+constexpr std::size_t longest_number = 20;
+
+/// The shortest text that reads back as `value`, or as many digits as fit.
+std::string number(double value) {
+  std::array<char, 32> text;
+  // Adding zero makes -0 a plain 0.
+  auto end = std::to_chars(text.begin(), text.end(), value + 0.0).ptr;
+  for (int digits = 16; end - text.begin() > std::ptrdiff_t{longest_number}; --digits)
+    end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr;
+  return {text.begin(), end};
+}
+
+/// Without the noise of the way to Lame's constants and back.
+std::string rounded(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.14g", value);
+  return text.data();
+}
+
+// -- constraints -----------------------------------------------------------------------
+
+/// One held direction of a node as a row: u[dependent] + sum of factor[j] u[j] = value. Dependent
+/// components of a node's rows are distinct, and no row has a factor for one of them.
+struct held_row {
+  int dependent = 0;
+  std::array<double, 3> factor{};  ///< Zero for the dependent component.
+  double value = 0;                ///< m.
+
+  [[nodiscard]] bool oblique() const { return factor != std::array<double, 3>{}; }
+};
+
+using matrix_row = std::array<double, 4>;
+
+/// Makes column k a unit vector with its one in row k.
+void eliminate(std::array<matrix_row, 3>& rows, int k) {
+  const double pivot = rows[k][k];
+  for (auto& entry : rows[k])
+    entry /= pivot;
+  for (int i = 0; i < 3; ++i) {
+    const double factor = rows[i][k];
+    for (int j = 0; i != k && j < 4; ++j)
+      rows[i][j] -= factor * rows[k][j];
+  }
+}
+
+/// P u = z with P = 1 - S, reduced to as many rows as P has rank. P is a projector, so the largest
+/// diagonal entry left is a safe pivot.
+std::vector<held_row> held_rows(const problem& p, std::size_t node) {
+  const auto& s = p.filter[node];
+  const auto* z = &p.prescribed[3 * node];
+  std::array<matrix_row, 3> rows{{{1 - s[0], -s[1], -s[2], z[0]},
+                                  {-s[1], 1 - s[3], -s[4], z[1]},
+                                  {-s[2], -s[4], 1 - s[5], z[2]}}};
+  const auto rank = std::lround(3 - s[0] - s[3] - s[5]);
+  std::array<bool, 3> used{};
+  for (long step = 0; step < rank; ++step) {
+    int pivot = -1;
+    for (int k = 0; k < 3; ++k)
+      if (!used[k] && (pivot < 0 || rows[k][k] > rows[pivot][pivot]))
+        pivot = k;
+    used[pivot] = true;
+    eliminate(rows, pivot);
+  }
+  std::vector<held_row> result;
+  for (int k = 0; k < 3; ++k) {
+    if (!used[k])
+      continue;
+    held_row row{k, {}, rows[k][3]};
+    // Below this a factor is the rounding of a normal along an axis.
+    for (int j = 0; j < 3; ++j)
+      if (!used[j] && std::abs(rows[k][j]) > 1e-12)
+        row.factor[j] = rows[k][j];
+    result.push_back(row);
+  }
+  return result;
+}
+
+// -- the deck --------------------------------------------------------------------------
+
+class deck_writer {
+public:
+  deck_writer(const problem& p, const calculix_settings& settings, std::ostream& out)
+      : p_(p), settings_(settings), out_(out) {
+    for (std::size_t n = 0; n < p.node_count(); ++n)
+      if (auto rows = held_rows(p, n); !rows.empty())
+        held_.emplace_back(n, std::move(rows));
+    counts_.held_nodes = held_.size();
+  }
+
+  calculix_counts write() {
+    write_header();
+    write_nodes();
+    write_elements();
+    write_materials();
+    write_equations();
+    out_ << "*STEP\n*STATIC, SOLVER="
+         << (settings_.solver == calculix_solver::spooles ? "SPOOLES" : "ITERATIVE CHOLESKY")
+         << "\n1., 1.\n";
+    write_boundaries();
+    write_loads();
+    write_output();
+    return counts_;
+  }
+
+private:
+  void write_header() {
+    auto title = settings_.title;
+    // A line break would end the comment.
+    std::ranges::replace_if(
+      title, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    out_ << "** " << title << "\n"
+         << "** Written by TEdit for CalculiX 2.20: ccx -i NAME, for this file as NAME.inp\n"
+         << "** Units: SI (m, N, Pa, kg).\n"
+         << "** " << p_.node_count() << " nodes, " << p_.element_count() << " "
+         << (p_.element_order == 2 ? "quadratic tets (C3D10, straight edges)"
+                                   : "linear tets (C3D4)")
+         << "\n** Results: NAME.dat has U of all nodes and RF of the held ones (set HELD), with "
+            "the total.\n"
+         << "** RF is the reaction plus the load on the node.\n";
+  }
+
+  void write_nodes() {
+    out_ << "*NODE, NSET=NALL\n";
+    for (std::size_t n = 0; n < p_.node_count(); ++n)
+      write_node(n + 1, p_.nodes[n]);
+    // One more node for each oblique direction that is not held at zero.
+    auto next = p_.node_count();
+    for (const auto& [node, rows] : held_)
+      for (const auto& row : rows)
+        if (row.oblique() && row.value != 0) {
+          if (next == p_.node_count())
+            out_ << "*NODE, NSET=OFFSETS\n";
+          write_node(++next, p_.nodes[node]);
+        }
+    if (held_.empty())
+      return;
+    out_ << "*NSET, NSET=HELD\n";
+    for (const auto& [node, rows] : held_)
+      out_ << node + 1 << ",\n";
+  }
+
+  void write_node(std::size_t id, vec3 at) {
+    out_ << id << ", " << number(at.x) << ", " << number(at.y) << ", " << number(at.z) << "\n";
+  }
+
+  void write_elements() {
+    const auto width = static_cast<std::size_t>(p_.nodes_per_element);
+    for (std::size_t m = 0; m < p_.constants.size(); ++m) {
+      bool any = false;
+      for (std::size_t e = 0; e < p_.element_count(); ++e) {
+        if (p_.element_materials[e] != m)
+          continue;
+        if (!std::exchange(any, true))
+          out_ << "*ELEMENT, TYPE=" << (p_.element_order == 2 ? "C3D10" : "C3D4")
+               << ", ELSET=" << material(m) << "\n";
+        out_ << e + 1;
+        for (std::size_t a = 0; a < width; ++a)
+          out_ << "," << p_.element_nodes[width * e + a] + 1;
+        out_ << "\n";
+      }
+      if (any)
+        materials_.push_back(m);
+    }
+  }
+
+  /// The name of a material and of the set of its elements.
+  static std::string material(std::size_t index) { return "MATERIAL-" + std::to_string(index + 1); }
+
+  void write_materials() {
+    for (const auto m : materials_) {
+      const auto [lambda, mu] = p_.constants[m];
+      out_ << "*MATERIAL, NAME=" << material(m) << "\n*ELASTIC\n"
+           << rounded(mu * (3 * lambda + 2 * mu) / (lambda + mu)) << ", "
+           << rounded(lambda / (2 * (lambda + mu))) << "\n";
+      if (p_.densities[m] > 0)
+        out_ << "*DENSITY\n" << number(p_.densities[m]) << "\n";
+      out_ << "*SOLID SECTION, ELSET=" << material(m) << ", MATERIAL=" << material(m) << "\n";
+    }
+  }
+
+  void write_equations() {
+    auto offset = p_.node_count();
+    for (const auto& [node, rows] : held_)
+      for (const auto& row : rows) {
+        if (!row.oblique())
+          continue;
+        const bool moved = row.value != 0;
+        if (counts_.equations++ == 0)
+          out_ << "*EQUATION\n";
+        const auto terms = std::ranges::count_if(row.factor, [](double f) { return f != 0; });
+        out_ << terms + 1 + (moved ? 1 : 0) << "\n"
+             << node + 1 << "," << row.dependent + 1 << ",1.";
+        for (int j = 0; j < 3; ++j)
+          if (row.factor[j] != 0)
+            out_ << "," << node + 1 << "," << j + 1 << "," << number(row.factor[j]);
+        if (moved)
+          out_ << "," << ++offset << ",1,-1.";
+        out_ << "\n";
+      }
+  }
+
+  /// All supports stand in the step: CalculiX takes values other than zero only there.
+  void write_boundaries() {
+    auto offset = p_.node_count();
+    bool any = false;
+    const auto write = [&](std::size_t id, int component, double value) {
+      if (!std::exchange(any, true))
+        out_ << "*BOUNDARY\n";
+      out_ << id << ", " << component << ", " << component << ", " << number(value) << "\n";
+    };
+    for (const auto& [node, rows] : held_)
+      for (const auto& row : rows)
+        if (!row.oblique()) {
+          write(node + 1, row.dependent + 1, row.value);
+          ++counts_.boundaries;
+        } else if (row.value != 0) {
+          write(++offset, 1, row.value);
+        }
+  }
+
+  void write_loads() {
+    for (std::size_t i = 0; i < p_.dofs(); ++i) {
+      if (p_.loads[i] == 0)
+        continue;
+      if (counts_.loads++ == 0)
+        out_ << "*CLOAD\n";
+      out_ << i / 3 + 1 << ", " << i % 3 + 1 << ", " << number(p_.loads[i]) << "\n";
+    }
+  }
+
+  void write_output() {
+    out_ << "*NODE PRINT, NSET=NALL\nU\n";
+    if (!held_.empty())
+      out_ << "*NODE PRINT, NSET=HELD, TOTALS=YES\nRF\n";
+    if (settings_.fields)
+      out_ << "*NODE FILE\nU, RF\n*EL FILE\nS\n";
+    out_ << "*END STEP\n";
+  }
+
+  const problem& p_;
+  const calculix_settings& settings_;
+  std::ostream& out_;
+  std::vector<std::pair<std::size_t, std::vector<held_row>>> held_;
+  std::vector<std::size_t> materials_;  ///< Those that have elements.
+  calculix_counts counts_;
+};
+
+}  // namespace
+
+calculix_counts write_calculix_deck(const problem& p, const calculix_settings& settings,
+                                    std::ostream& out) {
+  return deck_writer(p, settings, out).write();
+}
+
+}  // namespace tedit::fem

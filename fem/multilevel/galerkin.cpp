@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/multilevel/galerkin.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tedit::fem {
+
+bool is_held(const std::array<double, 6>& s) {
+  return s[0] + s[3] + s[5] < 1e-9;
+}
+
+bool is_free(const std::array<double, 6>& s) {
+  return s[0] + s[3] + s[5] > 3 - 1e-9;
+}
+
+float block_norm(const block_matrix& k, std::uint32_t entry) {
+  const float* v = &k.value[9 * std::size_t{entry}];
+  float sum = 0;
+  for (int i = 0; i < 9; ++i)
+    sum += v[i] * v[i];
+  return std::sqrt(sum);
+}
+
+float coupling_scale(const block_matrix& k, std::size_t row) {
+  const auto d = diagonal_block(k, row);
+  const float square =
+    d[0] * d[0] + d[3] * d[3] + d[5] * d[5] + 2 * (d[1] * d[1] + d[2] * d[2] + d[4] * d[4]);
+  return square > 0 ? 1 / std::sqrt(std::sqrt(square)) : 0;
+}
+
+rigid_frame frame_of(const problem& p, std::span<const std::uint32_t> nodes) {
+  rigid_frame frame;
+  const auto count = static_cast<double>(nodes.size());
+  for (const auto n : nodes)
+    frame.centre += p.nodes[n] / count;
+  double square = 0;
+  for (const auto n : nodes)
+    square += dot(p.nodes[n] - frame.centre, p.nodes[n] - frame.centre) / count;
+  frame.radius = square > 0 ? std::sqrt(square) : 1;
+  return frame;
+}
+
+void store_transfer(const problem& p, filter_span filter, const rigid_frame& frame,
+                    std::uint32_t node, hierarchy& h) {
+  const vec3 arm = (p.nodes[node] - frame.centre) / frame.radius;
+  h.arm[node] = {static_cast<float>(arm.x), static_cast<float>(arm.y), static_cast<float>(arm.z)};
+  if (h.filter.empty() && is_free(filter[node]))
+    return;
+  h.filter.resize(h.arm.size(), {1, 0, 0, 1, 0, 1});
+  std::ranges::transform(filter[node], h.filter[node].begin(),
+                         [](double s) { return static_cast<float>(s); });
+}
+
+namespace {
+
+Eigen::Matrix3d symmetric(const std::array<double, 6>& s) {
+  Eigen::Matrix3d m;
+  m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+  return m;
+}
+
+class row_maker {
+public:
+  row_maker(const problem& p, const block_matrix& k, filter_span filter, const hierarchy& h,
+            std::span<const rigid_frame> frames)
+      : p_(p), k_(k), filter_(filter), h_(h), frames_(frames) {}
+
+  galerkin_row make(std::uint32_t a) {
+    galerkin_row row;
+    matrix6 gram = matrix6::Zero();
+    for (const auto n : h_.members.of(a))
+      add_node(n, gram);
+    row.keep = remove_null_motions(gram, sum_.at(a));
+    sum_.finish(row.column, row.block);
+    return row;
+  }
+
+private:
+  [[nodiscard]] matrix36 modes(std::uint32_t n) const {
+    const auto& frame = frames_[h_.aggregate[n]];
+    const matrix36 p = rigid_modes((p_.nodes[n] - frame.centre) / frame.radius);
+    return is_free(filter_[n]) ? p : matrix36(symmetric(filter_[n]) * p);
+  }
+
+  void add_node(std::uint32_t i, matrix6& gram) {
+    const matrix36 own = modes(i);
+    gram += own.transpose() * own;
+    // K_ij P_j first summed over the nodes j of each aggregate.
+    std::array<std::uint32_t, 32> there{};
+    std::array<matrix36, 32> part;
+    std::size_t used = 0;
+    Eigen::Matrix3d diagonal = Eigen::Matrix3d::Zero();
+    const auto flush = [&] {
+      for (std::size_t u = 0; u < used; ++u)
+        sum_.at(there[u]).noalias() += own.transpose() * part[u];
+      used = 0;
+    };
+    for (auto s = k_.begin(i); s < k_.end(i); ++s) {
+      const Eigen::Matrix3d block =
+        Eigen::Map<const Eigen::Matrix3f>(&k_.value[9 * std::size_t{s}]).cast<double>();
+      diagonal -= block;
+      const auto j = k_.column[s];
+      const auto to = h_.aggregate[j];
+      if (to == no_id)
+        continue;
+      std::size_t u = 0;
+      while (u < used && there[u] != to)
+        ++u;
+      if (u == used) {
+        if (used == there.size())
+          flush();
+        u = used++;
+        there[u] = to;
+        part[u].setZero();
+      }
+      part[u].noalias() += block * modes(j);
+    }
+    flush();
+    sum_.at(h_.aggregate[i]).noalias() += own.transpose() * (diagonal * own);
+  }
+
+  const problem& p_;
+  const block_matrix& k_;
+  filter_span filter_;
+  const hierarchy& h_;
+  std::span<const rigid_frame> frames_;
+  row_sum sum_;
+};
+
+}  // namespace
+
+galerkin_row make_galerkin_row(const problem& p, const block_matrix& k, filter_span filter,
+                               const hierarchy& h, std::span<const rigid_frame> frames,
+                               std::uint32_t a) {
+  return row_maker(p, k, filter, h, frames).make(a);
+}
+
+}  // namespace tedit::fem
