@@ -235,9 +235,14 @@ expected<void> solve_session::prepare(const version_ptr& mesh, const load_case& 
   if (fits(loads, element_order, device)) {
     if (mesh_->id() == mesh->id())
       return renew_conditions(loads);
+    // Not to be cancelled: it is short, and half of it would be of no use.
+    const cancel_token never;
+    const cancel_scope scope(never);
     const auto followed = follow(mesh, loads);
-    if (!followed)
+    if (!followed) {
+      displacement_.clear();  // Who knows which version it is of.
       return fail(followed.error());
+    }
     if (*followed)
       return {};
   }

@@ -266,7 +266,7 @@ TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
   execution whole;
   ASSERT_TRUE(system->solve({b, expected_d, 1e-5}, 500, whole).has_value());
   const auto last = whole.cancel.polls();
-  ASSERT_GE(last, 10);
+  ASSERT_GE(last, 5);
   for (std::uint64_t poll = 1; poll <= last; poll += 1 + poll / 4) {
     execution run;
     run.cancel = cancel_token::at_poll(poll);
@@ -274,7 +274,7 @@ TEST_P(VulkanMultilevel, ACancelAtAnyCheckLeavesTheSystemUsable) {
     // Submissions follow measured times, and with them the number of checks.
     if (result) {
       EXPECT_LT(run.cancel.polls(), poll);
-      EXPECT_GT(poll, 5);
+      EXPECT_GT(poll, 3);
     } else {
       EXPECT_EQ(result.error().code, ec::cancelled);
     }
