@@ -29,7 +29,7 @@ void main() {
     scalars[TEDIT_CG_START] = sum;
     scalars[TEDIT_CG_THRESHOLD] = max(push.reduction2 * sum, push.energy2);
     scalars[TEDIT_CG_ITERATIONS] = 0;
-    set_state(sum == 0 || sum <= push.energy2 ? 1 : (sum > 0 && finite ? 0 : 2));
+    set_state(sum == 0 || (sum > 0 && sum <= push.energy2) ? 1 : (sum > 0 && finite ? 0 : 2));
   } else if (mode == TEDIT_CG_ALPHA) {
     const bool sound = sum > 0 && finite;
     scalars[TEDIT_CG_FACTOR] = sound ? scalars[TEDIT_CG_DELTA] / sum : 0;
