@@ -53,7 +53,8 @@ std::vector<body_nodes> nodes_of_bodies(const mesh_version& mesh, const problem&
   // A node on a hinge belongs to each of its bodies: visit the bodies one after the other.
   std::vector<std::uint32_t> order(p.element_count());
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t e) { return body[p.element_tets[e]]; });
+  if (count > 1)
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t e) { return body[p.element_tets[e]]; });
   for (const auto e : order) {
     const auto b = body[p.element_tets[e]];
     ++result[b].tets;
