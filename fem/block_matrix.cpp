@@ -103,6 +103,8 @@ block_matrix assemble_blocks(const problem& p, const incidence& corners) {
   });
   block_matrix k;
   k.places = row_places(length);
+  reserve_for_edits(k.column, k.places.room());
+  reserve_for_edits(k.value, 9 * std::size_t{k.places.room()});
   k.column.resize(k.places.room());
   k.value.assign(9 * std::size_t{k.places.room()} + 1, 0);
   parallel_for(rows, [&](std::size_t first, std::size_t last, std::size_t) {

@@ -9,9 +9,18 @@ namespace tedit::fem {
 
 // -- surfaces ----------------------------------------------------------------------
 
-surface_triangles::surface_triangles(const mesh_version& mesh,
+surface_triangles::surface_triangles(const mesh_version& mesh, const load_case& loads,
                                      const std::vector<std::uint32_t>& node_of, const problem& p) {
+  for (const auto& item : loads.constraints)
+    for (const auto id : item.surfaces)
+      by_surface_[id];
+  for (const auto& item : loads.loads)
+    for (const auto id : item.surfaces)
+      by_surface_[id];
   const auto add = [&](surface_id id, const std::array<vertex_id, 3>& v, bool interface) {
+    const auto list = by_surface_.find(id);
+    if (list == by_surface_.end())
+      return;
     triangle t;
     t.interface = interface;
     for (int i = 0; i < 3; ++i)
@@ -21,7 +30,7 @@ surface_triangles::surface_triangles(const mesh_version& mesh,
       for (int i = 0; i < 3; ++i)
         t.nodes[3 + i] = mid_node(p, t.nodes[i], t.nodes[(i + 1) % 3]);
     }
-    by_surface_[id].push_back(t);
+    list->second.push_back(t);
   };
   for (facet_id f = 0; f < mesh.facet_slots(); ++f)
     if (mesh.is_live_facet(f))
@@ -36,12 +45,11 @@ const std::vector<surface_triangles::triangle>& surface_triangles::of(surface_id
   return found == by_surface_.end() ? none_ : found->second;
 }
 
-expected<void> surface_triangles::check_ids(const mesh_version& mesh,
-                                            const load_case& loads) const {
+expected<void> check_surfaces(const mesh_version& mesh, const load_case& loads) {
   const auto check = [&](const std::string& item,
                          const std::vector<surface_id>& ids) -> expected<void> {
     for (const auto id : ids) {
-      if (by_surface_.contains(id))
+      if (mesh.find_surface(id) != nullptr)
         continue;
       surface_id nearest = 0;
       surface_id distance = INT64_MAX;

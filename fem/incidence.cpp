@@ -20,6 +20,7 @@ incidence::incidence(const problem& p, int locals)
   std::vector<std::uint32_t> next(locals_ == 4 ? p.corner_count : p.node_count(), 0);
   for_each_corner([&](std::uint32_t node, std::uint32_t) { ++next[node]; });
   places_ = row_places(next);
+  reserve_for_edits(corners_, places_.room());
   corners_.resize(places_.room());
   for (std::size_t n = 0; n < next.size(); ++n)
     next[n] = places_.begin(n);

@@ -250,6 +250,13 @@ expected<problem> discretised(const mesh_version& mesh, const load_case& loads, 
   check_cancelled();
   if (element_order == 2)
     add_mid_nodes(p);
+  if (spare_corners > 0) {
+    reserve_for_edits(p.element_nodes, p.element_nodes.size());
+    reserve_for_edits(p.element_tets, p.element_tets.size());
+    reserve_for_edits(p.element_materials, p.element_materials.size());
+    reserve_for_edits(p.nodes, p.nodes.size());
+    reserve_for_edits(p.edge_ends, p.edge_ends.size());
+  }
   if (auto ok = set_conditions(mesh, loads, p); !ok)
     return fail(ok.error());
   return p;
@@ -262,20 +269,26 @@ expected<problem> make_problem(const mesh_version& mesh, const load_case& loads,
   return guarded([&] { return discretised(mesh, loads, element_order, spare_corners); });
 }
 
-expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {
+expected<void> place_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {
+  if (auto ok = check_surfaces(mesh, loads); !ok)
+    return ok;
   std::vector<std::uint32_t> node_of(mesh.vertex_slots(), no_id);
   for (std::uint32_t n = 0; n < p.node_vertices.size(); ++n)
     if (p.node_vertices[n] != no_id)
       node_of[p.node_vertices[n]] = n;
-  const surface_triangles triangles(mesh, node_of, p);
-  if (auto ok = triangles.check_ids(mesh, loads); !ok)
-    return ok;
+  const surface_triangles triangles(mesh, loads, node_of, p);
   check_cancelled();
   if (auto ok = add_constraints(triangles, loads, p); !ok)
     return ok;
   for (const auto n : p.unused)
     p.filter[n] = {};
   if (auto ok = add_loads(triangles, loads, p); !ok)
+    return ok;
+  return {};
+}
+
+expected<void> set_conditions(const mesh_version& mesh, const load_case& loads, problem& p) {
+  if (auto ok = place_conditions(mesh, loads, p); !ok)
     return ok;
   check_cancelled();
   return check_supports(mesh, p);

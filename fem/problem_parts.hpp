@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/problem.hpp"
+#include "fem/incidence.hpp"
 
 /// The steps of `make_problem`; internal to fem/.
 namespace tedit::fem {
@@ -41,12 +41,9 @@ public:
     }
   };
 
-  /// `p` has its nodes and elements.
-  surface_triangles(const mesh_version& mesh, const std::vector<std::uint32_t>& node_of,
-                    const problem& p);
-
-  /// Errors: `surface_not_found` naming the item, the id and the nearest id that there is.
-  [[nodiscard]] expected<void> check_ids(const mesh_version& mesh, const load_case& loads) const;
+  /// Of the surfaces that the load case names. `p` has its nodes and elements.
+  surface_triangles(const mesh_version& mesh, const load_case& loads,
+                    const std::vector<std::uint32_t>& node_of, const problem& p);
 
   [[nodiscard]] const std::vector<triangle>& of(surface_id id) const;
 
@@ -58,6 +55,19 @@ private:
 /// Fills constants, yield strengths, densities per element. Errors: `invalid_material`.
 [[nodiscard]] expected<void> assign_materials(const mesh_version& mesh, const load_case& loads,
                                               problem& p);
+
+/// Errors: `surface_not_found` naming the item, the id and the nearest id that there is.
+[[nodiscard]] expected<void> check_surfaces(const mesh_version& mesh, const load_case& loads);
+
+/// `set_conditions` without its check that the part is held.
+[[nodiscard]] expected<void> place_conditions(const mesh_version& mesh, const load_case& loads,
+                                              problem& p);
+
+/// Whether tets that share nodes with an edit hang together over faces among themselves. Then the
+/// edit has torn nothing apart: whatever hung together through it before still does. `nodes` are
+/// those of `problem_change`. Cost: the tets around.
+[[nodiscard]] bool hangs_together(const mesh_version& mesh, const problem& p,
+                                  const incidence& corners, std::span<const std::uint32_t> nodes);
 
 /// Which material each region has, by index.
 struct region_materials {

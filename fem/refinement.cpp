@@ -79,8 +79,8 @@ double refinement::progress() const {
 /// The preconditioned norm that steers the inner loop may lag behind the true one.
 inner_case refinement::next(bool early) {
   ++round_;
-  const double wanted = std::max(0.3 * settings_->tolerance / out_->true_relative_residual,
-                                 settings_->inner_reduction);
+  const double wanted =
+    std::max(0.3 * settings_->tolerance / out_->true_relative_residual, settings_->inner_reduction);
   double energy = settings_->energy_tolerance;
   if (early && round_ == 1)
     energy = std::max(energy, settings_->preview_energy);

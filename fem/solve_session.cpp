@@ -160,14 +160,22 @@ expected<bool> solve_session::follow(const version_ptr& mesh, const load_case& l
     return false;
   auto& changed = **change;
   mesh_ = mesh;
-  if (auto ok = set_conditions(*mesh, loads, *problem_); !ok)
+  if (auto ok = place_conditions(*mesh, loads, *problem_); !ok)
     return fail(ok.error());
+  bool checked = hangs_together(*mesh, *problem_, updater_->corners(), changed.nodes);
   // A filter may change away from the edit: a roller's normals, another load case's supports.
   for (const auto& h : problem_->holders)
     held.try_emplace(h.node, std::array<double, 6>{1, 0, 0, 1, 0, 1});
   for (const auto& [node, filter] : held)
-    if (problem_->filter[node] != filter)
+    if (problem_->filter[node] != filter) {
       changed.nodes.push_back(node);
+      checked = false;
+    } else if (std::ranges::binary_search(changed.fresh, node)) {
+      checked = false;
+    }
+  if (!checked)
+    if (auto ok = check_supports(*mesh, *problem_); !ok)
+      return fail(ok.error());
   std::ranges::sort(changed.nodes);
   changed.nodes.erase(std::ranges::unique(changed.nodes).begin(), changed.nodes.end());
   if (!displacement_.empty())

@@ -29,7 +29,8 @@ expected<solution> refine_and_recover(const problem& p, const element_operator& 
   std::function<void(int)> on_round;
   if (on_frame)
     on_round = [&](int round) {
-      on_frame({round, out.iterations, out.true_relative_residual, out.energy_error, [&] { return guarded(as_it_is); }});
+      on_frame({round, out.iterations, out.true_relative_residual, out.energy_error,
+                [&] { return guarded(as_it_is); }});
     };
   stopwatch clock;
   refinement outer({"", p.loads, p.filter, p.prescribed}, k, settings, out);

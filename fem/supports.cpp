@@ -135,6 +135,40 @@ expected<void> check_body(const problem& p, const body_nodes& body, std::size_t 
 
 }  // namespace
 
+bool hangs_together(const mesh_version& mesh, const problem& p, const incidence& corners,
+                    std::span<const std::uint32_t> nodes) {
+  const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
+  std::vector<tet_id> around;
+  for (const auto n : nodes) {
+    if (n >= p.corner_count)
+      break;
+    for (const auto corner : corners.of_node(n))
+      around.push_back(p.element_tets[corner / per]);
+  }
+  std::ranges::sort(around);
+  around.erase(std::ranges::unique(around).begin(), around.end());
+  if (around.empty())
+    return true;
+  std::vector<std::uint8_t> reached(around.size(), 0);
+  std::vector<std::size_t> open{0};
+  reached[0] = 1;
+  std::size_t count = 0;
+  while (!open.empty()) {
+    const auto t = around[open.back()];
+    open.pop_back();
+    ++count;
+    for (const auto behind : mesh.neighbours(t)) {
+      const auto at =
+        static_cast<std::size_t>(std::ranges::lower_bound(around, behind) - around.begin());
+      if (is_facet(behind) || at == around.size() || around[at] != behind || reached[at] != 0)
+        continue;
+      reached[at] = 1;
+      open.push_back(at);
+    }
+  }
+  return count == around.size();
+}
+
 expected<void> check_supports(const mesh_version& mesh, const problem& p) {
   const auto bodies = nodes_of_bodies(mesh, p);
   for (const auto& body : bodies)

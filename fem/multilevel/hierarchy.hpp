@@ -86,7 +86,7 @@ struct multilevel_settings {
   /// Stop coarsening at this many aggregates. 300 took as many iterations, and 70 ms to factor at
   /// every set-up and edit.
   std::uint32_t coarsest = 100;
-  int lambda_steps = 12;         ///< Lanczos steps of the eigenvalue estimates.
+  int lambda_steps = 12;  ///< Lanczos steps of the eigenvalue estimates.
   float lambda_safety = 1.08F;
   double sliver_condition = 10;  ///< Tets beyond are clustered; 0: never.
 };

@@ -96,6 +96,12 @@ void multiply(const rigid_level& level, const float* x, float* y) {
 
 rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settings) {
   rigid_level level;
+  std::size_t blocks = 0;
+  for (const auto& columns : rows.column)
+    blocks += columns.size();
+  reserve_for_edits(level.column, blocks);
+  reserve_for_edits(level.block, blocks);
+  reserve_for_edits(level.inverse, rows.column.size());
   level.inverse.resize(rows.column.size());
   for (std::size_t i = 0; i < rows.column.size(); ++i) {
     for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
@@ -222,6 +228,12 @@ rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_lev
 }
 
 void store_prolongation(const rigid_rows& p, std::uint32_t parents, rigid_level& level) {
+  std::size_t blocks = 0;
+  for (const auto& columns : p.column)
+    blocks += columns.size();
+  reserve_for_edits(level.prolongation_column, blocks);
+  reserve_for_edits(level.prolongation, blocks);
+  reserve_for_edits(level.entry_row, blocks);
   for (std::size_t i = 0; i < p.column.size(); ++i) {
     for (std::size_t s = 0; s < p.column[i].size(); ++s) {
       level.prolongation_column.push_back(p.column[i][s]);

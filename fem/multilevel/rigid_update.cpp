@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
-#include <unordered_map>
 
+#include "base/parallel.hpp"
 #include "fem/multilevel/node_smoother.hpp"
 #include "fem/multilevel/rigid_levels.hpp"
 
@@ -26,16 +26,21 @@ public:
   /// Returns the changed rows of the coarser level; `reframed` becomes those with other motions.
   std::vector<std::uint32_t> run(std::span<const std::uint32_t> rows,
                                  std::vector<std::uint32_t>& reframed) {
-    for (const auto i : rows)
-      renew_prolongation(i);
-    auto around = with_neighbours(rows);
-    for (const auto i : around)
+    renew_prolongation(rows);
+    for (const auto i : with_neighbours(rows))
       note_parents(i);
     sort_unique(parents_);
+    make_products();
+    std::vector<parent_row> fresh(parents_.size());
+    for_each(fresh.size(), [&](std::size_t at) { fresh[at] = make_row(parents_[at]); });
     reframed.clear();
-    for (const auto parent : parents_)
-      if (renew_row(parent))
+    for (std::size_t at = 0; at < fresh.size(); ++at) {
+      const auto parent = parents_[at];
+      replace_row(coarser_, parent, fresh[at].row.column, fresh[at].row.block);
+      if ((fresh[at].keep - above_.keep[parent]).norm() > 1e-6)
         reframed.push_back(parent);
+      above_.keep[parent] = fresh[at].keep;
+    }
     return std::move(parents_);
   }
 
@@ -44,6 +49,22 @@ private:
     std::vector<std::uint32_t> column;
     std::vector<matrix6> block;
   };
+  struct parent_row {
+    sparse_row row;
+    matrix6 keep;
+  };
+
+  template <class Work>
+  static void for_each(std::size_t count, Work&& work) {
+    constexpr std::size_t rows_per_chunk = 16;
+    parallel_for(
+      count,
+      [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i)
+          work(i);
+      },
+      rows_per_chunk);
+  }
 
   [[nodiscard]] matrix6 modes(std::size_t i) const { return parent_modes(memory_, above_, i); }
 
@@ -63,33 +84,28 @@ private:
     return result;
   }
 
-  void unlink(std::uint32_t i) {
-    auto& places = level_.prolongation_rows;
-    for (auto s = places.begin(i); s < places.end(i); ++s) {
-      const auto parent = level_.prolongation_column[s];
-      const auto old = level_.entries.of(parent);
-      std::vector<std::uint32_t> left;
-      std::ranges::copy_if(old, std::back_inserter(left),
-                           [&](std::uint32_t entry) { return entry != s; });
-      level_.entries.replace(parent, left);
-    }
+  void renew_prolongation(std::span<const std::uint32_t> rows) {
+    std::vector<sparse_row> fresh(rows.size());
+    const double omega = static_cast<double>(chebyshev_start(level_.lambda));
+    for_each(rows.size(), [&](std::size_t at) {
+      const auto i = rows[at];
+      const auto begin = level_.rows.begin(i);
+      prolongation_row(
+        i, level_.rows.of(i, level_.column),
+        [&](std::size_t s) { return wide(level_.block[begin + s]); },
+        omega * wide(level_.inverse[i]), memory_.group, [&](std::size_t j) { return modes(j); },
+        fresh[at].column, fresh[at].block);
+    });
+    for (std::size_t at = 0; at < rows.size(); ++at)
+      place_prolongation(rows[at], fresh[at]);
+    relink(rows);
   }
 
-  void renew_prolongation(std::uint32_t i) {
+  void place_prolongation(std::uint32_t i, const sparse_row& row) {
     auto& places = level_.prolongation_rows;
-    if (i < places.size()) {
-      note_parents(i);
-      unlink(i);
-    }
     while (i >= places.size())
       places.add(0);
-    sparse_row row;
-    const auto begin = level_.rows.begin(i);
-    const double omega = static_cast<double>(chebyshev_start(level_.lambda));
-    prolongation_row(
-      i, level_.rows.of(i, level_.column),
-      [&](std::size_t s) { return wide(level_.block[begin + s]); }, omega * wide(level_.inverse[i]),
-      memory_.group, [&](std::size_t j) { return modes(j); }, row.column, row.block);
+    note_parents(i);
     const auto at = places.replace(i, static_cast<std::uint32_t>(row.column.size()));
     level_.prolongation_column.resize(places.room());
     level_.prolongation.resize(places.room());
@@ -98,19 +114,41 @@ private:
       level_.prolongation_column[at + s] = row.column[s];
       level_.entry_row[at + s] = i;
       store(row.block[s], level_.prolongation[at + s]);
-      const auto old = level_.entries.of(row.column[s]);
-      std::vector<std::uint32_t> more(old.begin(), old.end());
-      more.push_back(at + s);
-      std::ranges::sort(more);
-      level_.entries.replace(row.column[s], more);
+    }
+    note_parents(i);
+  }
+
+  /// The lists of entries of all parents that had or have some of `rows`.
+  void relink(std::span<const std::uint32_t> rows) {
+    sort_unique(parents_);
+    std::vector<std::vector<std::uint32_t>> lists(parents_.size());
+    for (std::size_t at = 0; at < parents_.size(); ++at)
+      for (const auto entry : level_.entries.of(parents_[at]))
+        if (!std::ranges::binary_search(rows, level_.entry_row[entry]))
+          lists[at].push_back(entry);
+    const auto& places = level_.prolongation_rows;
+    for (const auto i : rows)
+      for (auto s = places.begin(i); s < places.end(i); ++s) {
+        const auto at = std::ranges::lower_bound(parents_, level_.prolongation_column[s]);
+        lists[static_cast<std::size_t>(at - parents_.begin())].push_back(s);
+      }
+    for (std::size_t at = 0; at < parents_.size(); ++at) {
+      std::ranges::sort(lists[at]);
+      level_.entries.replace(parents_[at], lists[at]);
     }
   }
 
-  /// Row i of A P, remembered: several parents ask for it.
-  const sparse_row& product_row(std::uint32_t i) {
-    auto& row = products_[i];
-    if (!row.column.empty())
-      return row;
+  /// The rows of A P that the parents ask for, several of them for each.
+  void make_products() {
+    for (const auto parent : parents_)
+      for (const auto entry : level_.entries.of(parent))
+        children_.push_back(level_.entry_row[entry]);
+    sort_unique(children_);
+    products_.resize(children_.size());
+    for_each(children_.size(), [&](std::size_t at) { products_[at] = product_row(children_[at]); });
+  }
+
+  [[nodiscard]] sparse_row product_row(std::uint32_t i) const {
     row_sum sum;
     for (auto s = level_.rows.begin(i); s < level_.rows.end(i); ++s) {
       const auto k = level_.column[s];
@@ -118,18 +156,19 @@ private:
       for (auto t = level_.prolongation_rows.begin(k); t < level_.prolongation_rows.end(k); ++t)
         sum.at(level_.prolongation_column[t]).noalias() += block * wide(level_.prolongation[t]);
     }
+    sparse_row row;
     sum.finish(row.column, row.block);
     return row;
   }
 
-  /// True when the motions of the parent changed.
-  bool renew_row(std::uint32_t parent) {
+  [[nodiscard]] parent_row make_row(std::uint32_t parent) const {
     row_sum sum;
     matrix6 gram = matrix6::Zero();
     for (const auto entry : level_.entries.of(parent)) {
       const auto i = level_.entry_row[entry];
+      const auto at = std::ranges::lower_bound(children_, i) - children_.begin();
+      const auto& row = products_[static_cast<std::size_t>(at)];
       const matrix6 up = wide(level_.prolongation[entry]).transpose();
-      const auto& row = product_row(i);
       for (std::size_t t = 0; t < row.column.size(); ++t)
         sum.at(row.column[t]).noalias() += up * row.block[t];
       if (memory_.group[i] == parent) {
@@ -137,13 +176,10 @@ private:
         gram += m.transpose() * m;
       }
     }
-    const matrix6 keep = remove_null_motions(gram, sum.at(parent));
-    sparse_row row;
-    sum.finish(row.column, row.block);
-    replace_row(coarser_, parent, row.column, row.block);
-    const bool changed = (keep - above_.keep[parent]).norm() > 1e-6;
-    above_.keep[parent] = keep;
-    return changed;
+    parent_row result;
+    result.keep = remove_null_motions(gram, sum.at(parent));
+    sum.finish(result.row.column, result.row.block);
+    return result;
   }
 
   rigid_level& level_;
@@ -151,7 +187,8 @@ private:
   level_memory& memory_;
   level_memory& above_;
   std::vector<std::uint32_t> parents_;
-  std::unordered_map<std::uint32_t, sparse_row> products_;
+  std::vector<std::uint32_t> children_;  ///< Of all parents, ascending.
+  std::vector<sparse_row> products_;     ///< Rows of A P of the children.
 };
 
 }  // namespace

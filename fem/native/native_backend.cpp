@@ -242,9 +242,7 @@ struct quadratic_solver {
 class quadratic_tets final : public native_system {
 public:
   quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : native_system(p, settings),
-        k_(p),
-        corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
+      : native_system(p, settings), k_(p), corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
     assembly_ms_ = clock.milliseconds();
   }
 
@@ -277,8 +275,7 @@ public:
   }
 
   expected<bool> update(const problem_change& change, const incidence& corners) override {
-    if (corner_matrix_.places.crowded() || hierarchy_.crowded() ||
-        edges_.middles.places.crowded())
+    if (corner_matrix_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded())
       return false;
     const filter_span filter = problem_.filter;
     const auto middles =

@@ -212,7 +212,8 @@ expected<inner_result> vulkan_system::correct(const inner_case& one, int max_ite
   const double energy_scale = length / std::sqrt(scale_.matrix());
   auto goal = one;
   goal.energy /= energy_scale;
-  auto result = krylov_->solve(packed3(one.residual, 1 / length), packed, goal, max_iterations, run);
+  auto result =
+    krylov_->solve(packed3(one.residual, 1 / length), packed, goal, max_iterations, run);
   if (!result)
     return result;
   result->energy *= energy_scale;
