@@ -10,8 +10,11 @@ namespace {
 
 std::vector<std::pair<std::string, std::string>> notes_of(const mesh_version& mesh,
                                                           const fem::solution& result) {
+  const char* quality = result.element_order < 2 ? "preview (linear tets)"
+                        : result.preview()       ? "preview (quadratic tets, stopped early)"
+                                                 : "final (quadratic tets)";
   return {{"version_id", to_hex(mesh.id())},
-          {"quality", result.preview() ? "preview (linear tets)" : "final (quadratic tets)"},
+          {"quality", quality},
           {"device", result.device}};
 }
 

@@ -29,15 +29,16 @@ nlohmann::ordered_json to_json(const client::traffic& moved) {
 
 /// What a picture's numbers are worth, and where its colours end before the field does.
 std::string caption_of(const solve_report& shown, const export_step& s) {
-  std::string place = shown.preview ? " (element)" : " (node)";
+  std::string place = shown.element_order < 2 ? " (element)" : " (node)";
   if (shown.max_von_mises_singularity)
     place += *shown.max_von_mises_singularity == fem::singularity::clamp_rim
                ? " at a clamp's rim"
                : " at a re-entrant edge";
   const bool beyond = s.range_mpa && 1e-6 * shown.max_von_mises_pa > s.range_mpa->second;
   const auto clipped = beyond ? ",  colours end at " + pretty(s.range_mpa->second) + " MPa" : "";
-  return std::string(shown.preview ? "Preview: linear tets understate bending.  "
-                                   : "Quadratic tets,  ") +
+  return std::string(shown.element_order < 2 ? "Preview: linear tets understate bending.  "
+                     : shown.preview         ? "Preview: stopped early.  "
+                                             : "Quadratic tets,  ") +
          "max von Mises " + pretty(1e-6 * shown.max_von_mises_pa, 4) + " MPa" + place + clipped +
          ",  error estimate " + pretty(100 * shown.relative_error_estimate, 2) + " %,  residual " +
          pretty(shown.true_relative_residual, 2) + ",  version " + shown.version_id.substr(0, 8);

@@ -25,12 +25,16 @@ struct solve_options {
   std::string length_unit = "mm";
   std::string device = "auto";
   double tolerance = 1e-6;
+  double energy_tolerance = 0;
   int order = 2;
 };
 
-constexpr const char* preview_text =
-  "  PREVIEW: linear tets are too stiff in bending; displacements of thin parts can be\n"
-  "  several times too small.\n";
+std::string preview_text(const solve_report& report) {
+  if (report.element_order < 2)
+    return "  PREVIEW: linear tets are too stiff in bending; displacements of thin parts can be\n"
+           "  several times too small.\n";
+  return "  PREVIEW: stopped at the energy tolerance, before the residual's.\n";
+}
 
 /// A report with the caller's times in it.
 struct timed_report {
@@ -58,7 +62,7 @@ std::string describe(const timed_report& timed) {
                     report.recovery_ms) +
           remarks(report);
   if (report.preview)
-    text += preview_text;
+    text += preview_text(report);
   return text;
 }
 
@@ -95,6 +99,7 @@ struct solve_run {
 fem::solve_settings settings_of(const solve_options& options) {
   fem::solve_settings settings;
   settings.tolerance = options.tolerance;
+  settings.energy_tolerance = options.energy_tolerance;
   return settings;
 }
 
@@ -115,7 +120,7 @@ void print_together(const solve_run& run, const fem::case_set& set, const fem::s
     cli::describe(reports, result.envelope) +
     time_line(total_ms, run.import_ms, result.assembly_ms, result.solve_ms, result.recovery_ms);
   if (reports.front().preview)
-    text += preview_text;
+    text += preview_text(reports.front());
   print_result(run.s, json, text);
 }
 
@@ -199,6 +204,10 @@ void add_solve(CLI::App& app, action& chosen) {
   command->add_option("--tolerance", options->tolerance, "True relative residual to reach")
     ->check(CLI::Range(1e-12, 1e-1))
     ->capture_default_str();
+  command
+    ->add_option("--energy-tolerance", options->energy_tolerance,
+                 "Stop already when the estimated relative error in energy is below this: a preview")
+    ->check(CLI::Range(1e-9, 0.5));
   command
     ->add_option("--order", options->order,
                  "2: quadratic tets; 1: linear tets, a quick preview that is too stiff in bending")

@@ -261,6 +261,14 @@ TEST(Solve, LinearTetsArePreviews) {
   EXPECT_TRUE(result["preview"]);
 }
 
+TEST(Solve, AnEnergyToleranceEndsEarlyAndTheResultIsAPreview) {
+  const auto solve =
+    run("solve --device cpu --energy-tolerance 1e-2 " + plate + " --load-case " + plate_loads);
+
+  ASSERT_EQ(solve.status, 0);
+  EXPECT_THAT(solve.out, HasSubstr("PREVIEW: stopped at the energy tolerance"));
+}
+
 TEST(Solve, AnUnheldPartEndsWith1AndSaysWhatMoves) {
   const auto file = scratch("free.json");
   std::ifstream in(plate_loads);
