@@ -13,9 +13,7 @@ std::vector<std::pair<std::string, std::string>> notes_of(const mesh_version& me
   const char* quality = result.element_order < 2 ? "preview (linear tets)"
                         : result.preview()       ? "preview (quadratic tets, stopped early)"
                                                  : "final (quadratic tets)";
-  return {{"version_id", to_hex(mesh.id())},
-          {"quality", quality},
-          {"device", result.device}};
+  return {{"version_id", to_hex(mesh.id())}, {"quality", quality}, {"device", result.device}};
 }
 
 }  // namespace

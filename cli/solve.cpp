@@ -205,8 +205,9 @@ void add_solve(CLI::App& app, action& chosen) {
     ->check(CLI::Range(1e-12, 1e-1))
     ->capture_default_str();
   command
-    ->add_option("--energy-tolerance", options->energy_tolerance,
-                 "Stop already when the estimated relative error in energy is below this: a preview")
+    ->add_option(
+      "--energy-tolerance", options->energy_tolerance,
+      "Stop already when the estimated relative error in energy is below this: a preview")
     ->check(CLI::Range(1e-9, 0.5));
   command
     ->add_option("--order", options->order,
