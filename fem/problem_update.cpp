@@ -10,11 +10,6 @@ namespace tedit::fem {
 
 namespace {
 
-void sort_unique(std::vector<std::uint32_t>& list) {
-  std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
-}
-
 /// Calls `visit(i)` for each slot of a paged array that may differ, up to the larger size.
 template <class Visit>
 void for_dirty_slots(const manifest& from, const manifest& to, std::size_t row,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -73,6 +74,12 @@ private:
   std::uint32_t room_ = 0;
   std::uint32_t lost_ = 0;
 };
+
+/// Ascending, each once.
+inline void sort_unique(std::vector<std::uint32_t>& list) {
+  std::ranges::sort(list);
+  list.erase(std::ranges::unique(list).begin(), list.end());
+}
 
 /// Address space for rows that will be replaced: a vector that grows copies itself, and then a
 /// small edit would cost as much as a pass over the whole. Untouched memory costs nothing.

@@ -176,8 +176,7 @@ expected<bool> solve_session::follow(const version_ptr& mesh, const load_case& l
   if (!checked)
     if (auto ok = check_supports(*mesh, *problem_); !ok)
       return fail(ok.error());
-  std::ranges::sort(changed.nodes);
-  changed.nodes.erase(std::ranges::unique(changed.nodes).begin(), changed.nodes.end());
+  sort_unique(changed.nodes);
   if (!displacement_.empty())
     fill_fresh(*problem_, changed, updater_->corners(), displacement_);
   setup_ms_ = clock.milliseconds();

@@ -145,8 +145,7 @@ bool hangs_together(const mesh_version& mesh, const problem& p, const incidence&
     for (const auto corner : corners.of_node(n))
       around.push_back(p.element_tets[corner / per]);
   }
-  std::ranges::sort(around);
-  around.erase(std::ranges::unique(around).begin(), around.end());
+  sort_unique(around);
   if (around.empty())
     return true;
   std::vector<std::uint8_t> reached(around.size(), 0);

@@ -14,11 +14,6 @@ namespace {
 
 using index_list = std::vector<std::uint32_t>;
 
-void sort_unique(index_list& list) {
-  std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
-}
-
 /// Some rows of a matrix as a matrix of their own: what couples them to other nodes, which stay at
 /// zero, is in the diagonal.
 class small_matrix {

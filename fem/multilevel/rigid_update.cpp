@@ -9,11 +9,6 @@ namespace tedit::fem {
 
 namespace {
 
-void sort_unique(std::vector<std::uint32_t>& list) {
-  std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
-}
-
 /// One step upwards: the prolongation of changed rows, and the coarser rows that they touch.
 class level_update {
 public:

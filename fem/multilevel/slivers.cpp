@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "fem/rows.hpp"
 
 namespace tedit::fem {
 
@@ -110,11 +111,6 @@ sliver_clusters cluster_slivers(const problem& p, const std::vector<std::uint8_t
 }
 
 namespace {
-
-void sort_unique(std::vector<std::uint32_t>& list) {
-  std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
-}
 
 /// The thin tets around nodes, worst first.
 std::vector<std::pair<double, std::uint32_t>> thin_tets_around(
