@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 #include "base/guard.hpp"
 
@@ -35,13 +41,39 @@ void do_chunk(const job& now, std::size_t chunk) {
 
 thread_local bool inside_work = false;
 
-/// Threads that wait for one job at a time.
+/// Those that this process may run on.
+unsigned usable_processors() {
+#ifdef __linux__
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof(set), &set) == 0)
+    return std::max(1, CPU_COUNT(&set));
+#endif
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// How long a thread that waits keeps its processor before it blocks: longer than the gaps between
+/// the loops of one solve, shorter than what a wake-up costs on both sides.
+constexpr std::chrono::microseconds patience{50};
+
+/// Waits a moment for `ready` without giving the processor up, except to others that want it.
+template <class Ready>
+bool soon(const Ready& ready) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (!ready()) {
+    if (std::chrono::steady_clock::now() > end)
+      return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+/// Threads that help with one job at a time. A helper that comes late is not waited for: the caller
+/// does all chunks that nobody took, closes the job, and waits only for those inside it.
 class thread_pool {
 public:
   thread_pool() {
-    const unsigned helpers = std::max(1u, std::thread::hardware_concurrency()) - 1;
     try {
-      for (unsigned i = 0; i < helpers; ++i)
+      for (unsigned i = 1; i < usable_processors(); ++i)
         threads_.emplace_back([this] { serve(); });
     } catch (const std::system_error&) {
       // No room for more threads: fewer will do, even none.
@@ -60,20 +92,24 @@ public:
 
   void run(const job& wanted) {
     const std::lock_guard one_job(job_mutex_);
-    {
-      const std::lock_guard lock(mutex_);
-      job_ = wanted;
-      next_ = 0;
-      failed_ = false;
-      busy_ = threads_.size();
-      ++generation_;
+    job_ = wanted;
+    next_ = 0;
+    failed_ = false;
+    // Nobody is inside: the job is open from here.
+    state_ = ((state_ / one_generation) + 1) * one_generation + open;
+    if (sleepers_ > 0) {
+      { const std::lock_guard lock(mutex_); }
+      wake_.notify_all();
     }
-    wake_.notify_all();
     inside_work = true;
     take_chunks(wanted);
     inside_work = false;
-    std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return busy_ == 0; });
+    state_ &= ~open;
+    const auto all_out = [this] { return state_ % open == 0; };
+    if (!soon(all_out)) {
+      std::unique_lock lock(mutex_);
+      done_.wait(lock, all_out);
+    }
     if (failed_)
       std::rethrow_exception(std::exchange(failure_, nullptr));
   }
@@ -99,42 +135,73 @@ private:
     }
   }
 
+  /// A job is open that is not the one with this number.
+  [[nodiscard]] bool has_new(std::uint64_t seen) const {
+    const std::uint64_t now = state_;
+    return (now & open) != 0 && now / one_generation != seen;
+  }
+
+  [[nodiscard]] bool wait_for_new(std::uint64_t seen);
+  [[nodiscard]] bool enter(std::uint64_t& seen);
+  void leave();
   void serve();
+
+  static constexpr std::uint64_t open = std::uint64_t{1} << 15;
+  static constexpr std::uint64_t one_generation = std::uint64_t{1} << 16;
 
   std::vector<std::thread> threads_;
   std::mutex job_mutex_;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::condition_variable done_;
-  job job_;
+  job job_;  ///< Written only while nobody is inside.
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};
   std::exception_ptr failure_;  ///< The first one.
-  std::size_t busy_ = 0;
-  std::size_t generation_ = 0;
+  /// Number of the job, whether it is open, and how many helpers are inside.
+  std::atomic<std::uint64_t> state_{0};
+  std::atomic<std::size_t> sleepers_{0};
   bool closing_ = false;
 };
 
-void thread_pool::serve() {
-  inside_work = true;
-  std::size_t seen = 0;
-  for (;;) {
-    job now;
-    {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return closing_ || generation_ != seen; });
-      if (closing_)
-        return;
-      seen = generation_;
-      now = job_;
+/// False when the pool closes.
+bool thread_pool::wait_for_new(std::uint64_t seen) {
+  const auto ready = [&] { return has_new(seen); };
+  if (soon(ready))
+    return true;
+  std::unique_lock lock(mutex_);
+  ++sleepers_;  // Before the state is read: the caller writes the state, then reads this.
+  wake_.wait(lock, [&] { return closing_ || ready(); });
+  --sleepers_;
+  return !closing_;
+}
+
+/// False when the job was closed meanwhile.
+bool thread_pool::enter(std::uint64_t& seen) {
+  std::uint64_t now = state_;
+  while ((now & open) != 0 && now / one_generation != seen)
+    if (state_.compare_exchange_weak(now, now + 1)) {
+      seen = now / one_generation;
+      return true;
     }
-    take_chunks(now);
-    {
-      const std::lock_guard lock(mutex_);
-      --busy_;
-    }
+  return false;
+}
+
+void thread_pool::leave() {
+  if (const std::uint64_t left = --state_; (left & open) == 0 && left % open == 0) {
+    { const std::lock_guard lock(mutex_); }
     done_.notify_one();
   }
+}
+
+void thread_pool::serve() {
+  inside_work = true;
+  std::uint64_t seen = 0;
+  while (wait_for_new(seen))
+    if (enter(seen)) {
+      take_chunks(job_);
+      leave();
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "fem/problem_update.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
@@ -10,13 +11,22 @@ namespace tedit::fem {
 
 namespace {
 
-/// Calls `visit(i)` for each slot of a paged array that may differ, up to the larger size.
-template <class Visit>
-void for_dirty_slots(const manifest& from, const manifest& to, std::size_t row,
-                     std::size_t per_page, std::size_t slots, Visit&& visit) {
-  for (const auto page : dirty_pages(from.arrays[row], to.arrays[row]))
-    for (std::size_t i = page * per_page; i < std::min(slots, (page + 1) * per_page); ++i)
-      visit(static_cast<std::uint32_t>(i));
+/// Adds the slots of a paged array that differ, or that only one version has, to `slots`.
+template <class T>
+void list_different(const paged_array<T>& from, const paged_array<T>& to,
+                    std::span<const std::size_t> dirty_pages, std::vector<std::uint32_t>& slots) {
+  using array = paged_array<T>;
+  for (const auto page : dirty_pages) {
+    const auto items = [&](const array& a) {
+      return page < a.pages().size() ? a.page_items(page) : std::span<const T>{};
+    };
+    const auto before = items(from);
+    const auto after = items(to);
+    for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i)
+      if (i >= before.size() || i >= after.size() ||
+          std::memcmp(&before[i], &after[i], sizeof(T)) != 0)
+        slots.push_back(static_cast<std::uint32_t>(page * array::items_per_page + i));
+  }
 }
 
 // Rows of a manifest, in the order of `mesh_data`.
@@ -46,13 +56,13 @@ problem_updater::difference problem_updater::compare(const mesh_version& from,
   difference d;
   const auto& a = from.pages();
   const auto& b = to.pages();
+  const auto list = [&](const auto& before, const auto& after, std::size_t row,
+                        std::vector<std::uint32_t>& slots) {
+    list_different(before, after, dirty_pages(a.arrays[row], b.arrays[row]), slots);
+  };
   std::vector<std::uint32_t> vertices;
-  const auto vertex_slots = std::max(from.vertex_slots(), to.vertex_slots());
-  const auto note_vertex = [&](std::uint32_t v) { vertices.push_back(v); };
-  for_dirty_slots(a, b, positions_row, paged_array<vec3>::items_per_page, vertex_slots,
-                  note_vertex);
-  for_dirty_slots(a, b, vertex_tet_row, paged_array<std::uint32_t>::items_per_page, vertex_slots,
-                  note_vertex);
+  list(from.data().positions, to.data().positions, positions_row, vertices);
+  list(from.data().vertex_tet, to.data().vertex_tet, vertex_tet_row, vertices);
   sort_unique(vertices);
   for (const auto v : vertices) {
     const bool before = has_vertex(from, v);
@@ -65,10 +75,8 @@ problem_updater::difference problem_updater::compare(const mesh_version& from,
       d.moved.push_back(v);
   }
   std::vector<std::uint32_t> tets;
-  const auto tet_slots = std::max(from.tet_slots(), to.tet_slots());
-  const auto note_tet = [&](std::uint32_t t) { tets.push_back(t); };
-  for_dirty_slots(a, b, tets_row, paged_array<tet>::items_per_page, tet_slots, note_tet);
-  for_dirty_slots(a, b, regions_row, paged_array<region_id>::items_per_page, tet_slots, note_tet);
+  list(from.data().tets, to.data().tets, tets_row, tets);
+  list(from.data().tet_regions, to.data().tet_regions, regions_row, tets);
   sort_unique(tets);
   for (const auto t : tets) {
     const bool before = has_tet(from, t);

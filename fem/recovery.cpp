@@ -58,6 +58,13 @@ nodal_patches::nodal_patches(const problem& p)
     : problem_(p), corners_(p, 4), volumes_(p.element_count()), first_(p.corner_count + 1, 0) {
   for_each(p.element_count(), [&](std::size_t e) { volumes_[e] = gradients_of(p, e).volume; });
   const auto per = static_cast<std::size_t>(p.nodes_per_element);
+  if (p.constants.size() == 1) {
+    for (std::size_t n = 0; n < p.corner_count; ++n)
+      first_[n + 1] = first_[n] + (corners_.of_node(n).empty() ? 0 : 1);
+    material_.assign(first_.back(), 0);
+    share_.assign(first_.back(), 1);
+    return;
+  }
   std::vector<std::uint32_t> found;
   for (std::size_t n = 0; n < p.corner_count; ++n) {
     found.clear();
@@ -107,7 +114,8 @@ std::vector<double> nodal_patches::means_of(const corner_flux& flux) const {
 std::array<double, 3> principal_values(const double* s) {
   Eigen::Matrix3d m;
   m << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m, Eigen::EigenvaluesOnly);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(m, Eigen::EigenvaluesOnly);
   const auto& values = solver.eigenvalues();
   return {values[2], values[1], values[0]};
 }
@@ -138,19 +146,6 @@ void fill_mid_nodes(const problem& p, std::vector<double>& values, std::size_t w
   });
 }
 
-/// Stress of linear tets: by the backend where there is one.
-expected<void> backend_stress(const problem& p, linear_system& system, corner_flux& stress,
-                              solution& out) {
-  out.element_stress.resize(6 * p.element_count());
-  out.nodal_stress.resize(6 * p.node_count());
-  if (auto ok = system.element_stress(out.displacement, out.element_stress); !ok)
-    return ok;
-  if (auto ok = system.nodal_stress(out.element_stress, out.nodal_stress); !ok)
-    return ok;
-  stress = {1, out.element_stress};
-  return {};
-}
-
 /// Mean of each element: the stress at its centroid.
 void fill_element_stress(const problem& p, const corner_flux& stress, solution& out) {
   if (stress.per_element == 1) {
@@ -167,23 +162,20 @@ void fill_element_stress(const problem& p, const corner_flux& stress, solution& 
 
 /// Nodal stress and strain from the patches.
 void fill_nodal(const problem& p, const nodal_patches& patches, std::span<const double> means,
-                bool stress_too, solution& out) {
+                solution& out) {
   out.nodal_strain.assign(6 * p.node_count(), 0);
-  if (stress_too)
-    out.nodal_stress.assign(6 * p.node_count(), 0);
+  out.nodal_stress.assign(6 * p.node_count(), 0);
   for_each(p.corner_count, [&](std::size_t n) {
     for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i) {
       const auto strain = strain_of(&means[6 * i], p.constants[patches.material_of(i)]);
       for (std::size_t c = 0; c < 6; ++c) {
         out.nodal_strain[6 * n + c] += patches.share_of(i) * strain[c];
-        if (stress_too)
-          out.nodal_stress[6 * n + c] += patches.share_of(i) * means[6 * i + c];
+        out.nodal_stress[6 * n + c] += patches.share_of(i) * means[6 * i + c];
       }
     }
   });
   fill_mid_nodes(p, out.nodal_strain, 6);
-  if (stress_too)
-    fill_mid_nodes(p, out.nodal_stress, 6);
+  fill_mid_nodes(p, out.nodal_stress, 6);
 }
 
 void fill_von_mises(const problem& p, const nodal_patches& patches, std::span<const double> means,
@@ -331,20 +323,12 @@ std::vector<surface_reaction> reactions_by_surface(const problem& p,
   return result;
 }
 
-expected<void> recover(const problem& p, const element_operator& k, linear_system* system,
-                       solution& out) {
-  const bool by_backend = p.element_order == 1 && system != nullptr;
-  corner_flux stress;
-  if (by_backend) {
-    if (auto ok = backend_stress(p, *system, stress, out); !ok)
-      return ok;
-  } else {
-    stress = corner_stress(p, out.displacement);
-    fill_element_stress(p, stress, out);
-  }
+void recover(const problem& p, const element_operator& k, solution& out) {
+  const auto stress = corner_stress(p, out.displacement);
+  fill_element_stress(p, stress, out);
   const nodal_patches patches(p);
   const auto means = patches.means_of(stress);
-  fill_nodal(p, patches, means, !by_backend, out);
+  fill_nodal(p, patches, means, out);
   fill_von_mises(p, patches, means, out);
   find_max_von_mises(p, out);
   fill_safety(p, patches, means, out);
@@ -353,7 +337,6 @@ expected<void> recover(const problem& p, const element_operator& k, linear_syste
   add_mass(p, patches, out);
   estimate_error(p, patches, stress, means, out);
   find_singular_places(p, patches, out);
-  return {};
 }
 
 }  // namespace tedit::fem

@@ -55,10 +55,10 @@ refinement::refinement(conditions_view conditions, const element_operator& k,
       residual_(conditions_.loads.size()),
       correction_(conditions_.loads.size()) {
   out.displacement.assign(conditions_.prescribed.begin(), conditions_.prescribed.end());
-  reference_ = residual_norm();
+  reference_ = start_residual();
+  out.true_relative_residual = reference_ > 0 ? 1 : 0;
   if (!settings.start.empty())
     add_start();
-  update();
   out.energy_error = out.true_relative_residual > 0 ? 1 : 0;  // Nobody knows yet.
 }
 
@@ -116,22 +116,41 @@ void refinement::add_correction(double factor) {
   update();
 }
 
-/// Adds the multiple of the start value whose error has the least energy: alpha = d.r / d.Kd.
+/// The residual of the prescribed displacement alone: mostly that is zero, and nothing to multiply.
+double refinement::start_residual() {
+  if (std::ranges::any_of(conditions_.prescribed, [](double u) { return u != 0; }))
+    return residual_norm();
+  std::ranges::copy(conditions_.loads, residual_.begin());
+  apply_filter(conditions_.filter, residual_);
+  return norm_of(residual_);
+}
+
+/// Adds the multiple of the start value d whose error has the least energy, alpha = d.r / d.Kd, and
+/// carries residual and energy along: with the prescribed displacement g, d.Kg = d.f - d.r.
 void refinement::add_start() {
   auto d = settings_->start;
   apply_filter(conditions_.filter, d);
   std::vector<double> kd(d.size());
   k_->apply(d, kd);
+  apply_filter(conditions_.filter, kd);
   double work = 0;
+  double by_loads = 0;
   double energy = 0;
   for (std::size_t i = 0; i < d.size(); ++i) {
     work += d[i] * residual_[i];
+    by_loads += d[i] * conditions_.loads[i];
     energy += d[i] * kd[i];
   }
   if (!(energy > 0) || !std::isfinite(work))
     return;
-  for (std::size_t i = 0; i < d.size(); ++i)
-    out_->displacement[i] += work / energy * d[i];
+  const double alpha = work / energy;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    out_->displacement[i] += alpha * d[i];
+    residual_[i] -= alpha * kd[i];
+  }
+  energy_ = std::sqrt(
+    std::max(0.0, energy_ * energy_ + 2 * alpha * (by_loads - work) + alpha * alpha * energy));
+  out_->true_relative_residual = reference_ > 0 ? norm_of(residual_) / reference_ : 0;
 }
 
 double refinement::residual_norm() {

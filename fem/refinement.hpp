@@ -45,6 +45,7 @@ public:
   [[nodiscard]] tl::unexpected<error> not_converged() const;
 
 private:
+  [[nodiscard]] double start_residual();
   void add_start();
   [[nodiscard]] double residual_norm();
   void update();

@@ -13,13 +13,6 @@
 /// W cases. Lanes never meet: a case has the same bits whatever the other lanes hold.
 namespace tedit::fem {
 
-// Vectors wider than 16 bytes only live inside one function: all that takes or returns them is
-// inlined into a body that exists once for AVX2 and once for any machine.
-#pragma GCC diagnostic ignored "-Wpsabi"
-#define TEDIT_INLINE [[gnu::always_inline]] inline
-/// Behind the parameters of a lambda.
-#define TEDIT_INLINED __attribute__((always_inline))
-
 /// A sum of each case.
 template <class L>
 using case_sums = std::array<double, L::width>;
@@ -140,38 +133,13 @@ TEDIT_INLINE node_lanes<W> multiply_symmetric(const std::array<float, 6>& b,
 
 // -- loops -------------------------------------------------------------------------
 
-/// Calls body(), which is inlined, with AVX2 where the machine has it.
-#if defined(__x86_64__)
-template <class Body>
-[[gnu::target("avx2,fma")]] void run_with_avx2(const Body& body) {
-  body();
-}
-
-template <class Body>
-void run_widest(const Body& body) {
-  static const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (avx2)
-    run_with_avx2(body);
-  else
-    body();
-}
-#else
-template <class Body>
-void run_widest(const Body& body) {
-  body();
-}
-#endif
-
 /// Calls body(first, last), which is inlined, for all chunks of [0, items) on all cores.
 template <class L, class Body>
 void for_lanes(std::size_t items, const Body& body, std::size_t chunk_items = parallel_chunk) {
   parallel_for(
     items,
     [&](std::size_t first, std::size_t last, std::size_t) {
-      if constexpr (L::width == 1)
-        body(first, last);
-      else
-        run_widest([&]() TEDIT_INLINED { body(first, last); });
+      run_widest([&]() TEDIT_INLINED { body(first, last); });
     },
     chunk_items);
 }
@@ -181,7 +149,7 @@ template <class L, class Body>
 [[nodiscard]] case_sums<L> sum_lanes(std::size_t items, const Body& body) {
   std::vector<case_sums<L>> partial(chunk_count(items));
   parallel_for(items, [&](std::size_t first, std::size_t last, std::size_t chunk) {
-    const auto work = [&]() TEDIT_INLINED {
+    run_widest([&]() TEDIT_INLINED {
       typename L::sum sum{};
       body(first, last, sum);
       if constexpr (L::width == 1)
@@ -189,11 +157,7 @@ template <class L, class Body>
       else
         for (std::size_t c = 0; c < L::width; ++c)
           partial[chunk][c] = sum[c];
-    };
-    if constexpr (L::width == 1)
-      work();
-    else
-      run_widest(work);
+    });
   });
   case_sums<L> total{};
   for (const auto& one : partial)
@@ -214,9 +178,29 @@ TEDIT_INLINE void take_row(const Sink& sink, std::size_t i, const typename L::no
 
 // -- rows of a block matrix --------------------------------------------------------
 
-/// Row i of K x.
+/// Row i of K x: two blocks at a time.
 TEDIT_INLINE float4 row_of(const block_matrix& k, std::size_t i, const float* x, one_case) {
-  return k.row(i, x);
+  const float4 own = load4(x + 3 * i);
+  const float8 both = pair(own, own);
+  float8 sums{};
+  auto s = k.begin(i);
+  const auto last = k.end(i);
+  for (; s + 1 < last; s += 2) {
+    const float8 d =
+      pair(load4(x + 3 * std::size_t{k.column[s]}), load4(x + 3 * std::size_t{k.column[s + 1]})) -
+      both;
+    const float* v = &k.value[9 * std::size_t{s}];
+    sums += pair(load4(v), load4(v + 9)) * each<0>(d) +
+            pair(load4(v + 3), load4(v + 12)) * each<1>(d) +
+            pair(load4(v + 6), load4(v + 15)) * each<2>(d);
+  }
+  float4 sum = first_of(sums) + second_of(sums);
+  if (s < last) {
+    const float4 d = load4(x + 3 * std::size_t{k.column[s]}) - own;
+    const float* v = &k.value[9 * std::size_t{s}];
+    sum += load4(v) * splat(d[0]) + load4(v + 3) * splat(d[1]) + load4(v + 6) * splat(d[2]);
+  }
+  return sum;
 }
 
 template <std::size_t W>

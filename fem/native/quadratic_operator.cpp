@@ -15,27 +15,7 @@ constexpr std::uint32_t elements_per_patch = 256;
 constexpr std::array<std::array<std::uint8_t, 2>, 6> ends{
   {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
-/// Two elements side by side, three components and one unused lane each.
-using float8 [[gnu::vector_size(32)]] = float;
-using int8 [[gnu::vector_size(32)]] = int;
-
-TEDIT_INLINE float8 pair(float4 first, float4 second) {
-  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-
-TEDIT_INLINE float4 first_of(float8 x) {
-  return __builtin_shufflevector(x, x, 0, 1, 2, 3);
-}
-
-TEDIT_INLINE float4 second_of(float8 x) {
-  return __builtin_shufflevector(x, x, 4, 5, 6, 7);
-}
-
-/// Component `i` of each element in all of its lanes.
-template <int i>
-TEDIT_INLINE float8 each(float8 x) {
-  return __builtin_shuffle(x, int8{i, i, i, i, i + 4, i + 4, i + 4, i + 4});
-}
+using fem::each;
 
 /// The same number for all cases.
 template <int i>

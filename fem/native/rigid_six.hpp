@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-
 #include "fem/multilevel/lanes.hpp"
 
 namespace tedit::fem {
@@ -61,32 +59,67 @@ struct alignas(4 * L::width) rigid_six {
   }
 };
 
-/// One case: six floats are too few for lanes of their own, and Eigen's vectors are faster.
+/// One case: the six numbers share a register with two that mean nothing.
 template <>
 struct rigid_six<one_case> {
-  using vector6 = Eigen::Matrix<float, 6, 1>;
+  float8 v{};
 
-  vector6 v = vector6::Zero();
+  [[nodiscard]] TEDIT_INLINE static rigid_six load(const float* x, std::size_t i) {
+    return {six_of(x + 6 * i)};
+  }
+  TEDIT_INLINE void store(float* x, std::size_t i) const {
+    float* to = x + 6 * i;
+    *reinterpret_cast<float4_anywhere*>(to) = first_of(v);
+    to[4] = v[4];
+    to[5] = v[5];
+  }
+  TEDIT_INLINE void add_product(const rigid_level::block6& block, const rigid_six& x) {
+    v += column<0>(block) * all<0>(x.v) + column<1>(block) * all<1>(x.v);
+    v += column<2>(block) * all<2>(x.v) + column<3>(block) * all<3>(x.v);
+    v += column<4>(block) * all<4>(x.v) + column<5>(block) * all<5>(x.v);
+  }
+  TEDIT_INLINE void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
+    v += float8{sum_of(column<0>(block) * x.v),
+                sum_of(column<1>(block) * x.v),
+                sum_of(column<2>(block) * x.v),
+                sum_of(column<3>(block) * x.v),
+                sum_of(column<4>(block) * x.v),
+                sum_of(column<5>(block) * x.v),
+                0,
+                0};
+  }
+  TEDIT_INLINE void add(float a, float b, float c, float d, float e, float f) {
+    v += float8{a, b, c, d, e, f, 0, 0};
+  }
 
-  [[nodiscard]] static rigid_six load(const float* x, std::size_t i) {
-    return {Eigen::Map<const vector6>(x + 6 * i)};
+  TEDIT_INLINE friend rigid_six operator+(const rigid_six& a, const rigid_six& b) {
+    return {a.v + b.v};
   }
-  void store(float* x, std::size_t i) const { Eigen::Map<vector6>(x + 6 * i) = v; }
-  void add_product(const rigid_level::block6& block, const rigid_six& x) {
-    v.noalias() += matrix(block) * x.v;
+  TEDIT_INLINE friend rigid_six operator-(const rigid_six& a, const rigid_six& b) {
+    return {a.v - b.v};
   }
-  void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
-    v.noalias() += matrix(block).transpose() * x.v;
-  }
-  void add(float a, float b, float c, float d, float e, float f) { v += vector6(a, b, c, d, e, f); }
-
-  friend rigid_six operator+(const rigid_six& a, const rigid_six& b) { return {a.v + b.v}; }
-  friend rigid_six operator-(const rigid_six& a, const rigid_six& b) { return {a.v - b.v}; }
-  friend rigid_six operator*(float s, const rigid_six& a) { return {s * a.v}; }
+  TEDIT_INLINE friend rigid_six operator*(float s, const rigid_six& a) { return {s * a.v}; }
 
 private:
-  static Eigen::Map<const Eigen::Matrix<float, 6, 6>> matrix(const rigid_level::block6& block) {
-    return Eigen::Map<const Eigen::Matrix<float, 6, 6>>(block.data());
+  using anywhere [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+
+  TEDIT_INLINE static float8 six_of(const float* at) {
+    return pair(load4(at), float4{at[4], at[5], 0, 0});
+  }
+  /// The column and what lies behind it, which nobody looks at; behind the last one is nothing.
+  template <int c>
+  TEDIT_INLINE static float8 column(const rigid_level::block6& block) {
+    if constexpr (c == 5)
+      return six_of(&block[30]);
+    else
+      return *reinterpret_cast<const anywhere*>(&block[6 * c]);
+  }
+  template <int i>
+  TEDIT_INLINE static float8 all(float8 x) {
+    return __builtin_shuffle(x, int8{i, i, i, i, i, i, i, i});
+  }
+  TEDIT_INLINE static float sum_of(float8 x) {
+    return ((x[0] + x[1]) + (x[2] + x[3])) + (x[4] + x[5]);
   }
 };
 
