@@ -84,8 +84,7 @@ public:
     if (!h_.filter.empty())
       h_.filter.resize(k_.rows(), {1, 0, 0, 1, 0, 1});
     index_list rows = renew_aggregates(touched);
-    for (const auto a : rows)
-      renew_row(a);
+    renew_rows(rows);
     update_rigid_levels(std::move(rows), h_);
   }
 
@@ -287,10 +286,19 @@ private:
     return none;
   }
 
-  void renew_row(std::uint32_t a) {
-    auto row = make_galerkin_row(p_, k_, filter_, h_, first_.frames, a);
-    first_.keep[a] = row.keep;
-    replace_row(h_.levels.front(), a, row.column, row.block);
+  void renew_rows(const index_list& rows) {
+    std::vector<galerkin_row> fresh(rows.size());
+    parallel_for(
+      rows.size(),
+      [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i)
+          fresh[i] = make_galerkin_row(p_, k_, filter_, h_, first_.frames, rows[i]);
+      },
+      4);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      first_.keep[rows[i]] = fresh[i].keep;
+      replace_row(h_.levels.front(), rows[i], fresh[i].column, fresh[i].block);
+    }
   }
 
   const problem& p_;

@@ -34,9 +34,12 @@ template <class L>
 class conjugate_gradients {
 public:
   /// `held` must outlive this.
-  conjugate_gradients(std::size_t nodes, const held_nodes& held) : held_(held) {
+  conjugate_gradients(std::size_t nodes, const held_nodes& held) : held_(held) { fit(nodes); }
+
+  /// For an operator that has other rows now.
+  void fit(std::size_t nodes) {
     for (auto* v : {&x_, &r_, &z_, &p_, &q_})
-      v->assign(L::size(nodes), 0);
+      v->resize(L::size(nodes), 0);
   }
 
   /// Solves K x = residual for each of at most `L::width` cases until its preconditioned residual

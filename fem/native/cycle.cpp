@@ -80,11 +80,17 @@ void prolongate_rigid(const rigid_level& a, const float* up, float* fine) {
 
 template <class L>
 rigid_cycle<L>::rigid_cycle(const hierarchy& h, const cycle_settings& settings)
-    : h_(h), settings_(settings), work_(h.levels.size()) {
+    : h_(h), settings_(settings) {
+  fit();
+}
+
+template <class L>
+void rigid_cycle<L>::fit() {
+  work_.resize(h_.levels.size());
   for (std::size_t l = 0; l < work_.size(); ++l)
     for (auto* v : {&work_[l].residual, &work_[l].step, &work_[l].other, &work_[l].right,
-                    &work_[l].correction})
-      v->assign(6 * L::width * h.levels[l].nodes(), 0);
+                    &work_[l].correction, &work_[l].down, &work_[l].up})
+      v->resize(6 * L::width * h_.levels[l].nodes(), 0);
 }
 
 template <class L>
@@ -162,11 +168,10 @@ void rigid_cycle<L>::once(std::size_t level, std::span<const float> right, std::
     (six::load(w.residual.data(), i) - row).store(w.residual.data(), i);
   });
 
-  std::vector<float> down(6 * L::width * h_.levels[level + 1].nodes());
-  std::vector<float> up(down.size());
-  restrict_rigid<L>(a, w.residual.data(), down);
-  solve(level + 1, down, up);
-  prolongate_rigid<L>(a, up.data(), w.step.data());
+  auto& coarser = work_[level + 1];
+  restrict_rigid<L>(a, w.residual.data(), coarser.down);
+  solve(level + 1, coarser.down, coarser.up);
+  prolongate_rigid<L>(a, coarser.up.data(), w.step.data());
 
   move({0, chebyshev_start(a.lambda)}, 1);
   for (int k = 2; k <= settings_.rigid_degree; ++k)
@@ -180,9 +185,17 @@ multilevel_cycle<L>::multilevel_cycle(const block_matrix& k, const hierarchy& h,
       h_(h),
       settings_(settings),
       rigid_(h, settings),
-      v_(k.rows()),
-      coarse_right_(6 * L::width * h.levels.front().nodes()),
-      coarse_(coarse_right_.size()) {}
+      v_(k.rows()) {
+  fit();
+}
+
+template <class L>
+void multilevel_cycle<L>::fit() {
+  rigid_.fit();
+  v_.fit(k_.rows());
+  coarse_right_.resize(6 * L::width * h_.levels.front().nodes());
+  coarse_.resize(coarse_right_.size());
+}
 
 template <class L>
 void multilevel_cycle<L>::apply(const float* right, float* z) {

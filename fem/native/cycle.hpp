@@ -13,6 +13,9 @@ public:
   /// `h` must outlive the cycle.
   rigid_cycle(const hierarchy& h, const cycle_settings& settings);
 
+  /// For a hierarchy that has other rows now.
+  void fit();
+
   /// result = about A_1^-1 right, both 6 per aggregate of the finest rigid level and case.
   void solve(std::span<const float> right, std::span<float> result) { solve(0, right, result); }
 
@@ -23,6 +26,7 @@ private:
 
   struct vectors {
     std::vector<float> residual, step, other, right, correction;
+    std::vector<float> down, up;  ///< What comes from the finer level and goes back.
   };
 
   const hierarchy& h_;
@@ -35,8 +39,12 @@ template <class L>
 struct node_vectors {
   std::vector<float> residual, step, other;
 
-  explicit node_vectors(std::size_t nodes)
-      : residual(L::size(nodes)), step(L::size(nodes)), other(L::size(nodes)) {}
+  explicit node_vectors(std::size_t nodes) { fit(nodes); }
+
+  void fit(std::size_t nodes) {
+    for (auto* v : {&residual, &step, &other})
+      v->resize(L::size(nodes), 0);
+  }
 
   [[nodiscard]] std::uint64_t bytes() const { return 3 * residual.size() * sizeof(float); }
 };
@@ -102,6 +110,9 @@ class multilevel_cycle {
 public:
   /// `k` and `h` must outlive the cycle.
   multilevel_cycle(const block_matrix& k, const hierarchy& h, const cycle_settings& settings);
+
+  /// For a matrix and a hierarchy that have other rows now.
+  void fit();
 
   /// z = about (S K S)^-1 right; both have `L::size` floats.
   void apply(const float* right, float* z);

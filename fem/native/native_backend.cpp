@@ -122,6 +122,11 @@ class lane_solvers {
 public:
   void reset() { solvers_ = {}; }
 
+  /// After an update of what they stand on.
+  void fit() {
+    std::apply([](const auto&... solver) { ((solver ? solver->fit() : void()), ...); }, solvers_);
+  }
+
   /// At most eight cases on the narrowest solver that has room; `make(lane type)` makes it.
   template <class Operator, class Make>
   expected<void> solve(const Operator& k, const Make& make, std::span<const inner_case> cases,
@@ -153,12 +158,18 @@ private:
 
 template <class L>
 struct linear_solver {
+  const block_matrix& k;
   conjugate_gradients<L> krylov;
   multilevel_cycle<L> cycle;
 
-  linear_solver(const block_matrix& k, const hierarchy& h, const held_nodes& held,
+  linear_solver(const block_matrix& matrix, const hierarchy& h, const held_nodes& held,
                 const cycle_settings& settings)
-      : krylov(k.rows(), held), cycle(k, h, settings) {}
+      : k(matrix), krylov(k.rows(), held), cycle(k, h, settings) {}
+
+  void fit() {
+    krylov.fit(k.rows());
+    cycle.fit();
+  }
 
   [[nodiscard]] std::uint64_t bytes() const { return krylov.bytes() + cycle.bytes(); }
 };
@@ -192,7 +203,7 @@ public:
     update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes, settings_.multilevel,
                      hierarchy_);
     held_ = held_nodes_of(problem_.filter);
-    solvers_.reset();
+    solvers_.fit();
     return true;
   }
 
@@ -222,16 +233,24 @@ private:
 
 template <class L>
 struct quadratic_solver {
+  const quadratic_operator& k;
   conjugate_gradients<L> krylov;
   multilevel_cycle<L> corners;
   quadratic_cycle<L> cycle;
 
-  quadratic_solver(const quadratic_operator& k, const node_smoother& smoother,
+  quadratic_solver(const quadratic_operator& elements, const node_smoother& smoother,
                    const edge_transfer& edges, const block_matrix& corner_matrix,
                    const hierarchy& h, const held_nodes& held, const native_settings& settings)
-      : krylov(k.rows(), held),
+      : k(elements),
+        krylov(k.rows(), held),
         corners(corner_matrix, h, settings.corner_cycle),
         cycle(k, smoother, edges, corners, settings.cycle.quadratic_degree) {}
+
+  void fit() {
+    krylov.fit(k.rows());
+    corners.fit();
+    cycle.fit();
+  }
 
   [[nodiscard]] std::uint64_t bytes() const {
     return krylov.bytes() + corners.bytes() + cycle.bytes();
@@ -289,7 +308,7 @@ public:
     update_quadratic_smoother(problem_, corners, filter, change.nodes,
                               settings_.corner_multilevel.sliver_condition, cluster_of_, smoother_);
     held_ = held_nodes_of(filter);
-    solvers_.reset();
+    solvers_.fit();
     return true;
   }
 

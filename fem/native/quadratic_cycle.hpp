@@ -20,9 +20,16 @@ public:
         edges_(edges),
         corners_(corners),
         degree_(degree),
-        v_(k.rows()),
-        coarse_right_(L::size(edges.corners())),
-        coarse_(L::size(edges.corners())) {}
+        v_(k.rows()) {
+    fit();
+  }
+
+  /// For an operator that has other rows now; `corners` is fitted apart.
+  void fit() {
+    v_.fit(k_.rows());
+    coarse_right_.resize(L::size(edges_.corners()));
+    coarse_.resize(coarse_right_.size());
+  }
 
   /// z = about (S K S)^-1 right; both have `L::size` floats.
   void apply(const float* right, float* z);
