@@ -99,6 +99,9 @@ public:
 
   /// Bytes held on the device.
   [[nodiscard]] virtual std::uint64_t device_bytes() const = 0;
+
+  /// Bytes that the last `assemble`, `set_filter` or `update` sent to the device, vectors excepted.
+  [[nodiscard]] virtual std::uint64_t uploaded_bytes() const { return 0; }
 };
 
 /// A place where problems are assembled and solved. The native one is the tests' oracle and the

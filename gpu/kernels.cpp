@@ -227,10 +227,10 @@ void commands::dispatch_indirect(const kernel& k, const buffer& counts, std::uin
   barrier();
 }
 
-void commands::copy(const buffer& from, std::uint64_t from_offset, const buffer& to,
-                    std::uint64_t to_offset, std::uint64_t bytes) {
-  const VkBufferCopy region{from_offset, to_offset, bytes};
-  layout_->on()->calls().vkCmdCopyBuffer(buffer_, from.handle(), to.handle(), 1, &region);
+void commands::copy(const buffer& from, const buffer& to, std::span<const VkBufferCopy> regions) {
+  layout_->on()->calls().vkCmdCopyBuffer(buffer_, from.handle(), to.handle(),
+                                         static_cast<std::uint32_t>(regions.size()),
+                                         regions.data());
   barrier();
 }
 
@@ -303,13 +303,38 @@ expected<void> upload(const std::shared_ptr<kernel_layout>& layout, buffer& to,
     auto work = commands::begin(layout);
     if (!work)
       return fail(work.error());
-    work->copy(*staging, 0, to, at, part.size());
+    const VkBufferCopy whole{0, at, part.size()};
+    work->copy(*staging, to, {&whole, 1});
     if (auto ok = work->end(); !ok)
       return ok;
     if (auto ok = work->run(); !ok)
       return ok;
   }
   return {};
+}
+
+expected<void> upload(const std::shared_ptr<kernel_layout>& layout, std::span<const patch> patches,
+                      std::span<const std::byte> bytes) {
+  if (patches.empty())
+    return {};
+  auto staging = buffer::make(layout->on(), bytes.size(), buffer::place::host);
+  if (!staging)
+    return fail(staging.error());
+  std::memcpy(staging->mapped().data(), bytes.data(), bytes.size());
+  auto work = commands::begin(layout);
+  if (!work)
+    return fail(work.error());
+  std::vector<VkBufferCopy> regions;
+  for (auto at = patches.begin(); at != patches.end();) {
+    const auto* to = at->to;
+    regions.clear();
+    for (; at != patches.end() && at->to == to; ++at)
+      regions.push_back({at->from_offset, at->to_offset, at->bytes});
+    work->copy(*staging, *to, regions);
+  }
+  if (auto ok = work->end(); !ok)
+    return ok;
+  return work->run();
 }
 
 expected<void> download(const std::shared_ptr<kernel_layout>& layout, const buffer& from,
@@ -323,7 +348,8 @@ expected<void> download(const std::shared_ptr<kernel_layout>& layout, const buff
     auto work = commands::begin(layout);
     if (!work)
       return fail(work.error());
-    work->copy(from, at, *staging, 0, part.size());
+    const VkBufferCopy whole{at, 0, part.size()};
+    work->copy(from, *staging, {&whole, 1});
     if (auto ok = work->end(); !ok)
       return ok;
     if (auto ok = work->run(); !ok)

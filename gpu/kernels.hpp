@@ -92,8 +92,7 @@ public:
   /// zero skips.
   void dispatch_indirect(const kernel& k, const buffer& counts, std::uint64_t offset,
                          const void* push);
-  void copy(const buffer& from, std::uint64_t from_offset, const buffer& to,
-            std::uint64_t to_offset, std::uint64_t bytes);
+  void copy(const buffer& from, const buffer& to, std::span<const VkBufferCopy> regions);
   [[nodiscard]] expected<void> end();
 
   /// Submits and waits. Errors: those of `run_in_order`.
@@ -116,6 +115,18 @@ private:
 
 /// Copies to and from device buffers through a staging buffer, in pieces.
 [[nodiscard]] expected<void> upload(const std::shared_ptr<kernel_layout>& layout, buffer& to,
+                                    std::span<const std::byte> bytes);
+/// Bytes of a list that belong at a place in a device buffer.
+struct patch {
+  const buffer* to = nullptr;
+  std::uint64_t to_offset = 0;
+  std::uint64_t from_offset = 0;  ///< In the list.
+  std::uint64_t bytes = 0;
+};
+/// Puts all patches in place in one submission. Those of one buffer stand together in `patches` and
+/// do not overlap.
+[[nodiscard]] expected<void> upload(const std::shared_ptr<kernel_layout>& layout,
+                                    std::span<const patch> patches,
                                     std::span<const std::byte> bytes);
 [[nodiscard]] expected<void> download(const std::shared_ptr<kernel_layout>& layout,
                                       const buffer& from, std::span<std::byte> bytes);

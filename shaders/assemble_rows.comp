@@ -22,9 +22,10 @@ void add_block(uint entry, float volume, vec2 lame, vec3 ga, vec3 gb) {
 }
 
 void main() {
-  const uint row = push.first_row + gl_GlobalInvocationID.x;
   if (gl_GlobalInvocationID.x >= push.rows)
     return;
+  const uint place = push.first_row + gl_GlobalInvocationID.x;
+  const uint row = push.listed == 1 ? listed[place] : place;
   uint columns[most_columns];
   const uint count = gather_columns(row, columns);
   const uint width = slices[2 * (row / slice_rows) + 1];
@@ -34,7 +35,7 @@ void main() {
     blocks[3 * entry + 1] = uvec4(0);
     blocks[3 * entry + 2] = uvec4(0);
   }
-  for (uint at = corner_first[row]; at < corner_first[row + 1]; ++at) {
+  for (uint at = corner_rows[row].x; at < corner_rows[row].y; ++at) {
     const uint element = corners[at] / 4;
     const uint a = corners[at] % 4;
     const uvec4 n = element_nodes[element];

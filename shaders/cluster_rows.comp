@@ -14,6 +14,8 @@ layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 void main() {
   for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
     const uvec4 row = rows[i];
+    if (row.z == 0)
+      continue;  // Left by a cluster that an edit dissolved; another row may have the node now.
     vec3 y = vec3(0);
     for (uint k = 0; k < row.z; ++k) {
       const uint entry = 3 * (row.y + k);

@@ -41,7 +41,7 @@ using uint = std::uint32_t;
 TEDIT_CYCLE_PUSH {
   uint rows;       // how many this dispatch has
   uint first_row;
-  uint count;      // entries of a row, corners, aggregates: see the kernel
+  uint count;      // entries of a row, corners, aggregates, room for elements: see the kernel
   uint place;      // of the first partial sum
   float before;    // Chebyshev weights: next step = before * old step + fresh * B r
   float fresh;

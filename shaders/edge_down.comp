@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uint first[]; };
+layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };    // first middle, last
 layout(set = 0, binding = 1) readonly buffer b1 { uint middles[]; };  // nodes
 layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };
@@ -13,8 +13,8 @@ layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };
 void main() {
   for (uint c = gl_GlobalInvocationID.x; c < push.rows; c += stride()) {
     vec3 sum = vec3(0);
-    const uint last = first[c + 1];
-    for (uint at = first[c]; at < last; ++at)
+    const uvec2 place = rows[c];
+    for (uint at = place.x; at < place.y; ++at)
       sum += r[middles[at]].xyz;
     right[c] = vec4(r[c].xyz + 0.5 * sum, 0);
   }

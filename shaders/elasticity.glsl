@@ -12,13 +12,14 @@ layout(set = 0, binding = TEDIT_BIND_POSITION_HIGH) readonly buffer b0 { vec4 po
 layout(set = 0, binding = TEDIT_BIND_POSITION_LOW) readonly buffer b1 { vec4 position_low[]; };
 layout(set = 0, binding = TEDIT_BIND_ELEMENT_NODES) readonly buffer b2 { uvec4 element_nodes[]; };
 layout(set = 0, binding = TEDIT_BIND_ELEMENT_LAME) readonly buffer b3 { vec2 element_lame[]; };
-layout(set = 0, binding = TEDIT_BIND_CORNER_FIRST) readonly buffer b4 { uint corner_first[]; };
+layout(set = 0, binding = TEDIT_BIND_CORNER_ROWS) readonly buffer b4 { uvec2 corner_rows[]; };
 layout(set = 0, binding = TEDIT_BIND_CORNERS) readonly buffer b5 { uint corners[]; };
 layout(set = 0, binding = TEDIT_BIND_SLICES) buffer b6 { uint slices[]; };
 layout(set = 0, binding = TEDIT_BIND_BLOCKS) buffer b7 { uvec4 blocks[]; };
 layout(set = 0, binding = TEDIT_BIND_LEADING) readonly buffer b8 { vec4 leading[]; };
 layout(set = 0, binding = TEDIT_BIND_TRAILING) readonly buffer b9 { vec4 trailing[]; };
 layout(set = 0, binding = TEDIT_BIND_MEANS) writeonly buffer b10 { vec4 means[]; };
+layout(set = 0, binding = TEDIT_BIND_LISTED) readonly buffer b11 { uint listed[]; };
 
 vec3 edge(uint a, uint b) {
   return (position_high[b].xyz - position_high[a].xyz) + (position_low[b].xyz - position_low[a].xyz);
@@ -41,7 +42,7 @@ float gradients_of(uvec4 n, out vec3 g[4]) {
 // The other nodes around a row, ascending; returns how many.
 uint gather_columns(uint row, out uint columns[most_columns]) {
   uint count = 0;
-  for (uint at = corner_first[row]; at < corner_first[row + 1]; ++at) {
+  for (uint at = corner_rows[row].x; at < corner_rows[row].y; ++at) {
     const uvec4 n = element_nodes[corners[at] / 4];
     for (uint b = 0; b < 4; ++b) {
       const uint node = n[b];

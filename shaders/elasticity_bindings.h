@@ -7,14 +7,15 @@
 #define TEDIT_BIND_POSITION_LOW 1    // vec4 per node: what the leading part lacks
 #define TEDIT_BIND_ELEMENT_NODES 2   // uvec4 per element
 #define TEDIT_BIND_ELEMENT_LAME 3    // vec2 per element: lambda, mu, divided by the stiffness scale
-#define TEDIT_BIND_CORNER_FIRST 4    // uint per node + 1: start in CORNERS
+#define TEDIT_BIND_CORNER_ROWS 4     // uvec2 per node: first and last in CORNERS
 #define TEDIT_BIND_CORNERS 5         // uint: element * 4 + local node
 #define TEDIT_BIND_SLICES 6          // uint pair per slice: first entry, width (counting: columns per row)
 #define TEDIT_BIND_BLOCKS 7          // 3 uvec4 per entry: column, 9 values (row-major), 2 unused
 #define TEDIT_BIND_LEADING 8         // vec4 per node: displacement, leading part
 #define TEDIT_BIND_TRAILING 9        // vec4 per node: what the leading part lacks
 #define TEDIT_BIND_MEANS 10          // 2 vec4 per node: stress
-#define TEDIT_BINDINGS 11
+#define TEDIT_BIND_LISTED 11         // uint: rows that are to be gathered again
+#define TEDIT_BINDINGS 12
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -28,9 +29,10 @@ using uint = std::uint32_t;
 TEDIT_PUSH {
   uint first_row;   // of the chunk
   uint rows;        // of the chunk
+  uint listed;      // 1: the rows are places in LISTED (assemble_rows)
 #ifdef __cplusplus
 };
-static_assert(sizeof(push_constants) == 8);
+static_assert(sizeof(push_constants) == 12);
 }  // namespace tedit::fem
 #else
 } push;

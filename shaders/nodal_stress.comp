@@ -12,7 +12,7 @@ void main() {
   vec4 a = vec4(0);
   vec4 b = vec4(0);
   float volume = 0;
-  for (uint at = corner_first[node]; at < corner_first[node + 1]; ++at) {
+  for (uint at = corner_rows[node].x; at < corner_rows[node].y; ++at) {
     const uint e = corners[at] / 4;
     vec3 g[4];
     const float v = gradients_of(element_nodes[e], g);

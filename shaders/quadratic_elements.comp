@@ -38,7 +38,7 @@ vec3 times(tensor s, vec3 g) {
                              s.shear.z * g.x + s.shear.y * g.y);
 }
 
-void put(uint e, uint local, vec3 force) { forces[local * push.rows + e] = vec4(force, 0); }
+void put(uint e, uint local, vec3 force) { forces[local * push.count + e] = vec4(force, 0); }
 
 vec3 corner_force(tensor s, tensor all, vec3 g) { return 4 * times(s, g) - times(all, g); }
 

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uint first[]; };
+layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };  // first member, last
 layout(set = 0, binding = 1) readonly buffer b1 { uint members[]; };
 layout(set = 0, binding = 2) readonly buffer b2 { vec4 arms[]; };
 layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
@@ -14,8 +14,8 @@ void main() {
   for (uint a = gl_GlobalInvocationID.x; a < push.rows; a += stride()) {
     vec3 force = vec3(0);
     vec3 moment = vec3(0);
-    const uint last = first[a + 1];
-    for (uint at = first[a]; at < last; ++at) {
+    const uvec2 place = rows[a];
+    for (uint at = place.x; at < place.y; ++at) {
       const uint n = members[at];
       const vec3 f = r[n].xyz;
       force += f;

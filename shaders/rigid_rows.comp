@@ -5,7 +5,7 @@
 #include "cycle.glsl"
 #include "rigid.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uint first[]; };
+layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };  // first entry, last
 layout(set = 0, binding = 1) readonly buffer b1 { uint columns[]; };
 layout(set = 0, binding = 2) readonly buffer b2 { vec4 x[]; };
 layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
@@ -32,8 +32,8 @@ void main() {
   for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
     const uint row = push.first_row + i;
     motion y = motion(vec3(0), vec3(0));
-    const uint last = first[i + 1];
-    for (uint s = first[i]; s < last; ++s) {
+    const uvec2 place = rows[i];
+    for (uint s = place.x; s < place.y; ++s) {
       const uint column = columns[s];
       y = sum_of(y, block_times(s, motion(x[2 * column].xyz, x[2 * column + 1].xyz)));
     }

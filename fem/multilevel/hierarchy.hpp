@@ -33,6 +33,7 @@ struct member_lists {
 struct cluster_inverses {
   member_lists nodes;
   std::vector<std::vector<float>> inverse;  ///< (3n)^2 values each, row by row.
+  std::vector<std::uint32_t> changed;       ///< By the last update, ascending.
 
   [[nodiscard]] bool empty() const { return inverse.empty(); }
 };
@@ -41,6 +42,7 @@ struct cluster_inverses {
 struct node_smoother {
   std::vector<std::array<float, 6>> inverse;  ///< Filtered inverse blocks; zero for cluster nodes.
   cluster_inverses clusters;
+  std::vector<std::uint32_t> changed;  ///< Nodes that the last update changed, ascending.
   float lambda = 1;  ///< Upper estimate of the largest eigenvalue of the smoothed operator.
 };
 
@@ -62,6 +64,10 @@ struct rigid_level {
   /// The same entries by column, for the restriction: `entries.of(parent)`, and the row of each.
   member_lists entries;
   std::vector<std::uint32_t> entry_row;
+
+  /// Rows that the last update changed, here and in `prolongation_rows`, and owners in the
+  /// `entries` of the level below; ascending.
+  std::vector<std::uint32_t> changed;
 
   [[nodiscard]] std::uint32_t nodes() const { return static_cast<std::uint32_t>(rows.size()); }
 };
@@ -111,8 +117,9 @@ struct hierarchy {
   std::vector<std::uint32_t> aggregate;   ///< Of each node; `no_id` for held ones.
   std::vector<std::array<float, 3>> arm;  ///< Of each node.
   std::vector<std::array<float, 6>>
-    filter;              ///< S of each node; empty: every aggregated node is free.
-  member_lists members;  ///< Nodes of each aggregate.
+    filter;                            ///< S of each node; empty: every aggregated node is free.
+  member_lists members;                ///< Nodes of each aggregate.
+  std::vector<std::uint32_t> changed;  ///< Nodes whose aggregate or arm the last update changed.
   std::vector<rigid_level> levels;
   std::unique_ptr<coarsest_solver> coarsest;
   std::shared_ptr<hierarchy_memory> memory;  ///< What `update_hierarchy` needs.

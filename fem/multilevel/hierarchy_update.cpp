@@ -157,6 +157,9 @@ private:
     for (const auto a : place_aggregates(nodes, fresh, old))
       rows.push_back(a);
     sort_unique(rows);
+    h_.changed = touched;
+    h_.changed.insert(h_.changed.end(), nodes.begin(), nodes.end());
+    sort_unique(h_.changed);
     return rows;
   }
 

@@ -187,6 +187,8 @@ std::vector<std::uint32_t> update_smoother(const smoother_source& source,
     smoother.inverse[n] = n < cluster_of.size() && cluster_of[n] != no_id
                             ? std::array<float, 6>{}
                             : invert_block(source.diagonal_of(n), source.filter[n]);
+  lists.changed = std::move(change.clusters);
+  smoother.changed = change.nodes;
   return change.nodes;
 }
 

@@ -88,9 +88,10 @@ Eigen::MatrixXd cluster_matrix(const problem& p, const CornersAt& corners_at,
   return m;
 }
 
-/// The same from the elements' corners alone: those around the lower end of an edge.
-std::vector<std::uint32_t> corners_of(const problem& p, const incidence& corners,
-                                      std::uint32_t node) {
+}  // namespace
+
+std::vector<std::uint32_t> element_corners_at(const problem& p, const incidence& corners,
+                                              std::uint32_t node) {
   const bool corner_node = node < p.corner_count;
   const auto around = corners.of_node(corner_node ? node : p.edge_ends[node - p.corner_count][0]);
   if (corner_node)
@@ -105,8 +106,6 @@ std::vector<std::uint32_t> corners_of(const problem& p, const incidence& corners
   }
   return result;
 }
-
-}  // namespace
 
 problem corner_problem(const problem& quadratic) {
   problem p;
@@ -201,7 +200,9 @@ void update_quadratic_smoother(const problem& quadratic, const incidence& corner
                                filter_span filter, std::span<const std::uint32_t> nodes,
                                double condition, std::vector<std::uint32_t>& cluster_of,
                                node_smoother& smoother) {
-  const auto corners_at = [&](std::uint32_t n) { return corners_of(quadratic, corners, n); };
+  const auto corners_at = [&](std::uint32_t n) {
+    return element_corners_at(quadratic, corners, n);
+  };
   const smoother_source source{
     quadratic,
     filter,

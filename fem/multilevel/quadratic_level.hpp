@@ -10,6 +10,12 @@ namespace tedit::fem {
 /// O(mesh).
 [[nodiscard]] problem corner_problem(const problem& quadratic);
 
+/// The elements around a node of any kind as element * 10 + local node, ascending; `corners` has
+/// those around corner nodes.
+[[nodiscard]] std::vector<std::uint32_t> element_corners_at(const problem& quadratic,
+                                                            const incidence& corners,
+                                                            std::uint32_t node);
+
 /// The prolongation from corners to all nodes of straight-sided quadratic tets: the middle of an
 /// edge takes the mean of its ends, filtered.
 struct edge_transfer {

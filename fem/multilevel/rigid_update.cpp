@@ -208,6 +208,7 @@ void replace_row(rigid_level& level, std::uint32_t row, std::span<const std::uin
 void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h) {
   std::vector<std::uint32_t> reframed;
   for (std::size_t l = 0; l + 1 < h.levels.size(); ++l) {
+    h.levels[l].changed = rows;
     rows = level_update(l, h).run(rows, reframed);
     // Other motions of a parent change the prolongation of its neighbours, too.
     for (const auto parent : reframed) {
@@ -216,6 +217,7 @@ void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h) {
     }
     sort_unique(rows);
   }
+  h.levels.back().changed = std::move(rows);
   h.coarsest = factor(h.levels.back());
 }
 

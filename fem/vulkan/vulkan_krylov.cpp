@@ -11,44 +11,62 @@ namespace {
 
 constexpr int most_per_batch = 8;
 
+/// Records `now` unless `kept` has the same steps already; after a failure nothing is kept.
+expected<void> renew(std::optional<vulkan_program>& kept, vulkan_program&& now,
+                     const gpu::buffer* gates = nullptr) {
+  if (kept && kept->same_steps(now))
+    return {};
+  kept.emplace(std::move(now));
+  auto recorded = kept->record(gates);
+  if (!recorded)
+    kept.reset();
+  return recorded;
+}
+
 }  // namespace
 
 vulkan_krylov::vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory,
                              const row_operator& k)
     : kernels_(kernels), memory_(memory), k_(k) {
   for (auto* vector : {&u_, &r_, &z_, &p_, &q_})
-    *vector = memory.room(16 * std::uint64_t{k.rows()});
+    *vector = memory.room(16 * with_spare(k.rows()));
   partials_ = memory.room(4 * std::uint64_t{k.most_partials()});
   scalars_ = memory.room(4 * TEDIT_CG_SCALARS);
   gates_ = memory.put(vulkan_program::closed_gates());
 }
 
-expected<void> vulkan_krylov::record_product() {
-  product_.emplace(kernels_);
-  k_.add(*product_, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, {});
-  auto recorded = product_->record();
-  if (!recorded)
-    product_.reset();  // The next call tries again.
-  return recorded;
+vulkan_program vulkan_krylov::product_steps() const {
+  vulkan_program result(kernels_);
+  k_.add(result, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, {});
+  return result;
 }
 
 expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
-  start_.emplace(kernels_);
-  cycle_push push{};
-  push.rows = k_.rows();
-  start_->add(kernels_.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
-  if (auto ok = start_->record(); !ok)
-    return ok;
-  preconditioned_.emplace(kernels_);
-  b(*preconditioned_, r_, z_);
-  if (auto ok = preconditioned_->record(); !ok)
-    return ok;
-  return record_iteration(b, filter);
+  for (auto* program : {&start_, &preconditioned_, &iteration_})
+    program->reset();
+  return follow(b, filter);
 }
 
-expected<void> vulkan_krylov::record_iteration(const preconditioner& b, const gpu::buffer& filter) {
-  iteration_.emplace(kernels_);
-  auto& loop = *iteration_;
+expected<void> vulkan_krylov::follow(const preconditioner& b, const gpu::buffer& filter) {
+  if (product_)
+    if (auto ok = renew(product_, product_steps()); !ok)
+      return ok;
+  vulkan_program start(kernels_);
+  cycle_push push{};
+  push.rows = k_.rows();
+  start.add(kernels_.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
+  if (auto ok = renew(start_, std::move(start)); !ok)
+    return ok;
+  vulkan_program once(kernels_);
+  b(once, r_, z_);
+  if (auto ok = renew(preconditioned_, std::move(once)); !ok)
+    return ok;
+  return renew(iteration_, iteration_steps(b, filter), &gates_);
+}
+
+vulkan_program vulkan_krylov::iteration_steps(const preconditioner& b,
+                                              const gpu::buffer& filter) const {
+  vulkan_program loop(kernels_);
   const auto scalars = [&](std::uint32_t mode, std::uint32_t sums) {
     cycle_push push{};
     push.rows = sums;
@@ -65,7 +83,7 @@ expected<void> vulkan_krylov::record_iteration(const preconditioner& b, const gp
   scalars(TEDIT_CG_BETA,
           loop.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push));
   loop.add(kernels_.cg_turn, {{2, &z_}, {6, &p_}, {8, &scalars_}}, push);
-  return loop.record(&gates_);
+  return loop;
 }
 
 /// r = S r, u = 0, z = B r, p = z, and the scalars of the first iteration.
@@ -129,7 +147,7 @@ expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& ri
 expected<void> vulkan_krylov::multiply(const std::vector<device_float4>& x,
                                        std::vector<device_float4>& y) {
   if (!product_)
-    if (auto ok = record_product(); !ok)
+    if (auto ok = renew(product_, product_steps()); !ok)
       return ok;
   if (auto ok = memory_.upload(p_, x); !ok)
     return ok;

@@ -23,6 +23,10 @@ public:
   /// Records the loop; `b` need not outlive the call. `filter` is S.
   [[nodiscard]] expected<void> prepare(const preconditioner& b, const gpu::buffer& filter);
 
+  /// The same after operator and preconditioner followed an edit in their buffers: only programs
+  /// with other dispatches are recorded.
+  [[nodiscard]] expected<void> follow(const preconditioner& b, const gpu::buffer& filter);
+
   /// Contract: `linear_system::solve`, in the device's units; of `goal` only the ends count.
   [[nodiscard]] expected<inner_result> solve(const std::vector<device_float4>& right,
                                              std::vector<device_float4>& correction,
@@ -36,8 +40,9 @@ public:
                                             std::vector<device_float4>& z);
 
 private:
-  [[nodiscard]] expected<void> record_product();
-  [[nodiscard]] expected<void> record_iteration(const preconditioner& b, const gpu::buffer& filter);
+  [[nodiscard]] vulkan_program product_steps() const;
+  [[nodiscard]] vulkan_program iteration_steps(const preconditioner& b,
+                                               const gpu::buffer& filter) const;
   [[nodiscard]] expected<void> begin(const inner_case& goal);
 
   const cycle_kernels& kernels_;

@@ -48,6 +48,29 @@ std::vector<device_float4> trailing_part(std::span<const double> values, double 
   return result;
 }
 
+std::array<std::uint32_t, 4> corners_of(const problem& p, std::uint32_t element) {
+  std::array<std::uint32_t, 4> result;
+  std::copy_n(&p.element_nodes[static_cast<std::size_t>(p.nodes_per_element) * element], 4,
+              result.begin());
+  return result;
+}
+
+/// The elements around a node, as element * 4 + local node.
+vulkan_lists::source around(const problem& p, const incidence& corners) {
+  const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
+  return [per, &corners](std::uint32_t node, std::vector<std::uint32_t>& list) {
+    for (const auto corner : corners.of_node(node))
+      list.push_back(corner / per * 4 + corner % per);
+  };
+}
+
+/// Which of `list` (ascending) lie in first .. last.
+std::span<const std::uint32_t> within(std::span<const std::uint32_t> list, std::uint32_t first,
+                                      std::uint32_t last) {
+  const auto begin = std::ranges::lower_bound(list, first);
+  return {begin, std::ranges::lower_bound(list, last)};
+}
+
 }  // namespace
 
 device_scale::device_scale(const problem& p) {
@@ -68,7 +91,7 @@ vulkan_matrix::vulkan_matrix(const cycle_kernels& kernels, vulkan_memory& memory
     : shapes_(kernels),
       memory_(memory),
       scale_(scale),
-      nodes_(static_cast<std::uint32_t>(p.node_count())),
+      nodes_(static_cast<std::uint32_t>(p.corner_count)),
       elements_(static_cast<std::uint32_t>(p.element_count())) {}
 
 expected<std::unique_ptr<vulkan_matrix>> vulkan_matrix::make(
@@ -83,12 +106,12 @@ expected<std::unique_ptr<vulkan_matrix>> vulkan_matrix::make(
 expected<void> vulkan_matrix::build(std::shared_ptr<gpu::device> on, const problem& p,
                                     const incidence& corners) {
   std::size_t most_corners = 0;
-  for (std::size_t n = 0; n < p.node_count(); ++n)
+  for (std::size_t n = 0; n < p.corner_count; ++n)
     most_corners = std::max(most_corners, corners.of_node(n).size());
   // Around an inner node t tets have t/2 + 2 other corners; t + 3 is safe on a boundary.
   // Rounded up, so that similar parts share compiled kernels.
-  const auto most_columns = (static_cast<std::uint32_t>(most_corners + 3) + 31) / 32 * 32;
-  auto kernels = make_elasticity_kernels(std::move(on), shapes_, most_columns);
+  most_columns_ = (static_cast<std::uint32_t>(most_corners + 3) + 31) / 32 * 32;
+  auto kernels = make_elasticity_kernels(std::move(on), shapes_, most_columns_);
   if (!kernels)
     return fail(kernels.error());
   kernels_ = std::move(*kernels);
@@ -105,54 +128,58 @@ expected<void> vulkan_matrix::build(std::shared_ptr<gpu::device> on, const probl
   return {};
 }
 
+device_float4 vulkan_matrix::position(const problem& p, std::uint32_t node, bool leading) const {
+  const vec3 x = (1 / scale_.size) * (p.nodes[node] - scale_.centre);
+  const std::array<double, 3> exact{x.x, x.y, x.z};
+  device_float4 result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = static_cast<float>(exact[i]);
+    if (!leading)  // What single precision loses.
+      result[i] = static_cast<float>(exact[i] - static_cast<double>(result[i]));
+  }
+  return result;
+}
+
+std::array<float, 2> vulkan_matrix::lame(const problem& p, std::uint32_t element) const {
+  const auto& m = p.constants[p.element_materials[element]];
+  return {static_cast<float>(m.lambda / scale_.stiffness),
+          static_cast<float>(m.mu / scale_.stiffness)};
+}
+
 expected<void> vulkan_matrix::upload_mesh(const problem& p, const incidence& corners) {
-  std::vector<double> positions(3 * p.node_count());
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
-    const vec3 x = p.nodes[n] - scale_.centre;
-    positions[3 * n] = x.x;
-    positions[3 * n + 1] = x.y;
-    positions[3 * n + 2] = x.z;
+  std::vector<device_float4> high(nodes_);
+  std::vector<device_float4> low(nodes_);
+  for (std::uint32_t n = 0; n < nodes_; ++n) {
+    high[n] = position(p, n, true);
+    low[n] = position(p, n, false);
   }
-  const auto leading = packed3(positions, 1 / scale_.size);
-  std::vector<std::array<float, 2>> lame(p.element_count());
-  for (std::size_t e = 0; e < p.element_count(); ++e) {
-    const auto& m = p.constants[p.element_materials[e]];
-    lame[e] = {static_cast<float>(m.lambda / scale_.stiffness),
-               static_cast<float>(m.mu / scale_.stiffness)};
+  std::vector<std::array<std::uint32_t, 4>> nodes(elements_);
+  std::vector<std::array<float, 2>> constants(elements_);
+  for (std::uint32_t e = 0; e < elements_; ++e) {
+    nodes[e] = corners_of(p, e);
+    constants[e] = lame(p, e);
   }
-  std::vector<std::uint32_t> first{0};
-  std::vector<std::uint32_t> list;
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
-    const auto part = corners.of_node(n);
-    list.insert(list.end(), part.begin(), part.end());
-    first.push_back(static_cast<std::uint32_t>(list.size()));
-  }
-  position_high_ = memory_.put(leading);
-  position_low_ = memory_.put(trailing_part(positions, 1 / scale_.size, leading));
-  element_nodes_ = memory_.put(p.element_nodes);
-  element_lame_ = memory_.put(lame);
-  corner_first_ = memory_.put(first);
-  corners_ = memory_.put(list);
+  position_high_ = memory_.put(high);
+  position_low_ = memory_.put(low);
+  element_nodes_ = memory_.put(nodes, with_spare(elements_));
+  element_lame_ = memory_.put(constants, with_spare(elements_));
+  corners_ = vulkan_lists(memory_, nodes_, around(p, corners));
   // Slices hold either one count per row or two numbers per slice.
   slices_ = memory_.room(8 * (std::uint64_t{nodes_} + 1));
   return memory_.status();
 }
 
-void vulkan_matrix::drop_mesh() {
-  for (auto* b : {&position_high_, &position_low_, &element_nodes_, &element_lame_, &corner_first_,
-                  &corners_})
-    memory_.give_back(*b);
-}
-
 expected<void> vulkan_matrix::dispatch(const gpu::kernel& k, const gpu::buffer& blocks,
-                                       std::uint32_t rows, std::uint32_t first) {
+                                       std::uint32_t rows, std::uint32_t first,
+                                       const gpu::buffer* listed) {
   auto pool = gpu::binding_pool::make(kernels_.layout, 1);
   if (!pool)
     return fail(pool.error());
   const auto any = [&](const gpu::buffer& b) { return b.handle() ? &b : &slices_; };
   const std::array<const gpu::buffer*, TEDIT_BINDINGS> all{
-    &position_high_, &position_low_, &element_nodes_, &element_lame_, &corner_first_, &corners_,
-    &slices_,        &blocks,        any(leading_),   any(trailing_), any(means_)};
+    &position_high_,   &position_low_,    &element_nodes_, &element_lame_,
+    &corners_.table(), &corners_.items(), &slices_,        &blocks,
+    any(leading_),     any(trailing_),    any(means_),     listed ? listed : &slices_};
   const auto set = pool->bind(all);
   if (!set)
     return fail(set.error());
@@ -161,7 +188,7 @@ expected<void> vulkan_matrix::dispatch(const gpu::kernel& k, const gpu::buffer& 
   std::uint32_t fit = first_rows;
   for (std::uint32_t done = 0; done < rows;) {
     check_cancelled();
-    const push_constants push{first + done, std::min({fit, most, rows - done})};
+    const push_constants push{first + done, std::min({fit, most, rows - done}), listed ? 1u : 0u};
     const stopwatch clock;
     if (auto ok = dispatch_rows(k, *set, push); !ok)
       return ok;
@@ -196,30 +223,120 @@ expected<std::vector<std::uint32_t>> vulkan_matrix::count_columns() {
 /// Slices of rows that share a width, gathered into chunks that one binding can hold.
 expected<void> vulkan_matrix::cut_chunks(const std::vector<std::uint32_t>& columns) {
   const std::uint32_t per_slice = shapes_.slice_rows;
-  std::vector<std::uint32_t> slices;
-  chunk now;
-  const auto close = [&] {
-    now.blocks = memory_.room(now.entries * entry_bytes);
-    chunks_.push_back(std::move(now));
-    now = chunk{};
-  };
+  const std::uint64_t most = memory_.most_per_piece() / entry_bytes;
+  std::uint32_t first = 0;
+  std::uint64_t sum = 0;
+  std::vector<std::uint32_t> entries;
   for (std::uint32_t row = 0; row < nodes_; row += per_slice) {
     const auto last = std::min(nodes_, row + per_slice);
     const auto width = *std::max_element(columns.begin() + row, columns.begin() + last);
-    const std::uint64_t entries = std::uint64_t{width} * per_slice;
-    if (now.rows > 0 && (now.entries + entries) * entry_bytes > memory_.most_per_piece())
-      close();
-    if (now.rows == 0)
-      now.first_row = row;
-    slices.push_back(static_cast<std::uint32_t>(now.entries));
-    slices.push_back(width);
-    now.entries += entries;
-    now.rows += last - row;
+    if (row > first && sum + std::uint64_t{width} * per_slice > most - most / 16) {
+      add_chunk(first, row - first, entries);
+      first = row;
+      sum = 0;
+      entries.clear();
+    }
+    entries.push_back(width * per_slice);
+    sum += entries.back();
   }
-  close();
+  add_chunk(first, nodes_ - first, entries);
+  std::vector<std::array<std::uint32_t, 2>> slices;
+  for (const auto& part : chunks_)
+    for (std::uint32_t s = 0; s < part.slices.rows(); ++s)
+      slices.push_back(slice_at(part, s));
   if (auto ok = memory_.status(); !ok)
     return ok;
   return memory_.upload(slices_, slices);
+}
+
+void vulkan_matrix::add_chunk(std::uint32_t first_row, std::uint32_t rows,
+                              std::span<const std::uint32_t> entries) {
+  auto& part = chunks_.emplace_back();
+  part.first_row = first_row;
+  part.rows = rows;
+  part.slices = roomy_places(entries, 16, memory_.most_per_piece() / entry_bytes);
+  part.blocks = memory_.room(part.slices.room() * entry_bytes);
+}
+
+std::array<std::uint32_t, 2> vulkan_matrix::slice_at(const chunk& part, std::uint32_t slice) const {
+  const auto begin = part.slices.begin(slice);
+  return {begin, (part.slices.end(slice) - begin) / shapes_.slice_rows};
+}
+
+// -- following an edit -------------------------------------------------------------------
+
+void vulkan_matrix::update(const problem& p, const incidence& corners, const row_places& lengths,
+                           const problem_change& change, vulkan_changes& changes) {
+  const auto nodes = within(change.nodes, 0, nodes_);
+  for (const auto n : nodes)
+    if (corners.of_node(n).size() + 3 > most_columns_)
+      return changes.refuse();
+  update_mesh(p, corners, change, changes);
+  for (auto& part : chunks_)
+    update_chunk(part, within(nodes, part.first_row, part.first_row + part.rows), lengths, changes);
+}
+
+void vulkan_matrix::update_mesh(const problem& p, const incidence& corners,
+                                const problem_change& change, vulkan_changes& changes) {
+  elements_ = static_cast<std::uint32_t>(p.element_count());
+  if (16 * std::uint64_t{elements_} > element_nodes_.bytes())
+    return changes.refuse();
+  const auto fresh = within(change.fresh, 0, nodes_);
+  const auto elements = within(change.elements, 0, elements_);
+  changes.items(position_high_, fresh, [&](std::uint32_t n) { return position(p, n, true); });
+  changes.items(position_low_, fresh, [&](std::uint32_t n) { return position(p, n, false); });
+  changes.items(element_nodes_, elements, [&](std::uint32_t e) { return corners_of(p, e); });
+  changes.items(element_lame_, elements, [&](std::uint32_t e) { return lame(p, e); });
+  corners_.update(within(change.nodes, 0, nodes_), nodes_, around(p, corners), changes);
+}
+
+/// A slice keeps its width while its rows fit; wider ones move, and all their rows are gathered.
+void vulkan_matrix::update_chunk(chunk& part, std::span<const std::uint32_t> nodes,
+                                 const row_places& lengths, vulkan_changes& changes) {
+  const auto per_slice = shapes_.slice_rows;
+  const auto end = part.first_row + part.rows;
+  const auto entries = [&](std::uint32_t slice) {
+    std::uint32_t width = 0;
+    for (auto row = part.first_row + slice * per_slice, i = 0u; i < per_slice && row < end;
+         ++row, ++i)
+      width = std::max(width, lengths.length(row));
+    return width * per_slice;
+  };
+  std::vector<std::uint32_t> wider;
+  for (const auto n : nodes) {
+    const auto slice = (n - part.first_row) / per_slice;
+    if (lengths.length(n) * per_slice > part.slices.end(slice) - part.slices.begin(slice))
+      wider.push_back(slice);
+  }
+  sort_unique(wider);
+  const auto moved = part.slices.update(wider, part.slices.rows(), entries, changes);
+  part.listed.assign(nodes.begin(), nodes.end());
+  std::vector<std::uint32_t> table_rows;
+  for (const auto slice : moved) {
+    table_rows.push_back(part.first_row / per_slice + slice);
+    for (auto row = part.first_row + slice * per_slice, i = 0u; i < per_slice && row < end;
+         ++row, ++i)
+      part.listed.push_back(row);
+  }
+  sort_unique(part.listed);
+  const auto first_slice = part.first_row / per_slice;
+  changes.items(slices_, table_rows,
+                [&](std::uint32_t slice) { return slice_at(part, slice - first_slice); });
+}
+
+expected<void> vulkan_matrix::gather_again() {
+  for (auto& part : chunks_) {
+    if (part.listed.empty())
+      continue;
+    const auto count = static_cast<std::uint32_t>(part.listed.size());
+    auto list = memory_.put(std::exchange(part.listed, {}));
+    if (auto ok = memory_.status(); !ok)
+      return ok;
+    if (auto ok = dispatch(kernels_.assemble_rows, part.blocks, count, 0, &list); !ok)
+      return ok;
+    memory_.give_back(list);
+  }
+  return {};
 }
 
 std::uint32_t vulkan_matrix::most_partials() const {
@@ -250,12 +367,15 @@ std::uint32_t vulkan_matrix::add(vulkan_program& program, std::uint32_t mode, co
 }
 
 expected<void> vulkan_matrix::make_stress_room() {
-  if (element_stresses_.handle())
+  const std::uint64_t bytes = 32 * std::uint64_t{elements_};
+  if (element_stresses_.bytes() >= bytes && element_stresses_.handle())
     return {};
+  for (auto* b : {&leading_, &trailing_, &means_, &element_stresses_})
+    memory_.give_back(*b);
   leading_ = memory_.room(16 * std::uint64_t{nodes_});
   trailing_ = memory_.room(16 * std::uint64_t{nodes_});
   means_ = memory_.room(32 * std::uint64_t{nodes_});
-  element_stresses_ = memory_.room(32 * std::uint64_t{elements_});
+  element_stresses_ = memory_.room(32 * with_spare(elements_));
   return memory_.status();
 }
 

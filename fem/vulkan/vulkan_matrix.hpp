@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "fem/incidence.hpp"
-#include "fem/vulkan/vulkan_memory.hpp"
+#include <deque>
+
+#include "fem/problem_update.hpp"
+#include "fem/vulkan/vulkan_changes.hpp"
 #include "fem/vulkan/vulkan_rows.hpp"
 #include "shaders/elasticity_bindings.h"
 
@@ -20,11 +22,12 @@ struct device_scale {
   [[nodiscard]] double matrix() const { return size * stiffness; }
 };
 
-/// The matrix of linear tets, assembled on the device in difference form: sliced rows, cut into
-/// ranges that fit a binding. Also recovers stresses.
+/// The matrix of the linear tets at the corners of a problem of any order, assembled on the device
+/// in difference form: sliced rows, cut into ranges that fit a binding. Also recovers stresses of
+/// linear tets.
 class vulkan_matrix final : public row_operator {
 public:
-  /// `kernels` and `memory` must outlive the matrix, `p` (of order 1) and `corners` the call.
+  /// `kernels` and `memory` must outlive the matrix, `p` and `corners` the call.
   [[nodiscard]] static expected<std::unique_ptr<vulkan_matrix>> make(
     std::shared_ptr<gpu::device> on, const cycle_kernels& kernels, vulkan_memory& memory,
     const problem& p, const incidence& corners, const device_scale& scale);
@@ -34,21 +37,26 @@ public:
   std::uint32_t add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,
                     cycle_push push) const override;
 
-  /// As `linear_system`. Not after `drop_mesh`.
+  /// Follows `change` of the mesh; `lengths` are those of the rows now. When `changes` are sent,
+  /// `gather_again` assembles the rows that it touched.
+  void update(const problem& p, const incidence& corners, const row_places& lengths,
+              const problem_change& change, vulkan_changes& changes);
+  [[nodiscard]] expected<void> gather_again();
+
+  /// As `linear_system`, of linear tets.
   [[nodiscard]] expected<void> element_stress(std::span<const double> displacement,
                                               std::span<double> stress);
   [[nodiscard]] expected<void> nodal_stress(std::span<const double> element_stress,
                                             std::span<double> nodal);
-  /// Gives back what only assembly and stresses need.
-  void drop_mesh();
 
 private:
   /// A range of rows whose blocks fit into one binding.
   struct chunk {
     std::uint32_t first_row = 0;
     std::uint32_t rows = 0;
-    std::uint64_t entries = 0;
+    roomy_places slices;  ///< Of the blocks, by entries.
     gpu::buffer blocks;
+    std::vector<std::uint32_t> listed;  ///< Rows to be gathered again.
   };
 
   vulkan_matrix(const cycle_kernels& kernels, vulkan_memory& memory, const problem& p,
@@ -59,9 +67,19 @@ private:
   [[nodiscard]] expected<void> upload_mesh(const problem& p, const incidence& corners);
   [[nodiscard]] expected<std::vector<std::uint32_t>> count_columns();
   [[nodiscard]] expected<void> cut_chunks(const std::vector<std::uint32_t>& columns);
+  void add_chunk(std::uint32_t first_row, std::uint32_t rows,
+                 std::span<const std::uint32_t> entries);
+  [[nodiscard]] std::array<std::uint32_t, 2> slice_at(const chunk& part, std::uint32_t slice) const;
+  void update_mesh(const problem& p, const incidence& corners, const problem_change& change,
+                   vulkan_changes& changes);
+  void update_chunk(chunk& part, std::span<const std::uint32_t> nodes, const row_places& lengths,
+                    vulkan_changes& changes);
+  [[nodiscard]] device_float4 position(const problem& p, std::uint32_t node, bool leading) const;
+  [[nodiscard]] std::array<float, 2> lame(const problem& p, std::uint32_t element) const;
   [[nodiscard]] expected<void> make_stress_room();
   [[nodiscard]] expected<void> dispatch(const gpu::kernel& k, const gpu::buffer& blocks,
-                                        std::uint32_t rows, std::uint32_t first = 0);
+                                        std::uint32_t rows, std::uint32_t first = 0,
+                                        const gpu::buffer* listed = nullptr);
   [[nodiscard]] expected<void> dispatch_rows(const gpu::kernel& k, VkDescriptorSet set,
                                              const push_constants& push);
 
@@ -70,11 +88,13 @@ private:
   device_scale scale_;
   std::uint32_t nodes_ = 0;
   std::uint32_t elements_ = 0;
+  std::uint32_t most_columns_ = 0;  ///< That the kernels have room for.
   elasticity_kernels kernels_;
-  gpu::buffer position_high_, position_low_, element_nodes_, element_lame_, corner_first_, corners_;
+  gpu::buffer position_high_, position_low_, element_nodes_, element_lame_;
+  vulkan_lists corners_;
   gpu::buffer slices_;
   gpu::buffer leading_, trailing_, element_stresses_, means_;
-  std::vector<chunk> chunks_;
+  std::deque<chunk> chunks_;
 };
 
 }  // namespace tedit::fem

@@ -2,6 +2,7 @@
 #include "fem/vulkan/vulkan_memory.hpp"
 
 #include "base/guard.hpp"
+#include "fem/vulkan/vulkan_changes.hpp"
 
 namespace tedit::fem {
 
@@ -31,12 +32,18 @@ gpu::buffer vulkan_memory::room(std::uint64_t bytes) {
   return std::move(*made);
 }
 
-gpu::buffer vulkan_memory::put_bytes(std::span<const std::byte> bytes) {
+gpu::buffer vulkan_memory::put_bytes(std::span<const std::byte> bytes, std::uint64_t room_bytes) {
   check_cancelled();
-  auto result = room(bytes.size());
+  auto result = room(std::max<std::uint64_t>(bytes.size(), room_bytes));
   if (status_)
     status_ = gpu::upload(layout_, result, bytes);
+  uploaded_ += bytes.size();
   return result;
+}
+
+expected<void> vulkan_memory::send(vulkan_changes& changes) {
+  uploaded_ += changes.bytes();
+  return changes.send(layout_);
 }
 
 void vulkan_memory::give_back(gpu::buffer& from) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "fem/vulkan/vulkan_backend.hpp"
@@ -13,6 +14,13 @@ namespace tedit::fem {
 /// Four floats as a kernel sees them.
 using device_float4 = std::array<float, 4>;
 
+/// Room for so many items and what edits may add to them.
+[[nodiscard]] constexpr std::uint64_t with_spare(std::uint64_t items) {
+  return items + items / 16 + 1024;
+}
+
+class vulkan_changes;
+
 /// Buffers of one system, counted. The first failure stays: later calls give empty buffers at once,
 /// and `status` says what happened; ask it before any buffer is used.
 class vulkan_memory {
@@ -20,9 +28,10 @@ public:
   vulkan_memory(std::shared_ptr<gpu::kernel_layout> layout, const vulkan_settings& settings);
 
   [[nodiscard]] gpu::buffer room(std::uint64_t bytes);
+  /// A buffer with these values, and room for `items` if these are more.
   template <class T>
-  [[nodiscard]] gpu::buffer put(const std::vector<T>& values) {
-    return put_bytes(std::as_bytes(std::span(values)));
+  [[nodiscard]] gpu::buffer put(const std::vector<T>& values, std::uint64_t items = 0) {
+    return put_bytes(std::as_bytes(std::span(values)), items * sizeof(T));
   }
   void give_back(gpu::buffer& from);
   /// Takes buffers that are gone off the count.
@@ -40,26 +49,36 @@ public:
 
   /// Bytes held on the device.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// Bytes that were put there, now or by changes, since the last call.
+  [[nodiscard]] std::uint64_t take_uploaded() { return std::exchange(uploaded_, 0); }
+  [[nodiscard]] expected<void> send(vulkan_changes& changes);
   /// Bytes that one piece of data that can be cut may have.
   [[nodiscard]] std::uint64_t most_per_piece() const { return most_per_piece_; }
 
 private:
-  [[nodiscard]] gpu::buffer put_bytes(std::span<const std::byte> bytes);
+  [[nodiscard]] gpu::buffer put_bytes(std::span<const std::byte> bytes, std::uint64_t room_bytes);
 
   std::shared_ptr<gpu::kernel_layout> layout_;
   std::uint64_t most_per_piece_ = 0;
   std::uint64_t bytes_ = 0;
+  std::uint64_t uploaded_ = 0;
   expected<void> status_;
 };
 
-/// Symmetric 3x3 blocks, two vec4 each, times `scale`.
+/// Six numbers, times `scale`, in two vec4: a symmetric 3x3 block, a stress.
+template <class T>
+[[nodiscard]] std::array<float, 8> packed_six(const T* values, double scale) {
+  std::array<float, 8> result{};
+  for (int i = 0; i < 6; ++i)
+    result[i] = static_cast<float>(scale * static_cast<double>(values[i]));
+  return result;
+}
 template <class T>
 [[nodiscard]] std::vector<std::array<float, 8>> packed_symmetric(
   std::span<const std::array<T, 6>> blocks, double scale) {
   std::vector<std::array<float, 8>> result(blocks.size());
   for (std::size_t n = 0; n < blocks.size(); ++n)
-    for (int i = 0; i < 6; ++i)
-      result[n][i] = static_cast<float>(scale * static_cast<double>(blocks[n][i]));
+    result[n] = packed_six(blocks[n].data(), scale);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstring>
 #include <map>
 #include <optional>
 #include <span>
@@ -33,6 +34,11 @@ public:
   /// Records what was added; the buffers must exist now and as long as the program runs. Without
   /// `gates` the group counts are fixed.
   [[nodiscard]] expected<void> record(const gpu::buffer* gates = nullptr);
+  /// Whether both have the same dispatches on the same buffers, so that what the other one recorded
+  /// will do. Only while no buffer of either was replaced.
+  [[nodiscard]] bool same_steps(const vulkan_program& other) const {
+    return steps_ == other.steps_;
+  }
   /// Runs it `times` times and waits; asks `check_cancelled` before each submission.
   [[nodiscard]] expected<void> run(int times = 1);
 
@@ -52,6 +58,11 @@ private:
     buffers at;
     cycle_push push;
     std::uint32_t gate;
+
+    [[nodiscard]] bool operator==(const step& other) const {
+      return kernel == other.kernel && at == other.at && gate == other.gate &&
+             std::memcmp(&push, &other.push, sizeof(push)) == 0;
+    }
   };
 
   [[nodiscard]] expected<gpu::commands> record_part(std::span<const step> steps,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_quadratic.hpp"
 
-#include <numeric>
+#include <limits>
 
 #include "fem/element.hpp"
+#include "fem/multilevel/quadratic_level.hpp"
 
 namespace tedit::fem {
 
@@ -27,24 +28,14 @@ std::array<device_float4, 3> element_values(const problem& p, std::size_t e,
   return result;
 }
 
-/// The places of each node's forces, four by four; fills in where each row begins.
-std::vector<std::array<std::uint32_t, 4>> force_lists(
-  const std::vector<std::array<std::uint32_t, 12>>& nodes,
-  std::vector<std::array<std::uint32_t, 2>>& rows) {
-  std::uint32_t end = 0;
-  for (auto& row : rows) {
-    row[0] = end;
-    end += (row[1] + 3) / 4;
-  }
-  std::vector<std::array<std::uint32_t, 4>> result(end);
-  std::vector<std::uint32_t> done(rows.size(), 0);
-  for (std::size_t e = 0; e < nodes.size(); ++e)
-    for (std::size_t a = 0; a < 10; ++a) {
-      const auto node = nodes[e][a];
-      const auto k = done[node]++;
-      result[rows[node][0] + k / 4][k % 4] = static_cast<std::uint32_t>(a * nodes.size() + e);
-    }
+std::array<std::uint32_t, 12> element_nodes(const problem& p, std::size_t e) {
+  std::array<std::uint32_t, 12> result{};
+  std::copy_n(&p.element_nodes[10 * e], 10, result.begin());
   return result;
+}
+
+constexpr std::uint32_t fours_of(std::uint32_t forces) {
+  return (forces + 3) / 4;
 }
 
 }  // namespace
@@ -54,37 +45,114 @@ expected<std::unique_ptr<vulkan_quadratic>> vulkan_quadratic::make(const cycle_k
                                                                    const problem& p,
                                                                    const device_scale& scale) {
   std::unique_ptr<vulkan_quadratic> result(
-    new vulkan_quadratic(kernels, memory, static_cast<std::uint32_t>(p.node_count())));
-  const std::size_t most = std::max<std::size_t>(1, memory.most_per_piece() / force_bytes);
-  const std::size_t count = p.element_count();
-  for (std::size_t first = 0; first < count; first += most)
-    result->add_range(p, scale, first, std::min(count, first + most));
-  result->forces_ = memory.room(force_bytes * std::min(most, count));
-  result->sums_ = memory.room(result->ranges_.size() > 1 ? 16 * p.node_count() : 0);
+    new vulkan_quadratic(kernels, memory, static_cast<std::uint32_t>(p.node_count()), scale));
+  const std::uint64_t fit = std::max<std::uint64_t>(1, memory.most_per_piece() / force_bytes);
+  const auto count = static_cast<std::uint32_t>(p.element_count());
+  const auto most = static_cast<std::uint32_t>(
+    std::min<std::uint64_t>(std::numeric_limits<std::uint32_t>::max(), fit - fit / 16));
+  std::uint64_t largest = 0;
+  for (std::uint32_t first = 0; first < count; first += std::min(most, count - first)) {
+    const auto elements = std::min(most, count - first);
+    const bool last = first + elements == count;
+    const std::uint64_t room = last ? std::min(fit, with_spare(elements)) : elements;
+    result->add_range(p, first, first + elements, static_cast<std::uint32_t>(room));
+    largest = std::max(largest, room);
+  }
+  result->forces_ = memory.room(force_bytes * largest);
+  result->sums_ = memory.room(result->ranges_.size() > 1 ? 16 * with_spare(p.node_count()) : 0);
   if (auto ok = memory.status(); !ok)
     return fail(ok.error());
   return result;
 }
 
-void vulkan_quadratic::add_range(const problem& p, const device_scale& scale, std::size_t first,
-                                 std::size_t last) {
-  const std::size_t count = last - first;
+void vulkan_quadratic::add_range(const problem& p, std::uint32_t first, std::uint32_t last,
+                                 std::uint32_t room) {
+  const std::uint32_t count = last - first;
+  auto& part = ranges_.emplace_back();
+  part.first = first;
+  part.elements = count;
+  part.room = room;
+  part.count.resize(nodes_, 0);
   std::vector<std::array<std::uint32_t, 12>> nodes(count);
   std::vector<std::array<device_float4, 3>> values(count);
-  std::vector<std::array<std::uint32_t, 2>> rows(p.node_count());
-  for (std::size_t e = 0; e < count; ++e) {
-    std::copy_n(&p.element_nodes[10 * (first + e)], 10, nodes[e].begin());
-    values[e] = element_values(p, first + e, scale);
-    for (int a = 0; a < 10; ++a)
-      ++rows[nodes[e][a]][1];
+  for (std::uint32_t e = 0; e < count; ++e) {
+    nodes[e] = element_nodes(p, first + e);
+    values[e] = element_values(p, first + e, scale_);
+    for (std::size_t a = 0; a < 10; ++a)
+      ++part.count[nodes[e][a]];
   }
-  range made;
-  made.elements = static_cast<std::uint32_t>(count);
-  made.nodes = memory_.put(nodes);
-  made.values = memory_.put(values);
-  made.list = memory_.put(force_lists(nodes, rows));
-  made.rows = memory_.put(rows);
-  ranges_.push_back(std::move(made));
+  std::vector<std::uint32_t> lengths(nodes_);
+  std::ranges::transform(part.count, lengths.begin(), fours_of);
+  part.places = roomy_places(lengths, 16, memory_.most_per_piece() / sizeof(four));
+  std::vector<four> list(part.places.used());
+  std::vector<std::uint32_t> done(nodes_, 0);
+  for (std::uint32_t e = 0; e < count; ++e)
+    for (std::uint32_t a = 0; a < 10; ++a) {
+      const auto node = nodes[e][a];
+      const auto k = done[node]++;
+      list[part.places.begin(node) + k / 4][k % 4] = a * room + e;
+    }
+  std::vector<std::array<std::uint32_t, 2>> rows(nodes_);
+  for (std::uint32_t n = 0; n < nodes_; ++n)
+    rows[n] = row_at(part, n);
+  part.nodes = memory_.put(nodes, room);
+  part.values = memory_.put(values, room);
+  part.list = memory_.put(list, part.places.room());
+  part.rows = memory_.put(rows, with_spare(nodes_));
+}
+
+std::array<std::uint32_t, 2> vulkan_quadratic::row_at(const range& part, std::uint32_t node) {
+  return {part.places.begin(node), part.count[node]};
+}
+
+// -- following an edit -------------------------------------------------------------------
+
+void vulkan_quadratic::update(const problem& p, const incidence& corners,
+                              const problem_change& change, vulkan_changes& changes) {
+  nodes_ = static_cast<std::uint32_t>(p.node_count());
+  const auto count = static_cast<std::uint32_t>(p.element_count());
+  auto& last = ranges_.back();
+  if (count <= last.first || count - last.first > last.room ||
+      (sums_.bytes() > 16 && sums_.bytes() < 16 * std::uint64_t{nodes_}))
+    return changes.refuse();
+  last.elements = count - last.first;
+  for (auto& part : ranges_) {
+    std::vector<std::uint32_t> inside;
+    for (const auto e : change.elements)
+      if (e >= part.first && e < part.first + part.elements)
+        inside.push_back(e - part.first);
+    changes.items(part.nodes, inside,
+                  [&](std::uint32_t e) { return element_nodes(p, part.first + e); });
+    changes.items(part.values, inside,
+                  [&](std::uint32_t e) { return element_values(p, part.first + e, scale_); });
+    update_rows(part, p, corners, change.nodes, changes);
+  }
+}
+
+void vulkan_quadratic::update_rows(range& part, const problem& p, const incidence& corners,
+                                   std::span<const std::uint32_t> nodes, vulkan_changes& changes) {
+  const auto forces_of = [&](std::uint32_t node) {
+    auto forces = element_corners_at(p, corners, node);
+    std::erase_if(forces, [&](std::uint32_t force) {
+      return force / 10 < part.first || force / 10 >= part.first + part.elements;
+    });
+    return forces;
+  };
+  part.count.resize(nodes_, 0);
+  for (const auto n : nodes)
+    part.count[n] = static_cast<std::uint32_t>(forces_of(n).size());
+  const auto length = [&](std::uint32_t node) { return fours_of(part.count[node]); };
+  const auto dirty = part.places.update(nodes, nodes_, length, changes);
+  changes.items(part.rows, dirty, [&](std::uint32_t n) { return row_at(part, n); });
+  for (const auto n : dirty) {
+    std::vector<four> list(length(n));
+    std::size_t k = 0;
+    for (const auto force : forces_of(n)) {
+      list[k / 4][k % 4] = force % 10 * part.room + (force / 10 - part.first);
+      ++k;
+    }
+    changes.put(part.list, part.places.begin(n), list);
+  }
 }
 
 std::uint32_t vulkan_quadratic::add(vulkan_program& program, std::uint32_t mode,
@@ -93,6 +161,7 @@ std::uint32_t vulkan_quadratic::add(vulkan_program& program, std::uint32_t mode,
   for (const auto& part : ranges_) {
     cycle_push elements{};
     elements.rows = part.elements;
+    elements.count = part.room;
     program.add(kernels_.quadratic_elements,
                 {{0, &part.nodes}, {1, &part.values}, {2, at.x}, {8, &forces_}}, elements);
     const bool last = &part == &ranges_.back();

@@ -8,7 +8,8 @@ namespace tedit::fem {
 
 /// K x of straight-sided ten-node tets, element by element: one kernel writes the ten forces of
 /// each element, a second one sums them at each node, in a fixed order. Elements come in ranges
-/// whose forces fit a binding; the ranges share one buffer of forces.
+/// whose forces fit a binding; the ranges share one buffer of forces. The last one has room for
+/// elements that edits add.
 class vulkan_quadratic final : public row_operator {
 public:
   /// `kernels` and `memory` must outlive the operator; `p` has order 2.
@@ -21,22 +22,36 @@ public:
   std::uint32_t add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,
                     cycle_push push) const override;
 
+  /// Follows `change` of `p`; `corners` has the elements' corners.
+  void update(const problem& p, const incidence& corners, const problem_change& change,
+              vulkan_changes& changes);
+
 private:
+  using four = std::array<std::uint32_t, 4>;
   struct range {
+    std::uint32_t first = 0;
     std::uint32_t elements = 0;
+    std::uint32_t room = 0;     ///< For elements; a force lies at local node * room + element.
     gpu::buffer nodes, values;  ///< Of the elements.
-    gpu::buffer rows, list;     ///< Forces of each node, places in the range's forces.
+    gpu::buffer rows, list;     ///< Forces of each node, their places four by four.
+    roomy_places places;        ///< Of the rows in `list`.
+    std::vector<std::uint32_t> count;  ///< Forces of each node.
   };
 
-  vulkan_quadratic(const cycle_kernels& kernels, vulkan_memory& memory, std::uint32_t nodes)
-      : kernels_(kernels), memory_(memory), nodes_(nodes) {}
+  vulkan_quadratic(const cycle_kernels& kernels, vulkan_memory& memory, std::uint32_t nodes,
+                   const device_scale& scale)
+      : kernels_(kernels), memory_(memory), nodes_(nodes), scale_(scale) {}
 
-  void add_range(const problem& p, const device_scale& scale, std::size_t first, std::size_t last);
+  void add_range(const problem& p, std::uint32_t first, std::uint32_t last, std::uint32_t room);
+  void update_rows(range& part, const problem& p, const incidence& corners,
+                   std::span<const std::uint32_t> nodes, vulkan_changes& changes);
+  [[nodiscard]] static std::array<std::uint32_t, 2> row_at(const range& part, std::uint32_t node);
 
   const cycle_kernels& kernels_;
   vulkan_memory& memory_;
   std::uint32_t nodes_;
-  std::vector<range> ranges_;
+  device_scale scale_;
+  std::deque<range> ranges_;
   gpu::buffer forces_, sums_;
 };
 

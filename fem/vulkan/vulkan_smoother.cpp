@@ -12,14 +12,20 @@ constexpr std::uint64_t entry_bytes = 48;
 /// Column and nine values by rows.
 using entry = std::array<std::uint32_t, 12>;
 
-/// Block (a, b) of the inverse of a cluster with `count` nodes.
-entry block_of(const std::vector<float>& inverse, std::size_t count, std::size_t a, std::size_t b,
-               std::uint32_t column, double scale) {
-  entry result{column};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      result[1 + 3 * i + j] = std::bit_cast<std::uint32_t>(static_cast<float>(
-        scale * static_cast<double>(inverse[(3 * a + i) * 3 * count + 3 * b + j])));
+/// The blocks of the inverse of a cluster, row by row of its nodes.
+std::vector<entry> blocks_of(const std::vector<float>& inverse,
+                             std::span<const std::uint32_t> nodes, double scale) {
+  const std::size_t count = nodes.size();
+  std::vector<entry> result;
+  result.reserve(count * count);
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b) {
+      auto& block = result.emplace_back(entry{nodes[b]});
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          block[1 + 3 * i + j] = std::bit_cast<std::uint32_t>(static_cast<float>(
+            scale * static_cast<double>(inverse[(3 * a + i) * 3 * count + 3 * b + j])));
+    }
   return result;
 }
 
@@ -27,45 +33,128 @@ entry block_of(const std::vector<float>& inverse, std::size_t count, std::size_t
 
 vulkan_smoother::vulkan_smoother(vulkan_memory& memory, const row_operator& k,
                                  const node_smoother& s, filter_span filter, double scale)
-    : k_(k), smoother_(s) {
-  inverse_ = memory.put(packed_symmetric(std::span(s.inverse), scale));
-  filter_ = memory.put(packed_symmetric(filter, 1));
+    : k_(k), smoother_(s), scale_(scale) {
+  const auto room = with_spare(s.inverse.size());
+  inverse_ = memory.put(packed_symmetric(std::span(s.inverse), scale), room);
+  filter_ = memory.put(packed_symmetric(filter, 1), room);
   for (auto* vector : {&residual_, &first_, &second_})
-    *vector = memory.room(16 * s.inverse.size());
-  upload_clusters(memory, s.clusters, scale);
+    *vector = memory.room(16 * room);
+  upload_clusters(memory);
 }
 
-void vulkan_smoother::upload_clusters(vulkan_memory& memory, const cluster_inverses& clusters,
-                                      double scale) {
-  std::vector<std::array<std::uint32_t, 4>> table;
-  std::vector<entry> blocks;
-  const auto close = [&] {
-    if (table.empty())
-      return;
-    clusters_.push_back(
-      {static_cast<std::uint32_t>(table.size()), memory.put(table), memory.put(blocks)});
-    table.clear();
-    blocks.clear();
-  };
-  for (std::size_t c = 0; c < clusters.inverse.size(); ++c) {
-    const auto nodes = clusters.nodes.of(c);
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      if ((blocks.size() + nodes.size()) * entry_bytes > memory.most_per_piece())
-        close();
-      table.push_back({nodes[a], static_cast<std::uint32_t>(blocks.size()),
-                       static_cast<std::uint32_t>(nodes.size()), 0});
-      for (std::size_t b = 0; b < nodes.size(); ++b)
-        blocks.push_back(block_of(clusters.inverse[c], nodes.size(), a, b, nodes[b], scale));
-    }
+void vulkan_smoother::update(filter_span filter, std::span<const std::uint32_t> nodes,
+                             vulkan_changes& changes) {
+  changes.items(inverse_, smoother_.changed,
+                [&](std::uint32_t n) { return packed_six(smoother_.inverse[n].data(), scale_); });
+  changes.items(filter_, nodes, [&](std::uint32_t n) { return packed_six(filter[n].data(), 1); });
+  if (16 * smoother_.inverse.size() > residual_.bytes())
+    changes.refuse();
+  auto& last = clusters_.back();
+  last.count = smoother_.clusters.nodes.owners() - last.first;
+  std::span<const std::uint32_t> changed = smoother_.clusters.changed;
+  for (auto& part : clusters_) {
+    std::size_t inside = 0;
+    while (inside < changed.size() && changed[inside] < part.first + part.count)
+      ++inside;
+    update_part(part, changed.first(inside), changes);
+    changed = changed.subspan(inside);
   }
-  close();
+}
+
+// -- clusters ----------------------------------------------------------------------------
+
+std::uint32_t vulkan_smoother::size_of(std::size_t cluster) const {
+  return smoother_.clusters.nodes.places.length(cluster);
+}
+
+void vulkan_smoother::upload_clusters(vulkan_memory& memory) {
+  const std::uint64_t most = memory.most_per_piece() / entry_bytes;
+  const auto clusters = static_cast<std::uint32_t>(smoother_.clusters.inverse.size());
+  std::uint32_t first = 0;
+  std::uint64_t blocks = 0;
+  for (std::uint32_t c = 0; c < clusters; ++c) {
+    const auto more = std::uint64_t{size_of(c)} * size_of(c);
+    if (c > first && blocks + more > most - most / 8) {
+      add_part(memory, first, c);
+      first = c;
+      blocks = 0;
+    }
+    blocks += more;
+  }
+  add_part(memory, first, clusters);  // Empty without clusters: an edit may make some.
+}
+
+void vulkan_smoother::add_part(vulkan_memory& memory, std::uint32_t first, std::uint32_t last) {
+  auto& part = clusters_.emplace_back();
+  part.first = first;
+  part.count = last - first;
+  std::vector<std::uint32_t> rows;
+  std::vector<std::uint32_t> squares;
+  std::vector<entry> blocks;
+  for (auto c = first; c < last; ++c) {
+    rows.push_back(size_of(c));
+    squares.push_back(size_of(c) * size_of(c));
+    const auto more =
+      blocks_of(smoother_.clusters.inverse[c], smoother_.clusters.nodes.of(c), scale_);
+    blocks.insert(blocks.end(), more.begin(), more.end());
+  }
+  part.rows = roomy_places(rows, 4, ~0ull);
+  part.places = roomy_places(squares, 4, memory.most_per_piece() / entry_bytes);
+  part.host_table.resize(part.rows.used());
+  for (std::uint32_t c = 0; c < part.count; ++c)
+    fill_table(part, c);
+  part.table = memory.put(part.host_table, part.rows.room());
+  part.blocks = memory.put(blocks, part.places.room());
+}
+
+void vulkan_smoother::fill_table(cluster_part& part, std::uint32_t cluster) const {
+  const auto nodes = smoother_.clusters.nodes.of(part.first + cluster);
+  const auto count = static_cast<std::uint32_t>(nodes.size());
+  for (std::uint32_t a = 0; a < count; ++a)
+    part.host_table[part.rows.begin(cluster) + a] = {
+      nodes[a], part.places.begin(cluster) + a * count, count, 0};
+}
+
+void vulkan_smoother::update_part(cluster_part& part, std::span<const std::uint32_t> clusters,
+                                  vulkan_changes& changes) const {
+  std::vector<std::uint32_t> inside;
+  std::vector<std::uint32_t> dirty_rows;
+  for (const auto c : clusters)
+    inside.push_back(c - part.first);
+  const auto clear = [&](std::uint32_t first, std::uint32_t last) {
+    for (auto row = first; row < last; ++row) {
+      part.host_table[row] = {};
+      dirty_rows.push_back(row);
+    }
+  };
+  for (const auto c : inside)
+    if (c < part.rows.rows())
+      clear(part.rows.begin(c), part.rows.end(c));
+  const auto size = [&](std::uint32_t c) { return size_of(part.first + c); };
+  const auto square = [&](std::uint32_t c) { return size(c) * size(c); };
+  auto dirty = part.rows.update(inside, part.count, size, changes);
+  const auto moved = part.places.update(inside, part.count, square, changes);
+  dirty.insert(dirty.end(), moved.begin(), moved.end());
+  sort_unique(dirty);
+  part.host_table.resize(part.rows.used());
+  for (const auto c : dirty) {
+    fill_table(part, c);
+    for (auto row = part.rows.begin(c); row < part.rows.end(c); ++row)
+      dirty_rows.push_back(row);
+    changes.put(part.blocks, part.places.begin(c),
+                blocks_of(smoother_.clusters.inverse[part.first + c],
+                          smoother_.clusters.nodes.of(part.first + c), scale_));
+  }
+  sort_unique(dirty_rows);
+  std::erase_if(dirty_rows, [&](std::uint32_t row) { return row >= part.host_table.size(); });
+  changes.items(part.table, dirty_rows, [&](std::uint32_t row) { return part.host_table[row]; });
 }
 
 void vulkan_smoother::add_clusters(vulkan_program& program, float fresh, const gpu::buffer& step,
                                    const gpu::buffer& z) const {
   for (const auto& part : clusters_) {
     cycle_push push{};
-    push.rows = part.rows;
+    push.rows = part.rows.used();
     push.fresh = fresh;
     program.add(program.kernels().cluster_rows,
                 {{0, &part.table}, {1, &part.blocks}, {3, &residual_}, {5, &step}, {6, &z}}, push);

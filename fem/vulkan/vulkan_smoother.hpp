@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <deque>
+
 #include "fem/multilevel/node_smoother.hpp"
-#include "fem/vulkan/vulkan_memory.hpp"
+#include "fem/vulkan/vulkan_changes.hpp"
 #include "fem/vulkan/vulkan_rows.hpp"
 
 namespace tedit::fem {
@@ -18,6 +20,9 @@ public:
 
   vulkan_smoother(const vulkan_smoother&) = delete;  // holds pointers into itself
 
+  /// After the smoother followed an edit: what it changed, and `filter` at `nodes`, ascending.
+  void update(filter_span filter, std::span<const std::uint32_t> nodes, vulkan_changes& changes);
+
   /// Smooths from z = 0; leaves S (right - K z) in `residual`.
   void from_zero(vulkan_program& program, int degree, const gpu::buffer& right,
                  const gpu::buffer& z);
@@ -30,23 +35,34 @@ public:
   [[nodiscard]] const gpu::buffer& step() const { return *step_; }
 
 private:
-  /// Nodes of clusters, as many as have their inverses in one binding.
+  /// A node of a cluster: node, first block, number of blocks (none: no longer in use), nothing.
+  using cluster_row = std::array<std::uint32_t, 4>;
+  /// Clusters, as many as have their inverses in one binding.
   struct cluster_part {
-    std::uint32_t rows = 0;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    roomy_places rows, places;  ///< Of each cluster, in `table` and `blocks`.
+    std::vector<cluster_row> host_table;
     gpu::buffer table, blocks;
   };
 
-  void upload_clusters(vulkan_memory& memory, const cluster_inverses& clusters, double scale);
+  [[nodiscard]] std::uint32_t size_of(std::size_t cluster) const;
+  void upload_clusters(vulkan_memory& memory);
+  void add_part(vulkan_memory& memory, std::uint32_t first, std::uint32_t last);
+  void update_part(cluster_part& part, std::span<const std::uint32_t> clusters,
+                   vulkan_changes& changes) const;
+  void fill_table(cluster_part& part, std::uint32_t cluster) const;
   void move(vulkan_program& program, chebyshev_weights weights, float enter, const gpu::buffer& z);
   void add_clusters(vulkan_program& program, float fresh, const gpu::buffer& step,
                     const gpu::buffer& z) const;
 
   const row_operator& k_;
   const node_smoother& smoother_;
+  double scale_;
   gpu::buffer inverse_, filter_, residual_, first_, second_;
   gpu::buffer* step_ = &first_;
   gpu::buffer* other_ = &second_;
-  std::vector<cluster_part> clusters_;
+  std::deque<cluster_part> clusters_;
 };
 
 }  // namespace tedit::fem

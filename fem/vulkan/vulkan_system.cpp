@@ -36,9 +36,10 @@ std::uint64_t estimated_bytes(const problem& p) {
   constexpr std::uint64_t blocks = 2 * 32 + 16;  // inverse, filter, arm or edge
   const std::uint64_t linear =
     corners * (17 * 48 + 25 * 148 * 6 / (13 * 5) + vectors + blocks) + elements * 40;
-  if (p.element_order == 1)
-    return linear + corners * 64 + elements * 32;  // stresses
-  return linear + nodes * (vectors + blocks) + elements * (96 + 10 * 16 + 10 * 4);
+  const std::uint64_t rest = p.element_order == 1
+                               ? corners * 64 + elements * 32  // stresses
+                               : nodes * (vectors + blocks) + elements * (96 + 10 * 16 + 10 * 4);
+  return (linear + rest) * 17 / 16;  // and room for edits
 }
 
 }  // namespace
@@ -62,6 +63,7 @@ expected<std::unique_ptr<vulkan_system>> vulkan_system::make(std::shared_ptr<gpu
   result->assembly_ms_ = clock.milliseconds();
   if (auto ok = result->prepare(p.filter, run); !ok)
     return fail(ok.error());
+  result->uploaded_bytes_ = result->memory_->take_uploaded();
   return result;
 }
 
@@ -82,16 +84,13 @@ expected<void> vulkan_system::build() {
     return fail(kernels.error());
   kernels_ = std::move(*kernels);
   memory_ = std::make_unique<vulkan_memory>(kernels_.layout, settings_);
-  if (is_quadratic())
-    corner_ = corner_problem(problem_);
-  const incidence corners(linear());
-  blocks_ = assemble_blocks(linear(), corners);
-  auto matrix = vulkan_matrix::make(device_, kernels_, *memory_, linear(), corners, scale_);
+  const incidence corners(problem_, 4);
+  blocks_ = assemble_blocks(problem_, corners);
+  auto matrix = vulkan_matrix::make(device_, kernels_, *memory_, problem_, corners, scale_);
   if (!matrix)
     return fail(matrix.error());
   matrix_ = std::move(*matrix);
   if (is_quadratic()) {
-    matrix_->drop_mesh();
     auto made = vulkan_quadratic::make(kernels_, *memory_, problem_, scale_);
     if (!made)
       return fail(made.error());
@@ -103,7 +102,10 @@ expected<void> vulkan_system::build() {
 }
 
 expected<void> vulkan_system::set_filter(filter_span filter) {
-  return guarded([&] { return prepare(filter, {}); });
+  static_cast<void>(memory_->take_uploaded());
+  auto done = guarded([&] { return prepare(filter, {}); });
+  uploaded_bytes_ = memory_->take_uploaded();
+  return done;
 }
 
 expected<void> vulkan_system::prepare(filter_span filter, const execution& run) {
@@ -112,8 +114,8 @@ expected<void> vulkan_system::prepare(filter_span filter, const execution& run) 
   cycle_.reset();
   memory_->forget(std::exchange(cycle_bytes_, 0));
   const auto before = memory_->bytes();
-  const auto& p = linear();
-  auto built = build_hierarchy(p, blocks_, filter.first(p.node_count()), settings_.multilevel, run);
+  const auto corner_filter = filter.first(problem_.corner_count);
+  auto built = build_hierarchy(problem_, blocks_, corner_filter, settings_.multilevel, run);
   if (!built)
     return fail(built.error());
   hierarchy_ = std::move(*built);
@@ -122,8 +124,7 @@ expected<void> vulkan_system::prepare(filter_span filter, const execution& run) 
                 "the coarsest level has " + std::to_string(coarsest) +
                   " aggregates, this device takes " + std::to_string(most_coarsest),
                 "The mesh has many separate pieces: use --device cpu");
-  cycle_.emplace(*memory_, *matrix_, hierarchy_, filter.first(p.node_count()), settings_.cycle,
-                 scale_.matrix());
+  cycle_.emplace(*memory_, *matrix_, hierarchy_, corner_filter, settings_.cycle, scale_.matrix());
   if (is_quadratic())
     if (auto ok = prepare_quadratic(filter); !ok)
       return ok;
@@ -134,15 +135,16 @@ expected<void> vulkan_system::prepare(filter_span filter, const execution& run) 
 }
 
 expected<void> vulkan_system::prepare_quadratic(filter_span filter) {
-  const auto edges = make_edge_transfer(problem_, filter);
-  smoother_ = make_quadratic_smoother(
-    problem_, filter,
-    cluster_slivers(problem_, edges.held, 100, settings_.multilevel.sliver_condition));
+  edges_ = make_edge_transfer(problem_, filter);
+  const auto clusters =
+    cluster_slivers(problem_, edges_.held, 100, settings_.multilevel.sliver_condition);
+  smoother_ = make_quadratic_smoother(problem_, filter, clusters);
+  cluster_of_ = clusters.of;
   const auto lambda = largest_eigenvalue();
   if (!lambda)
     return fail(lambda.error());
   smoother_.lambda = settings_.multilevel.lambda_safety * *lambda;
-  quadratic_cycle_.emplace(*memory_, *quadratic_, smoother_, edges, filter, *cycle_,
+  quadratic_cycle_.emplace(*memory_, *quadratic_, smoother_, edges_, filter, *cycle_,
                            settings_.cycle.quadratic_degree, scale_.matrix());
   return {};
 }
@@ -170,18 +172,89 @@ expected<float> vulkan_system::largest_eigenvalue() {
   return result;
 }
 
+preconditioner vulkan_system::cycle() {
+  return [this](vulkan_program& program, const gpu::buffer& right, const gpu::buffer& z) {
+    if (quadratic_cycle_)
+      quadratic_cycle_->add(program, right, z);
+    else
+      cycle_->add(program, right, z);
+  };
+}
+
+const gpu::buffer& vulkan_system::filter_buffer() const {
+  return quadratic_cycle_ ? quadratic_cycle_->filter() : cycle_->filter();
+}
+
 expected<void> vulkan_system::record() {
   ready_ = false;
-  auto recorded = krylov_->prepare(
-    [this](vulkan_program& program, const gpu::buffer& right, const gpu::buffer& z) {
-      if (quadratic_cycle_)
-        quadratic_cycle_->add(program, right, z);
-      else
-        cycle_->add(program, right, z);
-    },
-    quadratic_cycle_ ? quadratic_cycle_->filter() : cycle_->filter());
+  auto recorded = krylov_->prepare(cycle(), filter_buffer());
   ready_ = recorded.has_value();
   return recorded;
+}
+
+// -- following an edit -------------------------------------------------------------------
+
+expected<bool> vulkan_system::update(const problem_change& change, const incidence& corners) {
+  if (!ready_ || crowded())
+    return false;
+  ready_ = false;
+  static_cast<void>(memory_->take_uploaded());
+  auto followed = guarded([&] { return follow(change, corners); });
+  uploaded_bytes_ = memory_->take_uploaded();
+  ready_ = followed && *followed;
+  return followed;
+}
+
+bool vulkan_system::crowded() const {
+  return blocks_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded();
+}
+
+expected<bool> vulkan_system::follow(const problem_change& change, const incidence& corners) {
+  const auto old_edges = edges_.ends.size();
+  update_host(change, corners);
+  if (hierarchy_.levels.back().nodes() > most_coarsest)
+    return false;
+  auto changes = update_device(change, corners, old_edges);
+  if (!changes.fits())
+    return false;
+  if (auto ok = memory_->send(changes); !ok)
+    return fail(ok.error());
+  if (auto ok = matrix_->gather_again(); !ok)
+    return fail(ok.error());
+  if (auto ok = krylov_->follow(cycle(), filter_buffer()); !ok)
+    return fail(ok.error());
+  return true;
+}
+
+void vulkan_system::update_host(const problem_change& change, const incidence& corners) {
+  const filter_span filter = problem_.filter;
+  const auto middles =
+    std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
+  const std::span corner_nodes(change.nodes.begin(), middles);
+  update_blocks(problem_, corners, corner_nodes, blocks_);
+  update_hierarchy(problem_, corners, blocks_, filter.first(problem_.corner_count), corner_nodes,
+                   settings_.multilevel, hierarchy_);
+  if (!is_quadratic())
+    return;
+  update_edge_transfer(problem_, filter, change.nodes, edges_);
+  update_quadratic_smoother(problem_, corners, filter, change.nodes,
+                            settings_.multilevel.sliver_condition, cluster_of_, smoother_);
+}
+
+vulkan_changes vulkan_system::update_device(const problem_change& change, const incidence& corners,
+                                            std::size_t old_edges) {
+  const filter_span filter = problem_.filter;
+  const auto middles =
+    std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
+  const std::span corner_nodes(change.nodes.begin(), middles);
+  vulkan_changes changes;
+  matrix_->update(problem_, corners, blocks_.places, change, changes);
+  cycle_->update(filter.first(problem_.corner_count), corner_nodes, changes);
+  if (is_quadratic()) {
+    quadratic_->update(problem_, corners, change, changes);
+    quadratic_cycle_->update(filter, change.nodes, old_edges, changes);
+  }
+  return changes;
 }
 
 expected<void> vulkan_system::check_ready() const {
@@ -231,6 +304,8 @@ expected<void> vulkan_system::raise_bounds() {
 }
 
 expected<void> vulkan_system::multiply(std::span<const double> x, std::span<double> y) {
+  if (auto ok = check_ready(); !ok)
+    return ok;
   const double length = norm_of(x);
   if (!(length > 0)) {
     std::ranges::fill(y, 0.0);
@@ -256,12 +331,16 @@ expected<void> vulkan_system::precondition(std::span<const double> r, std::span<
 
 expected<void> vulkan_system::element_stress(std::span<const double> displacement,
                                              std::span<double> stress) {
+  if (auto ok = check_ready(); !ok)
+    return ok;
   return is_quadratic() ? expected<void>(no_stress())
                         : matrix_->element_stress(displacement, stress);
 }
 
 expected<void> vulkan_system::nodal_stress(std::span<const double> element_stress,
                                            std::span<double> nodal) {
+  if (auto ok = check_ready(); !ok)
+    return ok;
   return is_quadratic() ? expected<void>(no_stress())
                         : matrix_->nodal_stress(element_stress, nodal);
 }

@@ -22,6 +22,8 @@ public:
                                const execution& run) override;
   /// Builds the hierarchy anew; the matrix stays.
   expected<void> set_filter(filter_span filter) override;
+  /// Host and device renew the same rows; one submission carries what changed.
+  expected<bool> update(const problem_change& change, const incidence& corners) override;
   expected<void> multiply(std::span<const double> x, std::span<double> y) override;
   /// Of linear tets only; quadratic ones are recovered on the host.
   expected<void> element_stress(std::span<const double> displacement,
@@ -32,6 +34,7 @@ public:
   void distrust() override { distrusted_ = true; }
   double assembly_ms() const override { return assembly_ms_; }
   std::uint64_t device_bytes() const override { return memory_->bytes(); }
+  std::uint64_t uploaded_bytes() const override { return uploaded_bytes_; }
 
   /// z = B r, one cycle: for tests against the native one.
   [[nodiscard]] expected<void> precondition(std::span<const double> r, std::span<double> z);
@@ -40,8 +43,6 @@ private:
   vulkan_system(std::shared_ptr<gpu::device> on, const problem& p, const vulkan_settings& settings);
 
   [[nodiscard]] bool is_quadratic() const { return problem_.element_order == 2; }
-  /// The problem of linear tets: the given one, or that of its corners.
-  [[nodiscard]] const problem& linear() const { return is_quadratic() ? *corner_ : problem_; }
 
   [[nodiscard]] expected<void> check_memory() const;
   [[nodiscard]] expected<void> build();
@@ -51,6 +52,14 @@ private:
   /// `solve` without its guard.
   [[nodiscard]] expected<inner_result> correct(const inner_case& one, int max_iterations,
                                                const execution& run);
+  /// `update` without its guard.
+  [[nodiscard]] expected<bool> follow(const problem_change& change, const incidence& corners);
+  [[nodiscard]] bool crowded() const;
+  void update_host(const problem_change& change, const incidence& corners);
+  [[nodiscard]] vulkan_changes update_device(const problem_change& change, const incidence& corners,
+                                             std::size_t old_edges);
+  [[nodiscard]] preconditioner cycle();
+  [[nodiscard]] const gpu::buffer& filter_buffer() const;
   [[nodiscard]] expected<void> record();
   [[nodiscard]] expected<void> raise_bounds();
   [[nodiscard]] expected<void> check_ready() const;
@@ -64,12 +73,14 @@ private:
   /// All programs are recorded and their buffers stand; false after a failure on the way there.
   bool ready_ = false;
   std::uint64_t cycle_bytes_ = 0;  ///< On the device, of the cycles.
+  std::uint64_t uploaded_bytes_ = 0;
 
   // On the host: what the hierarchy is built from.
-  std::optional<problem> corner_;
   block_matrix blocks_;
   hierarchy hierarchy_;
-  node_smoother smoother_;  ///< Of quadratic tets.
+  node_smoother smoother_;  ///< Of quadratic tets, as what follows.
+  edge_transfer edges_;
+  std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
 
   // On the device. What is recorded last goes first.
   cycle_kernels kernels_;
