@@ -2,6 +2,9 @@
 #include "base/memory.hpp"
 
 #include <sys/resource.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <fstream>
@@ -82,6 +85,12 @@ std::string mebibytes(std::uint64_t bytes) {
 }
 
 }  // namespace
+
+void return_large_blocks() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
 
 memory_room available_memory(const fs::path& root) {
   memory_room result{std::numeric_limits<std::uint64_t>::max(), "nothing"};

@@ -9,6 +9,11 @@
 
 namespace tedit {
 
+/// Lets large blocks that are freed go back to the system at once, whatever their sizes. By itself
+/// the allocator learns to keep them: a solve of a million tets then held a tenth more. Call it
+/// first in `main`.
+void return_large_blocks();
+
 /// How much more memory this process may take, and what sets the limit.
 struct memory_room {
   std::uint64_t bytes = 0;

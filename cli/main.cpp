@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/memory.hpp"
 #include "cli/command.hpp"
 
 namespace {
@@ -38,6 +39,7 @@ constexpr auto footer =
 }  // namespace
 
 int main(int argc, char** argv) {
+  tedit::return_large_blocks();
   tedit::cli::session session;
   tedit::cli::action chosen;
 

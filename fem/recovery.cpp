@@ -32,13 +32,11 @@ void for_each(std::size_t items, const Work& work) {
 }  // namespace
 
 corner_flux corner_stress(const problem& p, std::span<const double> displacement) {
-  corner_flux result;
-  result.per_element = p.element_order == 2 ? 4 : 1;
-  result.values.resize(6 * result.per_element * p.element_count());
+  corner_flux result(p.element_order == 2 ? 4 : 1, p.element_count());
   for_each(p.element_count(), [&](std::size_t e) {
     const auto g = gradients_of(p, e);
     const auto& c = p.constants[p.element_materials[e]];
-    double* to = &result.values[6 * result.per_element * e];
+    double* to = &result.storage[6 * result.per_element * e];
     if (p.element_order == 1) {
       std::ranges::copy(stress_of(displacement_gradient(p, e, g, displacement.data()), c), to);
       return;
@@ -147,9 +145,9 @@ void fill_mid_nodes(const problem& p, std::vector<double>& values, std::size_t w
 }
 
 /// Mean of each element: the stress at its centroid.
-void fill_element_stress(const problem& p, const corner_flux& stress, solution& out) {
+void fill_element_stress(const problem& p, corner_flux& stress, solution& out) {
   if (stress.per_element == 1) {
-    out.element_stress = stress.values;
+    out.element_stress = std::move(stress.storage);
     return;
   }
   out.element_stress.resize(6 * p.element_count());
@@ -324,7 +322,7 @@ std::vector<surface_reaction> reactions_by_surface(const problem& p,
 }
 
 void recover(const problem& p, const element_operator& k, solution& out) {
-  const auto stress = corner_stress(p, out.displacement);
+  auto stress = corner_stress(p, out.displacement);
   fill_element_stress(p, stress, out);
   const nodal_patches patches(p);
   const auto means = patches.means_of(stress);

@@ -9,8 +9,17 @@ namespace tedit::fem {
 /// A flux (here: stress, 6 components) at the corners of all elements. Over a linear tet it is
 /// constant and stored once; over a quadratic one it is linear between its corner values.
 struct corner_flux {
-  std::size_t per_element = 1;  ///< 1 or 4.
-  std::vector<double> values;   ///< 6 * per_element per element.
+  std::size_t per_element = 1;     ///< 1 or 4.
+  std::span<const double> values;  ///< 6 * per_element per element.
+  std::vector<double> storage;     ///< Of the values, until it is moved elsewhere.
+
+  corner_flux(std::size_t each, std::size_t elements)
+      : per_element(each), storage(6 * each * elements) {
+    values = storage;
+  }
+  // A copy's values would be the other's.
+  corner_flux(corner_flux&&) = default;
+  corner_flux& operator=(corner_flux&&) = default;
 
   [[nodiscard]] const double* at(std::size_t e, std::size_t corner) const {
     return &values[6 * (per_element * e + (per_element == 1 ? 0 : corner))];

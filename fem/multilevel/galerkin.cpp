@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
+
 namespace tedit::fem {
 
 bool is_held(const std::array<double, 6>& s) {
@@ -61,6 +63,13 @@ Eigen::Matrix3d symmetric(const std::array<double, 6>& s) {
   m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
   return m;
 }
+
+/// One row of P^T K P, and the projector onto the motions that its aggregate has.
+struct galerkin_row {
+  std::vector<std::uint32_t> column;  ///< Ascending.
+  std::vector<matrix6> block;
+  matrix6 keep;
+};
 
 class row_maker {
 public:
@@ -132,10 +141,29 @@ private:
 
 }  // namespace
 
-galerkin_row make_galerkin_row(const problem& p, const block_matrix& k, filter_span filter,
-                               const hierarchy& h, std::span<const rigid_frame> frames,
-                               std::uint32_t a) {
-  return row_maker(p, k, filter, h, frames).make(a);
+void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span filter,
+                        std::span<const std::uint32_t> rows, hierarchy& h) {
+  constexpr std::size_t at_once = 1024;  // Rows in double precision.
+  auto& memory = h.memory->levels.front();
+  auto& level = h.levels.front();
+  memory.keep.resize(memory.frames.size(), matrix6::Identity());
+  std::vector<galerkin_row> fresh;
+  for (std::size_t start = 0; start < rows.size(); start += at_once) {
+    const auto part = rows.subspan(start, std::min(at_once, rows.size() - start));
+    fresh.resize(part.size());
+    parallel_for(
+      part.size(),
+      [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i)
+          fresh[i] = row_maker(p, k, filter, h, memory.frames).make(part[i]);
+      },
+      8);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      memory.keep[part[i]] = fresh[i].keep;
+      replace_row(level, part[i], fresh[i].column, fresh[i].block);
+    }
+  }
+  renew_inverses(level, rows);
 }
 
 }  // namespace tedit::fem

@@ -21,15 +21,10 @@ namespace tedit::fem {
 void store_transfer(const problem& p, filter_span filter, const rigid_frame& frame,
                     std::uint32_t node, hierarchy& h);
 
-/// Row `a` of the coarse matrix P^T K P, and the projector onto the motions that the aggregate has.
-/// Cost: its nodes' entries.
-struct galerkin_row {
-  std::vector<std::uint32_t> column;  ///< Ascending.
-  std::vector<matrix6> block;
-  matrix6 keep;
-};
-[[nodiscard]] galerkin_row make_galerkin_row(const problem& p, const block_matrix& k,
-                                             filter_span filter, const hierarchy& h,
-                                             std::span<const rigid_frame> frames, std::uint32_t a);
+/// The rows `rows` of the first coarse matrix P^T K P, ascending, and the projectors onto the
+/// motions that their aggregates have; frames and members of all aggregates are there. Cost: their
+/// nodes' entries, on all cores.
+void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span filter,
+                        std::span<const std::uint32_t> rows, hierarchy& h);
 
 }  // namespace tedit::fem

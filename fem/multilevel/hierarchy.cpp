@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fem/multilevel/galerkin.hpp"
 #include "fem/multilevel/lanczos.hpp"
@@ -11,8 +12,6 @@
 namespace tedit::fem {
 
 namespace {
-
-constexpr std::size_t aggregates_per_chunk = 64;
 
 node_graph graph_of(const block_matrix& k) {
   node_graph graph;
@@ -112,30 +111,23 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
   result.aggregate = aggregates.of;
   result.members = member_lists(aggregates.of, aggregates.count);
   result.arm.resize(k.rows());
-  std::vector<rigid_frame> frames(aggregates.count);
+  result.memory = std::make_shared<hierarchy_memory>();
+  result.memory->cluster_of = clusters.of;
+  auto& frames = result.memory->levels.emplace_back().frames;
+  frames.resize(aggregates.count);
   for (std::uint32_t a = 0; a < aggregates.count; ++a) {
     frames[a] = frame_of(p, result.members.of(a));
     for (const auto n : result.members.of(a))
       store_transfer(p, filter, frames[a], n, result);
   }
-  rigid_rows rows(aggregates.count);
-  std::vector<matrix6> keep(aggregates.count);
-  parallel_for(
-    aggregates.count,
-    [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t a = first; a < last; ++a) {
-        auto row = make_galerkin_row(p, k, filter, result, frames, static_cast<std::uint32_t>(a));
-        rows.column[a] = std::move(row.column);
-        rows.block[a] = std::move(row.block);
-        keep[a] = row.keep;
-      }
-    },
-    aggregates_per_chunk);
-  result.memory = std::make_shared<hierarchy_memory>();
-  result.memory->cluster_of = clusters.of;
-  if (auto ok = add_rigid_levels(std::move(rows), std::move(frames), std::move(keep), settings, run,
-                                 result);
-      !ok)
+  auto& first = result.levels.emplace_back();
+  constexpr std::size_t usual_blocks = 32;  // Of a row.
+  reserve_for_edits(first.column, usual_blocks * aggregates.count);
+  reserve_for_edits(first.block, usual_blocks * aggregates.count);
+  std::vector<std::uint32_t> rows(aggregates.count);
+  std::iota(rows.begin(), rows.end(), 0u);
+  make_galerkin_rows(p, k, filter, rows, result);
+  if (auto ok = add_rigid_levels(settings, run, result); !ok)
     return fail(ok.error());
   return result;
 }

@@ -84,7 +84,7 @@ public:
     if (!h_.filter.empty())
       h_.filter.resize(k_.rows(), {1, 0, 0, 1, 0, 1});
     index_list rows = renew_aggregates(touched);
-    renew_rows(rows);
+    make_galerkin_rows(p_, k_, filter_, rows, h_);
     update_rigid_levels(std::move(rows), h_);
   }
 
@@ -287,21 +287,6 @@ private:
         if (h_.aggregate[j] != no_id)
           return h_.aggregate[j];
     return none;
-  }
-
-  void renew_rows(const index_list& rows) {
-    std::vector<galerkin_row> fresh(rows.size());
-    parallel_for(
-      rows.size(),
-      [&](std::size_t first, std::size_t last, std::size_t) {
-        for (std::size_t i = first; i < last; ++i)
-          fresh[i] = make_galerkin_row(p_, k_, filter_, h_, first_.frames, rows[i]);
-      },
-      4);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      first_.keep[rows[i]] = fresh[i].keep;
-      replace_row(h_.levels.front(), rows[i], fresh[i].column, fresh[i].block);
-    }
   }
 
   const problem& p_;

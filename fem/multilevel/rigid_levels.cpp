@@ -52,12 +52,6 @@ matrix6 remove_null_motions(const matrix6& gram, matrix6& diagonal) {
   return keep;
 }
 
-namespace {
-
-constexpr std::size_t rows_per_chunk = 32;
-
-}  // namespace
-
 matrix6 inverse_of(const matrix6& m) {
   Eigen::LDLT<matrix6> factor(m);
   if (factor.info() == Eigen::Success && factor.isPositive() && factor.rcond() > 1e-14)
@@ -94,26 +88,9 @@ void multiply(const rigid_level& level, const float* x, float* y) {
     512);
 }
 
-rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settings) {
-  rigid_level level;
-  std::size_t blocks = 0;
-  for (const auto& columns : rows.column)
-    blocks += columns.size();
-  reserve_for_edits(level.column, blocks);
-  reserve_for_edits(level.block, blocks);
-  reserve_for_edits(level.inverse, rows.column.size());
-  level.inverse.resize(rows.column.size());
-  for (std::size_t i = 0; i < rows.column.size(); ++i) {
-    for (std::size_t s = 0; s < rows.column[i].size(); ++s) {
-      level.column.push_back(rows.column[i][s]);
-      store(rows.block[i][s], level.block.emplace_back());
-      if (rows.column[i][s] == i)
-        store(inverse_of(rows.block[i][s]), level.inverse[i]);
-    }
-    level.rows.add(static_cast<std::uint32_t>(rows.column[i].size()));
-  }
+void estimate_lambda(const multilevel_settings& settings, rigid_level& level) {
   const float lambda = largest_ritz_value(
-    6 * rows.column.size(), 0, settings.lambda_steps,
+    6 * std::size_t{level.nodes()}, 0, settings.lambda_steps,
     [&](const float* x, float* y) { multiply(level, x, y); },
     [&](const float* x, float* y) {
       for (std::size_t i = 0; i < level.nodes(); ++i)
@@ -122,25 +99,33 @@ rigid_level make_level(const rigid_rows& rows, const multilevel_settings& settin
           Eigen::Map<const Eigen::Matrix<float, 6, 1>>(x + 6 * i);
     });
   level.lambda = settings.lambda_safety * lambda;
-  return level;
 }
 
-node_graph graph_of(const rigid_rows& rows) {
+float norm_of(const rigid_level::block6& block) {
+  return Eigen::Map<const Eigen::Matrix<float, 6, 6>>(block.data()).norm();
+}
+
+node_graph graph_of(const rigid_level& level) {
   node_graph graph;
-  std::vector<double> scale(rows.column.size(), 0);
-  for (std::size_t i = 0; i < rows.column.size(); ++i)
-    for (std::size_t s = 0; s < rows.column[i].size(); ++s)
-      if (rows.column[i][s] == i)
-        scale[i] = 1 / std::sqrt(rows.block[i][s].norm());
-  graph.first.push_back(0);
-  for (std::size_t i = 0; i < rows.column.size(); ++i) {
-    for (std::size_t s = 0; s < rows.column[i].size(); ++s)
-      if (const auto j = rows.column[i][s]; j != i) {
-        graph.column.push_back(j);
-        graph.weight.push_back(static_cast<float>(rows.block[i][s].norm() * scale[i] * scale[j]));
-      }
-    graph.first.push_back(static_cast<std::uint32_t>(graph.column.size()));
-  }
+  std::vector<float> scale(level.nodes(), 0);
+  const auto for_entries = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < level.nodes(); ++i)
+      for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
+        visit(i, level.column[s], s);
+  };
+  for_entries([&](std::uint32_t i, std::uint32_t j, std::uint32_t s) {
+    if (i == j)
+      scale[i] = 1 / std::sqrt(norm_of(level.block[s]));
+  });
+  graph.first.assign(1, 0);
+  for_entries([&](std::uint32_t i, std::uint32_t j, std::uint32_t s) {
+    graph.first.resize(i + 1, static_cast<std::uint32_t>(graph.column.size()));
+    if (i == j)
+      return;
+    graph.column.push_back(j);
+    graph.weight.push_back(norm_of(level.block[s]) * scale[i] * scale[j]);
+  });
+  graph.first.resize(level.nodes() + 1, static_cast<std::uint32_t>(graph.column.size()));
   return graph;
 }
 
@@ -161,110 +146,6 @@ std::vector<rigid_frame> parent_frames(const std::vector<rigid_frame>& frames,
     result[a].radius = std::sqrt(square);
   }
   return result;
-}
-
-rigid_rows smoothed_prolongation(const rigid_rows& rows, const rigid_level& level,
-                                 std::span<const std::uint32_t> group,
-                                 const std::vector<matrix6>& modes) {
-  rigid_rows result(modes.size());
-  const double omega = static_cast<double>(chebyshev_start(level.lambda));
-  parallel_for(
-    modes.size(),
-    [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i)
-        prolongation_row(
-          i, rows.column[i], [&](std::size_t s) -> const matrix6& { return rows.block[i][s]; },
-          omega* wide(level.inverse[i]), group,
-          [&](std::size_t j) -> const matrix6& { return modes[j]; }, result.column[i],
-          result.block[i]);
-    },
-    rows_per_chunk);
-  return result;
-}
-
-rigid_rows product(const rigid_rows& a, const rigid_rows& b) {
-  rigid_rows result;
-  result.column.resize(a.column.size());
-  result.block.resize(a.column.size());
-  parallel_for(
-    a.column.size(),
-    [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) {
-        row_sum sum;
-        for (std::size_t s = 0; s < a.column[i].size(); ++s) {
-          const auto k = a.column[i][s];
-          for (std::size_t t = 0; t < b.column[k].size(); ++t)
-            sum.at(b.column[k][t]).noalias() += a.block[i][s] * b.block[k][t];
-        }
-        sum.finish(result.column[i], result.block[i]);
-      }
-    },
-    rows_per_chunk);
-  return result;
-}
-
-/// P^T (A P), with P's entries by column.
-rigid_rows restricted(const rigid_rows& p, const rigid_rows& ap, const rigid_level& level) {
-  rigid_rows result;
-  const std::size_t count = level.entries.owners();
-  result.column.resize(count);
-  result.block.resize(count);
-  parallel_for(
-    count,
-    [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t a = first; a < last; ++a) {
-        row_sum sum;
-        for (const auto entry : level.entries.of(a)) {
-          const auto i = level.entry_row[entry];
-          const auto& block = p.block[i][entry - level.prolongation_rows.begin(i)];
-          for (std::size_t t = 0; t < ap.column[i].size(); ++t)
-            sum.at(ap.column[i][t]).noalias() += block.transpose() * ap.block[i][t];
-        }
-        sum.finish(result.column[a], result.block[a]);
-      }
-    },
-    rows_per_chunk);
-  return result;
-}
-
-void store_prolongation(const rigid_rows& p, std::uint32_t parents, rigid_level& level) {
-  std::size_t blocks = 0;
-  for (const auto& columns : p.column)
-    blocks += columns.size();
-  reserve_for_edits(level.prolongation_column, blocks);
-  reserve_for_edits(level.prolongation, blocks);
-  reserve_for_edits(level.entry_row, blocks);
-  for (std::size_t i = 0; i < p.column.size(); ++i) {
-    for (std::size_t s = 0; s < p.column[i].size(); ++s) {
-      level.prolongation_column.push_back(p.column[i][s]);
-      level.entry_row.push_back(static_cast<std::uint32_t>(i));
-      store(p.block[i][s], level.prolongation.emplace_back());
-    }
-    level.prolongation_rows.add(static_cast<std::uint32_t>(p.column[i].size()));
-  }
-  level.entries = member_lists(level.prolongation_column, parents);
-}
-
-/// The next coarser level: its matrix replaces `rows`, its frames and motions are returned.
-level_memory coarsen(rigid_level& level, const level_memory& memory, std::uint32_t groups,
-                     rigid_rows& rows) {
-  level_memory coarser;
-  coarser.frames = parent_frames(memory.frames, member_lists(memory.group, groups));
-  std::vector<matrix6> modes(memory.frames.size());
-  std::vector<matrix6> gram(groups, matrix6::Zero());
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    modes[i] = parent_modes(memory, coarser, i);
-    gram[memory.group[i]] += modes[i].transpose() * modes[i];
-  }
-  const auto p = smoothed_prolongation(rows, level, memory.group, modes);
-  store_prolongation(p, groups, level);
-  rows = restricted(p, product(rows, p), level);
-  coarser.keep.resize(groups);
-  for (std::uint32_t a = 0; a < groups; ++a) {
-    const auto at = std::ranges::find(rows.column[a], a) - rows.column[a].begin();
-    coarser.keep[a] = remove_null_motions(gram[a], rows.block[a][static_cast<std::size_t>(at)]);
-  }
-  return coarser;
 }
 
 /// Sparse Cholesky factors of the coarsest matrix.
@@ -311,24 +192,27 @@ std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest) {
   return std::make_unique<sparse_factor>(coarsest);
 }
 
-expected<void> add_rigid_levels(rigid_rows rows, std::vector<rigid_frame> frames,
-                                std::vector<matrix6> keep, const multilevel_settings& settings,
-                                const execution& run, hierarchy& result) {
-  auto& memory = result.memory->levels;
-  memory.push_back({std::move(frames), std::move(keep), {}});
+expected<void> add_rigid_levels(const multilevel_settings& settings, const execution& run,
+                                hierarchy& h) {
+  auto& memory = h.memory->levels;
   for (;;) {
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
-    auto& level = result.levels.emplace_back(make_level(rows, settings));
+    auto& level = h.levels.back();
+    estimate_lambda(settings, level);
     if (level.nodes() <= settings.coarsest)
       break;
-    auto groups = aggregate_pairs(graph_of(rows));
+    auto groups = aggregate_pairs(graph_of(level));
     if (groups.count > 0.8 * level.nodes())
       break;  // Separate pieces that do not coarsen any further.
     memory.back().group = std::move(groups.of);
-    memory.push_back(coarsen(level, memory.back(), groups.count, rows));
+    auto frames =
+      parent_frames(memory.back().frames, member_lists(memory.back().group, groups.count));
+    memory.push_back({std::move(frames), {}, {}});
+    h.levels.emplace_back();
+    build_coarser_level(h);
   }
-  result.coarsest = factor(result.levels.back());
+  h.coarsest = factor(h.levels.back());
   return {};
 }
 

@@ -22,15 +22,6 @@ struct rigid_frame {
 /// [I, -[arm]x]: the displacement at `arm` of a unit translation or rotation.
 [[nodiscard]] matrix36 rigid_modes(vec3 arm);
 
-/// A block matrix with six unknowns a row while it is built.
-struct rigid_rows {
-  rigid_rows() = default;
-  explicit rigid_rows(std::size_t rows) : column(rows), block(rows) {}
-
-  std::vector<std::vector<std::uint32_t>> column;
-  std::vector<std::vector<matrix6>> block;
-};
-
 /// Sums blocks of one row by column; few columns, so that a linear search wins.
 class row_sum {
 public:
@@ -96,19 +87,23 @@ void prolongation_row(std::size_t i, std::span<const std::uint32_t> columns, Blo
 /// Factors the coarsest matrix.
 [[nodiscard]] std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest);
 
-/// Gives a row of a level another content, or adds it.
+/// Gives a row of a level another content, or adds it; `renew_inverses` comes after all rows.
 void replace_row(rigid_level& level, std::uint32_t row, std::span<const std::uint32_t> column,
                  std::span<const matrix6> block);
+
+/// Inverts the diagonal blocks of these rows, on all cores.
+void renew_inverses(rigid_level& level, std::span<const std::uint32_t> rows);
+
+/// Fills the last level of `h` from the one below, whose groups are known, and whose prolongation
+/// is made, too; the frames of the last level are there, its motions are found.
+void build_coarser_level(hierarchy& h);
 
 /// After `rows` of the first level changed, and with them all rows beside one with another frame:
 /// everything above. Ascending; added aggregates have their group already.
 void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h);
 
-/// Stores a level and adds coarser ones until few aggregates are left. `keep[i]` projects onto the
-/// motions that node i has.
-[[nodiscard]] expected<void> add_rigid_levels(rigid_rows rows, std::vector<rigid_frame> frames,
-                                              std::vector<matrix6> keep,
-                                              const multilevel_settings& settings,
-                                              const execution& run, hierarchy& result);
+/// Adds coarser levels to the first one until few aggregates are left. Errors: `cancelled`.
+[[nodiscard]] expected<void> add_rigid_levels(const multilevel_settings& settings,
+                                              const execution& run, hierarchy& h);
 
 }  // namespace tedit::fem

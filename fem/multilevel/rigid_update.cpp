@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "fem/multilevel/node_smoother.hpp"
@@ -9,33 +10,54 @@ namespace tedit::fem {
 
 namespace {
 
-/// One step upwards: the prolongation of changed rows, and the coarser rows that they touch.
-class level_update {
+/// One step upwards: the prolongation of rows, and the coarser rows that they touch. Works on the
+/// stored single-precision blocks of the finer level, sums in double precision.
+class step_up {
 public:
-  level_update(std::size_t l, hierarchy& h)
+  step_up(std::size_t l, hierarchy& h)
       : level_(h.levels[l]),
         coarser_(h.levels[l + 1]),
         memory_(h.memory->levels[l]),
         above_(h.memory->levels[l + 1]) {}
 
-  /// Returns the changed rows of the coarser level; `reframed` becomes those with other motions.
-  std::vector<std::uint32_t> run(std::span<const std::uint32_t> rows,
-                                 std::vector<std::uint32_t>& reframed) {
-    renew_prolongation(rows);
+  /// All rows; the coarser level is empty, its frames are there.
+  void build() {
+    const auto count = static_cast<std::uint32_t>(above_.frames.size());
+    modes_.resize(level_.nodes());
+    for_each(modes_.size(), [&](std::size_t i) { modes_[i] = parent_modes(memory_, above_, i); });
+    const auto rows = numbers(level_.nodes());
+    auto fresh = prolongation_of(rows);
+    std::size_t blocks = 0;
+    for (const auto& row : fresh)
+      blocks += row.column.size();
+    reserve_for_edits(level_.prolongation_column, blocks);
+    reserve_for_edits(level_.prolongation, blocks);
+    reserve_for_edits(level_.entry_row, blocks);
+    for (const auto i : rows) {
+      place_prolongation(i, fresh[i]);
+      fresh[i] = {};
+    }
+    level_.entries = member_lists(level_.prolongation_column, count);
+    parents_ = numbers(count);
+    std::vector<std::uint32_t> reframed;
+    renew_parents(reframed);
+  }
+
+  /// Some rows. Returns the changed rows of the coarser level; `reframed` becomes those with other
+  /// motions.
+  std::vector<std::uint32_t> update(std::span<const std::uint32_t> rows,
+                                    std::vector<std::uint32_t>& reframed) {
+    const auto fresh = prolongation_of(rows);
+    for (std::size_t at = 0; at < rows.size(); ++at) {
+      note_parents(rows[at]);
+      place_prolongation(rows[at], fresh[at]);
+      note_parents(rows[at]);
+    }
+    relink(rows);
     for (const auto i : with_neighbours(rows))
       note_parents(i);
     sort_unique(parents_);
-    make_products();
-    std::vector<parent_row> fresh(parents_.size());
-    for_each(fresh.size(), [&](std::size_t at) { fresh[at] = make_row(parents_[at]); });
-    reframed.clear();
-    for (std::size_t at = 0; at < fresh.size(); ++at) {
-      const auto parent = parents_[at];
-      replace_row(coarser_, parent, fresh[at].row.column, fresh[at].row.block);
-      if ((fresh[at].keep - above_.keep[parent]).norm() > 1e-6)
-        reframed.push_back(parent);
-      above_.keep[parent] = fresh[at].keep;
-    }
+    renew_parents(reframed);
     return std::move(parents_);
   }
 
@@ -61,9 +83,19 @@ private:
       rows_per_chunk);
   }
 
-  [[nodiscard]] matrix6 modes(std::size_t i) const { return parent_modes(memory_, above_, i); }
+  [[nodiscard]] static std::vector<std::uint32_t> numbers(std::uint32_t count) {
+    std::vector<std::uint32_t> result(count);
+    std::iota(result.begin(), result.end(), 0u);
+    return result;
+  }
+
+  [[nodiscard]] matrix6 modes(std::size_t i) const {
+    return modes_.empty() ? parent_modes(memory_, above_, i) : modes_[i];
+  }
 
   void note_parents(std::uint32_t i) {
+    if (i >= level_.prolongation_rows.size())
+      return;
     const auto parents = level_.prolongation_rows.of(i, level_.prolongation_column);
     parents_.insert(parents_.end(), parents.begin(), parents.end());
   }
@@ -79,7 +111,7 @@ private:
     return result;
   }
 
-  void renew_prolongation(std::span<const std::uint32_t> rows) {
+  [[nodiscard]] std::vector<sparse_row> prolongation_of(std::span<const std::uint32_t> rows) const {
     std::vector<sparse_row> fresh(rows.size());
     const double omega = static_cast<double>(chebyshev_start(level_.lambda));
     for_each(rows.size(), [&](std::size_t at) {
@@ -91,16 +123,13 @@ private:
         omega * wide(level_.inverse[i]), memory_.group, [&](std::size_t j) { return modes(j); },
         fresh[at].column, fresh[at].block);
     });
-    for (std::size_t at = 0; at < rows.size(); ++at)
-      place_prolongation(rows[at], fresh[at]);
-    relink(rows);
+    return fresh;
   }
 
   void place_prolongation(std::uint32_t i, const sparse_row& row) {
     auto& places = level_.prolongation_rows;
     while (i >= places.size())
       places.add(0);
-    note_parents(i);
     const auto at = places.replace(i, static_cast<std::uint32_t>(row.column.size()));
     level_.prolongation_column.resize(places.room());
     level_.prolongation.resize(places.room());
@@ -110,7 +139,6 @@ private:
       level_.entry_row[at + s] = i;
       store(row.block[s], level_.prolongation[at + s]);
     }
-    note_parents(i);
   }
 
   /// The lists of entries of all parents that had or have some of `rows`.
@@ -131,6 +159,22 @@ private:
       std::ranges::sort(lists[at]);
       level_.entries.replace(parents_[at], lists[at]);
     }
+  }
+
+  void renew_parents(std::vector<std::uint32_t>& reframed) {
+    make_products();
+    std::vector<parent_row> fresh(parents_.size());
+    for_each(fresh.size(), [&](std::size_t at) { fresh[at] = make_row(parents_[at]); });
+    reframed.clear();
+    above_.keep.resize(above_.frames.size(), matrix6::Identity());
+    for (std::size_t at = 0; at < fresh.size(); ++at) {
+      const auto parent = parents_[at];
+      replace_row(coarser_, parent, fresh[at].row.column, fresh[at].row.block);
+      if ((fresh[at].keep - above_.keep[parent]).norm() > 1e-6)
+        reframed.push_back(parent);
+      above_.keep[parent] = fresh[at].keep;
+    }
+    renew_inverses(coarser_, parents_);
   }
 
   /// The rows of A P that the parents ask for, several of them for each.
@@ -181,6 +225,7 @@ private:
   rigid_level& coarser_;
   level_memory& memory_;
   level_memory& above_;
+  std::vector<matrix6> modes_;  ///< Of all rows, when all are needed.
   std::vector<std::uint32_t> parents_;
   std::vector<std::uint32_t> children_;  ///< Of all parents, ascending.
   std::vector<sparse_row> products_;     ///< Rows of A P of the children.
@@ -190,26 +235,39 @@ private:
 
 void replace_row(rigid_level& level, std::uint32_t row, std::span<const std::uint32_t> column,
                  std::span<const matrix6> block) {
-  while (row >= level.rows.size()) {
+  while (row >= level.rows.size())
     level.rows.add(0);
-    level.inverse.emplace_back();
-  }
   const auto at = level.rows.replace(row, static_cast<std::uint32_t>(column.size()));
   level.column.resize(level.rows.room());
   level.block.resize(level.rows.room());
   for (std::size_t s = 0; s < column.size(); ++s) {
     level.column[at + s] = column[s];
     store(block[s], level.block[at + s]);
-    if (column[s] == row)
-      store(inverse_of(block[s]), level.inverse[row]);
   }
+}
+
+void renew_inverses(rigid_level& level, std::span<const std::uint32_t> rows) {
+  level.inverse.resize(level.rows.size());
+  parallel_for(
+    rows.size(),
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (const auto row : rows.subspan(first, last - first))
+        for (auto s = level.rows.begin(row); s < level.rows.end(row); ++s)
+          if (level.column[s] == row)
+            store(inverse_of(wide(level.block[s])), level.inverse[row]);
+    },
+    64);
+}
+
+void build_coarser_level(hierarchy& h) {
+  step_up(h.levels.size() - 2, h).build();
 }
 
 void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h) {
   std::vector<std::uint32_t> reframed;
   for (std::size_t l = 0; l + 1 < h.levels.size(); ++l) {
     h.levels[l].changed = rows;
-    rows = level_update(l, h).run(rows, reframed);
+    rows = step_up(l, h).update(rows, reframed);
     // Other motions of a parent change the prolongation of its neighbours, too.
     for (const auto parent : reframed) {
       const auto columns = h.levels[l + 1].rows.of(parent, h.levels[l + 1].column);

@@ -181,11 +181,7 @@ void rigid_cycle<L>::once(std::size_t level, std::span<const float> right, std::
 template <class L>
 multilevel_cycle<L>::multilevel_cycle(const block_matrix& k, const hierarchy& h,
                                       const cycle_settings& settings)
-    : k_(k),
-      h_(h),
-      settings_(settings),
-      rigid_(h, settings),
-      v_(k.rows()) {
+    : k_(k), h_(h), settings_(settings), rigid_(h, settings), v_(k.rows()) {
   fit();
 }
 
