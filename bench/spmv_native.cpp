@@ -17,7 +17,7 @@ using fem::float4;
 template <class Operator>
 class native_probe final : public product_probe {
 public:
-  explicit native_probe(Operator k) : k_(std::move(k)) {
+  native_probe(Operator k, std::uint64_t copy_bytes) : k_(std::move(k)) {
     const auto size = fem::padded3(k_.rows());
     x_.resize(size);
     y_.resize(size);
@@ -28,7 +28,7 @@ public:
     product();
     const auto between = k_.bytes() - before;
     bytes_ = static_cast<double>(k_.bytes() + between + 8 * size);
-    from_.assign(static_cast<std::size_t>(bytes_ / 8), 1);
+    from_.assign((copy_bytes ? copy_bytes : static_cast<std::uint64_t>(bytes_)) / 8, 1);
     to_.assign(from_.size(), 0);
   }
 
@@ -69,11 +69,12 @@ private:
 
 }  // namespace
 
-std::unique_ptr<product_probe> probe_native(const fem::problem& p) {
+std::unique_ptr<product_probe> probe_native(const fem::problem& p, std::uint64_t copy_bytes) {
   if (p.element_order == 1)
     return std::make_unique<native_probe<fem::block_matrix>>(
-      fem::assemble_blocks(p, fem::incidence(p)));
-  return std::make_unique<native_probe<fem::quadratic_operator>>(fem::quadratic_operator(p));
+      fem::assemble_blocks(p, fem::incidence(p)), copy_bytes);
+  return std::make_unique<native_probe<fem::quadratic_operator>>(fem::quadratic_operator(p),
+                                                                 copy_bytes);
 }
 
 }  // namespace tedit::bench

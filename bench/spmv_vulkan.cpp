@@ -19,7 +19,8 @@ public:
   explicit vulkan_probe(fem::cycle_kernels kernels)
       : kernels_(std::move(kernels)), memory_(kernels_.layout, {}) {}
 
-  expected<void> make(std::shared_ptr<gpu::device> on, const fem::problem& p) {
+  expected<void> make(std::shared_ptr<gpu::device> on, const fem::problem& p,
+                      std::uint64_t copy_bytes) {
     const fem::device_scale scale(p);
     auto made =
       p.element_order == 1 ? make_linear(std::move(on), p, scale) : make_quadratic(p, scale);
@@ -27,7 +28,7 @@ public:
       return made;
     if (auto ok = record_product(p.node_count()); !ok)
       return ok;
-    return record_copy();
+    return record_copy(copy_bytes ? copy_bytes : bytes_);
   }
 
   double product_bytes() const override { return static_cast<double>(bytes_); }
@@ -85,13 +86,13 @@ private:
     return product_->record();
   }
 
-  expected<void> record_copy() {
+  expected<void> record_copy(std::uint64_t bytes) {
     auto made =
       gpu::kernel::make(kernels_.layout, copy_spirv, {kernels_.group_size, kernels_.slice_rows, 0});
     if (!made)
       return fail(made.error());
     copy_kernel_ = std::move(*made);
-    const auto half = std::min(bytes_ / 2, memory_.most_per_piece()) / node_bytes * node_bytes;
+    const auto half = std::min(bytes / 2, memory_.most_per_piece()) / node_bytes * node_bytes;
     from_ = memory_.put(std::vector<device_float4>(half / node_bytes, device_float4{1, 2, 3, 4}));
     to_ = memory_.room(half);
     if (auto ok = memory_.status(); !ok)
@@ -116,7 +117,8 @@ private:
 }  // namespace
 
 expected<std::unique_ptr<product_probe>> probe_vulkan(const std::string& device,
-                                                      const fem::problem& p) {
+                                                      const fem::problem& p,
+                                                      std::uint64_t copy_bytes) {
   auto on = gpu::device::open(device == "lavapipe" ? "llvmpipe" : device);
   if (!on)
     return fail(on.error());
@@ -124,7 +126,7 @@ expected<std::unique_ptr<product_probe>> probe_vulkan(const std::string& device,
   if (!kernels)
     return fail(kernels.error());
   auto probe = std::make_unique<vulkan_probe>(std::move(*kernels));
-  if (auto ok = probe->make(*on, p); !ok)
+  if (auto ok = probe->make(*on, p, copy_bytes); !ok)
     return fail(ok.error());
   return probe;
 }
