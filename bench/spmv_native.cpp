@@ -58,8 +58,8 @@ private:
 
   void product() {
     float* y = y_.data();
-    for_rows(k_, x_.data(),
-             [y](std::size_t i, float4 row) TEDIT_INLINED { fem::store3(row, y + 3 * i); });
+    for_rows<fem::one_case>(
+      k_, x_.data(), [y](std::size_t i, float4 row) TEDIT_INLINED { fem::store3(row, y + 3 * i); });
   }
 
   Operator k_;

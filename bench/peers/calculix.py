@@ -77,7 +77,7 @@ def export_deck(tedit, mesh, load_case, order, solver, deck):
     deck.parent.mkdir(parents=True, exist_ok=True)
     done = process.run([tedit, "export", mesh, "--load-case", load_case, "--order", order, "--solver", solver, "-o", deck],
                        process.Limits())
-    return None if done.status == "ok" else done.errors or "tedit export failed"
+    return None if done.status == "ok" else done.errors.split("\n")[-1] or "tedit export failed"
 
 
 def solve(deck, limits, tets, order):

@@ -40,7 +40,8 @@ class Tables(unittest.TestCase):
         self.assertEqual(table.count("**disagrees**"), 1)
 
     def test_all_rows_have_as_many_cells_as_the_head(self):
-        results = {"ours": tables.reduce_runs([solved()]), "late": {"status": "over_limit", "run_s": 600}}
+        results = {"ours": tables.reduce_runs([solved()]), "late": {"status": "over_limit", "run_s": 600},
+                   "broken": {"status": "failed", "run_s": 0, "why": "one | two\nthree"}}
         for line in tables.markdown([dict(tables.compare(results), mesh="m", order=1)]).strip().split("\n"):
             self.assertEqual(line.count("|"), len(tables.HEAD) + 1)
 

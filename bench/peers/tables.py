@@ -62,7 +62,8 @@ def row(case, name, r):
     """One line of the table, as cells."""
     head = [case["mesh"], str(case["order"])]
     if r["status"] != "ok":
-        return head + ["", name, STATUS[r["status"]] + (f": {r['why']}" if r.get("why") else "")] + [""] * 11
+        why = " ".join(r.get("why", "").replace("|", "/").split())
+        return head + ["", name, STATUS[r["status"]] + (f": {why}" if why else "")] + [""] * 11
     mark = "" if r.get("agrees", True) else " **disagrees**"
     return head + [
         f"{r['unknowns']:,}", name, short(r.get("compliance_off"), "%.0e") + mark,
