@@ -2,6 +2,8 @@
 #include "bench/peers/system.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <Eigen/Dense>
 
 #include "fem/native/native_backend.hpp"
@@ -17,7 +19,7 @@ class SystemFile : public ::testing::Test {
 protected:
   SystemFile()
       : path_(fs::temp_directory_path() /
-              (std::string("tedit_system_") +
+              ("tedit_system_" + std::to_string(getpid()) + "_" +
                ::testing::UnitTest::GetInstance()->current_test_info()->name())) {}
   ~SystemFile() override { fs::remove(path_); }
 
