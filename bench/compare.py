@@ -101,7 +101,7 @@ def measure(bench, case, name, options):
         runs.append(run_once(bench, case, name))
         if is_last(runs[-1]):
             break
-    result = tables.reduce_runs(runs)
+    result = dict(tables.reduce_runs(runs), load=os.getloadavg()[0])
     kept.parent.mkdir(parents=True, exist_ok=True)
     draft = kept.with_suffix(".draft")
     draft.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")

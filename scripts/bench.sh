@@ -3,6 +3,7 @@
 # a copy (bench_spmv). Needs the packages of bench/README.md and a quiet machine; what was measured is kept.
 # usage: scripts/bench.sh [options of bench/compare.py]
 set -euo pipefail
+shopt -s nullglob
 cd "$(dirname "$0")/.."
 
 case "${1:-}" in

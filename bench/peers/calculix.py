@@ -87,8 +87,8 @@ def solve(deck, limits, tets, order):
     result = {"status": done.status, "run_s": done.wall_s}
     try:
         if done.status != "ok":
-            result["why"] = (done.errors or done.output.strip()).split("\n")[-1][:200]
-            return result
+            return result if done.status == "over_limit" else dict(
+                result, why=(done.errors or done.output.strip()).split("\n")[-1][:200])
         times = phases(done.lines)
         with open(job.with_suffix(".dat"), encoding="ascii") as file:
             displacement = read_displacement(file)

@@ -38,6 +38,8 @@ def on_one_core(bench):
 def answer(done):
     """The figures of a program that prints one JSON object, or why there are none."""
     result = {"status": done.status, "run_s": done.wall_s}
+    if done.status == "over_limit":
+        return result
     if done.status != "ok":
         return dict(result, why=(done.errors or f"exit status {done.exit_status}").split("\n")[-1][:200])
     return dict(json.loads(done.output), **result)
