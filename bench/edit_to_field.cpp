@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/memory.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/local_edit.hpp"
 #include "fem/solve_session.hpp"
@@ -144,6 +145,7 @@ expected<void> measure(const version_ptr& base, const fem::load_case& loads,
 }  // namespace
 
 int main(int argc, char** argv) {
+  return_large_blocks();
   options o;
   CLI::App app("From an edit to the new field, against a cold solve");
   app.add_option("mesh", o.mesh_file)->required();

@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/memory.hpp"
 #include "base/stopwatch.hpp"
 #include "bench/peers/system.hpp"
 #include "fem/load_cases.hpp"
@@ -135,6 +136,7 @@ int write_equations(const fem::problem& p, const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  return_large_blocks();
   std::string mesh_file;
   std::string load_file;
   std::string system_file;

@@ -111,6 +111,8 @@ bool refinement::take(const inner_result& inner) {
 }
 
 void refinement::add_correction(double factor) {
+  // Directions that are held stay so to double precision.
+  apply_filter(conditions_.filter, correction_);
   for (std::size_t i = 0; i < correction_.size(); ++i)
     out_->displacement[i] += factor * correction_[i];
   update();
