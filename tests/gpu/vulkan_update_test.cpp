@@ -118,7 +118,7 @@ TEST_P(VulkanUpdateOfLinearTets, StressesFollow) {
   test::expect_near_all(n, expected_n, 1e-6);
 }
 
-TEST_P(VulkanUpdate, ANodeOfMoreElementsThanTheKernelsHaveRoomForIsRefused) {
+TEST_P(VulkanUpdate, ANodeOfMoreNeighboursThanTheKernelsHaveRoomForIsRefused) {
   followed_system one(bar(), held_at_one_end(), GetParam(), {});
   const auto& mesh = one.mesh();
   const auto at_middle = [&](tet_id t) {
