@@ -2,7 +2,7 @@
 // bench_edit MESH LOAD_CASE --fill IDS... [--order N] [--device NAME] [--energy E] [--repeat N]:
 // solves a part, fills a hole and solves again on the kept system, then changes the load and solves
 // once more. Prints one JSON object: accuracy against a cold solve of the edited part first, then
-// milliseconds of each stage (medians) and CPU seconds.
+// milliseconds of each stage (medians), CPU time and the bytes that went to the device.
 #include <algorithm>
 #include <ctime>
 #include <iostream>
@@ -55,6 +55,28 @@ private:
   std::map<std::string, std::vector<double>> values_;
 };
 
+/// Hands work to another backend and keeps an eye on the last system, which a session owns.
+class watched_backend final : public fem::backend {
+public:
+  explicit watched_backend(fem::backend& behind) : behind_(behind) {}
+
+  const fem::device_info& info() const override { return behind_.info(); }
+  expected<std::unique_ptr<fem::linear_system>> assemble(const fem::problem& p,
+                                                         const execution& run) override {
+    auto made = behind_.assemble(p, run);
+    last_ = made ? made->get() : nullptr;
+    return made;
+  }
+  /// Of the last system; only while its session lives.
+  [[nodiscard]] double uploaded_bytes() const {
+    return last_ ? static_cast<double>(last_->uploaded_bytes()) : 0;
+  }
+
+private:
+  fem::backend& behind_;
+  fem::linear_system* last_ = nullptr;
+};
+
 /// One solve of a session with what it cost, until the first frame and until the end.
 expected<fem::solution> timed_solve(fem::solve_session& session, const version_ptr& mesh,
                                     const fem::load_case& loads, const options& o,
@@ -84,6 +106,7 @@ expected<fem::solution> timed_solve(fem::solve_session& session, const version_p
   times.add("solve_ms", s.solve_ms);
   times.add("recovery_ms", s.recovery_ms);
   times.add("iterations", s.iterations);
+  times.add("assembled", result->assembled ? 1 : 0);
   return std::move(result->solution);
 }
 
@@ -113,11 +136,13 @@ struct figures {
 };
 
 expected<void> measure(const version_ptr& base, const fem::load_case& loads,
-                       const ops::catalogue& plugins, fem::backend& device, const options& o,
+                       const ops::catalogue& plugins, fem::backend& on, const options& o,
                        figures& out) {
+  watched_backend device(on);
   fem::solve_session session;
   if (auto ok = timed_solve(session, base, loads, o, device, out.cold); !ok)
     return fail(ok.error());
+  out.cold.add("uploaded_bytes", device.uploaded_bytes());
   const stopwatch clock;
   const auto edited = cli::apply_edit(plugins, base, {"fill_hole", o.surfaces, {}}, {loads}, {});
   if (!edited)
@@ -127,10 +152,11 @@ expected<void> measure(const version_ptr& base, const fem::load_case& loads,
   const auto again = timed_solve(session, edited->version, after, o, device, out.after_edit);
   if (!again)
     return fail(again.error());
+  out.after_edit.add("uploaded_bytes", device.uploaded_bytes());
   out.residual = again->true_relative_residual;
   fem::solve_session fresh;
   series unused;
-  const auto cold = timed_solve(fresh, edited->version, after, o, device, unused);
+  const auto cold = timed_solve(fresh, edited->version, after, o, on, unused);
   if (!cold)
     return fail(cold.error());
   out.difference = worst_difference(session.last_problem(), *again, fresh.last_problem(), *cold);

@@ -269,7 +269,7 @@ void vulkan_matrix::update(const problem& p, const incidence& corners, const row
                            const problem_change& change, vulkan_changes& changes) {
   const auto nodes = within(change.nodes, 0, nodes_);
   for (const auto n : nodes)
-    if (corners.of_node(n).size() + 3 > most_columns_)
+    if (lengths.length(n) > most_columns_)
       return changes.refuse();
   update_mesh(p, corners, change, changes);
   for (auto& part : chunks_)

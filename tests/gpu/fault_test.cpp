@@ -11,10 +11,12 @@
 #include <gmock/gmock.h>
 
 #include "fem/native/native_backend.hpp"
+#include "fem/problem_update.hpp"
 #include "fem/solver.hpp"
 #include "fem/vulkan/vulkan_backend.hpp"
 #include "gpu/kernels.hpp"
 #include "tests/gpu/bent_bar.hpp"
+#include "tests/support/edits.hpp"
 
 namespace tedit::fem {
 namespace {
@@ -157,6 +159,71 @@ TEST_P(VulkanFaults, ASystemThatMetAFaultGivesNoWrongResultLater) {
     }
   }
   ASSERT_EQ(layer_->standing(), 0);
+}
+
+/// A system that is to follow an edit while a call fails.
+class VulkanUpdateFaults : public VulkanFaults {
+protected:
+  static load_case loads() {
+    load_case result;
+    result.materials = {{"steel", 210e9, 0.3, 7850, 0, {}}};
+    result.constraints = {{{1}, fixed{}}};
+    result.loads = {{{2}, force{{0, 0, -1000}}}};
+    return result;
+  }
+
+  /// Opens, assembles and follows with `what` at call `at` of the update, then solves twice, the
+  /// second time without faults unless the device is gone. Returns the calls of the update.
+  std::size_t run(fault what, std::size_t at) {
+    layer_->plan(fault::none, 0);
+    auto device = open_vulkan("", settings_).value();
+    auto p = make_problem(*before_edit_, loads(), GetParam(), 20).value();
+    problem_updater updater(p);
+    auto system = device->assemble(p, {}).value();
+    const auto change = updater.apply(*before_edit_, *after_edit_, loads(), p).value().value();
+    EXPECT_TRUE(set_conditions(*after_edit_, loads(), p).has_value());
+    layer_->plan(what, at);
+    const auto followed = system->update(change, updater.corners());
+    const auto calls = layer_->calls();
+    SCOPED_TRACE(describe(what, at));
+    // A wait that failed for want of memory is taken up again; nothing else may be overlooked.
+    EXPECT_TRUE(followed.has_value() != layer_->happened() || what == fault::device_full);
+    if (!followed)
+      EXPECT_EQ(followed.error().code, code_of(what)) << render(followed.error());
+    else
+      EXPECT_TRUE(*followed);
+    if (what == fault::device_full || !layer_->happened())
+      layer_->plan(fault::none, 0);
+    const element_operator k(p);
+    const auto solved = solve(p, k, *system, "", {}, {});
+    EXPECT_EQ(solved.has_value(), followed.has_value()) << "half an update must not solve";
+    if (solved) {
+      EXPECT_LE(solved->true_relative_residual, 1e-6);
+      const auto cold = solve(p, *make_native_backend(), {}, {}).value();
+      expect_near_all(solved->displacement, cold.displacement, 1e-4);
+    }
+    std::vector<double> y(p.dofs());
+    EXPECT_EQ(system->multiply(test::wave(p.dofs(), 0.7), y).has_value(), followed.has_value());
+    return calls;
+  }
+
+  version_ptr before_edit_ = tedit::test::box_mesh({4, 4, 4}, {2, 1, 1});
+  version_ptr after_edit_ = tedit::test::split(before_edit_, [](tet_id t) { return t == 100; });
+};
+
+INSTANTIATE_TEST_SUITE_P(Orders, VulkanUpdateFaults, ::testing::Values(1, 2));
+
+TEST_P(VulkanUpdateFaults, HalfAnUpdateIsAnErrorAndThenRefused) {
+  const auto calls = run(fault::none, 0);
+  RecordProperty("calls", static_cast<int>(calls));
+  ASSERT_GT(calls, 20u);
+  const std::size_t step = full_sweep() ? 1 : calls / 8;
+  for (const auto what : {fault::lost, fault::device_full})
+    for (std::size_t at = 1; at <= calls; at += step) {
+      // A device cannot be lost in every call: the next one that may be counts.
+      ASSERT_NO_FATAL_FAILURE(run(what, at));
+      ASSERT_EQ(layer_->standing(), 0u);
+    }
 }
 
 TEST_P(VulkanFaults, NothingIsDestroyedWhileAHungDeviceMayUseIt) {
