@@ -86,14 +86,6 @@ public:
   /// y = K x in the device's own precision and storage: for tests against the native backend.
   [[nodiscard]] virtual expected<void> multiply(std::span<const double> x, std::span<double> y) = 0;
 
-  /// Stress per element, Pa, 6 values each (xx, yy, zz, xy, yz, zx), from the displacement.
-  [[nodiscard]] virtual expected<void> element_stress(std::span<const double> displacement,
-                                                      std::span<double> stress) = 0;
-
-  /// Stress at nodes, Pa, 6 values each: the volume-weighted mean of the elements around.
-  [[nodiscard]] virtual expected<void> nodal_stress(std::span<const double> element_stress,
-                                                    std::span<double> nodal) = 0;
-
   /// Milliseconds of the stages of `assemble`: pattern and values.
   [[nodiscard]] virtual double assembly_ms() const = 0;
 

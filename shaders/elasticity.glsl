@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Buffers and functions of the assembly and stress kernels. Nothing assumes a subgroup size.
+// Buffers and functions of the assembly kernels. Nothing assumes a subgroup size.
 #extension GL_GOOGLE_include_directive : require
 #include "elasticity_bindings.h"
 
@@ -16,10 +16,7 @@ layout(set = 0, binding = TEDIT_BIND_CORNER_ROWS) readonly buffer b4 { uvec2 cor
 layout(set = 0, binding = TEDIT_BIND_CORNERS) readonly buffer b5 { uint corners[]; };
 layout(set = 0, binding = TEDIT_BIND_SLICES) buffer b6 { uint slices[]; };
 layout(set = 0, binding = TEDIT_BIND_BLOCKS) buffer b7 { uvec4 blocks[]; };
-layout(set = 0, binding = TEDIT_BIND_LEADING) readonly buffer b8 { vec4 leading[]; };
-layout(set = 0, binding = TEDIT_BIND_TRAILING) readonly buffer b9 { vec4 trailing[]; };
-layout(set = 0, binding = TEDIT_BIND_MEANS) writeonly buffer b10 { vec4 means[]; };
-layout(set = 0, binding = TEDIT_BIND_LISTED) readonly buffer b11 { uint listed[]; };
+layout(set = 0, binding = TEDIT_BIND_LISTED) readonly buffer b8 { uint listed[]; };
 
 vec3 edge(uint a, uint b) {
   return (position_high[b].xyz - position_high[a].xyz) + (position_low[b].xyz - position_low[a].xyz);

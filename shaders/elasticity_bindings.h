@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Shared by the assembly and stress kernels and by C++: buffers and push constants.
+// Shared by the assembly kernels and by C++: buffers and push constants.
 #ifndef TEDIT_ELASTICITY_BINDINGS_H
 #define TEDIT_ELASTICITY_BINDINGS_H
 
@@ -11,11 +11,8 @@
 #define TEDIT_BIND_CORNERS 5         // uint: element * 4 + local node
 #define TEDIT_BIND_SLICES 6          // uint pair per slice: first entry, width (counting: columns per row)
 #define TEDIT_BIND_BLOCKS 7          // 3 uvec4 per entry: column, 9 values (row-major), 2 unused
-#define TEDIT_BIND_LEADING 8         // vec4 per node: displacement, leading part
-#define TEDIT_BIND_TRAILING 9        // vec4 per node: what the leading part lacks
-#define TEDIT_BIND_MEANS 10          // 2 vec4 per node: stress
-#define TEDIT_BIND_LISTED 11         // uint: rows that are to be gathered again
-#define TEDIT_BINDINGS 12
+#define TEDIT_BIND_LISTED 8          // uint: rows that are to be gathered again
+#define TEDIT_BINDINGS 9
 
 #ifdef __cplusplus
 #include <cstdint>

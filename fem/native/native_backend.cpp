@@ -50,11 +50,6 @@ public:
     return results;
   }
 
-  expected<void> element_stress(std::span<const double> displacement,
-                                std::span<double> stress) override;
-  expected<void> nodal_stress(std::span<const double> element_stress,
-                              std::span<double> nodal) override;
-
   double assembly_ms() const override { return assembly_ms_; }
 
 protected:
@@ -344,42 +339,6 @@ private:
   std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
   lane_solvers<quadratic_solver> solvers_;
 };
-
-expected<void> native_system::element_stress(std::span<const double> displacement,
-                                             std::span<double> stress) {
-  const auto& p = problem_;
-  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t e = first; e < last; ++e) {
-      const auto g = gradients_of(p, e);
-      const auto s = stress_of(displacement_gradient(p, e, g, displacement.data()),
-                               p.constants[p.element_materials[e]]);
-      std::ranges::copy(s, stress.begin() + static_cast<std::ptrdiff_t>(6 * e));
-    }
-  });
-  return {};
-}
-
-expected<void> native_system::nodal_stress(std::span<const double> element_stress,
-                                           std::span<double> nodal) {
-  const auto& p = problem_;
-  const incidence corners(p);
-  parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t n = first; n < last; ++n) {
-      std::array<double, 6> sum{};
-      double volume = 0;
-      for (const auto corner : corners.of_node(n)) {
-        const std::size_t e = corner / 4;
-        const double v = gradients_of(p, e).volume;
-        volume += v;
-        for (int c = 0; c < 6; ++c)
-          sum[c] += v * element_stress[6 * e + c];
-      }
-      for (int c = 0; c < 6; ++c)
-        nodal[6 * n + c] = sum[c] / volume;
-    }
-  });
-  return {};
-}
 
 class native_backend final : public backend {
 public:

@@ -18,8 +18,6 @@
 #include "kernels/dense.h"
 #include "kernels/edge_down.h"
 #include "kernels/edge_up.h"
-#include "kernels/element_stress.h"
-#include "kernels/nodal_stress.h"
 #include "kernels/node_rows.h"
 #include "kernels/node_start.h"
 #include "kernels/quadratic_elements.h"
@@ -84,9 +82,7 @@ expected<elasticity_kernels> make_elasticity_kernels(std::shared_ptr<gpu::device
     return fail(layout.error());
   result.layout = *layout;
   const entry entries[] = {{&result.count_columns, count_columns_spirv, most_columns},
-                           {&result.assemble_rows, assemble_rows_spirv, most_columns},
-                           {&result.element_stress, element_stress_spirv, most_columns},
-                           {&result.nodal_stress, nodal_stress_spirv, most_columns}};
+                           {&result.assemble_rows, assemble_rows_spirv, most_columns}};
   if (auto ok = compile(result.layout, entries, like); !ok)
     return fail(ok.error());
   return result;

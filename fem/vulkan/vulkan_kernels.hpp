@@ -9,10 +9,10 @@
 
 namespace tedit::fem {
 
-/// The kernels of `shaders/` that assemble linear tets and recover their stresses.
+/// The kernels of `shaders/` that assemble linear tets.
 struct elasticity_kernels {
   std::shared_ptr<gpu::kernel_layout> layout;
-  gpu::kernel count_columns, assemble_rows, element_stress, nodal_stress;
+  gpu::kernel count_columns, assemble_rows;
 };
 
 /// The kernels that solve. Arrays are indexed by the modes of cycle_bindings.h.

@@ -15,39 +15,6 @@ constexpr std::uint32_t first_rows = 2048;
 
 constexpr std::uint64_t entry_bytes = 48;  // column and nine values in three uvec4
 
-double largest_of(std::span<const double> values) {
-  double result = 1e-300;
-  for (const double value : values)
-    result = std::max(result, std::abs(value));
-  return result;
-}
-
-/// Six numbers an item, in two vec4.
-std::vector<std::array<float, 8>> packed6(std::span<const double> values, double scale) {
-  std::vector<std::array<float, 8>> result(values.size() / 6);
-  for (std::size_t e = 0; e < result.size(); ++e)
-    for (int i = 0; i < 6; ++i)
-      result[e][i] = static_cast<float>(scale * values[6 * e + i]);
-  return result;
-}
-
-void unpack6(std::span<const std::array<float, 8>> packed, double scale, std::span<double> values) {
-  for (std::size_t e = 0; e < packed.size(); ++e)
-    for (int i = 0; i < 6; ++i)
-      values[6 * e + i] = scale * static_cast<double>(packed[e][i]);
-}
-
-/// What single precision loses of vectors with three numbers a node.
-std::vector<device_float4> trailing_part(std::span<const double> values, double scale,
-                                         std::span<const device_float4> leading) {
-  std::vector<device_float4> result(leading.size());
-  for (std::size_t n = 0; n < result.size(); ++n)
-    for (int i = 0; i < 3; ++i)
-      result[n][i] =
-        static_cast<float>(scale * values[3 * n + i] - static_cast<double>(leading[n][i]));
-  return result;
-}
-
 std::array<std::uint32_t, 4> corners_of(const problem& p, std::uint32_t element) {
   std::array<std::uint32_t, 4> result;
   std::copy_n(&p.element_nodes[static_cast<std::size_t>(p.nodes_per_element) * element], 4,
@@ -175,11 +142,10 @@ expected<void> vulkan_matrix::dispatch(const gpu::kernel& k, const gpu::buffer& 
   auto pool = gpu::binding_pool::make(kernels_.layout, 1);
   if (!pool)
     return fail(pool.error());
-  const auto any = [&](const gpu::buffer& b) { return b.handle() ? &b : &slices_; };
   const std::array<const gpu::buffer*, TEDIT_BINDINGS> all{
-    &position_high_,   &position_low_,    &element_nodes_, &element_lame_,
-    &corners_.table(), &corners_.items(), &slices_,        &blocks,
-    any(leading_),     any(trailing_),    any(means_),     listed ? listed : &slices_};
+    &position_high_, &position_low_,    &element_nodes_,
+    &element_lame_,  &corners_.table(), &corners_.items(),
+    &slices_,        &blocks,           listed ? listed : &slices_};
   const auto set = pool->bind(all);
   if (!set)
     return fail(set.error());
@@ -364,54 +330,6 @@ std::uint32_t vulkan_matrix::add(vulkan_program& program, std::uint32_t mode, co
       program.add(program.kernels().node_rows[mode], places, push);
   }
   return push.place;
-}
-
-expected<void> vulkan_matrix::make_stress_room() {
-  const std::uint64_t bytes = 32 * std::uint64_t{elements_};
-  if (element_stresses_.bytes() >= bytes && element_stresses_.handle())
-    return {};
-  for (auto* b : {&leading_, &trailing_, &means_, &element_stresses_})
-    memory_.give_back(*b);
-  leading_ = memory_.room(16 * std::uint64_t{nodes_});
-  trailing_ = memory_.room(16 * std::uint64_t{nodes_});
-  means_ = memory_.room(32 * std::uint64_t{nodes_});
-  element_stresses_ = memory_.room(32 * with_spare(elements_));
-  return memory_.status();
-}
-
-expected<void> vulkan_matrix::element_stress(std::span<const double> displacement,
-                                             std::span<double> stress) {
-  if (auto ok = make_stress_room(); !ok)
-    return ok;
-  const double largest = largest_of(displacement);
-  const auto leading = packed3(displacement, 1 / largest);
-  if (auto ok = memory_.upload(leading_, leading); !ok)
-    return ok;
-  if (auto ok = memory_.upload(trailing_, trailing_part(displacement, 1 / largest, leading)); !ok)
-    return ok;
-  if (auto ok = dispatch(kernels_.element_stress, element_stresses_, elements_); !ok)
-    return ok;
-  std::vector<std::array<float, 8>> packed(elements_);
-  if (auto ok = memory_.download(element_stresses_, packed); !ok)
-    return ok;
-  unpack6(packed, largest / scale_.size * scale_.stiffness, stress);
-  return {};
-}
-
-expected<void> vulkan_matrix::nodal_stress(std::span<const double> element_stress,
-                                           std::span<double> nodal) {
-  if (auto ok = make_stress_room(); !ok)
-    return ok;
-  const double largest = largest_of(element_stress);
-  if (auto ok = memory_.upload(element_stresses_, packed6(element_stress, 1 / largest)); !ok)
-    return ok;
-  if (auto ok = dispatch(kernels_.nodal_stress, element_stresses_, nodes_); !ok)
-    return ok;
-  std::vector<std::array<float, 8>> packed(nodes_);
-  if (auto ok = memory_.download(means_, packed); !ok)
-    return ok;
-  unpack6(packed, largest, nodal);
-  return {};
 }
 
 }  // namespace tedit::fem

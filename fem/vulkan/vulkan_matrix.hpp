@@ -23,8 +23,7 @@ struct device_scale {
 };
 
 /// The matrix of the linear tets at the corners of a problem of any order, assembled on the device
-/// in difference form: sliced rows, cut into ranges that fit a binding. Also recovers stresses of
-/// linear tets.
+/// in difference form: sliced rows, cut into ranges that fit a binding.
 class vulkan_matrix final : public row_operator {
 public:
   /// `kernels` and `memory` must outlive the matrix, `p` and `corners` the call.
@@ -42,12 +41,6 @@ public:
   void update(const problem& p, const incidence& corners, const row_places& lengths,
               const problem_change& change, vulkan_changes& changes);
   [[nodiscard]] expected<void> gather_again();
-
-  /// As `linear_system`, of linear tets.
-  [[nodiscard]] expected<void> element_stress(std::span<const double> displacement,
-                                              std::span<double> stress);
-  [[nodiscard]] expected<void> nodal_stress(std::span<const double> element_stress,
-                                            std::span<double> nodal);
 
 private:
   /// A range of rows whose blocks fit into one binding.
@@ -76,7 +69,6 @@ private:
                     vulkan_changes& changes);
   [[nodiscard]] device_float4 position(const problem& p, std::uint32_t node, bool leading) const;
   [[nodiscard]] std::array<float, 2> lame(const problem& p, std::uint32_t element) const;
-  [[nodiscard]] expected<void> make_stress_room();
   [[nodiscard]] expected<void> dispatch(const gpu::kernel& k, const gpu::buffer& blocks,
                                         std::uint32_t rows, std::uint32_t first = 0,
                                         const gpu::buffer* listed = nullptr);
@@ -93,7 +85,6 @@ private:
   gpu::buffer position_high_, position_low_, element_nodes_, element_lame_;
   vulkan_lists corners_;
   gpu::buffer slices_;
-  gpu::buffer leading_, trailing_, element_stresses_, means_;
   std::deque<chunk> chunks_;
 };
 

@@ -65,7 +65,7 @@ private:
   expected<void> status_;
 };
 
-/// Six numbers, times `scale`, in two vec4: a symmetric 3x3 block, a stress.
+/// Six numbers, times `scale`, in two vec4: a symmetric 3x3 block.
 template <class T>
 [[nodiscard]] std::array<float, 8> packed_six(const T* values, double scale) {
   std::array<float, 8> result{};

@@ -22,10 +22,6 @@ double norm_of(std::span<const double> x) {
   return std::sqrt(sum);
 }
 
-tl::unexpected<error> no_stress() {
-  return fail(ec::device_unavailable, "stresses of quadratic tets are recovered on the host");
-}
-
 /// Bytes that a system will need on the device, from measured means: 17 blocks a row with padding;
 /// aggregates of 13 nodes with 25 blocks a row, the coarser levels a fifth of that.
 std::uint64_t estimated_bytes(const problem& p) {
@@ -36,9 +32,8 @@ std::uint64_t estimated_bytes(const problem& p) {
   constexpr std::uint64_t blocks = 2 * 32 + 16;  // inverse, filter, arm or edge
   const std::uint64_t linear =
     corners * (17 * 48 + 25 * 148 * 6 / (13 * 5) + vectors + blocks) + elements * 40;
-  const std::uint64_t rest = p.element_order == 1
-                               ? corners * 64 + elements * 32  // stresses
-                               : nodes * (vectors + blocks) + elements * (96 + 10 * 16 + 10 * 4);
+  const std::uint64_t rest =
+    p.element_order == 1 ? 0 : nodes * (vectors + blocks) + elements * (96 + 10 * 16 + 10 * 4);
   return (linear + rest) * 17 / 16;  // and room for edits
 }
 
@@ -327,22 +322,6 @@ expected<void> vulkan_system::precondition(std::span<const double> r, std::span<
     return ok;
   unpack3(packed, length / scale_.matrix(), z);
   return {};
-}
-
-expected<void> vulkan_system::element_stress(std::span<const double> displacement,
-                                             std::span<double> stress) {
-  if (auto ok = check_ready(); !ok)
-    return ok;
-  return is_quadratic() ? expected<void>(no_stress())
-                        : matrix_->element_stress(displacement, stress);
-}
-
-expected<void> vulkan_system::nodal_stress(std::span<const double> element_stress,
-                                           std::span<double> nodal) {
-  if (auto ok = check_ready(); !ok)
-    return ok;
-  return is_quadratic() ? expected<void>(no_stress())
-                        : matrix_->nodal_stress(element_stress, nodal);
 }
 
 }  // namespace tedit::fem

@@ -25,11 +25,6 @@ public:
   /// Host and device renew the same rows; one submission carries what changed.
   expected<bool> update(const problem_change& change, const incidence& corners) override;
   expected<void> multiply(std::span<const double> x, std::span<double> y) override;
-  /// Of linear tets only; quadratic ones are recovered on the host.
-  expected<void> element_stress(std::span<const double> displacement,
-                                std::span<double> stress) override;
-  expected<void> nodal_stress(std::span<const double> element_stress,
-                              std::span<double> nodal) override;
   /// Raises the bounds of the eigenvalues before the next solve.
   void distrust() override { distrusted_ = true; }
   double assembly_ms() const override { return assembly_ms_; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/solver.hpp"
+#include "fem/recovery.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -118,15 +119,13 @@ TEST(Solver, RigidMotionGivesNoStress) {
     u[3 * n + 2] = turned.z;
   }
   std::vector<double> force(p.dofs());
-  std::vector<double> stress(6 * p.element_count());
 
   ASSERT_TRUE((*system)->multiply(u, force).has_value());
-  ASSERT_TRUE((*system)->element_stress(u, stress).has_value());
 
   // Forces of a stretch by as much would be about 1e6; single precision keeps 7 digits.
   for (const double f : force)
     EXPECT_NEAR(f, 0, 1);
-  for (const double s : stress)
+  for (const double s : corner_stress(p, u).values)
     EXPECT_NEAR(s, 0, 1e-7);
 }
 

@@ -130,35 +130,6 @@ TEST_F(VulkanSystem, AMatrixInManyBindingsGivesTheSame) {
   EXPECT_FALSE(result->broke_down);
 }
 
-TEST_F(VulkanSystem, StressesAreEquivalentToNative) {
-  const auto u = wave(p_.dofs(), 0.01);
-  std::vector<double> expected_s(6 * p_.element_count());
-  std::vector<double> s(6 * p_.element_count());
-  std::vector<double> expected_n(6 * p_.node_count());
-  std::vector<double> n(6 * p_.node_count());
-
-  ASSERT_TRUE(native_->element_stress(u, expected_s).has_value());
-  ASSERT_TRUE(device_->element_stress(u, s).has_value());
-  ASSERT_TRUE(native_->nodal_stress(expected_s, expected_n).has_value());
-  ASSERT_TRUE(device_->nodal_stress(expected_s, n).has_value());
-
-  expect_near_all(s, expected_s, kFloatTolerance);
-  expect_near_all(n, expected_n, kFloatTolerance);
-}
-
-TEST_F(VulkanSystem, StressKeepsItsDigitsUnderALargeRigidMotion) {
-  auto u = wave(p_.dofs(), 0.01);
-  std::vector<double> plain(6 * p_.element_count());
-  std::vector<double> moved(6 * p_.element_count());
-
-  ASSERT_TRUE(device_->element_stress(u, plain).has_value());
-  for (double& value : u)
-    value += 1000;
-  ASSERT_TRUE(device_->element_stress(u, moved).has_value());
-
-  expect_near_all(moved, plain, 1e-3);
-}
-
 TEST_F(VulkanSystem, CancelIsObeyed) {
   execution run;
   run.cancel.cancel();

@@ -86,38 +86,6 @@ TEST_P(VulkanUpdate, SliverClustersComeAndGo) {
   }
 }
 
-/// Stresses of quadratic tets are recovered on the host.
-using VulkanUpdateOfLinearTets = VulkanUpdate;
-
-INSTANTIATE_TEST_SUITE_P(Linear, VulkanUpdateOfLinearTets, ::testing::Values(1));
-
-TEST_P(VulkanUpdateOfLinearTets, StressesFollow) {
-  followed_system one(bar(), held_at_one_end(), GetParam(), {});
-  std::vector<double> before(6 * one.current().element_count());
-  ASSERT_TRUE(
-    one.system().element_stress(test::wave(one.current().dofs(), 0.01), before).has_value());
-  ASSERT_NO_FATAL_FAILURE(
-    one.follow(tedit::test::split(one.mesh(), [](tet_id t) { return t % 301 == 5; })));
-  const auto& p = one.current();
-  const auto u = test::wave(p.dofs(), 0.01);
-  std::vector<double> expected_s(6 * p.element_count());
-  std::vector<double> s(6 * p.element_count());
-  std::vector<double> expected_n(6 * p.node_count());
-  std::vector<double> n(6 * p.node_count());
-  const auto cold = one.fresh();
-
-  ASSERT_TRUE(cold->element_stress(u, expected_s).has_value());
-  ASSERT_TRUE(one.system().element_stress(u, s).has_value());
-  ASSERT_TRUE(cold->nodal_stress(expected_s, expected_n).has_value());
-  ASSERT_TRUE(one.system().nodal_stress(expected_s, n).has_value());
-
-  test::expect_near_all(s, expected_s, 1e-6);
-  for (const auto unused : p.unused)  // No element, no mean.
-    for (std::size_t i = 6 * std::size_t{unused}; i < 6 * std::size_t{unused} + 6; ++i)
-      n[i] = expected_n[i] = 0;
-  test::expect_near_all(n, expected_n, 1e-6);
-}
-
 TEST_P(VulkanUpdate, ANodeOfMoreNeighboursThanTheKernelsHaveRoomForIsRefused) {
   followed_system one(bar(), held_at_one_end(), GetParam(), {});
   const auto& mesh = one.mesh();
