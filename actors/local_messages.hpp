@@ -82,8 +82,10 @@ struct load_case_request {
 struct solve_request {
   std::uint64_t ticket = 0;
   caf::actor client;
-  std::string load_case;  ///< Name; empty: the first.
+  std::vector<std::string> load_cases;  ///< Names; empty: the first.
+  bool all_load_cases = false;          ///< Whatever the head has, whichever it is.
   double tolerance = 1e-6;
+  double energy_tolerance = 0;  ///< 0: none.
   std::string device;
   int element_order = 2;
 };
@@ -123,7 +125,7 @@ enum class solve_phase { started, converging, superseded, cancelled, failed };
 struct solve_note {
   std::string document;
   std::string version;
-  std::string load_case;
+  std::vector<std::string> load_cases;
   solve_phase phase = solve_phase::started;
   std::int32_t iterations = 0;
   double residual = 1;
@@ -133,7 +135,7 @@ struct solve_note {
 struct solved {
   std::string document;
   version_ptr version;
-  std::string report;  ///< JSON of SolveReport.
+  std::string outcome;  ///< JSON of Solved; the document is not set.
   std::shared_ptr<const std::vector<field>> fields;
 };
 

@@ -159,16 +159,17 @@ typename Inspector::result_type inspect(Inspector& f, finish_result& x) {
 struct solve_order {
   order_base base;
   version_ref version;
-  std::string load_case;  ///< JSON.
+  std::vector<std::string> load_cases;  ///< JSON each; several are solved together.
   std::string device;
   double tolerance = 1e-6;
+  double energy_tolerance = 0;  ///< 0: none.
   std::int32_t element_order = 2;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, solve_order& x) {
   return f(caf::meta::type_name("solve_order"), x.base.source, x.base.listener, x.version,
-           x.load_case, x.device, x.tolerance, x.element_order);
+           x.load_cases, x.device, x.tolerance, x.energy_tolerance, x.element_order);
 }
 
 /// A field without its pages.
@@ -186,14 +187,14 @@ typename Inspector::result_type inspect(Inspector& f, field_ref& x) {
 }
 
 struct solve_result {
-  std::string report;  ///< JSON of SolveReport.
+  std::string outcome;  ///< JSON of Solved; the document is not set.
   std::vector<field_ref> fields;
   caf::actor source;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, solve_result& x) {
-  return f(caf::meta::type_name("solve_result"), x.report, x.fields, x.source);
+  return f(caf::meta::type_name("solve_result"), x.outcome, x.fields, x.source);
 }
 
 /// A version, with fields when there are any, to write as a file.
@@ -201,15 +202,15 @@ struct export_order {
   order_base base;
   version_ref version;
   std::vector<field_ref> fields;
-  std::string report;  ///< JSON of the fields' SolveReport; empty without fields.
-  std::string format;  ///< "msh", "stl", "vtu".
+  std::string outcome;  ///< JSON of the fields' Solved; empty without fields.
+  std::string format;   ///< "msh", "stl", "vtu".
   std::string length_unit;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, export_order& x) {
   return f(caf::meta::type_name("export_order"), x.base.source, x.base.listener, x.version,
-           x.fields, x.report, x.format, x.length_unit);
+           x.fields, x.outcome, x.format, x.length_unit);
 }
 
 /// A file's bytes, cut into pages.
@@ -237,7 +238,7 @@ typename Inspector::result_type inspect(Inspector& f, job_progress& x) {
   return f(caf::meta::type_name("job_progress"), x.job, x.fraction, x.stage);
 }
 
-/// A solve that converges.
+/// A solve that converges. Of several load cases: the most iterations, the largest residual.
 struct job_frame {
   job_id job;
   std::int32_t iterations = 0;

@@ -44,11 +44,7 @@ private:
       fem::vulkan_matrix::make(std::move(on), kernels_, memory_, p, fem::incidence(p), scale);
     if (!made)
       return fail(made.error());
-    (*made)->drop_mesh();
-    const std::uint64_t nodes = p.node_count();
-    const std::uint64_t room_of_slices = (8 * (nodes + 1) + 15) / 16 * 16;
-    bytes_ = memory_.bytes() - room_of_slices + 8 * (nodes / kernels_.slice_rows + 1) +
-             2 * node_bytes * nodes;
+    bytes_ = (*made)->read_bytes() + 2 * node_bytes * p.node_count();
     k_ = std::move(*made);
     return {};
   }

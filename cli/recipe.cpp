@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/recipe.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -73,6 +74,25 @@ public:
     return std::pair(given[0].get<double>(), given[1].get<double>());
   }
 
+  solve_step solve() {
+    solve_step result;
+    known_.insert("load_cases");
+    if (const auto given = body_.value("load_cases", json::array()); given == "all")
+      result.all_load_cases = true;
+    else if (given.is_array() &&
+             std::ranges::all_of(given, [](const json& name) { return name.is_string(); }))
+      result.load_cases = given.get<std::vector<std::string>>();
+    else
+      throw error{
+        ec::bad_input, where_ + ": \"load_cases\" must be a list of names, or \"all\"", {}, {}};
+    known_.insert("energy_tolerance");
+    const auto tolerance = body_.value("energy_tolerance", json(0));
+    if (!tolerance.is_number())
+      throw error{ec::bad_input, where_ + ": \"energy_tolerance\" must be a number", {}, {}};
+    result.energy_tolerance = tolerance.get<double>();
+    return result;
+  }
+
   void finish() const {
     for (const auto& [name, value] : body_.items())
       if (!known_.contains(name))
@@ -98,7 +118,7 @@ recipe_step make_step(const std::string& kind, step_reader& in) {
   if (kind == "redo")
     return redo_step{};
   if (kind == "solve")
-    return solve_step{};
+    return in.solve();
   return export_step{in.text("vtu", {}), in.text("png", {}),   in.text("msh", {}),
                      in.text("stl", {}), in.text("title", {}), in.range("range_mpa")};
 }

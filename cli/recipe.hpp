@@ -24,7 +24,11 @@ struct edit_step {
 };
 struct undo_step {};
 struct redo_step {};
-struct solve_step {};
+struct solve_step {
+  std::vector<std::string> load_cases;  ///< Names, solved together; empty: the first one.
+  bool all_load_cases = false;          ///< All that the version has, instead of names.
+  double energy_tolerance = 0;          ///< 0: none.
+};
 /// Files with `{version}` in their names get the number of the version in the session (0 is the
 /// imported one).
 struct export_step {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/recipe_runner.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <thread>
 
 #include "base/child_process.hpp"
 #include "base/stopwatch.hpp"
@@ -27,17 +29,59 @@ nlohmann::ordered_json to_json(const client::traffic& moved) {
   return {{"bytes", moved.bytes}, {"messages", moved.messages}, {"ms", moved.ms}};
 }
 
-/// What a picture's numbers are worth, and where its colours end before the field does.
-std::string caption_of(const solve_report& shown, const export_step& s) {
+solve_outcome outcome_of(const std::vector<client::field_event>& fields) {
+  solve_outcome outcome;
+  for (const auto& field : fields)
+    if (field.envelope)
+      outcome.envelope = field.envelope;
+    else
+      outcome.cases.push_back(field.report);
+  return outcome;
+}
+
+/// Whether these are the fields of that solve: no two have the same numbers.
+bool are_of(const std::vector<client::field_event>& fields, const solve_outcome& answer) {
+  const auto same = [](const solve_report& a, const solve_report& b) {
+    return a.load_case == b.load_case && a.iterations == b.iterations &&
+           a.true_relative_residual == b.true_relative_residual;
+  };
+  return std::ranges::equal(outcome_of(fields).cases, answer.cases, same);
+}
+
+/// Of load cases that were solved together: their shares make up the whole.
+nlohmann::ordered_json sum_of_times(const solve_outcome& outcome) {
+  solve_report sum;
+  for (const auto& one : outcome.cases) {
+    sum.assembly_ms += one.assembly_ms;
+    sum.setup_ms += one.setup_ms;
+    sum.solve_ms += one.solve_ms;
+    sum.recovery_ms += one.recovery_ms;
+    sum.total_ms += one.total_ms;
+  }
+  return cli::to_json(sum)["timings_ms"];
+}
+
+/// The report with the largest stress.
+const solve_report& worst_of(const solve_outcome& outcome) {
+  return *std::ranges::max_element(outcome.cases, {}, &solve_report::max_von_mises_pa);
+}
+
+/// What a picture's numbers are worth, and where its colours end before the field does. Of several
+/// load cases it shows the envelope.
+std::string caption_of(const solve_outcome& outcome, const export_step& s) {
+  const auto& shown = worst_of(outcome);
+  const bool preview = outcome.envelope ? outcome.envelope->preview : shown.preview;
   std::string place = shown.element_order < 2 ? " (element)" : " (node)";
   if (shown.max_von_mises_singularity)
     place += *shown.max_von_mises_singularity == fem::singularity::clamp_rim
                ? " at a clamp's rim"
                : " at a re-entrant edge";
+  if (outcome.envelope)
+    place += ", worst of " + std::to_string(outcome.cases.size()) + " load cases";
   const bool beyond = s.range_mpa && 1e-6 * shown.max_von_mises_pa > s.range_mpa->second;
   const auto clipped = beyond ? ",  colours end at " + pretty(s.range_mpa->second) + " MPa" : "";
   return std::string(shown.element_order < 2 ? "Preview: linear tets understate bending.  "
-                     : shown.preview         ? "Preview: stopped early.  "
+                     : preview               ? "Preview: stopped early.  "
                                              : "Quadratic tets,  ") +
          "max von Mises " + pretty(1e-6 * shown.max_von_mises_pa, 4) + " MPa" + place + clipped +
          ",  error estimate " + pretty(100 * shown.relative_error_estimate, 2) + " %,  residual " +
@@ -151,53 +195,103 @@ expected<void> recipe_runner::step(const redo_step&) {
   return done ? take_head("redo", *done, clock.milliseconds()) : fail(done.error());
 }
 
-/// The head's field. Asked for once; from then on it comes by itself after every edit.
-expected<client::field_event> recipe_runner::await_field() {
+client::solve_settings recipe_runner::settings_of(const solve_step& s) const {
+  client::solve_settings settings;
+  settings.tolerance = recipe_.tolerance;
+  settings.device = recipe_.device;
+  settings.element_order = recipe_.order;
+  settings.load_cases = s.load_cases;
+  settings.all_load_cases = s.all_load_cases;
+  settings.energy_tolerance = s.energy_tolerance;
+  return settings;
+}
+
+expected<solve_outcome> recipe_runner::ask(const client::solve_settings& settings) {
+  auto done = server_.solve_cases(settings, make_execution(session_));
+  end_progress(session_);
+  if (done)
+    followed_ = settings;
+  return done;
+}
+
+/// The head's fields. Asked for once; from then on they come by themselves after every edit.
+expected<std::vector<client::field_event>> recipe_runner::await_fields(
+  const client::solve_settings& settings) {
   constexpr auto interval = std::chrono::milliseconds(200);
-  const auto ask = [&] {
-    return server_.solve({{}, recipe_.tolerance, recipe_.device, recipe_.order},
-                         make_execution(session_));
-  };
-  if (!follows_) {
-    const auto done = ask();
-    end_progress(session_);
+  std::optional<solve_outcome> answer;
+  if (followed_ != settings) {
+    auto done = ask(settings);
     if (!done)
       return fail(done.error());
-    follows_ = true;
+    answer = std::move(*done);
   }
   while (true) {
-    auto field = server_.wait_field(head_.version_id, interval);
-    if (field || field.error().code != ec::timeout)
-      return field;
+    auto fields = server_.wait_fields(head_.version_id, interval);
+    if (!fields && fields.error().code != ec::timeout)
+      return fields;
+    // Fields of what was asked for before may have been on their way.
+    if (fields && (!answer || are_of(*fields, *answer)))
+      return fields;
     if (session_.cancel.cancelled())
       return fail(ec::cancelled, "interrupted");
-    if (failures_->contains(head_.version_id))
-      if (const auto again = ask(); !again)  // Says why.
+    if (fields)
+      std::this_thread::sleep_for(interval / 10);
+    if (!answer && failures_->contains(head_.version_id)) {
+      auto again = ask(settings);
+      if (!again)  // Says why.
         return fail(again.error());
+      answer = std::move(*again);
+    }
   }
 }
 
-expected<void> recipe_runner::step(const solve_step&) {
-  const bool known = solved_.contains(head_.version_id);
-  const auto field = await_field();
-  if (!field)
-    return fail(field.error());
-  const auto& report = field->report;
-  solved_[head_.version_id] = report;
+/// A row for each load case, and for several one with the worst of all.
+void recipe_runner::add_rows(const std::vector<client::field_event>& fields, bool known) {
+  for (const auto& field : fields) {
+    std::string what = "field of " + version_name() + (known ? " (kept)" : "");
+    if (field.envelope) {
+      rows_.push_back({what + ": worst", "", kibibytes(field.moved), pretty(field.moved.ms, 3), "",
+                       "", "", "", "", pretty(1e-6 * field.envelope->max_von_mises.value, 4),
+                       place(field.envelope->max_von_mises.at),
+                       pretty(1e3 * field.envelope->max_displacement.value, 5)});
+      continue;
+    }
+    const auto& report = field.report;
+    if (fields.size() > 1)
+      what += ": " + report.load_case;
+    // A kept field cost no solve: its times would read as if it had.
+    rows_.push_back({what, "", kibibytes(field.moved), pretty(field.moved.ms, 3), "",
+                     known ? "" : pretty(report.assembly_ms, 3),
+                     known ? "" : pretty(report.solve_ms, 4), std::to_string(report.iterations),
+                     pretty(report.true_relative_residual, 2),
+                     pretty(1e-6 * report.max_von_mises_pa, 4), place(report.max_von_mises_at),
+                     pretty(1e3 * report.max_displacement_m, 5)});
+  }
+}
+
+expected<void> recipe_runner::step(const solve_step& s) {
+  const auto settings = settings_of(s);
+  const auto before = solved_.find(head_.version_id);
+  const bool known = before != solved_.end() && before->second.settings == settings;
+  const auto fields = await_fields(settings);
+  if (!fields)
+    return fail(fields.error());
+  const auto outcome = outcome_of(*fields);
+  solved_[head_.version_id] = {settings, outcome};
   if (!known)
-    details_ += "field of " + version_name() + "\n" + summarize(report);
-  auto json = cli::to_json(report);
+    details_ += "field of " + version_name() + "\n" + summarize(outcome) +
+                (recipe_.order == 2 ? preview_text(outcome) : "");  // Linear tets: said at the end.
+  auto json = cli::to_json(outcome);
   json["step"] = "solve";
   json["from_cache"] = known;
-  json["field"] = to_json(field->moved);
+  if (outcome.envelope) {
+    for (std::size_t c = 0; c < outcome.cases.size(); ++c)
+      json["cases"][c]["field"] = to_json((*fields)[c].moved);
+    json["timings_ms"] = sum_of_times(outcome);
+  }
+  json["field"] = to_json(fields->back().moved);
   report_.push_back(std::move(json));
-  // A kept field cost no solve: its times would read as if it had.
-  rows_.push_back(
-    {"field of " + version_name() + (known ? " (kept)" : ""), "", kibibytes(field->moved),
-     pretty(field->moved.ms, 3), "", known ? "" : pretty(report.assembly_ms, 3),
-     known ? "" : pretty(report.solve_ms, 4), std::to_string(report.iterations),
-     pretty(report.true_relative_residual, 2), pretty(1e-6 * report.max_von_mises_pa, 4),
-     place(report.max_von_mises_at), pretty(1e3 * report.max_displacement_m, 5)});
+  add_rows(*fields, known);
   return {};
 }
 
@@ -231,7 +325,7 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
   if (s.vtu.empty())
     if (auto ok = write(client::file_format::vtu, vtu); !ok)
       return ok;
-  const auto& shown = solved_.at(head_.version_id);
+  const auto& shown = solved_.at(head_.version_id).outcome;
   const auto caption = caption_of(shown, s);
   std::vector<std::string> command{(executable_folder() / "tedit-render").string(),
                                    vtu.string(),
@@ -241,6 +335,10 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
                                    s.title,
                                    "--caption",
                                    caption};
+  if (shown.envelope) {
+    command.push_back("--field");
+    command.push_back("envelope_von_mises");
+  }
   if (s.range_mpa) {
     command.push_back("--range");
     command.push_back(pretty(s.range_mpa->first, 9) + "," + pretty(s.range_mpa->second, 9));

@@ -53,7 +53,10 @@ private:
   expected<void> step(const solve_step& s);
   expected<void> step(const export_step& s);
   expected<void> take_head(const std::string& what, const client::committed& done, double ms);
-  expected<client::field_event> await_field();
+  [[nodiscard]] client::solve_settings settings_of(const solve_step& s) const;
+  expected<solve_outcome> ask(const client::solve_settings& settings);
+  expected<std::vector<client::field_event>> await_fields(const client::solve_settings& settings);
+  void add_rows(const std::vector<client::field_event>& fields, bool known);
   expected<void> write(client::file_format format, const std::filesystem::path& path);
   expected<void> draw(const export_step& s, const std::filesystem::path& png);
   [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
@@ -65,8 +68,15 @@ private:
   std::shared_ptr<const failed_solves> failures_;
   std::filesystem::path out_;
   client::version_info head_;
-  bool follows_ = false;                        ///< The server solves every new head by itself.
-  std::map<std::string, solve_report> solved_;  ///< By version.
+  /// What was asked for: the server solves every new head with it.
+  std::optional<client::solve_settings> followed_;
+
+  /// The last solve of a version.
+  struct solved_version {
+    client::solve_settings settings;
+    solve_outcome outcome;
+  };
+  std::map<std::string, solved_version> solved_;  ///< By version.
   std::vector<std::vector<std::string>> rows_;
   nlohmann::ordered_json report_ = nlohmann::ordered_json::array();
   std::string details_;

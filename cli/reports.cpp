@@ -161,7 +161,7 @@ void add_judgement(const solve_report& report, nlohmann::ordered_json& json) {
 }
 
 /// One row for each case; safety factors where they are known.
-std::string case_table(std::span<const solve_report> cases) {
+std::string case_table(const std::vector<solve_report>& cases) {
   std::vector<std::vector<std::string>> rows{{"load case", "iterations", "max displacement mm",
                                               "max von Mises MPa", "safety factor", "error %"}};
   for (const auto& report : cases)
@@ -174,8 +174,28 @@ std::string case_table(std::span<const solve_report> cases) {
 }
 
 /// " at PLACE in CASE".
-std::string origin(std::span<const solve_report> cases, const fem::case_extreme& worst) {
-  return " at " + place(worst.at) + " in " + cases[worst.of].load_case;
+std::string origin(const worst_value& worst) {
+  return " at " + place(worst.at) + " in " + worst.load_case;
+}
+
+/// What is worst over all load cases, and the warnings about each.
+std::string worst_lines(const solve_outcome& outcome) {
+  const auto& worst = *outcome.envelope;
+  const bool linear = worst.element_order == 1;
+  labelled_lines lines;
+  lines.add("max displacement",
+            pretty(1e3 * worst.max_displacement.value, 6) + " mm" + origin(worst.max_displacement));
+  lines.add("max von Mises", pretty(1e-6 * worst.max_von_mises.value, 5) + " MPa" +
+                               origin(worst.max_von_mises) + (linear ? " (element)" : " (node)"));
+  if (worst.min_safety_factor)
+    lines.add("safety factor", pretty(worst.min_safety_factor->value, 3) +
+                                 origin(*worst.min_safety_factor) +
+                                 (linear ? " (nodal means)" : ""));
+  std::string text = "  worst of all load cases:\n" + lines.text();
+  for (const auto& report : outcome.cases)
+    if (const auto warning = warning_line(report); !warning.empty())
+      text += "  " + report.load_case + ":\n" + warning;
+  return text;
 }
 
 }  // namespace
@@ -310,51 +330,54 @@ std::string describe(const solve_report& report) {
   return lines.text();
 }
 
-nlohmann::ordered_json to_json(std::span<const solve_report> cases, const fem::envelope& worst) {
+nlohmann::ordered_json to_json(const solve_outcome& outcome) {
+  if (!outcome.envelope)
+    return to_json(outcome.cases.front());
   nlohmann::ordered_json json;
   json["cases"] = nlohmann::ordered_json::array();
-  for (const auto& report : cases) {
+  for (const auto& report : outcome.cases) {
     auto one = to_json(report);
     one.erase("timings_ms");
     json["cases"].push_back(std::move(one));
   }
   auto& envelope = json["envelope"];
-  const auto add = [&](const std::string& name, const std::string& unit,
-                       const fem::case_extreme& e) {
-    envelope[name + unit] = e.value;
-    envelope[name + "_at_m"] = triple(e.at);
-    envelope[name + "_case"] = cases[e.of].load_case;
+  const auto add = [&](const std::string& name, const std::string& unit, const worst_value& worst) {
+    envelope[name + unit] = worst.value;
+    envelope[name + "_at_m"] = triple(worst.at);
+    envelope[name + "_case"] = worst.load_case;
   };
-  add("max_displacement", "_m", worst.max_displacement);
-  add("max_von_mises", "_pa", worst.max_von_mises);
-  if (worst.min_safety_factor.value > 0)
-    add("min_safety_factor", "", worst.min_safety_factor);
+  add("max_displacement", "_m", outcome.envelope->max_displacement);
+  add("max_von_mises", "_pa", outcome.envelope->max_von_mises);
+  if (outcome.envelope->min_safety_factor)
+    add("min_safety_factor", "", *outcome.envelope->min_safety_factor);
   return json;
 }
 
-std::string describe(std::span<const solve_report> cases, const fem::envelope& worst) {
+std::string describe(const solve_outcome& outcome) {
+  const auto& first = outcome.cases.front();
+  if (!outcome.envelope)
+    return describe(first);
   labelled_lines head;
-  const auto& first = cases.front();
-  const bool linear = first.element_order == 1;
   head.add("device", first.device);
-  head.add("unknowns",
-           std::to_string(first.dofs) + (linear ? " (linear tets)" : " (quadratic tets)"));
-  labelled_lines lines;
-  lines.add("max displacement", pretty(1e3 * worst.max_displacement.value, 6) + " mm" +
-                                  origin(cases, worst.max_displacement));
-  lines.add("max von Mises", pretty(1e-6 * worst.max_von_mises.value, 5) + " MPa" +
-                               origin(cases, worst.max_von_mises) +
-                               (linear ? " (element)" : " (node)"));
-  if (worst.min_safety_factor.value > 0)
-    lines.add("safety factor", pretty(worst.min_safety_factor.value, 3) +
-                                 origin(cases, worst.min_safety_factor) +
-                                 (linear ? " (nodal means)" : ""));
-  std::string text =
-    head.text() + case_table(cases) + "  worst of all load cases:\n" + lines.text();
-  for (const auto& report : cases)
-    if (const auto warning = warning_line(report); !warning.empty())
-      text += "  " + report.load_case + ":\n" + warning;
-  return text;
+  head.add("unknowns", std::to_string(first.dofs) +
+                         (first.element_order == 1 ? " (linear tets)" : " (quadratic tets)"));
+  return head.text() + summarize(outcome);
+}
+
+std::string summarize(const solve_outcome& outcome) {
+  if (!outcome.envelope)
+    return summarize(outcome.cases.front());
+  return case_table(outcome.cases) + worst_lines(outcome);
+}
+
+std::string preview_text(const solve_outcome& outcome) {
+  const auto& first = outcome.cases.front();
+  if (first.element_order < 2)
+    return "  PREVIEW: linear tets are too stiff in bending; displacements of thin parts can be\n"
+           "  several times too small.\n";
+  if (outcome.envelope ? outcome.envelope->preview : first.preview)
+    return "  PREVIEW: stopped at the energy tolerance, before the residual's.\n";
+  return {};
 }
 
 std::string remarks(const solve_report& report) {

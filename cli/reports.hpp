@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <span>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "fem/load_cases.hpp"
 #include "protocol/report.hpp"
 
 namespace tedit::cli {
@@ -29,15 +27,20 @@ namespace tedit::cli {
 [[nodiscard]] std::string remarks(const solve_report& report);
 
 /// The JSON object of `tedit solve` with several load cases, but for the times: `cases`, each as
-/// above without times, and `envelope`.
-[[nodiscard]] nlohmann::ordered_json to_json(std::span<const solve_report> cases,
-                                             const fem::envelope& worst);
+/// above without times, and `envelope`. Of one load case: as above.
+[[nodiscard]] nlohmann::ordered_json to_json(const solve_outcome& outcome);
 
-/// The same for people: a table with a row for each case, the worst of all, and the warnings.
-[[nodiscard]] std::string describe(std::span<const solve_report> cases, const fem::envelope& worst);
+/// The same for people: a table with a row for each case, the worst of all, and the warnings. Of
+/// one load case: as above.
+[[nodiscard]] std::string describe(const solve_outcome& outcome);
 
-/// Only what says how strong the part is and how far that can be trusted, in few lines.
+/// Only what says how strong the part is and how far that can be trusted, in few lines; of several
+/// load cases the table and the worst of all.
 [[nodiscard]] std::string summarize(const solve_report& report);
+[[nodiscard]] std::string summarize(const solve_outcome& outcome);
+
+/// Why the numbers are not final, as a line; empty when they are.
+[[nodiscard]] std::string preview_text(const solve_outcome& outcome);
 
 /// A number for people, 0 when it is at most `noise` of `scale`: next to 20 kN a reaction of 1e-5 N
 /// is what the solver's tolerance left over, and reads as if it meant something.

@@ -29,41 +29,32 @@ struct solve_options {
   int order = 2;
 };
 
-std::string preview_text(const solve_report& report) {
-  if (report.element_order < 2)
-    return "  PREVIEW: linear tets are too stiff in bending; displacements of thin parts can be\n"
-           "  several times too small.\n";
-  return "  PREVIEW: stopped at the energy tolerance, before the residual's.\n";
-}
-
-/// A report with the caller's times in it.
-struct timed_report {
-  solve_report report;
+/// Of the whole solve, whether one load case or several.
+struct solve_times {
   double import_ms = 0;
+  double assembly_ms = 0;
+  double setup_ms = 0;
+  double solve_ms = 0;
+  double recovery_ms = 0;
+  double total_ms = 0;
 };
 
-nlohmann::ordered_json to_json(const timed_report& timed) {
-  auto json = cli::to_json(timed.report);
-  json["timings_ms"]["import"] = timed.import_ms;
+nlohmann::ordered_json to_json(const solve_outcome& outcome, const solve_times& times) {
+  auto json = cli::to_json(outcome);
+  json["timings_ms"] = {{"import", times.import_ms},     {"assembly", times.assembly_ms},
+                        {"setup", times.setup_ms},       {"solve", times.solve_ms},
+                        {"recovery", times.recovery_ms}, {"total", times.total_ms}};
   return json;
 }
 
-std::string time_line(double total_ms, double import_ms, double assembly_ms, double solve_ms,
-                      double recovery_ms) {
-  return "  time              " + pretty(total_ms) + " ms (import " + pretty(import_ms, 3) +
-         ", assembly " + pretty(assembly_ms, 3) + ", solve " + pretty(solve_ms, 4) + ", recovery " +
-         pretty(recovery_ms, 3) + ")\n";
-}
-
-std::string describe(const timed_report& timed) {
-  const auto& report = timed.report;
-  auto text = cli::describe(report);
-  text += time_line(report.total_ms, timed.import_ms, report.assembly_ms, report.solve_ms,
-                    report.recovery_ms) +
-          remarks(report);
-  if (report.preview)
-    text += preview_text(report);
-  return text;
+std::string describe(const solve_outcome& outcome, const solve_times& times) {
+  auto text = cli::describe(outcome) + "  time              " + pretty(times.total_ms) +
+              " ms (import " + pretty(times.import_ms, 3) + ", assembly " +
+              pretty(times.assembly_ms, 3) + ", solve " + pretty(times.solve_ms, 4) +
+              ", recovery " + pretty(times.recovery_ms, 3) + ")\n";
+  if (!outcome.envelope)
+    text += remarks(outcome.cases.front());
+  return text + preview_text(outcome);
 }
 
 /// Reads all load cases. Several have names of their own: a case without one is called after its
@@ -87,15 +78,6 @@ expected<std::vector<fem::load_case>> read_cases(const std::vector<std::string>&
   return cases;
 }
 
-/// What solving and reporting have in common, however many load cases there are.
-struct solve_run {
-  const solve_options& options;
-  session& s;
-  const mesh_version& mesh;
-  stopwatch total;
-  double import_ms = 0;
-};
-
 fem::solve_settings settings_of(const solve_options& options) {
   fem::solve_settings settings;
   settings.tolerance = options.tolerance;
@@ -103,52 +85,18 @@ fem::solve_settings settings_of(const solve_options& options) {
   return settings;
 }
 
-void print_together(const solve_run& run, const fem::case_set& set, const fem::solved_cases& result,
-                    double problem_ms) {
-  std::vector<solve_report> reports;
-  for (std::size_t c = 0; c < result.cases.size(); ++c)
-    reports.push_back(make_report(run.mesh, set.cases[c].name, set.problem, result.cases[c]));
-  auto json = cli::to_json(reports, result.envelope);
-  const double total_ms = run.total.milliseconds();
-  json["timings_ms"] = {{"import", run.import_ms},
-                        {"assembly", result.assembly_ms},
-                        {"setup", result.setup_ms + problem_ms},
-                        {"solve", result.solve_ms},
-                        {"recovery", result.recovery_ms},
-                        {"total", total_ms}};
-  auto text =
-    cli::describe(reports, result.envelope) +
-    time_line(total_ms, run.import_ms, result.assembly_ms, result.solve_ms, result.recovery_ms);
-  if (reports.front().preview)
-    text += preview_text(reports.front());
-  print_result(run.s, json, text);
-}
-
-/// Several load cases on one matrix.
-int solve_together(const solve_run& run, const std::vector<fem::load_case>& loads) {
-  stopwatch clock;
-  auto set = fem::make_cases(run.mesh, loads, run.options.order);
-  if (!set)
-    return print_error(run.s, set.error());
-  const double problem_ms = clock.milliseconds();
-  const auto device = fem::open_backend(run.options.device);
-  if (!device)
-    return print_error(run.s, device.error());
-  const auto result =
-    fem::solve_cases(*set, **device, settings_of(run.options), make_execution(run.s));
-  if (!result)
-    return print_error(run.s, result.error());
-  if (!run.options.output.empty())
-    if (auto written = write_field(run.options.output, run.mesh, *set, *result); !written)
-      return print_error(run.s, written.error());
-  print_together(run, *set, *result, problem_ms);
-  return 0;
+expected<void> write_output(const solve_options& options, const mesh_version& mesh,
+                            const fem::case_set& set, const fem::solved_cases& result) {
+  if (options.output.empty())
+    return {};
+  if (result.cases.size() == 1)
+    return write_field(options.output, mesh, set.problem, result.cases.front());
+  return write_field(options.output, mesh, set, result);
 }
 
 int run_solve(const solve_options& options, session& s) {
   const stopwatch total;
   stopwatch clock;
-  timed_report timed;
   const auto loads = read_cases(options.load_cases);
   if (!loads)
     return print_error(s, loads.error());
@@ -158,27 +106,23 @@ int run_solve(const solve_options& options, session& s) {
   for (const auto& warning : imported->warnings)
     notice(s, "note: " + warning);
   const auto& mesh = *imported->version;
-  timed.import_ms = clock.restart();
-  if (loads->size() > 1)
-    return solve_together({options, s, mesh, total, timed.import_ms}, *loads);
-
-  const auto problem = fem::make_problem(mesh, loads->front(), options.order);
-  if (!problem)
-    return print_error(s, problem.error());
-  const double problem_ms = clock.restart();
+  const double import_ms = clock.restart();
+  auto set = fem::make_cases(mesh, *loads, options.order);
+  if (!set)
+    return print_error(s, set.error());
+  const double problem_ms = clock.milliseconds();
   const auto device = fem::open_backend(options.device);
   if (!device)
     return print_error(s, device.error());
-  const auto result = fem::solve(*problem, **device, settings_of(options), make_execution(s));
+  const auto result = fem::solve_cases(*set, **device, settings_of(options), make_execution(s));
   if (!result)
     return print_error(s, result.error());
-  if (!options.output.empty())
-    if (auto written = write_field(options.output, mesh, *problem, *result); !written)
-      return print_error(s, written.error());
-  timed.report = make_report(mesh, loads->front().name, *problem, *result);
-  timed.report.setup_ms += problem_ms;
-  timed.report.total_ms = total.milliseconds();
-  print_result(s, to_json(timed), describe(timed));
+  if (auto written = write_output(options, mesh, *set, *result); !written)
+    return print_error(s, written.error());
+  const auto outcome = make_outcome(mesh, *set, *result, false, 0);
+  const solve_times times{import_ms,        result->assembly_ms, result->setup_ms + problem_ms,
+                          result->solve_ms, result->recovery_ms, total.milliseconds()};
+  print_result(s, to_json(outcome, times), describe(outcome, times));
   return 0;
 }
 

@@ -259,6 +259,12 @@ expected<committed> client::redo() {
 }
 
 expected<solve_report> client::solve(const solve_settings& settings, const execution& run) {
+  return solve_cases(settings, run).map([](const solve_outcome& outcome) {
+    return outcome.cases.front();
+  });
+}
+
+expected<solve_outcome> client::solve_cases(const solve_settings& settings, const execution& run) {
   auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
@@ -269,11 +275,18 @@ expected<solve_report> client::solve(const solve_settings& settings, const execu
   solve->set_tolerance(settings.tolerance);
   solve->set_device(settings.device);
   solve->set_element_order(static_cast<std::uint32_t>(settings.element_order));
+  solve->mutable_load_cases()->Assign(settings.load_cases.begin(), settings.load_cases.end());
+  solve->set_all_load_cases(settings.all_load_cases);
+  solve->set_energy_tolerance(settings.energy_tolerance);
   impl_->link.arrivals().forget_fields();
   const auto got = impl_->ask(std::move(request), body::kSolved, run);
   if (!got)
     return fail(got.error());
-  return protocol::from_message(got->message.solved().report());
+  auto outcome = protocol::from_message(got->message.solved());
+  if (settings.load_cases.size() > 1 && outcome.cases.size() != settings.load_cases.size())
+    return fail(ec::protocol_error, "the server does not solve several load cases together",
+                "Use a server of this client's release");
+  return outcome;
 }
 
 expected<std::vector<char>> client::export_file(file_format format, const std::string& version_id,
@@ -311,11 +324,25 @@ expected<surface_event> client::wait_surface(const std::string& version_id,
   return impl_->link.arrivals().wait_surface(version_id, patience);
 }
 
+expected<std::vector<field_event>> client::wait_fields(const std::string& version_id,
+                                                       std::chrono::milliseconds patience) {
+  if (impl_->link.on_io_thread())
+    return fail(ec::internal, "a blocking call from one of the client's own events");
+  return impl_->link.arrivals().wait_fields(version_id, patience).map([](const auto& fields) {
+    std::vector<field_event> copies;
+    for (const auto& field : fields)
+      copies.push_back(*field);
+    return copies;
+  });
+}
+
 expected<field_event> client::wait_field(const std::string& version_id,
                                          std::chrono::milliseconds patience) {
   if (impl_->link.on_io_thread())
     return fail(ec::internal, "a blocking call from one of the client's own events");
-  return impl_->link.arrivals().wait_field(version_id, patience);
+  return impl_->link.arrivals().wait_fields(version_id, patience).map([](const auto& fields) {
+    return *fields.back();
+  });
 }
 
 surface_model client::surface() const {

@@ -69,8 +69,13 @@ public:
   [[nodiscard]] expected<committed> undo();
   [[nodiscard]] expected<committed> redo();
 
-  /// Solves on the head; from then on the server solves every new head with these settings.
-  /// Fields that arrived before the call are forgotten.
+  /// Solves on the head, one load case or several together; from then on the server solves every
+  /// new head with these settings. Fields that arrived before the call are forgotten.
+  /// Errors: also `protocol_error` when the server is too old to solve several.
+  [[nodiscard]] expected<solve_outcome> solve_cases(const solve_settings& settings,
+                                                    const execution& run);
+
+  /// The same, for the report of the first load case or the only one.
   [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
 
   /// A version as a file's bytes; `version_id` empty: the head; `unit` as for import.
@@ -90,9 +95,14 @@ public:
   [[nodiscard]] expected<surface_event> wait_surface(const std::string& version_id,
                                                      std::chrono::milliseconds patience);
 
-  /// Waits until the fields of this version have arrived completely; the latest when there are
-  /// several. The last four arrivals are kept, but none from before the version became the head.
-  /// Errors: `timeout`, `service_unavailable`. Cost: a copy of the arrays.
+  /// Waits until the fields of this version have arrived completely: that of the load case, or
+  /// those of several in their order and then their envelope's. Of several solves the latest. The
+  /// last four solves are kept, but none from before the version became the head. Errors:
+  /// `timeout`, `service_unavailable`. Cost: a copy of the arrays.
+  [[nodiscard]] expected<std::vector<field_event>> wait_fields(const std::string& version_id,
+                                                               std::chrono::milliseconds patience);
+
+  /// The same, for the last of them: the load case's, or the envelope's of several.
   [[nodiscard]] expected<field_event> wait_field(const std::string& version_id,
                                                  std::chrono::milliseconds patience);
 

@@ -8,7 +8,7 @@ namespace tedit::client {
 namespace {
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 0;
+constexpr std::uint32_t protocol_minor = 1;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.
@@ -297,7 +297,7 @@ void connection::solved_came(v1::ServerMessage& message) {
   if (message.request_id() != 0)
     answer_came(message);
   else if (handlers_.on_solved && inbox_.is_open(message.solved().document()))
-    handlers_.on_solved(protocol::from_message(message.solved().report()));
+    handlers_.on_solved(protocol::from_message(message.solved()));
 }
 
 connection::shared_pending connection::find(std::uint64_t id) {

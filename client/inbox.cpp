@@ -2,6 +2,7 @@
 #include "client/inbox.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tedit::client {
 
@@ -143,16 +144,30 @@ expected<void> inbox::finish_field(const arrival& done) {
   const auto kept = std::make_shared<const field_event>(std::move(*field));
   {
     const std::lock_guard lock(mutex_);
-    // Who waits for a field waits for the converged one.
-    if (!kept->report.interim)
-      fields_in_.push_back(kept);
-    if (fields_in_.size() > max_kept_fields)
-      fields_in_.pop_front();
+    keep_field(kept);
   }
   changed_.notify_all();
   if (handlers_.on_field)
     handlers_.on_field(*kept);
   return {};
+}
+
+/// With the mutex held.
+void inbox::keep_field(const shared_field& field) {
+  if (field->interim())
+    return;  // Who waits for a field waits for the converged one.
+  // A newer solve may come before all of the last one have: those are never sent then.
+  const bool next = !fields_begun_.empty() &&
+                    fields_begun_.back()->version_id() == field->version_id() &&
+                    fields_begun_.back()->remaining == field->remaining + 1;
+  if (!next)
+    fields_begun_.clear();
+  fields_begun_.push_back(field);
+  if (field->remaining > 0)
+    return;
+  fields_in_.push_back(std::exchange(fields_begun_, {}));
+  if (fields_in_.size() > max_kept_fields)
+    fields_in_.pop_front();
 }
 
 expected<void> inbox::finish_file(const arrival& done) {
@@ -183,6 +198,7 @@ void inbox::open(const std::string& document) {
   surface_error_.reset();
   surfaces_in_.clear();
   current_.reset();
+  fields_begun_.clear();
   fields_in_.clear();
 }
 
@@ -194,7 +210,9 @@ void inbox::opened(const std::string& document) {
 
 void inbox::head_moved(const std::string& version_id) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(fields_in_, [&](const auto& f) { return f->report.version_id == version_id; });
+  std::erase_if(fields_in_, [&](const auto& f) { return f.back()->version_id() == version_id; });
+  if (!fields_begun_.empty() && fields_begun_.back()->version_id() == version_id)
+    fields_begun_.clear();
   if (surface_.version_id() != version_id)
     std::erase_if(surfaces_in_, [&](const auto& e) { return e.version_id == version_id; });
 }
@@ -212,6 +230,7 @@ void inbox::drop_file(std::uint64_t request) {
 
 void inbox::forget_fields() {
   const std::lock_guard lock(mutex_);
+  fields_begun_.clear();
   fields_in_.clear();
 }
 
@@ -262,22 +281,21 @@ expected<surface_event> inbox::wait_surface(const std::string& version_id,
   return std::move(*found);
 }
 
-expected<field_event> inbox::wait_field(const std::string& version_id,
-                                        std::chrono::milliseconds patience) {
-  shared_field found;
+expected<inbox::solved_fields> inbox::wait_fields(const std::string& version_id,
+                                                  std::chrono::milliseconds patience) {
+  solved_fields found;
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, patience, [&] {
-    for (const auto& field : fields_in_)
-      if (field->report.version_id == version_id)
-        found = field;
-    return found != nullptr || closed_;
+    for (const auto& fields : fields_in_)
+      if (fields.back()->version_id() == version_id)
+        found = fields;
+    return !found.empty() || closed_;
   });
-  if (!found && closed_)
+  if (found.empty() && closed_)
     return fail(*closed_);
-  if (!found)
+  if (found.empty())
     return too_late("the fields", version_id, patience);
-  lock.unlock();
-  return *found;
+  return found;
 }
 
 }  // namespace tedit::client

@@ -57,8 +57,13 @@ public:
   [[nodiscard]] surface_model surface() const;
   [[nodiscard]] expected<surface_event> wait_surface(const std::string& version_id,
                                                      std::chrono::milliseconds patience);
-  [[nodiscard]] expected<field_event> wait_field(const std::string& version_id,
-                                                 std::chrono::milliseconds patience);
+
+  using shared_field = std::shared_ptr<const field_event>;
+  /// All fields of one solve, in the order of their arrival.
+  using solved_fields = std::vector<shared_field>;
+
+  [[nodiscard]] expected<solved_fields> wait_fields(const std::string& version_id,
+                                                    std::chrono::milliseconds patience);
 
 private:
   struct file_request {
@@ -71,8 +76,6 @@ private:
     std::variant<std::monostate, v1::SurfaceUpdate, v1::FieldUpdate, file_request> purpose;
   };
 
-  using shared_field = std::shared_ptr<const field_event>;
-
   [[nodiscard]] expected<void> begin(const v1::Stream& stream, std::size_t message_bytes,
                                      decltype(arrival::purpose) purpose);
   [[nodiscard]] expected<void> finish(std::uint64_t stream);
@@ -80,6 +83,7 @@ private:
   [[nodiscard]] std::optional<surface_event> apply(const surface_update& update,
                                                    const traffic& moved);
   [[nodiscard]] expected<void> finish_field(const arrival& done);
+  void keep_field(const shared_field& field);
   [[nodiscard]] expected<void> finish_file(const arrival& done);
   [[nodiscard]] std::optional<expected<surface_event>> find_surface(const std::string& version_id);
 
@@ -96,7 +100,8 @@ private:
   std::optional<error> surface_error_;     ///< Why `surface_` cannot follow the head.
   std::deque<surface_event> surfaces_in_;  ///< Complete and not waited for, oldest first.
   std::optional<surface_event> current_;   ///< The event that made `surface_`.
-  std::deque<shared_field> fields_in_;     ///< The latest complete ones.
+  solved_fields fields_begun_;             ///< Of a solve whose others still come.
+  std::deque<solved_fields> fields_in_;    ///< The latest complete ones; none is empty.
 };
 
 }  // namespace tedit::client

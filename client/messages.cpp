@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client/messages.hpp"
 
+#include <algorithm>
+
 namespace tedit::client {
 
 namespace {
@@ -12,6 +14,33 @@ void take(expected<std::vector<T>> array, std::vector<T>& to, expected<void>& st
     to = std::move(*array);
   else if (status)
     status = fail(std::move(array.error()));
+}
+
+/// Errors: `protocol_error` when an array has not a value for each vertex, or a case no name.
+expected<void> check_sizes(const field_event& field) {
+  const auto n = field.vertices.size();
+  const auto cases = field.envelope ? field.envelope->load_cases.size() : 0;
+  const auto fits = [&](const char* name, std::size_t size, std::size_t wanted) -> expected<void> {
+    if (size == wanted)
+      return {};
+    return fail(ec::protocol_error, "a field update has " + std::to_string(n) + " vertices and " +
+                                      std::to_string(size) + " values of " + name);
+  };
+  const auto known = [&](std::uint32_t c) { return c < cases; };
+  if (!std::ranges::all_of(field.von_mises_case, known) ||
+      !std::ranges::all_of(field.safety_factor_case, known))
+    return fail(ec::protocol_error, "a field update names a load case that it does not list");
+  const bool safety = field.envelope && field.envelope->min_safety_factor;
+  expected<void> ok = fits("von_mises_pa", field.von_mises.size(), n);
+  if (ok)
+    ok = fits("displacement_m", field.displacement.size(), field.envelope ? 0 : 3 * n);
+  if (ok)
+    ok = fits("von_mises_case", field.von_mises_case.size(), field.envelope ? n : 0);
+  if (ok)
+    ok = fits("safety_factor", field.safety_factor.size(), safety ? n : 0);
+  if (ok)
+    ok = fits("safety_factor_case", field.safety_factor_case.size(), safety ? n : 0);
+  return ok;
 }
 
 }  // namespace
@@ -50,9 +79,12 @@ committed from_message(const v1::Committed& message) {
 solve_status from_message(const v1::SolveStatus& message) {
   const bool known = message.phase() >= v1::SolveStatus::PHASE_UNSPECIFIED &&
                      message.phase() <= v1::SolveStatus::FAILED;
+  std::vector<std::string> names(message.load_cases().begin(), message.load_cases().end());
+  if (!message.load_case().empty())
+    names.push_back(message.load_case());
   return {known ? static_cast<solve_phase>(message.phase()) : solve_phase::unspecified,
           message.version_id(),
-          message.load_case(),
+          std::move(names),
           message.iterations(),
           message.true_relative_residual(),
           message.message()};
@@ -119,20 +151,26 @@ expected<surface_update> read_surface(const v1::SurfaceUpdate& message,
 
 expected<field_event> read_field(const v1::FieldUpdate& message, const incoming_stream& stream) {
   field_event result;
-  result.report = protocol::from_message(message.report());
   result.moved = stream.moved();
+  result.remaining = message.remaining();
   expected<void> status;
   take(stream.u32("vertices", 1), result.vertices, status);
-  take(stream.f32("displacement_m", 3), result.displacement, status);
   take(stream.f32("von_mises_pa", 1), result.von_mises, status);
+  if (message.has_envelope()) {
+    result.envelope = protocol::from_message(message.envelope());
+    take(stream.u32("von_mises_case", 1), result.von_mises_case, status);
+    if (result.envelope->min_safety_factor) {
+      take(stream.f32("safety_factor", 1), result.safety_factor, status);
+      take(stream.u32("safety_factor_case", 1), result.safety_factor_case, status);
+    }
+  } else {
+    result.report = protocol::from_message(message.report());
+    take(stream.f32("displacement_m", 3), result.displacement, status);
+  }
+  if (status)
+    status = check_sizes(result);
   if (!status)
     return fail(std::move(status.error()));
-  const auto n = result.vertices.size();
-  if (result.displacement.size() != 3 * n || result.von_mises.size() != n)
-    return fail(ec::protocol_error, "a field update has " + std::to_string(n) + " vertices, " +
-                                      std::to_string(result.displacement.size()) +
-                                      " displacement components and " +
-                                      std::to_string(result.von_mises.size()) + " stresses");
   return result;
 }
 

@@ -38,14 +38,25 @@ struct surface_event {
   std::size_t vertices_sent = 0;
 };
 
-/// The fields of a solve on the boundary. While a solve runs, a first field comes with
-/// `report.interim` set.
+/// The fields of a load case on the boundary, or after those of several their envelope. While a
+/// solve runs, first fields come with `interim` set.
 struct field_event {
-  solve_report report;
-  std::vector<std::uint32_t> vertices;  ///< Slots, ascending.
-  std::vector<float> displacement;      ///< m, 3 per vertex.
-  std::vector<float> von_mises;         ///< Pa, 1 per vertex.
+  solve_report report;                     ///< Not of an envelope.
+  std::optional<solve_envelope> envelope;  ///< Only of an envelope.
+  std::uint32_t remaining = 0;             ///< Field events of the same solve that still come.
+  std::vector<std::uint32_t> vertices;     ///< Slots, ascending.
+  std::vector<float> displacement;         ///< m, 3 per vertex; none of an envelope.
+  std::vector<float> von_mises;            ///< Pa, 1 per vertex.
+  // Only of an envelope, 1 per vertex; cases are places in `envelope->load_cases`.
+  std::vector<std::uint32_t> von_mises_case;
+  std::vector<float> safety_factor;  ///< Empty when no yield strength is known; 0 where it is not.
+  std::vector<std::uint32_t> safety_factor_case;
   traffic moved;
+
+  [[nodiscard]] const std::string& version_id() const {
+    return envelope ? envelope->version_id : report.version_id;
+  }
+  [[nodiscard]] bool interim() const { return envelope ? envelope->interim : report.interim; }
 };
 
 /// One version of a document (message `tedit.v1.VersionInfo`).
@@ -85,10 +96,10 @@ enum class solve_phase {
 struct solve_status {
   solve_phase phase = solve_phase::unspecified;
   std::string version_id;
-  std::string load_case;
-  std::uint32_t iterations = 0;
-  double true_relative_residual = 0;
-  std::string message;  ///< For failed: the reason.
+  std::vector<std::string> load_cases;  ///< Names of those that are solved together.
+  std::uint32_t iterations = 0;         ///< The most of them.
+  double true_relative_residual = 0;    ///< The largest of them.
+  std::string message;                  ///< For failed: the reason.
 };
 
 struct document_state {
@@ -124,10 +135,16 @@ enum class file_format { msh = 1, stl = 2, vtu = 3 };
 
 /// What to solve, and how exactly.
 struct solve_settings {
-  std::string load_case;    ///< Name; empty: the first one.
-  double tolerance = 1e-6;  ///< True relative residual.
-  std::string device;       ///< Empty: the server's default.
-  int element_order = 2;    ///< 2: quadratic tets; 1: linear ones, a quick preview.
+  std::string load_case;                ///< Name; empty: the first one.
+  double tolerance = 1e-6;              ///< True relative residual.
+  std::string device;                   ///< Empty: the server's default.
+  int element_order = 2;                ///< 2: quadratic tets; 1: linear ones, a quick preview.
+  std::vector<std::string> load_cases;  ///< Names, to be solved together instead of `load_case`.
+  bool all_load_cases = false;          ///< All that the head has, instead of any names.
+  /// Stop already at this estimated relative error in energy: a preview; 0: never.
+  double energy_tolerance = 0;
+
+  friend bool operator==(const solve_settings&, const solve_settings&) = default;
 };
 
 /// What happens to the open document without being asked for. All are called from the client's I/O
@@ -138,7 +155,7 @@ struct events {
   std::function<void(const field_event&)> on_field;
   std::function<void(const committed&)> on_committed;  ///< By any client, this one included.
   std::function<void(const solve_status&)> on_solve_status;
-  std::function<void(const solve_report&)> on_solved;  ///< Not the answer to `client::solve`.
+  std::function<void(const solve_outcome&)> on_solved;  ///< Not the answer to `client::solve`.
 };
 
 }  // namespace tedit::client

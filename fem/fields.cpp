@@ -41,9 +41,15 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
   return fields;
 }
 
+std::string case_field(std::string_view name, std::string_view load_case) {
+  return std::string(name) + " (" + std::string(load_case) + ")";
+}
+
 std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
                                const solved_cases& result) {
   const auto& p = set.problem;
+  if (result.cases.size() == 1)
+    return make_fields(mesh, p, result.cases.front());
   const auto at_vertices = [&](const char* name, const std::vector<double>& values) {
     return scatter(name, field_location::vertex, 1, mesh.vertex_slots(), p.node_vertices, values);
   };
@@ -51,11 +57,14 @@ std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
   std::vector<field> fields{
     at_vertices("envelope_von_mises", worst.von_mises),
     at_vertices("envelope_case", {worst.von_mises_case.begin(), worst.von_mises_case.end()})};
-  if (!worst.safety_factor.empty())
+  if (!worst.safety_factor.empty()) {
     fields.push_back(at_vertices("envelope_safety_factor", worst.safety_factor));
+    fields.push_back(at_vertices("envelope_safety_factor_case", {worst.safety_factor_case.begin(),
+                                                                 worst.safety_factor_case.end()}));
+  }
   for (std::size_t c = 0; c < result.cases.size(); ++c)
     for (auto& one : make_fields(mesh, p, result.cases[c])) {
-      one.name += " (" + set.cases[c].name + ")";
+      one.name = case_field(one.name, set.cases[c].name);
       fields.push_back(std::move(one));
     }
   return fields;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "fem/load_cases.hpp"
@@ -16,10 +18,13 @@ namespace tedit::fem {
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const problem& p,
                                              const solution& result);
 
-/// The arrays of several load cases: those of each under "NAME (CASE)", and at vertices
+/// The name of a load case's array among those of several: "von_mises_pa (braking)".
+[[nodiscard]] std::string case_field(std::string_view name, std::string_view load_case);
+
+/// The arrays of several load cases: those of each under `case_field`, and at vertices
 /// envelope_von_mises (Pa, the largest over the cases), envelope_case (the index of the case that
-/// it is of) and, when a yield strength is known, envelope_safety_factor (the smallest). Cost:
-/// O(mesh) per case.
+/// it is of) and, when a yield strength is known, envelope_safety_factor (the smallest) and
+/// envelope_safety_factor_case. Of a single one: as above. Cost: O(mesh) per case.
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
                                              const solved_cases& result);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/guard.hpp"
 #include "base/stopwatch.hpp"
 #include "fem/recovery.hpp"
 #include "fem/refinement.hpp"
@@ -20,11 +21,6 @@ bool same_materials(const load_case& a, const load_case& b) {
   return std::ranges::equal(a.materials, b.materials, {}, nameless, nameless);
 }
 
-tl::unexpected<error> fail_in(const std::string& name, error e) {
-  e.message = in_case(name, e.message);
-  return fail(std::move(e));
-}
-
 /// Exchanges the conditions of a problem and those of a case; a second call undoes the first.
 void exchange(problem& p, conditions& c) {
   p.loads.swap(c.loads);
@@ -33,16 +29,36 @@ void exchange(problem& p, conditions& c) {
   p.holders.swap(c.holders);
 }
 
-conditions conditions_of(const problem& p, const std::string& name) {
-  return {name, p.loads, p.filter, p.prescribed, p.holders};
+/// Lets a case stand for as long as this lives.
+class standing_for {
+public:
+  standing_for(case_set& set, std::size_t c) : set_(set), before_(set.standing) { set.stand(c); }
+  standing_for(const standing_for&) = delete;
+  standing_for& operator=(const standing_for&) = delete;
+  ~standing_for() { set_.stand(before_); }
+
+private:
+  case_set& set_;
+  std::size_t before_;
+};
+
+conditions_view view_of(const case_set& set, std::size_t c) {
+  const auto& at = set.cases[c];
+  const auto name = set.cases.size() > 1 ? at.name : "";
+  if (c == set.standing)
+    return {name, set.problem.loads, set.problem.filter, set.problem.prescribed};
+  return {name, at.loads, at.filter, at.prescribed};
 }
 
-/// Indices of the cases by their supports: a group has one filter.
-std::vector<std::vector<std::size_t>> groups_of(std::span<const conditions> cases) {
-  std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    const auto same = [&](const auto& group) {
-      return cases[group.front()].filter == cases[c].filter;
+using case_group = std::vector<std::size_t>;
+
+/// Indices of the cases by their supports: a group has one filter. The one of the case that stands
+/// comes first.
+std::vector<case_group> groups_of(const case_set& set) {
+  std::vector<case_group> groups;
+  for (std::size_t c = 0; c < set.cases.size(); ++c) {
+    const auto same = [&](const case_group& group) {
+      return set.filter_of(group.front()) == set.filter_of(c);
     };
     const auto found = std::ranges::find_if(groups, same);
     if (found == groups.end())
@@ -50,100 +66,188 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const conditions> case
     else
       found->push_back(c);
   }
+  const auto stands = [&](const case_group& group) {
+    return std::ranges::find(group, set.standing) != group.end();
+  };
+  std::ranges::rotate(groups, std::ranges::find_if(groups, stands));
   return groups;
 }
 
 /// The steps of `solve_cases`.
 class case_solver {
 public:
-  case_solver(case_set& set, const solve_settings& settings, const execution& run)
-      : set_(set), settings_(settings), run_(run) {}
+  case_solver(case_set& set, standing_system& on, std::vector<solve_settings> settings,
+              const execution& run, const cases_callback& on_frame)
+      : set_(set), on_(on), settings_(std::move(settings)), run_(run), on_frame_(on_frame) {}
 
-  expected<solved_cases> solve_on(backend& device) {
-    run_.report(0.02, "assembling");
-    stopwatch clock;
-    auto system = device.assemble(set_.problem, run_);
-    if (!system)
-      return fail(system.error());
-    out_.assembly_ms = clock.restart();
-    const element_operator k(set_.problem);
-    out_.setup_ms = clock.restart();
+  expected<solved_cases> solve() {
+    run_.report(0.1, "solving");
+    out_.assembly_ms = on_.assembly_ms;
+    out_.setup_ms = on_.setup_ms;
     out_.cases.resize(set_.cases.size());
-    const auto groups = groups_of(set_.cases);
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      clock.restart();
-      // The system comes with the first case's filter.
-      if (g > 0)
-        if (auto ok = (*system)->set_filter(set_.cases[groups[g].front()].filter); !ok)
+    for (auto& one : out_.cases) {
+      one.element_order = set_.problem.element_order;
+      one.device = on_.device;
+    }
+    const auto groups = groups_of(set_);
+    together_ = groups.size() == 1;
+    if (!together_)  // No field of all cases comes early: the first rounds need not end early.
+      for (auto& one : settings_)
+        one.preview_energy = 0;
+    for (const auto& group : groups) {
+      if (&group != &groups.front())
+        if (auto ok = take_filter_of(group.front()); !ok)
           return fail(ok.error());
-      out_.setup_ms += clock.restart();
-      if (auto ok = solve_group(groups[g], k, **system); !ok)
+      if (auto ok = solve_group(group); !ok)
         return fail(ok.error());
     }
-    if (auto ok = recover_all(k); !ok)
+    if (auto ok = recover_all(); !ok)
       return fail(ok.error());
-    finish(device.info().name);
+    finish();
     return std::move(out_);
   }
 
 private:
-  expected<void> solve_group(const std::vector<std::size_t>& group, const element_operator& k,
-                             linear_system& system) {
+  expected<void> take_filter_of(std::size_t c) {
+    const stopwatch clock;
+    on_.lost = true;
+    set_.stand(c);
+    if (auto ok = on_.system.set_filter(set_.problem.filter); !ok)
+      return ok;
+    on_.lost = false;
+    out_.setup_ms += clock.milliseconds();
+    return {};
+  }
+
+  expected<void> solve_group(const case_group& group) {
     const stopwatch clock;
     std::vector<refinement> open;
     open.reserve(group.size());
-    for (const auto c : group) {
-      const auto& at = set_.cases[c];
-      const auto name = set_.cases.size() > 1 ? at.name : "";
-      open.emplace_back(conditions_view{name, at.loads, at.filter, at.prescribed}, k, settings_,
-                        out_.cases[c]);
-    }
-    if (auto ok = refine(open, system, settings_, run_); !ok)
+    for (const auto c : group)
+      open.emplace_back(view_of(set_, c), on_.k, settings_[c], out_.cases[c]);
+    std::function<void(int)> on_round;
+    if (on_frame_)
+      on_round = [&](int round) { on_frame_(frame_of(round, group)); };
+    if (auto ok = refine(open, on_.system, settings_.front(), run_, on_round); !ok)
       return ok;
     out_.solve_ms += clock.milliseconds();
     return {};
   }
 
-  expected<void> recover_all(const element_operator& k) {
+  cases_frame frame_of(int round, const case_group& group) {
+    cases_frame frame{round, 0, 0, 0, {}};
+    for (const auto c : group) {
+      const auto& one = out_.cases[c];
+      frame.iterations = std::max(frame.iterations, one.iterations);
+      frame.true_relative_residual =
+        std::max(frame.true_relative_residual, one.true_relative_residual);
+      frame.energy_error = std::max(frame.energy_error, one.energy_error);
+    }
+    if (together_)
+      frame.recover = [this] { return guarded([this] { return as_they_are(); }); };
+    return frame;
+  }
+
+  expected<std::vector<solution>> as_they_are() {
+    auto copies = out_.cases;
+    for (std::size_t c = 0; c < copies.size(); ++c)
+      recover_one(c, copies[c]);
+    return copies;
+  }
+
+  void recover_one(std::size_t c, solution& out) {
+    const standing_for now(set_, c);
+    recover(set_.problem, on_.k, out);
+  }
+
+  expected<void> recover_all() {
     run_.report(0.95, "recovering stresses");
     const stopwatch clock;
     for (std::size_t c = 0; c < set_.cases.size(); ++c) {
       if (run_.cancel.cancelled())
         return fail(ec::cancelled, "the solve was cancelled");
       auto& out = out_.cases[c];
-      out.element_order = set_.problem.element_order;
-      out.converged = out.true_relative_residual <= settings_.tolerance;
-      exchange(set_.problem, set_.cases[c]);
-      recover(set_.problem, k, out);
-      exchange(set_.problem, set_.cases[c]);
+      out.converged = out.true_relative_residual <= settings_[c].tolerance;
+      recover_one(c, out);
     }
     out_.recovery_ms = clock.milliseconds();
     return {};
   }
 
-  void finish(const std::string& device) {
+  void finish() {
     const auto count = static_cast<double>(out_.cases.size());
     for (auto& one : out_.cases) {
-      one.device = device;
       one.assembly_ms = out_.assembly_ms / count;
       one.setup_ms = out_.setup_ms / count;
       one.solve_ms = out_.solve_ms / count;
       one.recovery_ms = out_.recovery_ms / count;
     }
-    out_.envelope = make_envelope(out_.cases);
+    if (out_.cases.size() > 1)
+      out_.envelope = make_envelope(out_.cases);
     run_.report(1, "done");
   }
 
   case_set& set_;
-  const solve_settings& settings_;
+  standing_system& on_;
+  std::vector<solve_settings> settings_;
   const execution& run_;
+  const cases_callback& on_frame_;
+  bool together_ = true;  ///< All cases have the same supports.
   solved_cases out_;
 };
 
+expected<solved_cases> assemble_and_solve(case_set& set, backend& device,
+                                          const solve_settings& settings, const execution& run) {
+  run.report(0.02, "assembling");
+  stopwatch clock;
+  auto system = device.assemble(set.problem, run);
+  if (!system)
+    return fail(system.error());
+  const double assembly_ms = clock.restart();
+  const element_operator k(set.problem);
+  standing_system on{k, **system, device.info().name, assembly_ms, clock.restart()};
+  return solve_cases(set, on, std::vector(set.cases.size(), settings), run);
+}
+
+/// The cases that the set does not have yet; then the first one stands.
+expected<void> add_cases(const mesh_version& mesh, std::span<const load_case> loads,
+                         case_set& set) {
+  for (std::size_t c = set.cases.size(); c < loads.size(); ++c) {
+    if (auto ok = set_conditions(mesh, loads[c], set.problem); !ok)
+      return fail_in_case(loads, c, ok.error());
+    set.cases.push_back(take_conditions(set.problem, loads[c].name));
+  }
+  set.let_stand(0);
+  return {};
+}
+
 }  // namespace
 
-expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_case> loads,
-                              int element_order) {
+void case_set::stand(std::size_t c) {
+  if (c == standing)
+    return;
+  exchange(problem, cases[standing]);
+  let_stand(c);
+}
+
+void case_set::let_stand(std::size_t c) {
+  exchange(problem, cases[c]);
+  standing = c;
+}
+
+conditions take_conditions(problem& p, const std::string& name) {
+  conditions taken{name, {}, {}, {}, {}};
+  exchange(p, taken);
+  return taken;
+}
+
+tl::unexpected<error> fail_in_case(std::span<const load_case> loads, std::size_t c, error e) {
+  if (loads.size() > 1)
+    e.message = in_case(loads[c].name, e.message);
+  return fail(std::move(e));
+}
+
+expected<void> check_cases(std::span<const load_case> loads) {
   if (loads.empty())
     return fail(ec::invalid_argument, "there is no load case to solve", "Give at least one");
   for (const auto& other : loads)
@@ -152,20 +256,27 @@ expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_cas
                   "load case '" + other.name + "' has other materials than '" + loads.front().name +
                     "', and load cases share one stiffness matrix",
                   "Give both the same materials, or solve them one at a time");
-  const auto name_of = [&](std::size_t c) { return loads.size() > 1 ? loads[c].name : ""; };
-  auto p = make_problem(mesh, loads.front(), element_order);
+  return {};
+}
+
+expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_case> loads,
+                              int element_order, std::uint32_t spare_corners) {
+  if (auto ok = check_cases(loads); !ok)
+    return fail(ok.error());
+  auto p = make_problem(mesh, loads.front(), element_order, spare_corners);
   if (!p)
-    return fail_in(name_of(0), p.error());
+    return fail_in_case(loads, 0, p.error());
   case_set set{std::move(*p), {}};
-  set.cases.push_back(conditions_of(set.problem, loads.front().name));
-  for (std::size_t c = 1; c < loads.size(); ++c) {
-    if (auto ok = set_conditions(mesh, loads[c], set.problem); !ok)
-      return fail_in(name_of(c), ok.error());
-    set.cases.push_back(conditions_of(set.problem, loads[c].name));
-  }
-  auto first = set.cases.front();
-  exchange(set.problem, first);
+  set.cases.push_back(take_conditions(set.problem, loads.front().name));
+  if (auto ok = add_cases(mesh, loads, set); !ok)
+    return fail(ok.error());
   return set;
+}
+
+expected<void> set_cases(const mesh_version& mesh, std::span<const load_case> loads,
+                         case_set& set) {
+  set.cases.clear();
+  return add_cases(mesh, loads, set);
 }
 
 envelope make_envelope(std::span<const solution> cases) {
@@ -200,11 +311,21 @@ envelope make_envelope(std::span<const solution> cases) {
   return result;
 }
 
+expected<solved_cases> solve_cases(case_set& set, standing_system& on,
+                                   std::vector<solve_settings> settings, const execution& run,
+                                   const cases_callback& on_frame) {
+  for (const auto& one : settings)
+    if (auto ok = check_settings(set.problem, one); !ok)
+      return fail(ok.error());
+  return guarded(run,
+                 [&] { return case_solver(set, on, std::move(settings), run, on_frame).solve(); });
+}
+
 expected<solved_cases> solve_cases(case_set& set, backend& device, const solve_settings& settings,
                                    const execution& run) {
   if (auto ok = check_settings(set.problem, settings); !ok)
     return fail(ok.error());
-  return case_solver(set, settings, run).solve_on(device);
+  return guarded(run, [&] { return assemble_and_solve(set, device, settings, run); });
 }
 
 }  // namespace tedit::fem

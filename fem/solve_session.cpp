@@ -2,7 +2,6 @@
 #include "fem/solve_session.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
@@ -76,6 +75,25 @@ void fill_corners(const problem& p, std::vector<std::uint8_t>& known, std::vecto
   }
 }
 
+/// Nodes whose filter is not what it was; all others were free. It may change away from an edit: a
+/// roller's normals, another load case's supports.
+std::vector<std::uint32_t> changed_filters(const problem& p,
+                                           std::map<std::uint32_t, std::array<double, 6>> before) {
+  for (const auto& h : p.holders)
+    before.try_emplace(h.node, std::array<double, 6>{1, 0, 0, 1, 0, 1});
+  std::vector<std::uint32_t> changed;
+  for (const auto& [node, filter] : before)
+    if (p.filter[node] != filter)
+      changed.push_back(node);
+  return changed;
+}
+
+/// Whether one of the nodes, ascending, is held.
+bool any_held(const problem& p, std::span<const std::uint32_t> nodes) {
+  return std::ranges::any_of(
+    p.holders, [&](const node_holder& h) { return std::ranges::binary_search(nodes, h.node); });
+}
+
 }  // namespace
 
 std::vector<double> carry_over(const problem& from, std::span<const double> displacement,
@@ -142,43 +160,70 @@ void fill_fresh(const problem& p, const problem_change& change, const incidence&
     }
 }
 
-bool solve_session::fits(const load_case& loads, int element_order, const backend& device) const {
-  return system_ && device_ == &device && problem_->element_order == element_order &&
-         materials_ == loads.materials;
+bool solve_session::fits(case_list loads, int element_order, const backend& device) const {
+  return system_ && device_ == &device && set_->problem.element_order == element_order &&
+         materials_ == loads.front().materials;
+}
+
+/// Of each case.
+std::vector<solve_session::held_nodes> solve_session::held() const {
+  std::vector<held_nodes> nodes(set_->cases.size());
+  for (std::size_t c = 0; c < nodes.size(); ++c) {
+    const auto& filter = set_->filter_of(c);
+    const auto& holders = c == set_->standing ? set_->problem.holders : set_->cases[c].holders;
+    for (const auto& h : holders)
+      nodes[c][h.node] = filter[h.node];
+  }
+  return nodes;
+}
+
+/// Places all cases on the carried-on problem; the one that stood still does, if it is there. Adds
+/// the nodes where the system's filter changes.
+expected<void> solve_session::follow_conditions(case_list loads,
+                                                const std::vector<held_nodes>& before,
+                                                problem_change& changed) {
+  auto& p = set_->problem;
+  const auto stood = set_->standing;
+  const auto stands = stood < loads.size() ? stood : 0;
+  const bool whole = hangs_together(*mesh_, p, updater_->corners(), changed.nodes);
+  std::vector<conditions> cases;
+  for (std::size_t c = 0; c < loads.size(); ++c) {
+    if (auto ok = place_conditions(*mesh_, loads[c], p); !ok)
+      return fail_in_case(loads, c, ok.error());
+    const auto old = c == stands ? stood : c;
+    const bool known = old < before.size();
+    const auto moved = changed_filters(p, known ? before[old] : held_nodes{});
+    if (c == stands)
+      changed.nodes.insert(changed.nodes.end(), moved.begin(), moved.end());
+    // Supports that were checked before, on nodes that were there before, still hold.
+    const bool checked = whole && known && moved.empty() && !any_held(p, changed.fresh);
+    if (!checked)
+      if (auto ok = check_supports(*mesh_, p); !ok)
+        return fail_in_case(loads, c, ok.error());
+    cases.push_back(take_conditions(p, loads[c].name));
+  }
+  set_->cases = std::move(cases);
+  set_->let_stand(stands);
+  sort_unique(changed.nodes);
+  return {};
 }
 
 /// Carries problem and system on to the next version. False when they must be built anew.
-expected<bool> solve_session::follow(const version_ptr& mesh, const load_case& loads) {
+expected<bool> solve_session::follow(const version_ptr& mesh, case_list loads) {
   const stopwatch clock;
-  std::map<std::uint32_t, std::array<double, 6>> held;
-  for (const auto& h : problem_->holders)
-    held[h.node] = problem_->filter[h.node];
-  auto change = updater_->apply(*mesh_, *mesh, loads, *problem_);
+  auto& p = set_->problem;
+  const auto before = held();
+  auto change = updater_->apply(*mesh_, *mesh, loads.front(), p);
   if (!change)
     return fail(change.error());
   if (!*change)
     return false;
   auto& changed = **change;
   mesh_ = mesh;
-  if (auto ok = place_conditions(*mesh, loads, *problem_); !ok)
+  if (auto ok = follow_conditions(loads, before, changed); !ok)
     return fail(ok.error());
-  bool checked = hangs_together(*mesh, *problem_, updater_->corners(), changed.nodes);
-  // A filter may change away from the edit: a roller's normals, another load case's supports.
-  for (const auto& h : problem_->holders)
-    held.try_emplace(h.node, std::array<double, 6>{1, 0, 0, 1, 0, 1});
-  for (const auto& [node, filter] : held)
-    if (problem_->filter[node] != filter) {
-      changed.nodes.push_back(node);
-      checked = false;
-    } else if (std::ranges::binary_search(changed.fresh, node)) {
-      checked = false;
-    }
-  if (!checked)
-    if (auto ok = check_supports(*mesh, *problem_); !ok)
-      return fail(ok.error());
-  sort_unique(changed.nodes);
-  if (!displacement_.empty())
-    fill_fresh(*problem_, changed, updater_->corners(), displacement_);
+  for (auto& start : starts_)
+    fill_fresh(p, changed, updater_->corners(), start.displacement);
   setup_ms_ = clock.milliseconds();
   auto updated = system_->update(changed, updater_->corners());
   if (!updated || !*updated)
@@ -189,54 +234,57 @@ expected<bool> solve_session::follow(const version_ptr& mesh, const load_case& l
   return true;
 }
 
-expected<void> solve_session::renew_conditions(const load_case& loads) {
-  const auto filter = problem_->filter;
-  if (auto ok = set_conditions(*mesh_, loads, *problem_); !ok)
+expected<void> solve_session::renew_conditions(case_list loads) {
+  const auto filter = set_->problem.filter;
+  if (auto ok = set_cases(*mesh_, loads, *set_); !ok)
     return ok;
   assembly_ms_ = 0;
   setup_ms_ = 0;
-  if (problem_->filter == filter)
-    return {};
+  for (std::size_t c = 0; c < loads.size(); ++c)
+    if (set_->filter_of(c) == filter) {
+      set_->stand(c);
+      return {};
+    }
   const stopwatch clock;
-  auto set = system_->set_filter(problem_->filter);
+  auto set = system_->set_filter(set_->problem.filter);
   setup_ms_ = clock.milliseconds();
   return set;
 }
 
-expected<void> solve_session::assemble(const version_ptr& mesh, const load_case& loads,
-                                       int element_order, backend& device, const execution& run) {
+expected<void> solve_session::assemble(const version_ptr& mesh, case_list loads, int element_order,
+                                       backend& device, const execution& run) {
   stopwatch clock;
   // The old system goes first: two of them may not fit.
   system_.reset();
   operator_.reset();
   updater_.reset();
   const auto spare = static_cast<std::uint32_t>(256 + mesh->vertex_count() / 50);
-  auto made = make_problem(*mesh, loads, element_order, spare);
+  auto made = make_cases(*mesh, loads, element_order, spare);
   if (!made)
     return fail(made.error());
-  auto next = std::make_unique<problem>(std::move(*made));
-  if (problem_ && !displacement_.empty())
-    displacement_ = carry_over(*problem_, displacement_, *next);
-  problem_ = std::move(next);
+  auto next = std::make_unique<case_set>(std::move(*made));
+  for (auto& start : starts_)
+    start.displacement = carry_over(set_->problem, start.displacement, next->problem);
+  set_ = std::move(next);
   setup_ms_ = clock.restart();
   run.report(0.02, "assembling");
-  auto system = device.assemble(*problem_, run);
+  auto system = device.assemble(set_->problem, run);
   if (!system)
     return fail(system.error());
   assembly_ms_ = clock.restart();
-  operator_ = std::make_unique<element_operator>(*problem_);
-  updater_ = std::make_unique<problem_updater>(*problem_);
+  operator_ = std::make_unique<element_operator>(set_->problem);
+  updater_ = std::make_unique<problem_updater>(set_->problem);
   setup_ms_ += clock.restart();
   system_ = std::move(*system);
   mesh_ = mesh;
-  materials_ = loads.materials;
+  materials_ = loads.front().materials;
   device_ = &device;
   return {};
 }
 
 /// A system for the mesh and the conditions: the one that there is, carried on where it can be.
-expected<void> solve_session::prepare(const version_ptr& mesh, const load_case& loads,
-                                      int element_order, backend& device, const execution& run) {
+expected<void> solve_session::prepare(const version_ptr& mesh, case_list loads, int element_order,
+                                      backend& device, const execution& run) {
   renewed_rows_ = 0;
   assembled_ = false;
   if (fits(loads, element_order, device)) {
@@ -247,7 +295,7 @@ expected<void> solve_session::prepare(const version_ptr& mesh, const load_case& 
     const cancel_scope scope(never);
     const auto followed = follow(mesh, loads);
     if (!followed) {
-      displacement_.clear();  // Who knows which version it is of.
+      starts_.clear();  // Who knows which version they are of.
       return fail(followed.error());
     }
     if (*followed)
@@ -257,30 +305,64 @@ expected<void> solve_session::prepare(const version_ptr& mesh, const load_case& 
   return assemble(mesh, loads, element_order, device, run);
 }
 
-expected<solve_session::result> solve_session::solve(
-  const version_ptr& mesh, const load_case& loads, int element_order, backend& device,
-  const solve_settings& settings, const execution& run, const frame_callback& on_frame) {
+/// For each case.
+std::vector<solve_settings> solve_session::with_starts(const solve_settings& settings) const {
+  std::vector<solve_settings> each(set_->cases.size(), settings);
+  if (!settings.start.empty() || starts_.empty())
+    return each;
+  for (std::size_t c = 0; c < each.size(); ++c) {
+    const auto same = std::ranges::find(starts_, set_->cases[c].name, &kept_start::name);
+    each[c].start = (same != starts_.end() ? *same : starts_.front()).displacement;
+  }
+  return each;
+}
+
+expected<solve_session::cases_result> solve_session::solve(const version_ptr& mesh, case_list loads,
+                                                           int element_order, backend& device,
+                                                           const solve_settings& settings,
+                                                           const execution& run,
+                                                           const cases_callback& on_frame) {
+  if (auto ok = check_cases(loads); !ok)
+    return fail(ok.error());
   auto ready = guarded(run, [&] { return prepare(mesh, loads, element_order, device, run); });
   if (!ready) {
     system_.reset();
-    if (problem_ && displacement_.size() != problem_->dofs())
-      displacement_.clear();
+    std::erase_if(starts_, [&](const kept_start& start) {
+      return start.displacement.size() != set_->problem.dofs();
+    });
     return fail(ready.error());
   }
-  auto started = settings;
-  if (started.start.empty())
-    started.start = displacement_;
-  auto solved =
-    fem::solve(*problem_, *operator_, *system_, device.info().name, started, run, on_frame);
+  standing_system on{*operator_, *system_, device.info().name, assembly_ms_, setup_ms_};
+  auto solved = solve_cases(*set_, on, with_starts(settings), run, on_frame);
   if (!solved) {
-    if (const auto code = solved.error().code; code == ec::device_lost || code == ec::out_of_memory)
+    const auto code = solved.error().code;
+    if (on.lost || code == ec::device_lost || code == ec::out_of_memory)
       system_.reset();  // It may be incomplete, or stand on a device that is gone.
     return fail(solved.error());
   }
-  solved->assembly_ms = assembly_ms_;
-  solved->setup_ms = setup_ms_;
-  displacement_ = solved->displacement;
-  return result{std::move(*solved), assembled_, renewed_rows_};
+  starts_.clear();
+  for (std::size_t c = 0; c < loads.size(); ++c)
+    starts_.push_back({loads[c].name, solved->cases[c].displacement});
+  return cases_result{std::move(*solved), assembled_, renewed_rows_};
+}
+
+expected<solve_session::result> solve_session::solve(
+  const version_ptr& mesh, const load_case& loads, int element_order, backend& device,
+  const solve_settings& settings, const execution& run, const frame_callback& on_frame) {
+  cases_callback on_cases;
+  if (on_frame)
+    on_cases = [&](const cases_frame& now) {
+      const auto recover = [&]() -> expected<solution> {
+        auto all = now.recover();
+        return all ? expected<solution>(std::move(all->front())) : fail(all.error());
+      };
+      on_frame(
+        {now.outer_round, now.iterations, now.true_relative_residual, now.energy_error, recover});
+    };
+  auto all = solve(mesh, case_list(&loads, 1), element_order, device, settings, run, on_cases);
+  if (!all)
+    return fail(all.error());
+  return result{std::move(all->solved.cases.front()), all->assembled, all->renewed_rows};
 }
 
 }  // namespace tedit::fem

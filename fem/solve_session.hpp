@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
+#include "fem/load_cases.hpp"
 #include "fem/problem_update.hpp"
-#include "fem/solver.hpp"
 
 namespace tedit::fem {
 
 /// Solves one thing after the other and keeps what the next solve can use: the assembled system
 /// while mesh and materials stay (new loads or constraints never assemble again); where an edit
 /// changed the mesh a little, the system with the rows that it touched renewed; and the last
-/// displacement as a start. Holds one system; not for two threads at once.
+/// displacement of each load case as a start. Holds one system; not for two threads at once.
 class solve_session {
 public:
   struct result {
@@ -21,28 +22,59 @@ public:
     std::size_t renewed_rows = 0;  ///< Rows of it that an edit changed.
   };
 
-  /// Errors: those of `make_problem` and `solve`; what was kept stays usable or is dropped.
+  struct cases_result {
+    solved_cases solved;
+    bool assembled = true;  ///< As above.
+    std::size_t renewed_rows = 0;
+  };
+
+  /// Solves load cases on one system, as `solve_cases` does. A case starts from the displacement
+  /// that the one with its name had in the last solve, or else from the first one there. Errors:
+  /// those of `make_cases` and `solve_cases`; what was kept stays usable or is dropped.
+  [[nodiscard]] expected<cases_result> solve(const version_ptr& mesh,
+                                             std::span<const load_case> loads, int element_order,
+                                             backend& device, const solve_settings& settings,
+                                             const execution& run,
+                                             const cases_callback& on_frame = {});
+
+  /// The same for one load case.
   [[nodiscard]] expected<result> solve(const version_ptr& mesh, const load_case& loads,
                                        int element_order, backend& device,
                                        const solve_settings& settings, const execution& run,
                                        const frame_callback& on_frame = {});
 
-  /// The problem of the last solve, also while it sends frames. Not before the first one.
-  [[nodiscard]] const problem& last_problem() const { return *problem_; }
+  /// What the last solve was about, also while it sends frames. Not before the first one.
+  [[nodiscard]] const case_set& last_set() const { return *set_; }
+  [[nodiscard]] const problem& last_problem() const { return set_->problem; }
 
 private:
-  [[nodiscard]] bool fits(const load_case& loads, int element_order, const backend& device) const;
-  [[nodiscard]] expected<void> renew_conditions(const load_case& loads);
-  [[nodiscard]] expected<void> prepare(const version_ptr& mesh, const load_case& loads,
-                                       int element_order, backend& device, const execution& run);
-  [[nodiscard]] expected<bool> follow(const version_ptr& mesh, const load_case& loads);
-  [[nodiscard]] expected<void> assemble(const version_ptr& mesh, const load_case& loads,
-                                        int element_order, backend& device, const execution& run);
+  using case_list = std::span<const load_case>;
+  /// Filters of nodes that are not free.
+  using held_nodes = std::map<std::uint32_t, std::array<double, 6>>;
+
+  /// A displacement of the last solve, on the present problem.
+  struct kept_start {
+    std::string name;  ///< Of its load case.
+    std::vector<double> displacement;
+  };
+
+  [[nodiscard]] bool fits(case_list loads, int element_order, const backend& device) const;
+  [[nodiscard]] expected<void> renew_conditions(case_list loads);
+  [[nodiscard]] expected<void> prepare(const version_ptr& mesh, case_list loads, int element_order,
+                                       backend& device, const execution& run);
+  [[nodiscard]] expected<bool> follow(const version_ptr& mesh, case_list loads);
+  [[nodiscard]] std::vector<held_nodes> held() const;
+  [[nodiscard]] expected<void> follow_conditions(case_list loads,
+                                                 const std::vector<held_nodes>& before,
+                                                 problem_change& changed);
+  [[nodiscard]] expected<void> assemble(const version_ptr& mesh, case_list loads, int element_order,
+                                        backend& device, const execution& run);
+  [[nodiscard]] std::vector<solve_settings> with_starts(const solve_settings& settings) const;
 
   version_ptr mesh_;
   std::vector<material> materials_;
   const backend* device_ = nullptr;
-  std::unique_ptr<problem> problem_;
+  std::unique_ptr<case_set> set_;  ///< The case that stands has the filter of `system_`.
   std::unique_ptr<problem_updater> updater_;
   std::size_t renewed_rows_ = 0;  ///< By the last solve.
   bool assembled_ = false;
@@ -50,7 +82,7 @@ private:
   std::unique_ptr<linear_system> system_;
   double assembly_ms_ = 0;
   double setup_ms_ = 0;
-  std::vector<double> displacement_;  ///< Of the last solve on `problem_`; empty: none.
+  std::vector<kept_start> starts_;  ///< Empty: none.
 };
 
 /// The displacement of one problem carried over to another, of another version of the part: where a

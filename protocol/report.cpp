@@ -5,7 +5,7 @@
 #include <ranges>
 
 #include "protocol/json.hpp"
-#include "tedit/v1/report.pb.h"
+#include "tedit/v1/session.pb.h"
 
 namespace tedit {
 
@@ -90,6 +90,43 @@ solve_report make_report(const mesh_version& mesh, const std::string& load_case,
   report.recovery_ms = result.recovery_ms;
   add_judgement(mesh, problem, result, report);
   return report;
+}
+
+namespace {
+
+solve_envelope make_envelope(const std::vector<solve_report>& cases, const fem::envelope& worst) {
+  solve_envelope result;
+  result.version_id = cases.front().version_id;
+  result.element_order = cases.front().element_order;
+  result.preview = std::ranges::any_of(cases, &solve_report::preview);
+  result.interim = cases.front().interim;
+  for (const auto& report : cases)
+    result.load_cases.push_back(report.load_case);
+  const auto named = [&](const fem::case_extreme& e) {
+    return worst_value{e.value, e.at, cases[e.of].load_case};
+  };
+  result.max_von_mises = named(worst.max_von_mises);
+  result.max_displacement = named(worst.max_displacement);
+  if (!worst.safety_factor.empty())
+    result.min_safety_factor = named(worst.min_safety_factor);
+  return result;
+}
+
+}  // namespace
+
+solve_outcome make_outcome(const mesh_version& mesh, const fem::case_set& set,
+                           const fem::solved_cases& result, bool interim, double total_ms) {
+  solve_outcome outcome;
+  const auto count = result.cases.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    auto report = make_report(mesh, set.cases[c].name, set.problem, result.cases[c]);
+    report.interim = interim;
+    report.total_ms = total_ms / static_cast<double>(count);
+    outcome.cases.push_back(std::move(report));
+  }
+  if (count > 1)
+    outcome.envelope = make_envelope(outcome.cases, result.envelope);
+  return outcome;
 }
 
 namespace protocol {
@@ -308,15 +345,74 @@ solve_report from_message(const v1::SolveReport& m) {
   return report;
 }
 
+namespace {
+
+void to_message(const worst_value& worst, v1::Envelope::Worst* out) {
+  out->set_value(worst.value);
+  to_message(worst.at, out->mutable_at_m());
+  out->set_load_case(worst.load_case);
+}
+
+worst_value from_message(const v1::Envelope::Worst& m) {
+  return {m.value(), from_message(m.at_m()), m.load_case()};
+}
+
+}  // namespace
+
+void to_message(const solve_envelope& envelope, v1::Envelope* out) {
+  out->set_version_id(envelope.version_id);
+  out->mutable_load_cases()->Assign(envelope.load_cases.begin(), envelope.load_cases.end());
+  out->set_element_order(static_cast<std::uint32_t>(envelope.element_order));
+  out->set_preview(envelope.preview);
+  out->set_interim(envelope.interim);
+  to_message(envelope.max_von_mises, out->mutable_max_von_mises_pa());
+  to_message(envelope.max_displacement, out->mutable_max_displacement_m());
+  if (envelope.min_safety_factor)
+    to_message(*envelope.min_safety_factor, out->mutable_min_safety_factor());
+}
+
+solve_envelope from_message(const v1::Envelope& m) {
+  solve_envelope envelope;
+  envelope.version_id = m.version_id();
+  envelope.load_cases.assign(m.load_cases().begin(), m.load_cases().end());
+  envelope.element_order = static_cast<int>(m.element_order());
+  envelope.preview = m.preview();
+  envelope.interim = m.interim();
+  envelope.max_von_mises = from_message(m.max_von_mises_pa());
+  envelope.max_displacement = from_message(m.max_displacement_m());
+  if (m.has_min_safety_factor())
+    envelope.min_safety_factor = from_message(m.min_safety_factor());
+  return envelope;
+}
+
+void to_message(const solve_outcome& outcome, v1::Solved* out) {
+  if (!outcome.envelope)
+    return to_message(outcome.cases.front(), out->mutable_report());
+  for (const auto& report : outcome.cases)
+    to_message(report, out->add_cases());
+  to_message(*outcome.envelope, out->mutable_envelope());
+}
+
+solve_outcome from_message(const v1::Solved& m) {
+  solve_outcome outcome;
+  for (const auto& report : m.cases())
+    outcome.cases.push_back(from_message(report));
+  if (outcome.cases.empty())
+    outcome.cases.push_back(from_message(m.report()));
+  if (m.has_envelope())
+    outcome.envelope = from_message(m.envelope());
+  return outcome;
+}
+
 std::string to_json(const edit_report& report) {
   v1::EditReport message;
   to_message(report, &message);
   return message_to_json(message);
 }
 
-std::string to_json(const solve_report& report) {
-  v1::SolveReport message;
-  to_message(report, &message);
+std::string to_json(const solve_outcome& outcome) {
+  v1::Solved message;
+  to_message(outcome, &message);
   return message_to_json(message);
 }
 
@@ -325,9 +421,9 @@ expected<edit_report> edit_report_from_json(std::string_view json) {
     [](const v1::EditReport& message) { return from_message(message); });
 }
 
-expected<solve_report> solve_report_from_json(std::string_view json) {
-  return message_from_json<v1::SolveReport>(json).map(
-    [](const v1::SolveReport& message) { return from_message(message); });
+expected<solve_outcome> solve_outcome_from_json(std::string_view json) {
+  return message_from_json<v1::Solved>(json).map(
+    [](const v1::Solved& message) { return from_message(message); });
 }
 
 }  // namespace protocol

@@ -6,13 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "fem/load_cases.hpp"
 #include "fem/receipt.hpp"
-#include "fem/solver.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/surface_map.hpp"
 
 namespace tedit::v1 {
 class EditReport;
+class Envelope;
+class Solved;
 class SolveReport;
 }  // namespace tedit::v1
 
@@ -98,21 +100,60 @@ struct solve_report {
 [[nodiscard]] solve_report make_report(const mesh_version& mesh, const std::string& load_case,
                                        const fem::problem& problem, const fem::solution& result);
 
+/// A value over several load cases, its place and whose it is.
+struct worst_value {
+  double value = 0;
+  vec3 at;
+  std::string load_case;
+};
+
+/// What is worst over several load cases (`tedit.v1.Envelope`).
+struct solve_envelope {
+  std::string version_id;
+  std::vector<std::string> load_cases;  ///< Names, in the order of the reports.
+  int element_order = 1;
+  bool preview = true;  ///< One of the reports is.
+  bool interim = false;
+  worst_value max_von_mises;                     ///< Pa.
+  worst_value max_displacement;                  ///< m.
+  std::optional<worst_value> min_safety_factor;  ///< Empty when no yield strength is known.
+};
+
+/// What a solve has to tell, of one load case or of several (`tedit.v1.Solved`).
+struct solve_outcome {
+  std::vector<solve_report> cases;         ///< At least one.
+  std::optional<solve_envelope> envelope;  ///< When there are several.
+
+  [[nodiscard]] const std::string& version_id() const { return cases.front().version_id; }
+};
+
+/// The reports of load cases that were solved together, and their envelope when there are several.
+/// `total_ms` is shared among them.
+[[nodiscard]] solve_outcome make_outcome(const mesh_version& mesh, const fem::case_set& set,
+                                         const fem::solved_cases& result, bool interim,
+                                         double total_ms);
+
 namespace protocol {
 
 void to_message(const edit_report& report, v1::EditReport* out);
 [[nodiscard]] edit_report from_message(const v1::EditReport& message);
 void to_message(const solve_report& report, v1::SolveReport* out);
 [[nodiscard]] solve_report from_message(const v1::SolveReport& message);
+void to_message(const solve_envelope& envelope, v1::Envelope* out);
+[[nodiscard]] solve_envelope from_message(const v1::Envelope& message);
+/// The document is not set.
+void to_message(const solve_outcome& outcome, v1::Solved* out);
+/// A message without any report gives one that is empty.
+[[nodiscard]] solve_outcome from_message(const v1::Solved& message);
 
 // -- as canonical JSON, the form in which reports are stored and travel between actors ----
 
 [[nodiscard]] std::string to_json(const edit_report& report);
-[[nodiscard]] std::string to_json(const solve_report& report);
+[[nodiscard]] std::string to_json(const solve_outcome& outcome);
 
 /// Errors: `protocol_error`.
 [[nodiscard]] expected<edit_report> edit_report_from_json(std::string_view json);
-[[nodiscard]] expected<solve_report> solve_report_from_json(std::string_view json);
+[[nodiscard]] expected<solve_outcome> solve_outcome_from_json(std::string_view json);
 
 }  // namespace protocol
 

@@ -7,7 +7,6 @@
 #include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
-#include "protocol/json.hpp"
 
 namespace tedit::gateway {
 
@@ -136,25 +135,32 @@ void client_state::on_solved(const actors::solved& event) {
   if (found == documents.end())
     return;
   v1::ServerMessage message;
-  message.mutable_solved()->set_document(event.document);
-  if (auto report = protocol::message_from_json<v1::SolveReport>(event.report))
-    *message.mutable_solved()->mutable_report() = std::move(*report);
+  to_message(event, message.mutable_solved());
   send(*to, message);
   auto& open = found->second;
   if (!open.watch_fields)
     return;
   const bool queued = open.wanted_fields.has_value();
   open.wanted_fields = event;
+  open.next_field = 0;
   if (!queued)
-    bulk_out->add([this, document = event.document]() -> std::optional<bulk> {
-      const auto still = documents.find(document);
-      if (still == documents.end() || !still->second.wanted_fields)
-        return std::nullopt;
-      const auto newest = std::move(*still->second.wanted_fields);
-      still->second.wanted_fields.reset();
-      return surface_stream::fields_of(document, *newest.version, *newest.fields, newest.report);
-    });
+    queue_field(event.document);
   bulk_out->pump();
+}
+
+void client_state::queue_field(const std::string& document) {
+  bulk_out->add([this, document]() -> std::optional<bulk> {
+    const auto still = documents.find(document);
+    if (still == documents.end() || !still->second.wanted_fields)
+      return std::nullopt;
+    auto& open = still->second;
+    auto update = surface_stream::fields_of(*open.wanted_fields, open.next_field++);
+    if (update && update->header.field_update().remaining() > 0)
+      queue_field(document);
+    else
+      open.wanted_fields.reset();
+    return update;
+  });
 }
 
 void client_state::on_note(const actors::solve_note& event) {

@@ -38,6 +38,7 @@ struct client_state {
     surface_stream surface;
     version_ptr wanted_surface;  ///< The newest head, when it was not sent yet.
     std::optional<actors::solved> wanted_fields;
+    unsigned next_field = 0;  ///< Of `wanted_fields`; those before it were sent.
   };
 
   struct upload {
@@ -80,6 +81,8 @@ struct client_state {
   void on_note(const actors::solve_note& event);
   void on_progress(const actors::request_progress& event);
   void want_surface(const std::string& document, const version_ptr& mesh);
+  /// Puts the next field update of a document into the outbox, and after it the ones that follow.
+  void queue_field(const std::string& document);
   void answer(std::uint64_t id, v1::ServerMessage message);
   void refuse(std::uint64_t id, const error& e);
 
@@ -111,6 +114,7 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, g
 void to_message(const actors::version_info& info, v1::VersionInfo* out);
 void to_message(const actors::head_moved& moved, v1::Committed* out);
 void to_message(const actors::solve_note& note, v1::SolveStatus* out);
+void to_message(const actors::solved& done, v1::Solved* out);
 void to_message(const error& e, v1::Error* out);
 void to_message(const actors::server_status& status, v1::ServerStatus* out);
 

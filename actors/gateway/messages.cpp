@@ -34,11 +34,20 @@ void to_message(const actors::solve_note& note, v1::SolveStatus* out) {
                 static_cast<int>(actors::solve_phase::failed) + 1 == v1::SolveStatus::FAILED);
   out->set_document(note.document);
   out->set_version_id(note.version);
-  out->set_load_case(note.load_case);
+  if (note.load_cases.size() == 1)
+    out->set_load_case(note.load_cases.front());
+  else
+    out->mutable_load_cases()->Assign(note.load_cases.begin(), note.load_cases.end());
   out->set_phase(static_cast<v1::SolveStatus::Phase>(static_cast<int>(note.phase) + 1));
   out->set_iterations(static_cast<std::uint32_t>(note.iterations));
   out->set_true_relative_residual(note.residual);
   out->set_message(note.message);
+}
+
+void to_message(const actors::solved& done, v1::Solved* out) {
+  if (auto outcome = protocol::message_from_json<v1::Solved>(done.outcome))
+    *out = std::move(*outcome);
+  out->set_document(done.document);
 }
 
 void to_message(const error& e, v1::Error* out) {

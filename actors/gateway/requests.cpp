@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <set>
+
 #include <openssl/crypto.h>
 #include <spdlog/spdlog.h>
 
@@ -16,7 +18,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 0;
+constexpr std::uint32_t protocol_minor = 1;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Uploaded and not yet imported, per connection.
@@ -27,6 +29,49 @@ bool same_secret(const std::string& a, const std::string& b) {
 }
 
 constexpr auto short_limit = std::chrono::seconds(60);
+
+/// Errors: `invalid_argument` when more than one field says which load cases, or one is named
+/// twice.
+expected<std::vector<std::string>> named_cases(const v1::Solve& body) {
+  const int ways = (body.load_case().empty() ? 0 : 1) + (body.load_cases().empty() ? 0 : 1) +
+                   (body.all_load_cases() ? 1 : 0);
+  if (ways > 1)
+    return fail(ec::invalid_argument,
+                "only one of load_case, load_cases and all_load_cases may be given");
+  std::vector<std::string> names(body.load_cases().begin(), body.load_cases().end());
+  if (!body.load_case().empty())
+    names.push_back(body.load_case());
+  std::set<std::string> seen;
+  for (const auto& name : names)
+    if (!seen.insert(name).second)
+      return fail(ec::invalid_argument, "the load case \"" + name + "\" is named twice",
+                  "Name each load case once");
+  return names;
+}
+
+/// Errors: `invalid_argument`.
+expected<solve_request> read_solve(const v1::Solve& body) {
+  solve_request request;
+  auto names = named_cases(body);
+  if (!names)
+    return fail(names.error());
+  request.load_cases = std::move(*names);
+  request.all_load_cases = body.all_load_cases();
+  if (body.tolerance() != 0)
+    request.tolerance = body.tolerance();
+  if (!(request.tolerance >= 1e-12 && request.tolerance <= 0.1))
+    return fail(ec::invalid_argument, "the tolerance must lie between 1e-12 and 0.1");
+  request.energy_tolerance = body.energy_tolerance();
+  if (request.energy_tolerance != 0 &&
+      !(request.energy_tolerance >= 1e-9 && request.energy_tolerance <= 0.5))
+    return fail(ec::invalid_argument, "the energy tolerance must lie between 1e-9 and 0.5");
+  if (body.element_order() > 2)
+    return fail(ec::invalid_argument,
+                "the element order must be 1 or 2, not " + std::to_string(body.element_order()));
+  request.device = body.device();
+  request.element_order = body.element_order() == 0 ? 2 : static_cast<int>(body.element_order());
+  return request;
+}
 
 }  // namespace
 
@@ -296,30 +341,16 @@ void client_state::solve(std::uint64_t id, const v1::Solve& body) {
   const auto* document = find(id, body.document());
   if (!document)
     return;
-  const double tolerance = body.tolerance() == 0 ? 1e-6 : body.tolerance();
-  if (!(tolerance >= 1e-12 && tolerance <= 0.1))
-    return refuse(id,
-                  {ec::invalid_argument, "the tolerance must lie between 1e-12 and 0.1", {}, {}});
-  if (body.element_order() > 2)
-    return refuse(id,
-                  {ec::invalid_argument,
-                   "the element order must be 1 or 2, not " + std::to_string(body.element_order()),
-                   {},
-                   {}});
-  solve_request request;
-  request.ticket = begin(id, document->session);
-  request.client = caf::actor_cast<caf::actor>(self);
-  request.load_case = body.load_case();
-  request.tolerance = tolerance;
-  request.device = body.device();
-  request.element_order = body.element_order() == 0 ? 2 : static_cast<int>(body.element_order());
-  self->request(document->session, answer_limit, std::move(request))
+  auto request = read_solve(body);
+  if (!request)
+    return refuse(id, request.error());
+  request->ticket = begin(id, document->session);
+  request->client = caf::actor_cast<caf::actor>(self);
+  self->request(document->session, answer_limit, std::move(*request))
     .then(
       [=, this](const solved& done) {
         v1::ServerMessage message;
-        message.mutable_solved()->set_document(done.document);
-        if (auto report = protocol::message_from_json<v1::SolveReport>(done.report))
-          *message.mutable_solved()->mutable_report() = std::move(*report);
+        to_message(done, message.mutable_solved());
         answer(id, std::move(message));
       },
       [=, this](const caf::error& e) { refuse(id, from_caf(e, "the solve")); });

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "fem/fields.hpp"
 #include "protocol/json.hpp"
 
 namespace tedit::gateway {
@@ -87,6 +88,61 @@ std::vector<vertex_id> boundary_vertices(const mesh_version& mesh) {
   vertices.erase(rest.begin(), rest.end());
   return vertices;
 }
+
+/// The arrays of a FieldUpdate, as session.proto lists them.
+class field_arrays {
+public:
+  field_arrays(const mesh_version& mesh, const std::vector<field>& fields)
+      : fields_(fields), vertices_(boundary_vertices(mesh)) {
+    stream_ = update()->mutable_stream();
+    builder_.add(stream_, "vertices", v1::ArrayInfo::UINT32, 1, vertices_);
+  }
+
+  [[nodiscard]] v1::FieldUpdate* update() { return result_.header.mutable_field_update(); }
+
+  /// False when a field is missing; `name_of` gives its name.
+  template <class Name>
+  [[nodiscard]] bool add_case(const Name& name_of) {
+    return add<float>("displacement_m", name_of("displacement_m"), 3) &&
+           add<float>("von_mises_pa", name_of("von_mises_pa"));
+  }
+
+  [[nodiscard]] bool add_envelope() {
+    const bool complete = add<float>("von_mises_pa", "envelope_von_mises") &&
+                          add<std::uint32_t>("von_mises_case", "envelope_case");
+    return complete && (!find_field(fields_, "envelope_safety_factor") ||
+                        (add<float>("safety_factor", "envelope_safety_factor") &&
+                         add<std::uint32_t>("safety_factor_case", "envelope_safety_factor_case")));
+  }
+
+  [[nodiscard]] bulk finish() {
+    builder_.finish(result_);
+    result_.stream = stream_;
+    return std::move(result_);
+  }
+
+private:
+  template <class T>
+  bool add(const char* name, const std::string& source, int components = 1) {
+    const auto* found = find_field(fields_, source);
+    if (!found)
+      return false;
+    std::vector<T> values;
+    values.reserve(vertices_.size() * static_cast<std::size_t>(components));
+    for (const auto v : vertices_)
+      for (int c = 0; c < components; ++c)
+        values.push_back(static_cast<T>(found->at(v, c)));
+    constexpr auto type = std::is_same_v<T, float> ? v1::ArrayInfo::FLOAT32 : v1::ArrayInfo::UINT32;
+    builder_.add(stream_, name, type, static_cast<unsigned>(components), values);
+    return true;
+  }
+
+  const std::vector<field>& fields_;
+  std::vector<vertex_id> vertices_;
+  bulk result_;
+  v1::Stream* stream_ = nullptr;  ///< Inside `result_`.
+  bulk_builder builder_;
+};
 
 /// Calls `visit(slot)` for every slot of one array in pages that differ between two versions.
 template <class T, class Visit>
@@ -181,35 +237,34 @@ bulk surface_stream::difference(const std::string& document, const mesh_version&
   return result;
 }
 
-std::optional<bulk> surface_stream::fields_of(const std::string& document, const mesh_version& mesh,
-                                              const std::vector<field>& fields,
-                                              const std::string& report) {
-  const auto* displacement = find_field(fields, "displacement_m");
-  const auto* von_mises = find_field(fields, "von_mises_pa");
-  auto parsed = protocol::message_from_json<v1::SolveReport>(report);
-  if (!displacement || !von_mises || !parsed)
+std::optional<bulk> surface_stream::fields_of(const actors::solved& event, unsigned index) {
+  const auto outcome = protocol::message_from_json<v1::Solved>(event.outcome);
+  if (!outcome)
     return std::nullopt;
-  bulk result;
-  auto* update = result.header.mutable_field_update();
-  update->set_document(document);
-  *update->mutable_report() = std::move(*parsed);
-  const auto vertices = boundary_vertices(mesh);
-  std::vector<float> moved;
-  std::vector<float> stress;
-  for (const auto v : vertices) {
-    for (int c = 0; c < 3; ++c)
-      moved.push_back(static_cast<float>(displacement->at(v, c)));
-    stress.push_back(static_cast<float>(von_mises->at(v)));
+  const auto cases = static_cast<unsigned>(outcome->cases_size());
+  const unsigned updates = cases == 0 ? 1 : cases + 1;
+  if (index >= updates)
+    return std::nullopt;
+  field_arrays arrays(*event.version, *event.fields);
+  auto* update = arrays.update();
+  bool complete = false;
+  if (cases == 0) {
+    *update->mutable_report() = outcome->report();
+    complete = arrays.add_case([](const char* name) { return std::string(name); });
+  } else if (index < cases) {
+    const auto& report = outcome->cases(static_cast<int>(index));
+    *update->mutable_report() = report;
+    complete =
+      arrays.add_case([&](const char* name) { return fem::case_field(name, report.load_case()); });
+  } else {
+    *update->mutable_envelope() = outcome->envelope();
+    complete = arrays.add_envelope();
   }
-  using info = v1::ArrayInfo;
-  auto* stream = update->mutable_stream();
-  bulk_builder builder;
-  builder.add(stream, "vertices", info::UINT32, 1, vertices);
-  builder.add(stream, "displacement_m", info::FLOAT32, 3, moved);
-  builder.add(stream, "von_mises_pa", info::FLOAT32, 1, stress);
-  builder.finish(result);
-  result.stream = stream;
-  return result;
+  if (!complete)
+    return std::nullopt;
+  update->set_document(event.document);
+  update->set_remaining(updates - 1 - index);
+  return arrays.finish();
 }
 
 }  // namespace tedit::gateway

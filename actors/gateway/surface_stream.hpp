@@ -5,8 +5,7 @@
 #include <unordered_set>
 
 #include "actors/gateway/bulk.hpp"
-#include "mesh/field.hpp"
-#include "mesh/version.hpp"
+#include "actors/local_messages.hpp"
 
 namespace tedit::gateway {
 
@@ -18,12 +17,10 @@ public:
   /// O(boundary).
   [[nodiscard]] std::optional<bulk> update_to(const std::string& document, const version_ptr& mesh);
 
-  /// Displacement and von Mises stress at the boundary vertices of `mesh`. `report` is the JSON of
-  /// the SolveReport.
-  [[nodiscard]] static std::optional<bulk> fields_of(const std::string& document,
-                                                     const mesh_version& mesh,
-                                                     const std::vector<field>& fields,
-                                                     const std::string& report);
+  /// One field update of a solve: displacement and von Mises stress of load case `index` at the
+  /// boundary vertices, after the last of several load cases the envelope of all. Nothing when
+  /// there is no such update.
+  [[nodiscard]] static std::optional<bulk> fields_of(const actors::solved& event, unsigned index);
 
 private:
   bulk whole(const std::string& document, const mesh_version& mesh);

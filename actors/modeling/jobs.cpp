@@ -43,6 +43,23 @@ expected<std::vector<char>> read_all(const std::string& path) {
   return bytes;
 }
 
+/// What the fields are worth, as `tedit solve` notes it.
+std::vector<std::pair<std::string, std::string>> notes_of(const solve_outcome& outcome) {
+  const auto& first = outcome.cases.front();
+  const bool preview = outcome.envelope ? outcome.envelope->preview : first.preview;
+  const char* quality = first.element_order < 2 ? "preview (linear tets)"
+                        : preview               ? "preview (quadratic tets, stopped early)"
+                                                : "final (quadratic tets)";
+  std::vector<std::pair<std::string, std::string>> notes{{"quality", quality},
+                                                         {"device", first.device}};
+  if (!outcome.envelope)
+    notes.emplace_back("load_case", first.load_case);
+  else
+    for (std::size_t c = 0; c < outcome.cases.size(); ++c)
+      notes.emplace_back("case_" + std::to_string(c), outcome.cases[c].load_case);
+  return notes;
+}
+
 expected<void> write_fields(const std::string& path, const mesh_version& mesh,
                             const export_order& order, const page_set& pages) {
   std::vector<field> fields;
@@ -53,14 +70,12 @@ expected<void> write_fields(const std::string& path, const mesh_version& mesh,
     fields.push_back(std::move(*opened));
   }
   std::vector<std::pair<std::string, std::string>> notes{{"version_id", to_hex(mesh.id())}};
-  if (!order.report.empty()) {
-    const auto report = protocol::solve_report_from_json(order.report);
-    if (!report)
-      return fail(report.error());
-    notes.emplace_back("load_case", report->load_case);
-    notes.emplace_back("quality",
-                       report->preview ? "preview (linear tets)" : "final (quadratic tets)");
-    notes.emplace_back("device", report->device);
+  if (!order.outcome.empty()) {
+    const auto outcome = protocol::solve_outcome_from_json(order.outcome);
+    if (!outcome)
+      return fail(outcome.error());
+    for (const auto& note : notes_of(*outcome))
+      notes.push_back(note);
   }
   return write_vtu(path, mesh, fields, notes);
 }

@@ -356,7 +356,7 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   const auto fields = std::ranges::find(results, version, &kept_result::version);
   if (fields != results.end()) {
     order.fields = fields->refs;
-    order.report = fields->event.report;
+    order.outcome = fields->event.outcome;
   }
   const auto refuse = [=, this](const error& e) {
     progress_of.erase(job);

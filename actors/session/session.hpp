@@ -57,18 +57,11 @@ struct session_state {
   struct import_run;
   struct edit_run;
 
-  struct solve_settings {
-    std::string load_case;
-    double tolerance = 1e-6;
-    std::string device;
-    int element_order = 2;
-  };
-
   struct active_solve {
     job_id job;
     std::string key;
     std::string version;
-    std::string load_case;
+    std::vector<std::string> load_cases;
     version_ptr mesh;
     std::uint64_t ticket = 0;
     std::vector<caf::typed_response_promise<solved>> waiting;
@@ -78,6 +71,7 @@ struct session_state {
   struct kept_result {
     std::string key;
     std::string version;
+    std::size_t cases = 1;  ///< Load cases in it.
     solved event;
     std::vector<field_ref> refs;
   };
@@ -128,8 +122,12 @@ struct session_state {
   caf::result<solved> solve(const solve_request& request);
   /// Solves the new head when somebody has asked for a solve before.
   void follow_head();
-  void start_solve(const solve_settings& settings, std::uint64_t ticket, const caf::actor& client,
+  void start_solve(const solve_request& request,
                    std::optional<caf::typed_response_promise<solved>> promise);
+  /// The load cases that a request means, with their names. Errors: `conflict`, `not_found`.
+  [[nodiscard]] expected<std::vector<std::string>> chosen_cases(
+    const solve_request& request, std::vector<std::string>& names) const;
+  void keep_result(kept_result result);
   void launch(active_solve next, const solve_order& order);
   void end_active_solve(ec code, const std::string& why, solve_phase phase);
   void receive_result(job_id job, const solve_result& result);
@@ -149,7 +147,7 @@ struct session_state {
   std::deque<command> waiting;
   std::optional<running_command> running;
   std::map<job_id, std::pair<std::uint64_t, caf::actor>> progress_of;
-  std::optional<solve_settings> followed;
+  std::optional<solve_request> followed;  ///< Without who asked.
   std::optional<active_solve> active;
   std::list<kept_result> results;  ///< Used last at the front.
 

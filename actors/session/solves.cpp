@@ -9,67 +9,82 @@ namespace tedit::actors {
 
 namespace {
 
-/// Results that stay at hand, so that undo shows its field at once.
+/// Load cases whose results stay at hand, so that undo shows its field at once. The last solve's
+/// stay however many it has.
 constexpr std::size_t most_results = 8;
 
 /// Two orders with one key have one result.
 std::string key_of(const solve_order& order, const std::string& version) {
-  char numbers[48];
-  std::snprintf(numbers, sizeof(numbers), "|%.17g|%d|", order.tolerance, order.element_order);
-  return version + "|" + order.device + numbers + order.load_case;
+  char numbers[80];
+  std::snprintf(numbers, sizeof(numbers), "|%.17g|%.17g|%d", order.tolerance,
+                order.energy_tolerance, order.element_order);
+  auto key = version + "|" + order.device + numbers;
+  for (const auto& text : order.load_cases)
+    key += "|" + std::to_string(text.size()) + "|" + text;
+  return key;
 }
 
 }  // namespace
 
 caf::result<solved> session_state::solve(const solve_request& request) {
   auto promise = self->make_response_promise<solved>();
-  solve_settings settings{request.load_case, request.tolerance, request.device,
-                          request.element_order};
-  followed = settings;
-  start_solve(settings, request.ticket, request.client, promise);
+  followed = request;
+  followed->ticket = 0;
+  followed->client = nullptr;
+  start_solve(request, promise);
   return promise;
 }
 
 void session_state::follow_head() {
   if (followed)
-    start_solve(*followed, 0, nullptr, std::nullopt);
+    start_solve(*followed, std::nullopt);
 }
 
-void session_state::start_solve(const solve_settings& settings, std::uint64_t ticket,
-                                const caf::actor& client,
-                                std::optional<caf::typed_response_promise<solved>> promise) {
-  active_solve next;
-  next.ticket = ticket;
-  if (promise)
-    next.waiting.push_back(*promise);
-  const auto refuse = [&](const error& e) {
-    for (auto& waiting_promise : next.waiting)
-      waiting_promise.deliver(to_caf(e));
-    note(next, solve_phase::failed, render(e));
-  };
+expected<std::vector<std::string>> session_state::chosen_cases(
+  const solve_request& request, std::vector<std::string>& names) const {
   const auto* head = graph.head();
   if (!head)
-    return refuse({ec::conflict, "the document is empty", "Import a mesh first", {}});
-  next.version = to_hex(head->info.id);
-  next.mesh = head->mesh;
-  const auto& names = head->info.load_cases;
-  const auto found =
-    settings.load_case.empty() ? names.begin() : std::ranges::find(names, settings.load_case);
-  if (found == names.end())
-    return refuse({ec::not_found,
-                   settings.load_case.empty()
-                     ? "this version has no load case"
-                     : "there is no load case \"" + settings.load_case + "\"",
-                   "Set the load case first",
-                   {}});
-  next.load_case = *found;
-  const auto& text = head->load_cases[static_cast<std::size_t>(found - names.begin())];
-  solve_order order{base_order(),
-                    make_ref(*head->mesh),
-                    text,
-                    settings.device.empty() ? parts.device : settings.device,
-                    settings.tolerance,
-                    settings.element_order};
+    return fail(ec::conflict, "the document is empty", "Import a mesh first");
+  const auto& known = head->info.load_cases;
+  if (known.empty() && request.load_cases.empty())
+    return fail(ec::not_found, "this version has no load case", "Set the load case first");
+  names = request.load_cases;
+  if (request.all_load_cases)
+    names = known;
+  else if (names.empty())
+    names = {known.front()};
+  std::vector<std::string> texts;
+  for (const auto& wanted : names) {
+    const auto found = std::ranges::find(known, wanted);
+    if (found == known.end())
+      return fail(ec::not_found, "there is no load case \"" + wanted + "\"",
+                  "Set the load case first");
+    texts.push_back(head->load_cases[static_cast<std::size_t>(found - known.begin())]);
+  }
+  return texts;
+}
+
+void session_state::start_solve(const solve_request& request,
+                                std::optional<caf::typed_response_promise<solved>> promise) {
+  active_solve next;
+  next.ticket = request.ticket;
+  if (promise)
+    next.waiting.push_back(*promise);
+  auto texts = chosen_cases(request, next.load_cases);
+  const auto* head = graph.head();
+  if (head) {
+    next.version = to_hex(head->info.id);
+    next.mesh = head->mesh;
+  }
+  if (!texts) {
+    for (auto& waiting_promise : next.waiting)
+      waiting_promise.deliver(to_caf(texts.error()));
+    return note(next, solve_phase::failed, render(texts.error()));
+  }
+  solve_order order{base_order(),         make_ref(*head->mesh),
+                    std::move(*texts),    request.device.empty() ? parts.device : request.device,
+                    request.tolerance,    request.energy_tolerance,
+                    request.element_order};
   next.key = key_of(order, next.version);
 
   const auto kept = std::ranges::find(results, next.key, &kept_result::key);
@@ -86,7 +101,7 @@ void session_state::start_solve(const solve_settings& settings, std::uint64_t ti
     return;
   }
   end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
-  next.job = new_job(ticket, client);
+  next.job = new_job(request.ticket, request.client);
   launch(std::move(next), order);
 }
 
@@ -134,6 +149,13 @@ void session_state::open_fields(job_id job, const solve_result& result,
   pull(result.source, ids, open, refuse);
 }
 
+void session_state::keep_result(kept_result result) {
+  results.push_front(std::move(result));
+  std::size_t cases = results.front().cases;
+  const auto full = [&](const kept_result& one) { return (cases += one.cases) > most_results; };
+  results.erase(std::find_if(std::next(results.begin()), results.end(), full), results.end());
+}
+
 void session_state::receive_result(job_id job, const solve_result& result) {
   open_fields(
     job, result,
@@ -141,10 +163,8 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       auto done = std::move(*active);
       active.reset();
       progress_of.erase(job);
-      solved event{parts.document, done.mesh, result.report, fields};
-      results.push_front({done.key, done.version, event, result.fields});
-      if (results.size() > most_results)
-        results.pop_back();
+      solved event{parts.document, done.mesh, result.outcome, fields};
+      keep_result({done.key, done.version, done.load_cases.size(), event, result.fields});
       broadcast(event);
       for (auto& promise : done.waiting)
         promise.deliver(event);
@@ -156,7 +176,7 @@ void session_state::on_preview(const job_preview& preview) {
   open_fields(
     preview.job, preview.result,
     [=, this](const std::shared_ptr<const std::vector<field>>& fields) {
-      broadcast(solved{parts.document, active->mesh, preview.result.report, fields});
+      broadcast(solved{parts.document, active->mesh, preview.result.outcome, fields});
     },
     [=, this](const error& e) {
       // The result itself still comes.
@@ -181,7 +201,7 @@ void session_state::on_frame(const job_frame& frame) {
     return;
   broadcast(solve_note{parts.document,
                        active->version,
-                       active->load_case,
+                       active->load_cases,
                        solve_phase::converging,
                        frame.iterations,
                        frame.residual,
@@ -189,7 +209,7 @@ void session_state::on_frame(const job_frame& frame) {
 }
 
 void session_state::note(const active_solve& which, solve_phase phase, const std::string& message) {
-  broadcast(solve_note{parts.document, which.version, which.load_case, phase, 0, 1, message});
+  broadcast(solve_note{parts.document, which.version, which.load_cases, phase, 0, 1, message});
 }
 
 }  // namespace tedit::actors

@@ -46,7 +46,7 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
       };
       solve_listener listener;
       if (order.base.listener) {
-        listener.on_frame = [&](const fem::solve_frame& frame) {
+        listener.on_frame = [&](const fem::cases_frame& frame) {
           caf::anon_send(order.base.listener,
                          job_frame{job, frame.iterations, frame.true_relative_residual});
         };
@@ -64,21 +64,27 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
     });
 }
 
-/// Fields and report of a solution as others get them.
-job_output<solve_result> package(const mesh_version& mesh, const std::string& load_case,
-                                 const fem::problem& problem, const fem::solution& solution,
-                                 bool interim, double total_ms) {
-  auto fields =
-    std::make_shared<const std::vector<field>>(fem::make_fields(mesh, problem, solution));
-  auto report = make_report(mesh, load_case, problem, solution);
-  report.interim = interim;
-  report.total_ms = total_ms;
+/// Fields and reports as others get them.
+job_output<solve_result> package(const mesh_version& mesh, const fem::case_set& set,
+                                 const fem::solved_cases& solved, bool interim, double total_ms) {
+  auto fields = std::make_shared<const std::vector<field>>(fem::make_fields(mesh, set, solved));
   job_output<solve_result> output;
-  output.result.report = protocol::to_json(report);
+  output.result.outcome = protocol::to_json(make_outcome(mesh, set, solved, interim, total_ms));
   for (const auto& f : *fields)
     output.result.fields.push_back(make_ref(f));
   output.keep = fields;
   return output;
+}
+
+expected<std::vector<fem::load_case>> read_cases(const std::vector<std::string>& texts) {
+  std::vector<fem::load_case> cases;
+  for (const auto& text : texts) {
+    auto one = protocol::load_case_from_json(text, "load case");
+    if (!one)
+      return fail(one.error());
+    cases.push_back(std::move(*one));
+  }
+  return cases;
 }
 
 }  // namespace
@@ -90,7 +96,7 @@ expected<job_output<solve_result>> solve(const solve_order& order, solver_bench&
   const auto mesh = open_version(order.version, pages);
   if (!mesh)
     return fail(mesh.error());
-  const auto loads = protocol::load_case_from_json(order.load_case, "load case");
+  const auto loads = read_cases(order.load_cases);
   if (!loads)
     return fail(loads.error());
   const auto device = open_device(bench, order.device);
@@ -98,24 +104,28 @@ expected<job_output<solve_result>> solve(const solve_order& order, solver_bench&
     return fail(device.error());
   fem::solve_settings settings;
   settings.tolerance = order.tolerance;
-  const auto finish = [&](const fem::solution& solution, bool interim) {
-    return package(**mesh, loads->name, bench.session.last_problem(), solution, interim,
-                   total.milliseconds());
+  settings.energy_tolerance = order.energy_tolerance;
+  const auto finish = [&](const fem::solved_cases& solved, bool interim) {
+    return package(**mesh, bench.session.last_set(), solved, interim, total.milliseconds());
   };
   bool shown = false;
-  const auto frame = [&](const fem::solve_frame& now) {
+  const auto frame = [&](const fem::cases_frame& now) {
     if (listener.on_frame)
       listener.on_frame(now);
-    if (!listener.on_preview || std::exchange(shown, true))
+    if (!listener.on_preview || !now.recover || std::exchange(shown, true))
       return;
-    if (const auto preview = now.recover())
-      listener.on_preview(finish(*preview, true));
+    if (auto fields = now.recover()) {
+      fem::solved_cases preview{std::move(*fields), {}};
+      if (preview.cases.size() > 1)
+        preview.envelope = fem::make_envelope(preview.cases);
+      listener.on_preview(finish(preview, true));
+    }
   };
   const auto done =
     bench.session.solve(*mesh, *loads, order.element_order, **device, settings, run, frame);
   if (!done)
     return fail(done.error());
-  return finish(done->solution, false);
+  return finish(done->solved, false);
 }
 
 solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,

@@ -25,8 +25,9 @@ solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_st
 
 /// Who hears of a solve while it runs.
 struct solve_listener {
-  fem::frame_callback on_frame;                              ///< Of each outer round.
-  std::function<void(job_output<solve_result>)> on_preview;  ///< Of the first field, once.
+  fem::cases_callback on_frame;  ///< Of each outer round.
+  /// Of the first field, once; never when load cases have different supports.
+  std::function<void(job_output<solve_result>)> on_preview;
 };
 
 /// The job, without actors.

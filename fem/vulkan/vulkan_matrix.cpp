@@ -305,6 +305,14 @@ expected<void> vulkan_matrix::gather_again() {
   return {};
 }
 
+std::uint64_t vulkan_matrix::read_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const auto& part : chunks_)
+    for (std::uint32_t s = 0; s < part.slices.rows(); ++s)
+      bytes += 8 + entry_bytes * (part.slices.end(s) - part.slices.begin(s));
+  return bytes;
+}
+
 std::uint32_t vulkan_matrix::most_partials() const {
   return static_cast<std::uint32_t>(chunks_.size()) * shapes_.sum_groups;
 }

@@ -166,14 +166,16 @@ TEST(DescribeCases, HasARowForEachAndTheWorstOfAll) {
   hard.max_von_mises_pa = 55.5e6;
   hard.min_safety_factor = 4.5;
   hard.max_von_mises_singularity = fem::singularity::clamp_rim;
-  fem::envelope worst;
-  worst.max_displacement = {1e-4, {0.1, 0, 0}, 1};
-  worst.max_von_mises = {55.5e6, {0.35, 0.12, 0.04}, 1};
-  worst.min_safety_factor = {4.5, {0.35, 0.12, 0.04}, 1};
-  const std::vector<solve_report> cases{soft, hard};
+  solve_outcome outcome{{soft, hard}, solve_envelope{}};
+  outcome.envelope->element_order = 2;
+  outcome.envelope->preview = false;
+  outcome.envelope->max_displacement = {1e-4, {0.1, 0, 0}, "braking"};
+  outcome.envelope->max_von_mises = {55.5e6, {0.35, 0.12, 0.04}, "braking"};
+  outcome.envelope->min_safety_factor = {4.5, {0.35, 0.12, 0.04}, "braking"};
 
+  EXPECT_EQ(preview_text(outcome), "");
   EXPECT_EQ(
-    describe(cases, worst),
+    describe(outcome),
     "  device            cpu\n"
     "  unknowns          93303 (quadratic tets)\n"
     "  load case  iterations  max displacement mm  max von Mises MPa  safety factor  error %\n"
@@ -195,11 +197,11 @@ TEST(JsonOfCases, HasCasesAndEnvelope) {
   one.min_safety_factor.reset();
   auto other = one;
   other.load_case = "braking";
-  fem::envelope worst;
-  worst.max_displacement = {1e-4, {0.1, 0, 0}, 1};
-  worst.max_von_mises = {55.5e6, {0.35, 0.12, 0.04}, 0};
+  solve_outcome outcome{{one, other}, solve_envelope{}};
+  outcome.envelope->max_displacement = {1e-4, {0.1, 0, 0}, "braking"};
+  outcome.envelope->max_von_mises = {55.5e6, {0.35, 0.12, 0.04}, "lifting"};
 
-  const auto json = to_json(std::vector{one, other}, worst);
+  const auto json = to_json(outcome);
 
   ASSERT_EQ(json["cases"].size(), 2u);
   EXPECT_EQ(json["cases"][1]["load_case"], "braking");
@@ -210,6 +212,23 @@ TEST(JsonOfCases, HasCasesAndEnvelope) {
   EXPECT_EQ(json["envelope"]["max_displacement_at_m"], nlohmann::ordered_json({0.1, 0, 0}));
   // No yield strength, no safety factor.
   EXPECT_FALSE(json["envelope"].contains("min_safety_factor"));
+}
+
+TEST(OneCase, IsShownAsItAlwaysWas) {
+  const solve_outcome outcome{{plate()}, {}};
+
+  EXPECT_EQ(to_json(outcome), to_json(plate()));
+  EXPECT_EQ(describe(outcome), describe(plate()));
+  EXPECT_EQ(summarize(outcome), summarize(plate()));
+}
+
+TEST(PreviewText, SaysWhyTheNumbersAreNotFinal) {
+  solve_outcome outcome{{plate()}, {}};
+  EXPECT_EQ(preview_text(outcome), "");
+  outcome.cases[0].preview = true;
+  EXPECT_THAT(preview_text(outcome), HasSubstr("stopped at the energy tolerance"));
+  outcome.cases[0].element_order = 1;
+  EXPECT_THAT(preview_text(outcome), HasSubstr("too stiff in bending"));
 }
 
 }  // namespace

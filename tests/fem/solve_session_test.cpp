@@ -205,6 +205,200 @@ TEST_P(FollowedEdits, APartCutThroughIsRefusedAndTheNextVersionSolved) {
   EXPECT_TRUE(after.assembled);
 }
 
+/// Several load cases: two with the same supports, one with others, as `solve_cases` answers them.
+class FollowedCases : public testing::TestWithParam<int> {
+protected:
+  static load_case named(const std::string& name, load_case loads) {
+    loads.name = name;
+    loads.materials[0].yield_strength_pa = 250e6;
+    return loads;
+  }
+
+  static load_case turned(const std::string& name) {
+    auto loads = cantilever({});
+    loads.constraints = {{{2}, fixed{}}, {{3}, roller{}}};
+    loads.loads = {{{1}, force{{300, 0, -1000}}}};
+    return named(name, loads);
+  }
+
+  static solve_settings exact() {
+    solve_settings settings;
+    settings.tolerance = 1e-9;
+    return settings;
+  }
+
+  solve_session::cases_result solve(const version_ptr& mesh, const std::vector<load_case>& loads) {
+    auto result = session_.solve(mesh, loads, GetParam(), *device_, exact(), {});
+    EXPECT_TRUE(result.has_value()) << (result ? "" : render(result.error()));
+    return result ? std::move(*result) : solve_session::cases_result{};
+  }
+
+  /// All values of `kept` against a solve without any history.
+  void expect_as_cold(const version_ptr& mesh, const std::vector<load_case>& loads,
+                      const solved_cases& kept) {
+    auto set = make_cases(*mesh, loads, GetParam());
+    ASSERT_TRUE(set.has_value());
+    const auto cold = solve_cases(*set, *device_, exact(), {});
+    ASSERT_TRUE(cold.has_value());
+    ASSERT_EQ(kept.cases.size(), loads.size());
+    for (std::size_t c = 0; c < loads.size(); ++c) {
+      const auto& a = kept.cases[c];
+      const auto& b = cold->cases[c];
+      EXPECT_TRUE(a.converged);
+      EXPECT_NEAR(a.compliance_j, b.compliance_j, 1e-7 * b.compliance_j) << c;
+      EXPECT_NEAR(a.max_displacement_m, b.max_displacement_m, 1e-7 * b.max_displacement_m) << c;
+      EXPECT_NEAR(a.max_von_mises_pa, b.max_von_mises_pa, 1e-6 * b.max_von_mises_pa) << c;
+      EXPECT_NEAR(norm(a.reaction_n - b.reaction_n), 0, 1e-6 * norm(b.applied_n)) << c;
+      EXPECT_EQ(a.surface_reactions.size(), b.surface_reactions.size()) << c;
+    }
+    if (loads.size() == 1)
+      return;
+    const auto& worst = kept.envelope;
+    EXPECT_EQ(worst.max_von_mises.of, cold->envelope.max_von_mises.of);
+    EXPECT_EQ(worst.max_von_mises.value, kept.cases[worst.max_von_mises.of].max_von_mises_pa);
+    EXPECT_NEAR(worst.min_safety_factor.value, cold->envelope.min_safety_factor.value,
+                1e-6 * cold->envelope.min_safety_factor.value);
+  }
+
+  std::unique_ptr<backend> device_ = make_native_backend();
+  solve_session session_;
+  version_ptr mesh_ = test::box_mesh({16, 4, 4}, {4, 1, 1});
+  std::vector<load_case> loads_{named("down", cantilever({0, 0, -1000})), turned("turned"),
+                                named("side", cantilever({0, 500, 0}))};
+};
+
+INSTANTIATE_TEST_SUITE_P(Orders, FollowedCases, testing::Values(1, 2));
+
+TEST_P(FollowedCases, AreAllSolvedAgainAfterEachEdit) {
+  expect_as_cold(mesh_, loads_, solve(mesh_, loads_).solved);
+  // The edit reaches the surface that the one case holds and the others load.
+  for (const double at : {0.1, 2.1}) {
+    mesh_ = test::dig(
+      mesh_,
+      [&](vec3 x) {
+        return norm(x - vec3{at, .5, 1}) < 0.3;
+      },
+      7);
+    ASSERT_TRUE(mesh_);
+    const auto kept = solve(mesh_, loads_);
+    EXPECT_FALSE(kept.assembled);
+    EXPECT_GT(kept.renewed_rows, 0u);
+    expect_as_cold(mesh_, loads_, kept.solved);
+  }
+}
+
+TEST_P(FollowedCases, ComeAndGoWithoutAssembling) {
+  solve(mesh_, loads_);
+  const std::vector<std::vector<load_case>> lists{
+    {loads_[2]}, {loads_[1], loads_[0]}, {turned("new"), loads_[2], loads_[0]}};
+  for (const auto& loads : lists) {
+    const auto kept = solve(mesh_, loads);
+    EXPECT_FALSE(kept.assembled);
+    expect_as_cold(mesh_, loads, kept.solved);
+    mesh_ = test::split(mesh_, [&](tet_id t) { return t == 100 * loads.size(); });
+    const auto after = solve(mesh_, {loads_[1]});
+    EXPECT_FALSE(after.assembled);
+    expect_as_cold(mesh_, {loads_[1]}, after.solved);
+  }
+}
+
+TEST_P(FollowedCases, EachStartsFromItsOwnDisplacement) {
+  solve(mesh_, loads_);
+  auto doubled = loads_;
+  doubled[0].loads = {{{2}, force{{0, 0, -2000}}}};
+  std::ranges::rotate(doubled, doubled.begin() + 1);
+
+  const auto again = solve(mesh_, doubled);
+
+  for (const auto& one : again.solved.cases)
+    EXPECT_EQ(one.iterations, 0);
+}
+
+TEST_P(FollowedCases, AOneThatIsNotHeldAfterAnEditIsNamed) {
+  solve(mesh_, loads_);
+  auto loose = loads_;
+  loose[1].constraints = {{{3}, roller{}}};
+  const auto edited = test::split(mesh_, [](tet_id t) { return t == 500; });
+
+  for (const auto& mesh : {mesh_, edited}) {
+    const auto refused = session_.solve(mesh, loose, GetParam(), *device_, {}, {});
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, ec::under_constrained);
+    EXPECT_EQ(refused.error().message.rfind("load case 'turned': the part is not held", 0), 0u)
+      << refused.error().message;
+    expect_as_cold(mesh, loads_, solve(mesh, loads_).solved);
+  }
+}
+
+TEST_P(FollowedCases, OfOtherMaterialsAreRefusedAndTheSystemStays) {
+  solve(mesh_, loads_);
+  auto mixed = loads_;
+  mixed[2].materials[0].young_modulus_pa = 70e9;
+
+  const auto refused = session_.solve(mesh_, mixed, GetParam(), *device_, {}, {});
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::invalid_material);
+  EXPECT_FALSE(solve(mesh_, loads_).assembled);
+  EXPECT_FALSE(session_.solve(mesh_, std::vector<load_case>{}, 2, *device_, {}, {}).has_value());
+}
+
+TEST_P(FollowedCases, SurviveACancelAtAnyPoint) {
+  const auto mesh = test::box_mesh({6, 2, 2}, {4, 1, 1});
+  execution whole;
+  ASSERT_TRUE(solve_session().solve(mesh, loads_, GetParam(), *device_, exact(), whole));
+  for (std::uint64_t poll = 1; poll <= whole.cancel.polls(); poll += 1 + poll / 10) {
+    execution run;
+    run.cancel = cancel_token::at_poll(poll);
+    const auto result = session_.solve(mesh, loads_, GetParam(), *device_, exact(), run);
+    ASSERT_TRUE(result || result.error().code == ec::cancelled) << render(result.error());
+  }
+  expect_as_cold(mesh, loads_, solve(mesh, loads_).solved);
+}
+
+TEST_P(FollowedCases, OneOfThemIsSolvedAsItAlwaysWas) {
+  const auto p = make_problem(*mesh_, loads_[1], GetParam());
+  std::vector<int> rounds;
+  const auto alone = fem::solve(
+    *p, *device_, {}, {}, [&](const solve_frame& frame) { rounds.push_back(frame.iterations); });
+  std::vector<int> kept_rounds;
+  const auto count = [&](const solve_frame& frame) { kept_rounds.push_back(frame.iterations); };
+
+  const auto kept = session_.solve(mesh_, loads_[1], GetParam(), *device_, {}, {}, count);
+
+  ASSERT_TRUE(alone && kept);
+  EXPECT_EQ(kept->solution.iterations, alone->iterations);
+  EXPECT_EQ(kept_rounds, rounds);
+  EXPECT_NEAR(kept->solution.compliance_j, alone->compliance_j, 1e-6 * alone->compliance_j);
+}
+
+TEST_P(FollowedCases, ShowAFirstFieldOfAllWhenTheyShareTheirSupports) {
+  const std::vector<load_case> together{loads_[0], loads_[2]};
+  std::vector<std::vector<solution>> seen;
+  int rounds = 0;
+  const auto look = [&](const cases_frame& frame) {
+    ++rounds;
+    if (frame.recover)
+      if (auto now = frame.recover())
+        seen.push_back(std::move(*now));
+  };
+  const auto last = session_.solve(mesh_, together, GetParam(), *device_, {}, {}, look);
+  ASSERT_TRUE(last.has_value());
+  ASSERT_FALSE(seen.empty());
+  ASSERT_EQ(seen.front().size(), 2u);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto& end = last->solved.cases[c];
+    EXPECT_TRUE(seen.front()[c].preview());
+    EXPECT_LT(seen.front()[c].iterations, end.iterations);
+    EXPECT_NEAR(seen.front()[c].compliance_j, end.compliance_j, 1e-3 * end.compliance_j);
+  }
+  seen.clear();
+  rounds = 0;
+  ASSERT_TRUE(session_.solve(mesh_, loads_, GetParam(), *device_, exact(), {}, look).has_value());
+  EXPECT_GT(rounds, 0);
+  EXPECT_TRUE(seen.empty());
+}
+
 TEST(CarryOver, KeepsWhatIsTheSameAndFillsWhatIsNew) {
   const auto loads = cantilever({0, 0, -1000});
   const auto from = *make_problem(*test::box_mesh({4, 2, 2}, {4, 1, 1}), loads, 2);

@@ -30,6 +30,18 @@ solve_report full_report() {
   return report;
 }
 
+std::string to_json(const solve_report& report) {
+  return protocol::to_json(solve_outcome{{report}, {}});
+}
+
+expected<solve_report> solve_report_from_json(const std::string& json) {
+  return solve_outcome_from_json(json).map([](const solve_outcome& outcome) {
+    EXPECT_EQ(outcome.cases.size(), 1u);
+    EXPECT_FALSE(outcome.envelope.has_value());
+    return outcome.cases.front();
+  });
+}
+
 TEST(SolveReportJson, JudgementsSurviveTheRoundTrip) {
   const auto before = full_report();
 
@@ -81,6 +93,43 @@ TEST(SolveReportJson, AMassOfZeroIsKnown) {
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   EXPECT_EQ(after->mass_kg, 0.0);
+}
+
+TEST(SolveOutcomeJson, SeveralCasesAndTheirEnvelopeSurviveTheRoundTrip) {
+  auto other = full_report();
+  other.load_case = "braking";
+  solve_outcome before{{full_report(), other}, solve_envelope{}};
+  auto& worst = *before.envelope;
+  worst.version_id = other.version_id;
+  worst.load_cases = {"", "braking"};
+  worst.element_order = 2;
+  worst.preview = false;
+  worst.interim = true;
+  worst.max_von_mises = {5e6, {1, 2, 3}, "braking"};
+  worst.max_displacement = {1e-3, {4, 5, 6}, ""};
+  worst.min_safety_factor = {1.5, {7, 8, 9}, "braking"};
+
+  const auto after = solve_outcome_from_json(protocol::to_json(before));
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  ASSERT_EQ(after->cases.size(), 2u);
+  EXPECT_EQ(after->cases[1].load_case, "braking");
+  EXPECT_EQ(to_json(after->cases[1]), to_json(other));
+  ASSERT_TRUE(after->envelope.has_value());
+  EXPECT_EQ(after->envelope->version_id, worst.version_id);
+  EXPECT_EQ(after->envelope->load_cases, worst.load_cases);
+  EXPECT_FALSE(after->envelope->preview);
+  EXPECT_TRUE(after->envelope->interim);
+  EXPECT_EQ(after->envelope->max_von_mises.value, 5e6);
+  EXPECT_EQ(after->envelope->max_von_mises.at, (vec3{1, 2, 3}));
+  EXPECT_EQ(after->envelope->max_displacement.value, 1e-3);
+  EXPECT_EQ(after->envelope->max_displacement.load_case, "");
+  ASSERT_TRUE(after->envelope->min_safety_factor.has_value());
+  EXPECT_EQ(after->envelope->min_safety_factor->load_case, "braking");
+
+  before.envelope->min_safety_factor.reset();
+  EXPECT_FALSE(
+    solve_outcome_from_json(protocol::to_json(before))->envelope->min_safety_factor.has_value());
 }
 
 class MakeReport : public ::testing::Test {
@@ -135,6 +184,34 @@ TEST_F(MakeReport, LeavesOutWhatTheMaterialsDoNotSay) {
   result.min_safety_factor = 4;
   EXPECT_EQ(made().mass_kg, 2.0);
   EXPECT_EQ(made().min_safety_factor, 4.0);
+}
+
+TEST_F(MakeReport, OfSeveralCasesNamesTheWorst) {
+  fem::case_set set{problem, {{"a", {}, {}, {}, {}}, {"b", {}, {}, {}, {}}}};
+  fem::solved_cases solved{{result, result}, {}};
+  solved.cases[0].converged = true;
+  solved.cases[1].max_von_mises_pa = 9e6;
+  solved.envelope.max_von_mises = {9e6, {1, 0, 0}, 1};
+  solved.envelope.max_displacement = {1e-3, {2, 0, 0}, 0};
+
+  const auto outcome = make_outcome(*mesh, set, solved, true, 80);
+
+  ASSERT_EQ(outcome.cases.size(), 2u);
+  EXPECT_EQ(outcome.cases[1].load_case, "b");
+  EXPECT_EQ(outcome.cases[1].total_ms, 40);
+  EXPECT_TRUE(outcome.cases[0].interim);
+  EXPECT_FALSE(outcome.cases[0].preview);
+  ASSERT_TRUE(outcome.envelope.has_value());
+  EXPECT_TRUE(outcome.envelope->preview) << "b is one";
+  EXPECT_TRUE(outcome.envelope->interim);
+  EXPECT_EQ(outcome.envelope->load_cases, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(outcome.envelope->max_von_mises.load_case, "b");
+  EXPECT_EQ(outcome.envelope->max_displacement.load_case, "a");
+  EXPECT_FALSE(outcome.envelope->min_safety_factor.has_value());
+
+  solved.cases.pop_back();
+  set.cases.pop_back();
+  EXPECT_FALSE(make_outcome(*mesh, set, solved, false, 80).envelope.has_value());
 }
 
 }  // namespace

@@ -157,9 +157,9 @@ TEST_F(MainJob, AFirstFieldComesWhileTheSolveRuns) {
   std::mutex mutex;
   std::vector<solve_report> reports;
   client::events handlers;
-  handlers.on_solved = [&](const solve_report& report) {
+  handlers.on_solved = [&](const solve_outcome& outcome) {
     const std::lock_guard lock(mutex);
-    reports.push_back(report);
+    reports.push_back(outcome.cases.front());
   };
   user = connect(host->url(), handlers);
   const auto imported = import_plate();
