@@ -25,9 +25,10 @@ struct inner_result {
   /// sqrt(delta / delta_0) of the preconditioned recurrence: steers the loop, never an accuracy
   /// claim.
   double recurrence_reduction = 1;
-  /// sqrt(delta) at the end, delta = r.Br: about the energy norm sqrt(e.Ke) of what is left of the
-  /// error, as far as B is K^-1.
+  /// A bound of the energy norm sqrt(e.Ke) of what is left of the error; N^.5 m^.5. As sure as the
+  /// system knows its smallest eigenvalue, from the solves before.
   double energy = 0;
+  double gained = 0;  ///< By how much e.Ke has fallen, N m.
   bool broke_down = false;  ///< p.Kp <= 0, r.z <= 0 or a number that is not finite.
 };
 
@@ -36,7 +37,8 @@ struct inner_case {
   std::span<const double> residual;  ///< N, 3 per node.
   std::span<double> correction;      ///< m, 3 per node; written.
   double reduction = 1e-4;           ///< It ends when sqrt(r.Br) has fallen by this,
-  double energy = 0;                 ///< or to this; N^.5 m^.5.
+  double energy = 0;                 ///< or sqrt(e.Ke) is below this, N^.5 m^.5,
+  double share = 0;                  ///< or below this times the root of what was gained.
 };
 
 /// A matrix on a device, with its filter and preconditioner: assembled once per version.

@@ -88,10 +88,8 @@ inner_case refinement::next(bool early) {
   scale_ = norm_of(residual_);
   for (auto& value : residual_)
     value /= scale_;
-  // From nothing the error is the whole field, and its reduction the relative error.
-  if (!(energy_ > 0))
-    return {residual_, correction_, std::max(wanted, energy)};
-  return {residual_, correction_, wanted, energy * energy_ / scale_};
+  // From nothing, what is gained is the energy of the field.
+  return {residual_, correction_, wanted, energy * energy_ / scale_, energy_ > 0 ? 0 : energy};
 }
 
 bool refinement::take(const inner_result& inner) {

@@ -24,7 +24,14 @@
 #define TEDIT_CG_ITERATIONS 3
 #define TEDIT_CG_FACTOR 4     // alpha, then beta
 #define TEDIT_CG_START 5      // r.z of the first iteration
-#define TEDIT_CG_SCALARS 8
+#define TEDIT_CG_RADAU 6      // times r.z, this bounds e.Ke: see energy_bound.hpp
+#define TEDIT_CG_GAINED 7     // by how much e.Ke has fallen
+#define TEDIT_CG_ENERGY2 8    // stop when e.Ke is at most this,
+#define TEDIT_CG_SHARE2 9     // or this times what was gained
+#define TEDIT_CG_SMALLEST 10  // at most the smallest eigenvalue of B K
+#define TEDIT_CG_HISTORY 12   // alpha and beta of the first iterations
+#define TEDIT_CG_KEPT 100     // of so many
+#define TEDIT_CG_SCALARS (TEDIT_CG_HISTORY + 2 * TEDIT_CG_KEPT)
 
 // Numbers of workgroups that a dispatch of the loop can have: powers of two, at most 65535.
 #define TEDIT_GATES 17
@@ -47,10 +54,12 @@ TEDIT_CYCLE_PUSH {
   float fresh;
   float enter;     // how much of the old step enters z
   float reduction2; // square of the wanted reduction
-  float energy2;    // r.Br that is small enough in any case
+  float energy2;    // e.Ke that is small enough in any case
+  float share2;     // or this times what was gained
+  float smallest;   // at most the smallest eigenvalue of B K
 #ifdef __cplusplus
 };
-static_assert(sizeof(cycle_push) == 36);
+static_assert(sizeof(cycle_push) == 44);
 }  // namespace tedit::fem
 #else
 } push;

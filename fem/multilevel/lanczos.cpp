@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -30,6 +31,24 @@ double inner(const std::vector<float>& a, const std::vector<float>& b, std::size
 
 }  // namespace
 
+ritz_range extreme_ritz_values(std::span<const double> alpha, std::span<const double> beta) {
+  constexpr std::size_t most = 100;  // More steps add nothing, and the cost grows with the square.
+  const std::size_t steps = std::min({alpha.size(), beta.size() + 1, most});
+  if (steps == 0)
+    return {};
+  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(steps));
+  Eigen::VectorXd beside(static_cast<Eigen::Index>(steps - 1));
+  for (std::size_t i = 0; i < steps; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    diagonal[at] = 1 / alpha[i] + (i > 0 ? beta[i - 1] / alpha[i - 1] : 0);
+    if (i + 1 < steps)
+      beside[at] = std::sqrt(beta[i]) / alpha[i];
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
+  ritz.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
+  return {ritz.eigenvalues()[0], ritz.eigenvalues()[diagonal.size() - 1]};
+}
+
 float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, const vector_map& a,
                          const vector_map& b) {
   const std::size_t n = unknowns + padding;
@@ -41,19 +60,15 @@ float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, c
   b(r.data(), z.data());
   std::vector<float> p = z;
   double rz = inner(r, z, unknowns);
-  std::vector<double> diagonal;
-  std::vector<double> beside;
-  double last_alpha = 0;
-  double last_beta = 0;
+  std::vector<double> alphas;
+  std::vector<double> betas;
   for (int step = 0; step < steps && rz > 0; ++step) {
     a(p.data(), q.data());
     const double bend = inner(p, q, unknowns);
     if (!(bend > 0))
       break;
     const double alpha = rz / bend;
-    diagonal.push_back(1 / alpha + (step > 0 ? last_beta / last_alpha : 0));
-    if (step > 0)
-      beside.push_back(std::sqrt(last_beta) / last_alpha);
+    alphas.push_back(alpha);
     const auto down = static_cast<float>(alpha);
     for (std::size_t i = 0; i < unknowns; ++i)
       r[i] -= down * q[i];
@@ -61,21 +76,13 @@ float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, c
     const double next = inner(r, z, unknowns);
     if (!(next > 1e-12 * rz))
       break;
-    last_beta = next / rz;
-    last_alpha = alpha;
+    betas.push_back(next / rz);
     rz = next;
-    const auto keep = static_cast<float>(last_beta);
+    const auto keep = static_cast<float>(betas.back());
     for (std::size_t i = 0; i < unknowns; ++i)
       p[i] = z[i] + keep * p[i];
   }
-  if (diagonal.empty())
-    return 1;
-  const auto count = static_cast<Eigen::Index>(diagonal.size());
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-  ritz.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), count),
-                              Eigen::Map<const Eigen::VectorXd>(beside.data(), count - 1),
-                              Eigen::EigenvaluesOnly);
-  return static_cast<float>(ritz.eigenvalues()[count - 1]);
+  return static_cast<float>(extreme_ritz_values(alphas, betas).largest);
 }
 
 }  // namespace tedit::fem

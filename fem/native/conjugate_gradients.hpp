@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "fem/energy_bound.hpp"
 #include "fem/kernels.hpp"
 #include "fem/native/vectors.hpp"
 
@@ -44,12 +45,14 @@ public:
 
   /// Solves K x = residual for each of at most `L::width` cases until its preconditioned residual
   /// has fallen by its reduction; `precondition(r, z)` writes z = B r. Contract:
-  /// `linear_system::solve_many`.
+  /// `linear_system::solve_many`. `smallest` is a lower bound of the eigenvalues of B K; it comes
+  /// back sharper.
   template <class Operator, class Precondition>
   expected<void> solve(const Operator& k, const Precondition& precondition,
                        std::span<const inner_case> cases, int max_iterations, const execution& run,
-                       std::span<inner_result> results) {
+                       double& smallest, std::span<inner_result> results) {
     begin(cases, results);
+    bounds_.assign(cases.size(), energy_bound(smallest));
     precondition(r_.data(), z_.data());
     p_ = z_;
     rz_ = dots_of<L>(r_, z_);
@@ -67,6 +70,8 @@ public:
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (running_[c])
         finish(c);
+    for (const auto& bound : bounds_)
+      smallest = sharper_bound(smallest, bound);
     write(0, cases.size());
     return {};
   }
@@ -100,6 +105,7 @@ private:
         continue;
       if (bend[c] > 0) {
         factor[c] = static_cast<float>(rz_[c] / bend[c]);
+        bounds_[c].advance(rz_[c] / bend[c], rz_[c]);
         ++results_[c].iterations;
         continue;
       }
@@ -117,6 +123,7 @@ private:
       results_[c].broke_down = !(next[c] >= 0);
       if (!results_[c].broke_down) {  // Else `rz_` stays the last one that meant something.
         factor[c] = static_cast<float>(next[c] / rz_[c]);
+        bounds_[c].turn(next[c] / rz_[c]);
         rz_[c] = next[c];
       }
       if (is_done(c))
@@ -131,16 +138,18 @@ private:
   }
 
   [[nodiscard]] bool is_done(std::size_t c) const {
-    const auto& [residual, correction, reduction, energy] = cases_[c];
-    return results_[c].broke_down ||
-           !(rz_[c] > std::max(reduction * reduction * start_[c], energy * energy));
+    const auto& [residual, correction, reduction, energy, share] = cases_[c];
+    const auto& bound = bounds_[c];
+    return results_[c].broke_down || !(rz_[c] > reduction * reduction * start_[c]) ||
+           bound.left(rz_[c]) <= std::max(energy * energy, share * share * bound.gained());
   }
 
   void finish(std::size_t c) {
     running_[c] = false;
     const double start = start_[c];
     results_[c].recurrence_reduction = start > 0 ? std::sqrt(rz_[c] / start) : start == 0 ? 0 : 1;
-    results_[c].energy = std::sqrt(std::max(rz_[c], 0.0));
+    results_[c].energy = std::sqrt(std::max(bounds_[c].left(rz_[c]), 0.0));
+    results_[c].gained = bounds_[c].gained();
     if (!results_[c].broke_down)
       return;
     // Numbers that are not finite would stay in all steps to come.
@@ -207,6 +216,7 @@ private:
   std::array<bool, L::width> running_{};
   std::array<bool, L::width> written_{};
   case_sums<L> rz_{}, start_{};
+  std::vector<energy_bound> bounds_;
 };
 
 }  // namespace tedit::fem

@@ -72,6 +72,7 @@ protected:
   native_settings settings_;
   held_nodes held_;
   double assembly_ms_ = 0;
+  double smallest_ = usual_smallest;  ///< At most the smallest eigenvalue of B K, as far as known.
 
 private:
   expected<void> solve_group(std::span<const inner_case> cases, int max_iterations,
@@ -125,14 +126,15 @@ public:
   /// At most eight cases on the narrowest solver that has room; `make(lane type)` makes it.
   template <class Operator, class Make>
   expected<void> solve(const Operator& k, const Make& make, std::span<const inner_case> cases,
-                       int max_iterations, const execution& run, std::span<inner_result> results) {
+                       int max_iterations, const execution& run, double& smallest,
+                       std::span<inner_result> results) {
     const auto on = [&]<class L>(L lanes) {
       auto& solver = std::get<std::unique_ptr<Solver<L>>>(solvers_);
       if (!solver)
         solver = make(lanes);
       return solver->krylov.solve(
         k, [&](const float* r, float* z) { solver->cycle.apply(r, z); }, cases, max_iterations, run,
-        results);
+        smallest, results);
     };
     if (cases.size() == 1)
       return on(one_case{});
@@ -183,6 +185,7 @@ public:
       return fail(built.error());
     hierarchy_ = std::move(*built);
     held_ = held_nodes_of(filter);
+    smallest_ = usual_smallest;
     solvers_.reset();
     return {};
   }
@@ -218,7 +221,7 @@ private:
     const auto make = [this]<class L>(L) {
       return std::make_unique<linear_solver<L>>(k_, hierarchy_, held_, settings_.cycle);
     };
-    return solvers_.solve(k_, make, cases, max_iterations, run, results);
+    return solvers_.solve(k_, make, cases, max_iterations, run, smallest_, results);
   }
 
   block_matrix k_;
@@ -280,6 +283,7 @@ public:
         },
         [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
     held_ = held_nodes_of(filter);
+    smallest_ = usual_smallest;
     solvers_.reset();
     return {};
   }
@@ -328,7 +332,7 @@ private:
       return std::make_unique<quadratic_solver<L>>(k_, smoother_, edges_, corner_matrix_,
                                                    hierarchy_, held_, settings_);
     };
-    return solvers_.solve(k_, make, cases, max_iterations, run, results);
+    return solvers_.solve(k_, make, cases, max_iterations, run, smallest_, results);
   }
 
   quadratic_operator k_;

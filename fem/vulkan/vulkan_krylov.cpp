@@ -42,6 +42,7 @@ vulkan_program vulkan_krylov::product_steps() const {
 }
 
 expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
+  smallest_ = usual_smallest;
   for (auto* program : {&start_, &preconditioned_, &iteration_})
     program->reset();
   return follow(b, filter);
@@ -99,6 +100,8 @@ expected<void> vulkan_krylov::begin(const inner_case& goal) {
   push.rows = first.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
   push.reduction2 = static_cast<float>(goal.reduction * goal.reduction);
   push.energy2 = static_cast<float>(goal.energy * goal.energy);
+  push.share2 = static_cast<float>(goal.share * goal.share);
+  push.smallest = static_cast<float>(smallest_);
   first.add_single(kernels_.cg_scalars[TEDIT_CG_BEGIN],
                    {{7, &partials_}, {8, &scalars_}, {9, &gates_}}, push);
   if (auto ok = first.record(); !ok)
@@ -138,7 +141,14 @@ expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& ri
   const auto start = static_cast<double>(scalars[TEDIT_CG_START]);
   const double now = std::max(static_cast<double>(scalars[TEDIT_CG_DELTA]), 0.0);
   result.recurrence_reduction = start > 0 ? std::sqrt(now / start) : 0;
-  result.energy = std::sqrt(now);
+  energy_bound bound(smallest_);
+  for (int i = 0; i < std::min(result.iterations, TEDIT_CG_KEPT); ++i) {
+    bound.advance(static_cast<double>(scalars[TEDIT_CG_HISTORY + 2 * i]), 0);
+    bound.turn(static_cast<double>(scalars[TEDIT_CG_HISTORY + 2 * i + 1]));
+  }
+  smallest_ = sharper_bound(smallest_, bound);
+  result.energy = std::sqrt(static_cast<double>(scalars[TEDIT_CG_RADAU]) * now);
+  result.gained = static_cast<double>(scalars[TEDIT_CG_GAINED]);
   if (auto ok = memory_.download(u_, correction); !ok)
     return fail(ok.error());
   return result;

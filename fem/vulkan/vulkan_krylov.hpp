@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "fem/energy_bound.hpp"
 #include "fem/vulkan/vulkan_memory.hpp"
 #include "fem/vulkan/vulkan_rows.hpp"
 
@@ -48,6 +49,7 @@ private:
   const cycle_kernels& kernels_;
   vulkan_memory& memory_;
   const row_operator& k_;
+  double smallest_ = usual_smallest;  ///< At most the smallest eigenvalue of B K, as far as known.
   gpu::buffer u_, r_, z_, p_, q_, partials_, scalars_, gates_;
   std::optional<vulkan_program> product_, start_, preconditioned_, iteration_;
 };

@@ -271,7 +271,7 @@ expected<inner_result> vulkan_system::correct(const inner_case& one, int max_ite
   const double length = norm_of(one.residual);
   std::ranges::fill(one.correction, 0.0);
   if (!(length > 0))
-    return inner_result{0, 0, 0, length != 0};
+    return inner_result{.recurrence_reduction = 0, .broke_down = length != 0};
   if (std::exchange(distrusted_, false))
     if (auto ok = raise_bounds(); !ok)
       return fail(ok.error());
@@ -285,6 +285,7 @@ expected<inner_result> vulkan_system::correct(const inner_case& one, int max_ite
   if (!result)
     return result;
   result->energy *= energy_scale;
+  result->gained *= energy_scale * energy_scale;
   unpack3(packed, length / scale_.matrix(), one.correction);
   if (result->broke_down)
     if (auto ok = raise_bounds(); !ok)

@@ -2,6 +2,7 @@
 #include "fem/solve_session.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -455,6 +456,35 @@ TEST(EnergyTolerance, EndsEarlyAndSaysSo) {
   EXPECT_FALSE(quick->converged);
   EXPECT_LT(quick->iterations, exact->iterations);
   EXPECT_NEAR(quick->compliance_j, exact->compliance_j, 1e-5 * exact->compliance_j);
+}
+
+/// The first field after other loads starts near the old one, with an error that r.Br hardly sees.
+TEST(EnergyTolerance, HoldsFromAWarmStart) {
+  const auto mesh = test::box_mesh({40, 4, 4}, {10, 1, 1});
+  const auto device = make_native_backend();
+  solve_session session;
+  solve_settings rough;
+  rough.energy_tolerance = 1e-2;
+  auto other = cantilever({0, 0, -1000});
+  other.loads.push_back({{2}, force{{0, 30, 0}}});
+  ASSERT_TRUE(session.solve(mesh, cantilever({0, 0, -1000}), 2, *device, {}, {}).has_value());
+
+  const auto quick = session.solve(mesh, other, 2, *device, rough, {});
+  const auto exact = session.solve(mesh, other, 2, *device, {}, {});
+
+  ASSERT_TRUE(quick && exact);
+  EXPECT_FALSE(quick->solution.converged);
+  const auto& u = exact->solution.displacement;
+  auto error = quick->solution.displacement;
+  for (std::size_t i = 0; i < error.size(); ++i)
+    error[i] -= u[i];
+  const auto energy = [&](const std::vector<double>& x) {
+    std::vector<double> kx(x.size());
+    element_operator(session.last_problem()).apply(x, kx);
+    return std::sqrt(std::inner_product(x.begin(), x.end(), kx.begin(), 0.0));
+  };
+  EXPECT_LE(energy(error), 1e-2 * energy(u));
+  EXPECT_GE(quick->solution.energy_error * energy(u), energy(error));
 }
 
 }  // namespace
