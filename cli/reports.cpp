@@ -158,6 +158,8 @@ void add_judgement(const solve_report& report, nlohmann::ordered_json& json) {
   json["singular_places_count"] = report.singular_places_count;
   if (report.max_von_mises_singularity)
     json["max_von_mises_singularity"] = singularity_name(*report.max_von_mises_singularity);
+  if (!report.notice.empty())
+    json["notice"] = report.notice;
 }
 
 /// One row for each case; safety factors where they are known.
@@ -384,6 +386,8 @@ std::string remarks(const solve_report& report) {
   std::string text;
   if (report.surface_reactions.size() > 1)
     text += reaction_table(report.surface_reactions, force_scale(report));
+  if (!report.notice.empty())
+    text += "  NOTE: " + report.notice + "\n";
   return text + warning_line(report);
 }
 

@@ -40,8 +40,7 @@ public:
 
 private:
   /// Starts again where `smallest` turns out to have been too large.
-  [[nodiscard]] static double next_radau(double radau, double alpha, double beta,
-                                         double smallest) {
+  [[nodiscard]] static double next_radau(double radau, double alpha, double beta, double smallest) {
     const double rest = radau - alpha;
     return rest > 1e-3 * alpha ? rest / (smallest * rest + beta) : 1 / smallest;
   }

@@ -28,7 +28,7 @@ struct inner_result {
   /// A bound of the energy norm sqrt(e.Ke) of what is left of the error; N^.5 m^.5. As sure as the
   /// system knows its smallest eigenvalue, from the solves before.
   double energy = 0;
-  double gained = 0;  ///< By how much e.Ke has fallen, N m.
+  double gained = 0;        ///< By how much e.Ke has fallen, N m.
   bool broke_down = false;  ///< p.Kp <= 0, r.z <= 0 or a number that is not finite.
 };
 

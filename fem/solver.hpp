@@ -80,8 +80,8 @@ struct solution {
   int element_order = 1;
   bool converged = false;  ///< The true residual is within the tolerance.
   int iterations = 0;
-  /// Estimated relative error in the energy norm, sqrt(r.Br / u.Ku): r.Br is the squared energy of
-  /// the error when B is nearly K^-1, as a multilevel cycle is. Not a bound.
+  /// Relative error in the energy norm against the exact solution of the equations: an upper bound
+  /// as far as the system knows its smallest eigenvalue (fem/energy_bound.hpp).
   double energy_error = 1;
   double true_relative_residual =
     1;  ///< Computed in fp64 on the host from the elements, independent of the device.

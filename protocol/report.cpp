@@ -226,6 +226,7 @@ void judgement_to(const solve_report& report, v1::SolveReport* out) {
   out->set_singular_places_count(static_cast<std::uint32_t>(report.singular_places_count));
   if (report.max_von_mises_singularity)
     out->set_max_von_mises_singularity(kind_to(*report.max_von_mises_singularity));
+  out->set_notice(report.notice);
 }
 
 void judgement_from(const v1::SolveReport& m, solve_report& report) {
@@ -243,6 +244,7 @@ void judgement_from(const v1::SolveReport& m, solve_report& report) {
       report.singular_places.push_back({*kind, from_message(row.at_m()), row.von_mises_pa()});
   report.singular_places_count = m.singular_places_count();
   report.max_von_mises_singularity = kind_from(m.max_von_mises_singularity());
+  report.notice = m.notice();
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "base/stopwatch.hpp"
 #include "fem/fields.hpp"
 #include "protocol/convert.hpp"
@@ -64,12 +66,22 @@ caf::result<solve_result> handle(self_pointer self, job_id job, const solve_orde
     });
 }
 
+/// What a report says beside the numbers.
+struct report_facts {
+  bool interim = false;
+  double total_ms = 0;
+  std::string notice;
+};
+
 /// Fields and reports as others get them.
 job_output<solve_result> package(const mesh_version& mesh, const fem::case_set& set,
-                                 const fem::solved_cases& solved, bool interim, double total_ms) {
+                                 const fem::solved_cases& solved, report_facts facts) {
   auto fields = std::make_shared<const std::vector<field>>(fem::make_fields(mesh, set, solved));
+  auto outcome = make_outcome(mesh, set, solved, facts.interim, facts.total_ms);
+  for (auto& report : outcome.cases)
+    report.notice = facts.notice;
   job_output<solve_result> output;
-  output.result.outcome = protocol::to_json(make_outcome(mesh, set, solved, interim, total_ms));
+  output.result.outcome = protocol::to_json(outcome);
   for (const auto& f : *fields)
     output.result.fields.push_back(make_ref(f));
   output.keep = fields;
@@ -87,45 +99,81 @@ expected<std::vector<fem::load_case>> read_cases(const std::vector<std::string>&
   return cases;
 }
 
-}  // namespace
+/// One order, as far as it does not depend on the device.
+struct solve_task {
+  const solve_order& order;
+  version_ptr mesh;
+  std::vector<fem::load_case> loads;
+  solver_bench& bench;
+  const execution& run;
+  const solve_listener& listener;
+  stopwatch total;
+};
 
-expected<job_output<solve_result>> solve(const solve_order& order, solver_bench& bench,
-                                         const page_set& pages, const execution& run,
-                                         const solve_listener& listener) {
-  const stopwatch total;
-  const auto mesh = open_version(order.version, pages);
-  if (!mesh)
-    return fail(mesh.error());
-  const auto loads = read_cases(order.load_cases);
-  if (!loads)
-    return fail(loads.error());
-  const auto device = open_device(bench, order.device);
+expected<job_output<solve_result>> solve_on(const solve_task& task, const std::string& device_name,
+                                            const std::string& notice) {
+  const auto device = open_device(task.bench, device_name);
   if (!device)
     return fail(device.error());
   fem::solve_settings settings;
-  settings.tolerance = order.tolerance;
-  settings.energy_tolerance = order.energy_tolerance;
+  settings.tolerance = task.order.tolerance;
+  settings.energy_tolerance = task.order.energy_tolerance;
   const auto finish = [&](const fem::solved_cases& solved, bool interim) {
-    return package(**mesh, bench.session.last_set(), solved, interim, total.milliseconds());
+    return package(*task.mesh, task.bench.session.last_set(), solved,
+                   {interim, task.total.milliseconds(), notice});
   };
   bool shown = false;
   const auto frame = [&](const fem::cases_frame& now) {
-    if (listener.on_frame)
-      listener.on_frame(now);
-    if (!listener.on_preview || !now.recover || std::exchange(shown, true))
+    if (task.listener.on_frame)
+      task.listener.on_frame(now);
+    if (!task.listener.on_preview || !now.recover || std::exchange(shown, true))
       return;
     if (auto fields = now.recover()) {
       fem::solved_cases preview{std::move(*fields), {}};
       if (preview.cases.size() > 1)
         preview.envelope = fem::make_envelope(preview.cases);
-      listener.on_preview(finish(preview, true));
+      task.listener.on_preview(finish(preview, true));
     }
   };
-  const auto done =
-    bench.session.solve(*mesh, *loads, order.element_order, **device, settings, run, frame);
+  const auto done = task.bench.session.solve(task.mesh, task.loads, task.order.element_order,
+                                             **device, settings, task.run, frame);
   if (!done)
     return fail(done.error());
   return finish(done->solved, false);
+}
+
+/// Nothing that stands on a lost device is used again.
+void drop_device(solver_bench& bench, const std::string& name, const error& why) {
+  spdlog::error("the device \"{}\" was lost in a solve: {}", name, render(why));
+  bench.session = {};
+  bench.devices.erase(name);
+}
+
+bool is_loss(const error& e) {
+  return e.code == ec::device_lost || e.code == ec::device_unavailable;
+}
+
+}  // namespace
+
+expected<job_output<solve_result>> solve(const solve_order& order, solver_bench& bench,
+                                         const page_set& pages, const execution& run,
+                                         const solve_listener& listener) {
+  const auto mesh = open_version(order.version, pages);
+  if (!mesh)
+    return fail(mesh.error());
+  auto loads = read_cases(order.load_cases);
+  if (!loads)
+    return fail(loads.error());
+  const solve_task task{order, *mesh, std::move(*loads), bench, run, listener, {}};
+  auto first = solve_on(task, order.device, {});
+  if (first || first.error().code != ec::device_lost)
+    return first;
+  drop_device(bench, order.device, first.error());
+  auto again = solve_on(task, order.device, "the device was lost once and opened again");
+  if (again || !is_loss(again.error()))
+    return again;
+  drop_device(bench, order.device, again.error());
+  return solve_on(task, "cpu", "the device was lost; the processor solved instead");
 }
 
 solver_actor::behavior_type make_solver(solver_actor::stateful_pointer<solver_state> self,

@@ -30,7 +30,8 @@ struct solve_listener {
   std::function<void(job_output<solve_result>)> on_preview;
 };
 
-/// The job, without actors.
+/// The job, without actors. A device that is lost is opened again once; then the processor solves,
+/// and the report has a notice.
 [[nodiscard]] expected<job_output<solve_result>> solve(const solve_order& order,
                                                        solver_bench& bench, const page_set& pages,
                                                        const execution& run,

@@ -4,7 +4,6 @@
 #include <functional>
 #include <span>
 #include <vector>
-#include <vector>
 
 namespace tedit::fem {
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "actors/solver/solver.hpp"
+#include "actors/versions.hpp"
+#include "fem/native/native_backend.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/report.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::actors {
+namespace {
+
+/// A device that is lost in every assembly.
+class lost_device final : public fem::backend {
+public:
+  explicit lost_device(int& assemblies) : assemblies_(assemblies) {}
+
+  const fem::device_info& info() const override { return info_; }
+
+  expected<std::unique_ptr<fem::linear_system>> assemble(const fem::problem&,
+                                                         const execution&) override {
+    ++assemblies_;
+    return fail(ec::device_lost, "the device hung");
+  }
+
+private:
+  int& assemblies_;
+  fem::device_info info_{"shaky", "discrete", "test", 0};
+};
+
+fem::load_case cantilever() {
+  fem::load_case loads;
+  loads.name = "bend";
+  loads.materials = {{"steel", 210e9, 0.3, 7850, 0, {}}};
+  loads.constraints = {{{1}, fem::fixed{}}};
+  loads.loads = {{{2}, fem::force{{0, 0, -1000}}}};
+  return loads;
+}
+
+class DeviceLoss : public ::testing::Test {
+protected:
+  version_ptr mesh_ = test::box_mesh({4, 1, 1}, {4, 1, 1});
+  page_set pages_;
+  solver_bench bench_;
+  int assemblies_ = 0;
+
+  void SetUp() override {
+    page_map pages;
+    mesh_->for_each_page([&](const page_ptr& p) { pages.emplace(p->id(), p); });
+    pages_.pages = std::make_shared<const page_map>(std::move(pages));
+    bench_.devices["shaky"] = std::make_unique<lost_device>(assemblies_);
+  }
+
+  expected<solve_outcome> solve_on(const std::string& device) {
+    solve_order order;
+    order.version = make_ref(*mesh_);
+    order.load_cases = {protocol::load_case_to_json(cantilever())};
+    order.device = device;
+    const auto output = solve(order, bench_, pages_, {}, {});
+    if (!output)
+      return fail(output.error());
+    return protocol::solve_outcome_from_json(output->result.outcome);
+  }
+};
+
+TEST_F(DeviceLoss, TheProcessorSolvesInsteadAndTheReportSaysSo) {
+  const auto lost = solve_on("shaky");
+  const auto sound = solve_on("cpu");
+
+  ASSERT_TRUE(lost && sound);
+  EXPECT_EQ(assemblies_, 1);  // It cannot be opened again under this name.
+  EXPECT_EQ(lost->cases.front().device, "cpu");
+  EXPECT_EQ(lost->cases.front().notice, "the device was lost; the processor solved instead");
+  EXPECT_EQ(lost->cases.front().compliance_j, sound->cases.front().compliance_j);
+  EXPECT_EQ(sound->cases.front().notice, "");
+}
+
+TEST_F(DeviceLoss, ADeviceThatWasNeverThereIsAnError) {
+  const auto result = solve_on("no such device");
+
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ec::device_unavailable);
+}
+
+}  // namespace
+}  // namespace tedit::actors
