@@ -7,6 +7,7 @@
 
 #include "fem/element.hpp"
 #include "fem/multilevel/cluster_inverse.hpp"
+#include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"
 
 namespace tedit::fem {
@@ -196,10 +197,70 @@ void update_edge_transfer(const problem& quadratic, filter_span filter,
     edges.filter.resize(edges.held.size(), {1, 0, 0, 1, 0, 1});
 }
 
+namespace {
+
+/// The elements at some nodes as a problem of their own, without supports and loads; `numbers`
+/// becomes the whole's number of each of its nodes.
+problem part_at(const problem& p, const incidence& corners, std::span<const std::uint32_t> nodes,
+                std::vector<std::uint32_t>& numbers) {
+  std::vector<std::uint32_t> elements;
+  for (const auto n : nodes)
+    for (const auto corner : element_corners_at(p, corners, n))
+      elements.push_back(corner / 10);
+  sort_unique(elements);
+  const auto nodes_of = [&](std::uint32_t e) {
+    return std::span(p.element_nodes).subspan(10 * std::size_t{e}, 10);
+  };
+  numbers.clear();
+  for (const auto e : elements)
+    numbers.insert(numbers.end(), nodes_of(e).begin(), nodes_of(e).end());
+  sort_unique(numbers);
+  problem part;
+  part.element_order = 2;
+  part.nodes_per_element = 10;
+  const auto place = [&](std::uint32_t n) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(numbers, n) - numbers.begin());
+  };
+  part.corner_count = place(static_cast<std::uint32_t>(p.corner_count));
+  for (const auto n : numbers)
+    part.nodes.push_back(p.nodes[n]);
+  part.constants = p.constants;
+  for (const auto e : elements) {
+    part.element_tets.push_back(p.element_tets[e]);
+    part.element_materials.push_back(p.element_materials[e]);
+    for (const auto n : nodes_of(e))
+      part.element_nodes.push_back(place(n));
+  }
+  return part;
+}
+
+/// A lower bound of the whole's largest eigenvalue: rows at the rim of the part lack elements.
+float local_eigenvalue(const problem& part, std::span<const std::uint32_t> numbers, int steps,
+                       std::span<const std::array<float, 6>> inverse) {
+  if (part.element_count() == 0)
+    return 0;
+  const element_operator k(part);
+  std::vector<double> wide(part.dofs());
+  std::vector<double> product(part.dofs());
+  return largest_ritz_value(
+    part.dofs(), 1, steps,
+    [&](const float* x, float* y) {
+      std::copy_n(x, wide.size(), wide.begin());
+      k.apply(wide, product);
+      std::ranges::transform(product, y, [](double v) { return static_cast<float>(v); });
+    },
+    [&](const float* x, float* y) {
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        store3(multiply_symmetric(inverse[numbers[i]], load4(x + 3 * i)), y + 3 * i);
+    });
+}
+
+}  // namespace
+
 void update_quadratic_smoother(const problem& quadratic, const incidence& corners,
                                filter_span filter, std::span<const std::uint32_t> nodes,
-                               double condition, std::vector<std::uint32_t>& cluster_of,
-                               node_smoother& smoother) {
+                               const multilevel_settings& settings,
+                               std::vector<std::uint32_t>& cluster_of, node_smoother& smoother) {
   const auto corners_at = [&](std::uint32_t n) {
     return element_corners_at(quadratic, corners, n);
   };
@@ -217,8 +278,13 @@ void update_quadratic_smoother(const problem& quadratic, const incidence& corner
       return cluster_matrix(quadratic, corners_at, members);
     },
     100,
-    condition};
-  static_cast<void>(update_smoother(source, nodes, cluster_of, smoother));
+    settings.sliver_condition};
+  const auto touched = update_smoother(source, nodes, cluster_of, smoother);
+  std::vector<std::uint32_t> numbers;
+  const auto part = part_at(quadratic, corners, touched, numbers);
+  smoother.lambda = std::max(
+    smoother.lambda, settings.lambda_safety *
+                       local_eigenvalue(part, numbers, settings.lambda_steps, smoother.inverse));
 }
 
 }  // namespace tedit::fem

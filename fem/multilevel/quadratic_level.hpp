@@ -39,11 +39,12 @@ void update_edge_transfer(const problem& quadratic, filter_span filter,
 [[nodiscard]] node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
                                                     const sliver_clusters& clusters);
 
-/// Renews blocks and clusters where the elements around `nodes` (ascending) changed. `corners` has
-/// the elements' corners. Cost: the elements around.
+/// Renews blocks and clusters where the elements around `nodes` (ascending) changed, and raises
+/// `lambda` where large eigenvalues came up there. `corners` has the elements' corners. Cost: the
+/// elements around, `lambda_steps` products with them.
 void update_quadratic_smoother(const problem& quadratic, const incidence& corners,
                                filter_span filter, std::span<const std::uint32_t> nodes,
-                               double condition, std::vector<std::uint32_t>& cluster_of,
-                               node_smoother& smoother);
+                               const multilevel_settings& settings,
+                               std::vector<std::uint32_t>& cluster_of, node_smoother& smoother);
 
 }  // namespace tedit::fem

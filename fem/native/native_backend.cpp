@@ -304,8 +304,8 @@ public:
     update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
                      corner_nodes, settings_.corner_multilevel, hierarchy_);
     update_edge_transfer(problem_, filter, change.nodes, edges_);
-    update_quadratic_smoother(problem_, corners, filter, change.nodes,
-                              settings_.corner_multilevel.sliver_condition, cluster_of_, smoother_);
+    update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.corner_multilevel,
+                              cluster_of_, smoother_);
     held_ = held_nodes_of(filter);
     solvers_.fit();
     return true;

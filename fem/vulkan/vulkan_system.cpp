@@ -232,8 +232,8 @@ void vulkan_system::update_host(const problem_change& change, const incidence& c
   if (!is_quadratic())
     return;
   update_edge_transfer(problem_, filter, change.nodes, edges_);
-  update_quadratic_smoother(problem_, corners, filter, change.nodes,
-                            settings_.multilevel.sliver_condition, cluster_of_, smoother_);
+  update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.multilevel,
+                            cluster_of_, smoother_);
 }
 
 vulkan_changes vulkan_system::update_device(const problem_change& change, const incidence& corners,

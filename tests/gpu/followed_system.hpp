@@ -77,8 +77,8 @@ public:
     if (p_.element_order == 1)
       return;
     update_edge_transfer(p_, p_.filter, nodes, edges_);
-    update_quadratic_smoother(p_, updater_.corners(), p_.filter, nodes,
-                              settings_.multilevel.sliver_condition, cluster_of_, smoother_);
+    update_quadratic_smoother(p_, updater_.corners(), p_.filter, nodes, settings_.multilevel,
+                              cluster_of_, smoother_);
   }
 
   void follow(const version_ptr& next) {

@@ -2,12 +2,14 @@
 #include "fem/multilevel/hierarchy.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"
+#include "fem/multilevel/quadratic_level.hpp"
 #include "fem/native/cycle.hpp"
 #include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
@@ -48,6 +50,38 @@ TEST(Lanczos, FindsTheLargestEigenvalueOfADiagonal) {
 
   EXPECT_LE(lambda, 4.0001F);  // From below.
   EXPECT_GE(lambda, 3.8F);
+}
+
+/// The largest eigenvalue is looked for where something changed, and never falls.
+TEST(QuadraticSmoother, FindsTheEigenvaluesOfChangedElements) {
+  const auto p = bar_problem({6, 3, 3}, {2, 1, 1}, 2);
+  const incidence corners(p, 4);
+  const multilevel_settings settings;
+  std::vector<std::uint32_t> cluster_of;
+  auto smoother = make_quadratic_smoother(p, p.filter, {});
+  const auto found_at = [&](const std::vector<std::uint32_t>& nodes, float before) {
+    smoother.lambda = before;
+    update_quadratic_smoother(p, corners, p.filter, nodes, settings, cluster_of, smoother);
+    return smoother.lambda;
+  };
+  std::vector<std::uint32_t> all(p.node_count());
+  std::iota(all.begin(), all.end(), 0u);
+  const element_operator k(p);
+  std::vector<double> product(p.dofs());
+  const float whole =
+    settings.lambda_safety * largest_ritz_value(
+                               p.dofs(), 1, 30,
+                               [&](const float* x, float* y) {
+                                 k.apply(std::vector<double>(x, x + p.dofs()), product);
+                                 std::ranges::copy(product, y);
+                               },
+                               [&](const float* x, float* y) { apply_inverse(smoother, 1, x, y); });
+
+  EXPECT_NEAR(found_at(all, 0), whole, 0.05F * whole);
+  const float near_corner = found_at({20}, 0);
+  EXPECT_GT(near_corner, 0.4F * whole);
+  EXPECT_LE(near_corner, whole);
+  EXPECT_EQ(found_at({20}, 10), 10);
 }
 
 TEST(Chebyshev, StepsAreThoseOfTheFourthKind) {
