@@ -273,8 +273,11 @@ std::string describe(const edit_report& report) {
   lines.add("time", pretty(report.total_ms, 3) + " ms (operation " +
                       pretty(report.operation_ms, 3) + ", improve " + pretty(report.improve_ms, 3) +
                       ", check " + pretty(report.check_ms, 3) + ")");
+  const bool several = std::ranges::any_of(report.receipt, [&](const auto& row) {
+    return row.load_case != report.receipt.front().load_case;
+  });
   for (const auto& row : report.receipt)
-    lines.add("load case", row.text);
+    lines.add("load case", several ? row.load_case + ": " + row.text : row.text);
   for (const auto& notice : report.notices)
     lines.add("note", notice);
   return lines.text();

@@ -112,6 +112,18 @@ TEST(SummarizeSolve, KeepsWhatSaysHowStrongThePartIs) {
             "  mass              39.65 kg\n");
 }
 
+TEST(DescribeEdit, LinesOfSeveralLoadCasesNameTheirs) {
+  edit_report report;
+  report.receipt = {{"bend", "constraint 0 (fixed)", {}, {}, 1, 1, "constraint 0 is as before"},
+                    {"push", "constraint 0 (fixed)", {}, {}, 1, 1, "constraint 0 is as before"}};
+
+  EXPECT_THAT(describe(report), HasSubstr("bend: constraint 0 is as before\n"));
+  EXPECT_THAT(describe(report), HasSubstr("push: constraint 0 is as before\n"));
+
+  report.receipt.pop_back();
+  EXPECT_THAT(describe(report), Not(HasSubstr("bend")));
+}
+
 TEST(SolveJson, NumbersAreAsComputed) {
   const auto json = to_json(plate());
 
