@@ -16,10 +16,11 @@ inline constexpr std::size_t parallel_chunk = 2048;
 }
 
 /// Calls `work(first, last, chunk)` for every chunk of [0, items) on all cores and waits. Idle
-/// threads block, they never spin. Calls from several threads at once are served one after the
-/// other; a call from inside `work` runs inline. `chunk_items` is for items that cost much more
-/// than a row of a matrix. What `work` throws ends the loop and is thrown again here: only
-/// std::bad_alloc and a cancel that the `cancel_scope` of the caller noticed (guard.hpp), please.
+/// threads look out for the next loop for 50 us, then they block. Calls from several threads at
+/// once are served one after the other; a call from inside `work` runs inline. `chunk_items` is for
+/// items that cost much more than a row of a matrix. What `work` throws ends the loop and is thrown
+/// again here: only std::bad_alloc and a cancel that the `cancel_scope` of the caller noticed
+/// (guard.hpp), please.
 void parallel_for(
   std::size_t items,
   const std::function<void(std::size_t first, std::size_t last, std::size_t chunk)>& work,
