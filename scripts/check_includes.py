@@ -23,7 +23,7 @@ ROOMS = {
     "fem/solver.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
     "fem/devices.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
     "verification": (("fem", "mesh", "base"), ("Eigen/",)),
-    "ops/sdk": (("mesh", "base"), ()),
+    "ops/sdk": (("mesh", "base"), ("Eigen/",)),
     "ops/loader": (("ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/services": (("ops/tetgen", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/tetgen": (("base",), ("tetgen.h",)),

@@ -4,56 +4,62 @@
 #include <algorithm>
 #include <optional>
 
-#include "ops/fill_hole/caps.hpp"
+#include "mesh/quality.hpp"
 #include "ops/fill_hole/gates.hpp"
+#include "ops/sdk/caps.hpp"
 
 namespace tedit::ops {
 
 namespace {
 
+/// Below this worst quality (q = 3 r_in/R_circ) of a plug denser caps are tried: what the host's
+/// local improvement lifts well above the floor of 0.15 otherwise.
+constexpr double try_again_below = 0.1;
+
 struct meshed_plug {
   plug_surface plug;
   tet_filling filling;
+  double worst = 0;  ///< Quality of the worst tet.
 };
 
-/// Caps, gates and mesher, with denser caps when the mesher does not succeed.
+double worst_quality(const tet_filling& filling) {
+  double worst = 1;
+  const auto& p = filling.points;
+  for (const auto& t : filling.tets)
+    worst = std::min(worst, radius_ratio(p[t[0]], p[t[1]], p[t[2]], p[t[3]]));
+  return worst;
+}
+
+/// Caps, gates and mesher, with denser caps when the mesher fails or its tets are bad.
 expected<meshed_plug> mesh_plug(const mesh_version& mesh, const shell& part, context& ctx) {
   std::optional<error> last;
-  for (const double factor : {1.0, 0.7}) {
+  std::optional<meshed_plug> best;
+  for (const double factor : {1.0, 0.85, 0.7, 0.5}) {
     if (ctx.run.cancel.cancelled())
       return fail(ec::cancelled, "the edit was cancelled");
     auto plug = close_shell(mesh, part, factor, *ctx.host);
-    if (!plug)
-      return fail(plug.error());
-    if (auto ok = check_plug(mesh, *plug); !ok)
+    auto ok = plug ? check_plug(mesh, part, *plug) : tl::unexpected(plug.error());
+    if (!ok && !best)
       return fail(ok.error());
-    auto filling = ctx.host->tetrahedralise(plug->surface, ctx.run);
-    if (filling)
-      return meshed_plug{std::move(*plug), std::move(*filling)};
-    last = filling.error();
-    if (last->code != ec::mesher_failed)
-      break;
+    auto filling = ok ? ctx.host->tetrahedralise(plug->surface, ctx.run)
+                      : expected<tet_filling>(tl::unexpected(ok.error()));
+    if (filling) {
+      const double worst = worst_quality(*filling);
+      if (!best || worst > best->worst)
+        best = meshed_plug{std::move(*plug), std::move(*filling), worst};
+      if (worst >= try_again_below || part.rims.empty())
+        break;
+    } else {
+      last = filling.error();
+      if (last->code != ec::mesher_failed)
+        break;
+    }
   }
+  if (best)
+    return std::move(*best);
   if (last->remedy.empty())
     last->remedy = "The version is unchanged; select fewer or other surfaces";
   return fail(*last);
-}
-
-/// The surface that a cap continues: the one around it everywhere, when that lies in the cap's
-/// plane.
-std::optional<surface_id> continued_surface(const mesh_version& mesh, const shell& part,
-                                            const cap& c) {
-  std::optional<surface_id> result;
-  for (const auto i : c.rims) {
-    for (const auto f : part.rims[i].outer) {
-      const auto& facet = mesh.facet(f);
-      const vec3 n = normalized(area_vector(mesh, facet));
-      if (dot(n, c.normal) < 1 - 1e-6 || (result && *result != facet.surface))
-        return std::nullopt;
-      result = facet.surface;
-    }
-  }
-  return result;
 }
 
 class plug_merger {
@@ -73,8 +79,7 @@ public:
         {{{vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]}}, region});
     change.glued = part.facets;
     for (const auto& c : plug.plug.caps) {
-      const auto continued = continued_surface(mesh_, part, c);
-      const auto surface = continued ? *continued : builder_.add_surface("cap");
+      const auto surface = c.continues ? *c.continues : builder_.add_surface("cap");
       for (const auto& t : c.triangles)
         change.facets.push_back({{vertices[t[0]], vertices[t[1]], vertices[t[2]]}, surface});
     }
@@ -98,8 +103,7 @@ std::string list_of(const std::vector<surface_id>& ids) {
 expected<edit_result> fill_holes(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
                                  const completion_settings& settings, context& ctx) {
   ctx.run.report(0.05, "finding rims");
-  const boundary_edges edges(mesh);
-  auto selected = complete_selection(mesh, edges, surfaces, settings);
+  auto selected = complete_hole(mesh, surfaces, settings);
   if (!selected)
     return fail(selected.error());
   // The version outlives the call; the builder only needs a handle without ownership.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "ops/fill_hole/selection.hpp"
+#include "mesh/features/hole.hpp"
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
@@ -9,9 +9,9 @@ namespace tedit::ops {
 /// Fills the holes whose wall surfaces are given (paper, section 4.1; measured recipe: README.md of
 /// this folder): completes the selection, caps every rim, meshes the plug, merges it over shared
 /// vertices. Several holes at once are one edit. Each cap gets a surface of its own, or that of the
-/// flat surface around it. Errors: `mixed_rim`, `non_planar_rim`, `not_a_hole`, `flat_plug`,
-/// `cap_intersects`, `mesher_failed`, `timeout`, `cancelled`. Cost: O(boundary + tets) for the
-/// gates, else O(plug).
+/// flat or second-order surface around it which it goes on. Errors: `mixed_rim`, `non_planar_rim`,
+/// `not_a_hole`, `flat_plug`, `cap_intersects`, `mesher_failed`, `timeout`, `cancelled`. Cost:
+/// O(boundary) for the gates, else O(plug).
 [[nodiscard]] expected<edit_result> fill_holes(const mesh_version& mesh,
                                                const std::vector<surface_id>& surfaces,
                                                const completion_settings& settings, context& ctx);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "mesh/predicates.hpp"
 
@@ -71,9 +74,32 @@ expected<void> check_volume(const plug_surface& plug) {
   return {};
 }
 
-bool share_a_corner(const placed_triangle& a, const std::array<vertex_id, 3>& v) {
-  return std::ranges::any_of(
-    a.v, [&](vertex_id i) { return i != no_id && std::ranges::count(v, i) > 0; });
+/// Does the open segment go through the triangle's inside? Exact.
+bool pierces(vec3 p, vec3 q, const std::array<vec3, 3>& t) {
+  const int from = orient3d(t[0], t[1], t[2], p);
+  const int to = orient3d(t[0], t[1], t[2], q);
+  if (from * to >= 0)
+    return false;
+  const int side = orient3d(p, q, t[0], t[1]);
+  return side != 0 && orient3d(p, q, t[1], t[2]) == side && orient3d(p, q, t[2], t[0]) == side;
+}
+
+/// Do the triangles meet elsewhere than at corners and edges that they share?
+bool crosses(const placed_triangle& c, const std::array<vertex_id, 3>& v,
+             const std::array<vec3, 3>& p) {
+  const auto shared = [](const std::array<vertex_id, 3>& list, vertex_id i) {
+    return i != no_id && std::ranges::count(list, i) > 0;
+  };
+  if (std::ranges::none_of(c.v, [&](vertex_id i) { return shared(v, i); }))
+    return triangles_intersect(c.p, p);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    if (!shared(v, c.v[i]) && !shared(v, c.v[j]) && pierces(c.p[i], c.p[j], p))
+      return true;
+    if (!shared(c.v, v[i]) && !shared(c.v, v[j]) && pierces(p[i], p[j], c.p))
+      return true;
+  }
+  return false;
 }
 
 std::vector<placed_triangle> placed_caps(const plug_surface& plug) {
@@ -112,41 +138,69 @@ expected<void> check_boundary(const mesh_version& mesh, const std::vector<placed
     if (!extent.meets(all))
       continue;
     for (const auto& c : caps)
-      if (c.extent.meets(extent) && !share_a_corner(c, facet.v) && triangles_intersect(c.p, p))
+      if (c.extent.meets(extent) && crosses(c, facet.v, p))
         return cuts(mesh, facet);
   }
   return {};
 }
 
-bool holds(const std::array<vec3, 4>& c, vec3 p) {
-  return orient3d(p, c[1], c[2], c[3]) > 0 && orient3d(c[0], p, c[2], c[3]) > 0 &&
-         orient3d(c[0], c[1], p, c[3]) > 0 && orient3d(c[0], c[1], c[2], p) > 0;
+/// The angle from the direction `in` around the axis `along`, from 0 to 2 pi.
+double angle_around(vec3 along, vec3 in, vec3 d) {
+  const double angle = std::atan2(dot(along, cross(in, d)), dot(in, d));
+  return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-expected<void> check_outside(const mesh_version& mesh, const std::vector<placed_triangle>& caps,
-                             const box& all) {
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
-    if (!mesh.is_live_tet(t))
-      continue;
-    const auto corners = mesh.corners(t);
-    const box extent = box_of(corners);
-    if (!extent.meets(all))
-      continue;
-    for (const auto& c : caps) {
-      const vec3 middle = (c.p[0] + c.p[1] + c.p[2]) / 3;
-      box point;
-      point.add(middle);
-      if (extent.meets(point) && holds(corners, middle))
-        return fail(ec::cap_intersects, "a cap over the hole would lie inside the part",
-                    "Select all surfaces of the hole");
-    }
+/// Each cap triangle at a rim edge must lie between the wall and what is across, on the open side:
+/// with that, a cap that crosses the boundary nowhere has no part inside the material.
+expected<void> check_open_side(const mesh_version& mesh, const rim& r,
+                               const std::unordered_map<std::uint64_t, vec3>& third_corner) {
+  const std::size_t n = r.loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto a = r.loop[i];
+    const auto b = r.loop[(i + 1) % n];
+    const auto found = third_corner.find(std::uint64_t{a} << 32 | b);
+    if (found == third_corner.end())
+      return fail(ec::not_a_hole, "walls and caps do not close",
+                  "Select all wall surfaces of the hole");
+    const vec3 at = mesh.position(a);
+    const vec3 along = normalized(mesh.position(b) - at);
+    const auto off_edge = [&](vec3 p) { return p - at - dot(p - at, along) * along; };
+    const auto apex = [&](facet_id f) {
+      const auto& v = mesh.facet(f).v;
+      return mesh.position(*std::ranges::find_if(v, [&](auto c) { return c != a && c != b; }));
+    };
+    // From the wall the turn around its edge goes first to its outward normal: the open side.
+    const vec3 wall = off_edge(apex(r.inner[i]));
+    const double open = angle_around(along, wall, off_edge(apex(r.outer[i])));
+    const double leaves = angle_around(along, wall, off_edge(found->second));
+    constexpr double margin = 1e-9;
+    if (leaves <= margin || leaves >= open - margin)
+      return fail(ec::cap_intersects, "a cap over the hole would lie inside the part",
+                  "Select all surfaces of the hole", r.name());
   }
+  return {};
+}
+
+expected<void> check_open_sides(const mesh_version& mesh, const shell& part,
+                                const plug_surface& plug) {
+  std::unordered_map<std::uint64_t, vec3> third_corner;
+  for (const auto& c : plug.caps)
+    for (const auto& t : c.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const auto a = plug.vertices[t[i]];
+        const auto b = plug.vertices[t[(i + 1) % 3]];
+        if (a != no_id && b != no_id)
+          third_corner.emplace(std::uint64_t{a} << 32 | b, plug.surface.points[t[(i + 2) % 3]]);
+      }
+  for (const auto& r : part.rims)
+    if (auto ok = check_open_side(mesh, r, third_corner); !ok)
+      return ok;
   return {};
 }
 
 }  // namespace
 
-expected<void> check_plug(const mesh_version& mesh, const plug_surface& plug) {
+expected<void> check_plug(const mesh_version& mesh, const shell& part, const plug_surface& plug) {
   if (auto ok = check_closed(plug); !ok)
     return ok;
   if (auto ok = check_volume(plug); !ok)
@@ -156,9 +210,9 @@ expected<void> check_plug(const mesh_version& mesh, const plug_surface& plug) {
   for (const auto& c : caps)
     for (const auto& p : c.p)
       all.add(p);
-  if (auto ok = check_boundary(mesh, caps, all); !ok)
+  if (auto ok = check_open_sides(mesh, part, plug); !ok)
     return ok;
-  return check_outside(mesh, caps, all);
+  return check_boundary(mesh, caps, all);
 }
 
 }  // namespace tedit::ops

@@ -11,8 +11,8 @@ public:
     ops::operation_description d;
     d.id = "fill_hole";
     d.name = "Fill hole";
-    d.summary = "Closes holes with flat rims: through, blind, stepped or closed inside the part.";
-    d.version = "1.0.0";
+    d.summary = "Closes holes: through, blind, stepped, in curved walls or closed inside the part.";
+    d.version = "1.1.0";
     d.selection.help = "The wall surfaces of one or more holes; bottoms are found by themselves.";
     d.parameters = {
       {"exact",
@@ -40,7 +40,7 @@ public:
   expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    ops::completion_settings settings;
+    completion_settings settings;
     settings.exact = std::get<bool>(values.at("exact"));
     settings.include_entry = std::get<bool>(values.at("include_entry"));
     return ops::fill_holes(mesh, picked.surfaces, settings, ctx);
@@ -49,4 +49,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("fill_hole", "1.0.0", fill_hole)
+TEDIT_PLUGIN("fill_hole", "1.1.0", fill_hole)

@@ -6,81 +6,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh/build_version.hpp"
 #include "mesh/finish_edit.hpp"
-#include "mesh/quality.hpp"
+#include "ops/sdk/caps.hpp"
 #include "ops/services/host_services.hpp"
+#include "tests/support/blocks.hpp"
 
 namespace tedit::ops {
 namespace {
 
+using test::blocks;
 using ::testing::HasSubstr;
-
-/// n x n x n unit cubes of six tets each; those for which `keep` is false are left out. Surfaces:
-/// 1 to 6 for the sides x=0, x=n, y=0, y=n, z=0, z=n; 7 for walls inside.
-template <class Keep>
-version_ptr blocks(int n, Keep&& keep) {
-  raw_mesh raw;
-  const auto index = [&](int x, int y, int z) {
-    return static_cast<vertex_id>((z * (n + 1) + y) * (n + 1) + x);
-  };
-  for (int z = 0; z <= n; ++z)
-    for (int y = 0; y <= n; ++y)
-      for (int x = 0; x <= n; ++x)
-        raw.positions.push_back({1.0 * x, 1.0 * y, 1.0 * z});
-  // Kuhn's subdivision: six tets around the diagonal.
-  constexpr std::array<std::array<int, 3>, 6> paths{
-    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
-        if (!keep(x, y, z))
-          continue;
-        for (const auto& path : paths) {
-          std::array<int, 3> at{x, y, z};
-          tet t;
-          t.v[0] = index(x, y, z);
-          for (int step = 0; step < 3; ++step) {
-            ++at[path[step]];
-            t.v[step + 1] = index(at[0], at[1], at[2]);
-          }
-          const auto& p = raw.positions;
-          if (signed_volume(p[t.v[0]], p[t.v[1]], p[t.v[2]], p[t.v[3]]) < 0)
-            std::swap(t.v[2], t.v[3]);
-          raw.tets.push_back(t);
-          raw.tet_regions.push_back(1);
-        }
-      }
-  // Name the faces: build once without surfaces, then by position.
-  const auto bare = build_version(raw, 1)->version;
-  for (facet_id f = 0; f < bare->facet_slots(); ++f) {
-    const auto& v = bare->facet(f).v;
-    const auto all = [&](double vec3::*c, double value) {
-      return std::ranges::all_of(v, [&](vertex_id i) { return bare->position(i).*c == value; });
-    };
-    surface_id id = 7;
-    if (all(&vec3::x, 0))
-      id = 1;
-    else if (all(&vec3::x, n))
-      id = 2;
-    else if (all(&vec3::y, 0))
-      id = 3;
-    else if (all(&vec3::y, n))
-      id = 4;
-    else if (all(&vec3::z, 0))
-      id = 5;
-    else if (all(&vec3::z, n))
-      id = 6;
-    raw_mesh::triangle triangle;
-    for (int i = 0; i < 3; ++i) {
-      const auto& p = bare->position(v[i]);
-      triangle.v[i] = index(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
-    }
-    triangle.surface = id;
-    raw.triangles.push_back(triangle);
-  }
-  return build_version(std::move(raw), 1)->version;
-}
 
 struct filled {
   expected<edit_result> edit;
@@ -184,28 +119,98 @@ TEST(FillHole, MissingMesherIsNamed) {
   EXPECT_THAT(result.error().message, HasSubstr("/nowhere/tedit-tetgen"));
 }
 
-TEST(Rims, AFigureEightGivesTwoSimpleLoops) {
-  // Two holes that touch in one vertex of the top: cells (0,0) and (1,1) of a 2 x 2 top layer are
-  // open.
-  const auto mesh = blocks(
-    4, [](int x, int y, int z) { return z < 3 || !((x == 1 && y == 1) || (x == 2 && y == 2)); });
-  const boundary_edges edges(*mesh);
-  const std::vector<surface_id> walls{7};
+TEST(FillHole, ANotchInAnEdgeGetsACapInEachPlane) {
+  const auto mesh = blocks(3, [](int x, int y, int z) { return x != 1 || y != 0 || z != 2; });
 
-  const auto shells = find_shells(*mesh, edges, facets_of(*mesh, walls));
+  const auto result = fill(mesh, {7});
 
-  // The pinched edge below the vertex has four facets: the mesh is not manifold there, and that is
-  // said, or two loops of four edges are found.
-  if (shells) {
-    std::size_t rims = 0;
-    for (const auto& part : *shells)
-      for (const auto& r : part.rims) {
-        EXPECT_EQ(r.loop.size(), 4u);
-        ++rims;
+  ASSERT_TRUE(result.edit.has_value()) << render(result.edit.error());
+  EXPECT_NEAR(result.edit->volume_change, 1, 1e-12);
+  ASSERT_TRUE(result.finished.has_value()) << render(result.finished.error());
+  const auto& after = *result.finished->version;
+  EXPECT_NEAR(total_volume(after), 27, 1e-12);
+  EXPECT_EQ(after.surfaces().size(), 6u);
+}
+
+TEST(FillHole, ANotchInACornerGetsItsCornerBack) {
+  const auto mesh = blocks(3, [](int x, int y, int z) { return x != 0 || y != 0 || z != 2; });
+
+  const auto result = fill(mesh, {7});
+
+  ASSERT_TRUE(result.finished.has_value()) << render(result.edit.error());
+  const auto& after = *result.finished->version;
+  EXPECT_NEAR(total_volume(after), 27, 1e-12);
+  EXPECT_EQ(after.surfaces().size(), 6u);
+}
+
+/// A plate of 9 x 9 x 3 cells bent around the axis y at z = -20, with a square hole through it.
+version_ptr bent_plate() {
+  return blocks(
+    {9, 9, 3}, [](int x, int y, int) { return x < 3 || x > 5 || y < 3 || y > 5; },
+    [](vec3 p) -> vec3 {
+      const double angle = (p.x - 4.5) / 20;
+      const double radius = 20 + p.z;
+      return {radius * std::sin(angle), p.y, radius * std::cos(angle) - 20};
+    });
+}
+
+TEST(FillHole, AHoleThroughACylindersWallIsClosedWithinTheCylinder) {
+  const auto mesh = bent_plate();
+
+  const auto result = fill(mesh, {7});
+
+  ASSERT_TRUE(result.finished.has_value()) << render(result.edit.error());
+  const auto& after = *result.finished->version;
+  EXPECT_EQ(after.surfaces().size(), 6u) << "both caps go on the surface around them";
+  // The hole is 3 wide; flat caps would leave the outer radius of 23 by 23 (1 - cos 0.075) = 0.065.
+  for (facet_id f = 0; f < after.facet_slots(); ++f)
+    if (after.is_live_facet(f) && after.facet(f).surface >= 5)
+      for (const auto v : after.facet(f).v) {
+        const vec3 p = after.position(v);
+        EXPECT_NEAR(std::hypot(p.x, p.z + 20), after.facet(f).surface == 5 ? 20 : 23, 1e-9);
       }
-    EXPECT_EQ(rims, 2u);
-  } else {
-    EXPECT_EQ(shells.error().code, ec::non_manifold);
+}
+
+TEST(FillHole, ABentRimWithoutASmoothShapeGetsASurfaceOfLeastArea) {
+  // A saddle-like twist of fourth order: no quadric fits within 5 % of the rim.
+  const auto mesh = blocks(
+    {9, 9, 3}, [](int x, int y, int) { return x < 3 || x > 5 || y < 3 || y > 5; },
+    [](vec3 p) -> vec3 {
+      const double x = p.x - 4.5;
+      const double y = p.y - 4.5;
+      return {p.x, p.y, p.z + 0.004 * (x * x * x * x - y * y * y * y)};
+    });
+
+  const auto result = fill(mesh, {7});
+
+  ASSERT_TRUE(result.finished.has_value()) << render(result.edit.error());
+  const auto& after = *result.finished->version;
+  EXPECT_EQ(after.surfaces().size(), 8u) << "two caps of their own";
+  EXPECT_TRUE(check_version(after).ok());
+}
+
+TEST(Rims, AFigureEightGivesTwoSimpleLoops) {
+  // Two squares of the top that touch in one vertex.
+  const auto mesh = blocks(4, [](int, int, int) { return true; });
+  std::vector<facet_id> picked;
+  for (facet_id f = 0; f < mesh->facet_slots(); ++f) {
+    const auto& facet = mesh->facet(f);
+    const vec3 middle =
+      (mesh->position(facet.v[0]) + mesh->position(facet.v[1]) + mesh->position(facet.v[2])) / 3;
+    const int x = static_cast<int>(middle.x);
+    const int y = static_cast<int>(middle.y);
+    if (facet.surface == 6 && x == y && (x == 1 || x == 2))
+      picked.push_back(f);
+  }
+
+  const auto shells = find_shells(*mesh, picked);
+
+  ASSERT_EQ(shells.size(), 2u);
+  for (const auto& part : shells) {
+    ASSERT_EQ(part.rims.size(), 1u);
+    EXPECT_EQ(part.rims[0].loop.size(), 4u);
+    EXPECT_DOUBLE_EQ(part.rims[0].convex_share, 1) << "flat: neither convex nor concave";
+    EXPECT_DOUBLE_EQ(part.rims[0].concave_share, 1);
   }
 }
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "ops/fill_hole/rims.hpp"
+#include "mesh/features/rims.hpp"
 
-namespace tedit::ops {
+namespace tedit {
 
 struct completion_settings {
   bool exact = false;          ///< Take the selection as it is.
@@ -22,9 +22,9 @@ struct completed_selection {
 /// Extends a selection of hole walls over concave rims (a bottom, a drill-point cone) until every
 /// rim is convex: the surfaces across are added when at least half of the rim is concave and they
 /// lie within 1.1 rim radii of the rim's axis. Measured: walls alone are wrong for 76 of 208 real
-/// holes. Errors: `mixed_rim` naming the rim, `non_manifold`.
-[[nodiscard]] expected<completed_selection> complete_selection(
-  const mesh_version& mesh, const boundary_edges& edges, const std::vector<surface_id>& surfaces,
-  const completion_settings& settings);
+/// holes. Errors: `mixed_rim` naming the rim, `empty_selection`. Cost: O(facet slots + hole).
+[[nodiscard]] expected<completed_selection> complete_hole(const mesh_version& mesh,
+                                                          const std::vector<surface_id>& surfaces,
+                                                          const completion_settings& settings);
 
-}  // namespace tedit::ops
+}  // namespace tedit

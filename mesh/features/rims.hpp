@@ -2,26 +2,19 @@
 #pragma once
 
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "mesh/version.hpp"
 
-namespace tedit::ops {
+namespace tedit {
 
-/// Which facet lies to the left of each directed boundary edge. Cost: O(boundary).
-class boundary_edges {
-public:
-  explicit boundary_edges(const mesh_version& mesh);
+/// The boundary facet across the edge from `v[edge]` to `v[edge + 1]` of facet f, found by turning
+/// around the edge through the material. Cost: O(tets at the edge).
+[[nodiscard]] facet_id facet_across(const mesh_version& mesh, facet_id f, int edge);
 
-  /// The facet with the edge a -> b, or no_id (also where more than one facet claims it).
-  [[nodiscard]] facet_id left_of(vertex_id a, vertex_id b) const;
-
-private:
-  static std::uint64_t key(vertex_id a, vertex_id b) { return std::uint64_t{a} << 32 | b; }
-  std::unordered_map<std::uint64_t, facet_id> facets_;
-};
+/// Angle through the material at edge `edge` of a boundary facet, rad: 90 degrees at the edge of a
+/// box, 180 on a smooth surface, 270 at the flat bottom of a drilled hole.
+[[nodiscard]] double material_angle(const mesh_version& mesh, facet_id f, int edge);
 
 /// A closed loop of edges between selected and unselected facets.
 struct rim {
@@ -34,6 +27,7 @@ struct rim {
   double mean_edge = 0;      ///< m.
   double deviation = 0;      ///< Largest distance from the Newell plane, m.
   double concave_share = 0;  ///< Share of the rim's length with a material angle >= 179 degrees.
+  double convex_share = 0;   ///< The same with at most 181 degrees; smooth edges count for both.
 
   /// Within max(1e-4 edge, 1e-4 radius) of a plane.
   [[nodiscard]] bool planar() const { return deviation <= 1e-4 * std::max(mean_edge, radius); }
@@ -49,10 +43,9 @@ struct shell {
 };
 
 /// Splits a selection into shells and walks their rims: at a vertex where several rims meet, the
-/// walk turns inside the selected fan, so that a pinched rim becomes simple loops. Errors:
-/// `non_manifold` where an edge has no or several facets behind it.
-[[nodiscard]] expected<std::vector<shell>> find_shells(const mesh_version& mesh,
-                                                       const boundary_edges& edges,
-                                                       const std::vector<facet_id>& selected);
+/// walk turns inside the selected fan, so that a pinched rim becomes simple loops.
+/// Cost: O(selection).
+[[nodiscard]] std::vector<shell> find_shells(const mesh_version& mesh,
+                                             const std::vector<facet_id>& selected);
 
-}  // namespace tedit::ops
+}  // namespace tedit
