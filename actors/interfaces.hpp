@@ -40,6 +40,8 @@ using modeling_actor = caf::typed_actor<
   caf::replies_to<job_id, edit_order>::with<edit_candidate>,
   // Writes a file.
   caf::replies_to<job_id, export_order>::with<export_result>,
+  // Finds surfaces that belong together.
+  caf::replies_to<job_id, select_order>::with<select_result>,
   // The operations there are, as JSON of the protocol's Catalogue.
   caf::replies_to<catalog_atom>::with<std::string>,
   // Ends a job early; it is then answered with `cancelled`.
@@ -99,6 +101,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<solve_request>::with<solved>,
   // Writes a version as a file.
   caf::replies_to<export_request>::with<exported>,
+  // Finds surfaces of the head that belong together.
+  caf::replies_to<select_request>::with<selected>,
   // All versions.
   caf::replies_to<history_atom>::with<session_history>,
   // Ends a request early; it is then answered with `cancelled`.

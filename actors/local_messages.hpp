@@ -98,6 +98,12 @@ struct export_request {
   std::string length_unit;
 };
 
+struct select_request {
+  std::uint64_t ticket = 0;
+  caf::actor client;
+  std::string query;  ///< JSON, see protocol/selection_message.hpp.
+};
+
 // -- what a session answers and tells its subscribers ---------------------------------------------
 
 struct session_snapshot {
@@ -151,6 +157,12 @@ struct exported {
   std::uint64_t size = 0;
 };
 
+struct selected {
+  std::string document;
+  std::string version;   ///< Hexadecimal.
+  std::string features;  ///< JSON of SurfacesSelected.
+};
+
 struct session_history {
   std::string document;
   std::vector<version_info> versions;
@@ -199,12 +211,14 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::move_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_case_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::select_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::request_progress)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::exported)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::selected)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_history)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::server_status)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_change)

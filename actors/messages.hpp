@@ -225,6 +225,28 @@ typename Inspector::result_type inspect(Inspector& f, export_result& x) {
   return f(caf::meta::type_name("export_result"), x.pages, x.size, x.source);
 }
 
+/// A question about which surfaces of a version belong together.
+struct select_order {
+  order_base base;
+  version_ref version;
+  std::string query;  ///< JSON, see protocol/selection_message.hpp.
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, select_order& x) {
+  return f(caf::meta::type_name("select_order"), x.base.source, x.base.listener, x.version,
+           x.query);
+}
+
+struct select_result {
+  std::string features;  ///< JSON of SurfacesSelected; document and version are not set.
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, select_result& x) {
+  return f(caf::meta::type_name("select_result"), x.features);
+}
+
 // -- notes on the way ------------------------------------------------------------------------
 
 struct job_progress {

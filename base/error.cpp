@@ -32,6 +32,7 @@ constexpr std::array code_rows{
   code_row{ec::mixed_rim, "mixed_rim"},
   code_row{ec::cap_intersects, "cap_intersects"},
   code_row{ec::flat_plug, "flat_plug"},
+  code_row{ec::not_a_protrusion, "not_a_protrusion"},
   code_row{ec::mesher_failed, "mesher_failed"},
   code_row{ec::plugin_refused, "plugin_refused"},
   code_row{ec::under_constrained, "under_constrained"},

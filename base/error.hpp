@@ -34,6 +34,7 @@ enum class ec {
   mixed_rim,            ///< A rim is neither convex nor concave all around.
   cap_intersects,       ///< A cap would cut the part or another cap.
   flat_plug,            ///< The space to fill has next to no volume.
+  not_a_protrusion,     ///< The selected surfaces bound no boss, rib or fin.
   mesher_failed,        ///< The tetrahedral mesher gave no usable mesh.
   plugin_refused,       ///< A plugin could not be loaded; the message says why.
   // -- finite elements ------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
 #include "protocol/operation_message.hpp"
+#include "protocol/selection_message.hpp"
 
 namespace tedit::client {
 
@@ -304,6 +305,21 @@ expected<std::vector<char>> client::export_file(file_format format, const std::s
   if (!got)
     return fail(std::move(got.error()));
   return std::move(got->file);
+}
+
+expected<std::vector<found_feature>> client::select(const selection_query& query,
+                                                    const execution& run) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* wanted = request.mutable_select_surfaces();
+  protocol::to_message(query, wanted);
+  wanted->set_document(*document);
+  auto got = impl_->ask(std::move(request), body::kSurfacesSelected, run);
+  if (!got)
+    return fail(std::move(got.error()));
+  return protocol::from_message(got->message.surfaces_selected());
 }
 
 expected<history> client::get_history() {

@@ -11,6 +11,7 @@
 #include "client/surface.hpp"
 #include "client/types.hpp"
 #include "fem/load_case.hpp"
+#include "mesh/features/select.hpp"
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::client {
@@ -83,6 +84,11 @@ public:
                                                         const std::string& version_id,
                                                         const std::string& unit,
                                                         const execution& run);
+
+  /// Surfaces of the head that belong together. Errors: also `protocol_error` from a server that
+  /// does not know the question (protocol_minor below 2).
+  [[nodiscard]] expected<std::vector<found_feature>> select(const selection_query& query,
+                                                            const execution& run);
 
   [[nodiscard]] expected<history> get_history();
 

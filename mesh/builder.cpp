@@ -245,6 +245,10 @@ void mesh_builder::set_surface(facet_id f, surface_id surface) {
   facets_.write(f).surface = surface;
 }
 
+void mesh_builder::set_interfaces(const std::vector<interface_facet>& facets) {
+  counts_.interfaces = paged_array<interface_facet>::from(facets);
+}
+
 surface_id mesh_builder::add_surface(std::string name) {
   const surface_id id = ++largest_surface_;
   counts_.surfaces.push_back({id, std::move(name)});

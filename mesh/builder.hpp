@@ -55,6 +55,9 @@ public:
   [[nodiscard]] const adjacency& neighbours(tet_id t) const { return neighbours_[t]; }
   [[nodiscard]] const boundary_facet& facet(facet_id f) const { return facets_[f]; }
   [[nodiscard]] std::array<vec3, 4> corners(tet_id t) const;
+  [[nodiscard]] const paged_array<interface_facet>& interfaces() const {
+    return counts_.interfaces;
+  }
 
   /// The tets around a vertex, found over shared faces. Cost: O(star).
   [[nodiscard]] std::vector<tet_id> star(vertex_id v) const;
@@ -80,6 +83,10 @@ public:
 
   /// Gives all facets named another surface.
   void set_surface(facet_id f, surface_id surface);
+
+  /// Replaces the list of interface facets: `apply` leaves it alone, so who splits or removes tets
+  /// between regions brings it up to date.
+  void set_interfaces(const std::vector<interface_facet>& facets);
 
   /// A new surface with an id that the table has not had (largest id + 1).
   surface_id add_surface(std::string name);

@@ -72,6 +72,7 @@ struct client_state {
   void move(std::uint64_t id, const std::string& document, actors::move_kind kind);
   void solve(std::uint64_t id, const v1::Solve& body);
   void export_file(std::uint64_t id, const v1::ExportFile& body);
+  void select(std::uint64_t id, const v1::SelectSurfaces& body);
   void history(std::uint64_t id, const v1::GetHistory& body);
 
   // -- events and answers ----------------------------------------------------------------------

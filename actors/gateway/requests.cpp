@@ -10,6 +10,7 @@
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
 #include "protocol/operation_message.hpp"
+#include "protocol/selection_message.hpp"
 
 namespace tedit::gateway {
 
@@ -18,7 +19,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 1;
+constexpr std::uint32_t protocol_minor = 2;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Uploaded and not yet imported, per connection.
@@ -133,6 +134,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
       return solve(id, message.solve());
     case body::kExportFile:
       return export_file(id, message.export_file());
+    case body::kSelectSurfaces:
+      return select(id, message.select_surfaces());
     case body::kGetHistory:
       return history(id, message.get_history());
     case body::kHello:
@@ -396,6 +399,31 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
   };
   self->request(document->session, answer_limit, std::move(request))
     .then(deliver, [=, this](const caf::error& e) { refuse(id, from_caf(e, "writing the file")); });
+}
+
+void client_state::select(std::uint64_t id, const v1::SelectSurfaces& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  const auto query = protocol::from_message(body);
+  if (!query)
+    return refuse(id, query.error());
+  select_request request;
+  request.ticket = begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(self);
+  request.query = protocol::to_json(*query);
+  self->request(document->session, answer_limit, std::move(request))
+    .then(
+      [=, this](const selected& found) {
+        v1::ServerMessage message;
+        auto* out = message.mutable_surfaces_selected();
+        if (const auto features = protocol::features_from_json(found.features))
+          protocol::to_message(*features, out);
+        out->set_document(found.document);
+        out->set_version_id(found.version);
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the selection")); });
 }
 
 void client_state::history(std::uint64_t id, const v1::GetHistory& body) {

@@ -5,12 +5,14 @@
 
 #include "actors/modeling/modeling.hpp"
 #include "base/stopwatch.hpp"
+#include "mesh/features/select.hpp"
 #include "mesh/io/field_writer.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/io/msh_writer.hpp"
 #include "mesh/io/stl_writer.hpp"
 #include "protocol/operation_message.hpp"
 #include "protocol/report.hpp"
+#include "protocol/selection_message.hpp"
 
 namespace tedit::actors {
 
@@ -131,6 +133,22 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   result.notices = edit->notices;
   result.operation_ms = clock.milliseconds();
   output.keep = edit->candidate;
+  return output;
+}
+
+expected<job_output<select_result>> find_surfaces(const select_order& order, const page_set& pages,
+                                                  const execution& run) {
+  const auto mesh = open_version(order.version, pages);
+  if (!mesh)
+    return fail(mesh.error());
+  const auto query = protocol::selection_query_from_json(order.query);
+  if (!query)
+    return fail(query.error());
+  const auto features = select_surfaces(**mesh, *query, run);
+  if (!features)
+    return fail(features.error());
+  job_output<select_result> output;
+  output.result.features = protocol::to_json(*features);
   return output;
 }
 

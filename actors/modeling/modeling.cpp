@@ -66,6 +66,15 @@ caf::result<export_result> handle(self_pointer self, job_id job, const export_or
     });
 }
 
+caf::result<select_result> handle(self_pointer self, job_id job, const select_order& order) {
+  const auto needed = pages_of(order.version);
+  if (!needed)
+    return to_caf(needed.error());
+  return perform<select_result>(
+    self, job, order.base, *needed,
+    [=](const page_set& pages, const execution& run) { return find_surfaces(order, pages, run); });
+}
+
 std::string describe(const ops::catalogue& plugins) {
   std::vector<std::pair<ops::operation_description, std::string>> operations;
   std::vector<std::pair<std::string, std::string>> refused;
@@ -88,6 +97,7 @@ modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<mod
   return {[=](job_id job, const import_order& order) { return handle(self, job, order); },
           [=](job_id job, const edit_order& order) { return handle(self, job, order); },
           [=](job_id job, const export_order& order) { return handle(self, job, order); },
+          [=](job_id job, const select_order& order) { return handle(self, job, order); },
           [=](catalog_atom) { return describe(*self->state.plugins); },
           [=](cancel_atom, job_id job) { self->state.desk.cancel(job); },
           [=](status_atom) { return self->state.desk.status(); }};

@@ -36,4 +36,9 @@ modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<mod
                                                              const page_set& pages,
                                                              const execution& run);
 
+/// Answers a question about surfaces. Errors: those of `select_surfaces`.
+[[nodiscard]] expected<job_output<select_result>> find_surfaces(const select_order& order,
+                                                                const page_set& pages,
+                                                                const execution& run);
+
 }  // namespace tedit::actors

@@ -382,4 +382,27 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   return *promise;
 }
 
+caf::result<selected> session_state::select(const select_request& request) {
+  const auto* head = graph.head();
+  if (!head)
+    return to_caf(no_head());
+  const auto promise = std::make_shared<caf::typed_response_promise<selected>>(
+    self->make_response_promise<selected>());
+  const auto job = new_job(request.ticket, request.client);
+  const auto version = to_hex(head->info.id);
+  self
+    ->request(parts.workers.modeling, answer_limit, job,
+              select_order{base_order(), make_ref(*head->mesh), request.query})
+    .then(
+      [=, this](const select_result& result) {
+        progress_of.erase(job);
+        promise->deliver(selected{parts.document, version, result.features});
+      },
+      [=, this](const caf::error& e) {
+        progress_of.erase(job);
+        promise->deliver(to_caf(from_caf(e, "the selection")));
+      });
+  return *promise;
+}
+
 }  // namespace tedit::actors

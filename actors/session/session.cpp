@@ -150,6 +150,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const load_case_request& request) { return state.set_load_case(request); },
           [&state](const solve_request& request) { return state.solve(request); },
           [&state](const export_request& request) { return state.write_file(request); },
+          [&state](const select_request& request) { return state.select(request); },
           [&state](history_atom) { return state.history(); },
           [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); }};
 }

@@ -105,6 +105,7 @@ struct session_state {
   caf::result<head_moved> move(const move_request& request);
   caf::result<acknowledged> set_load_case(const load_case_request& request);
   caf::result<exported> write_file(const export_request& request);
+  caf::result<selected> select(const select_request& request);
 
   void begin_import(const std::shared_ptr<import_run>& run);
   void begin_edit(const std::shared_ptr<edit_run>& run);

@@ -103,6 +103,7 @@ modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
   return {job_handler<modeling_actor, import_order, import_result>(self),
           job_handler<modeling_actor, edit_order, edit_candidate>(self),
           job_handler<modeling_actor, export_order, export_result>(self),
+          job_handler<modeling_actor, select_order, select_result>(self),
           [=](catalog_atom) -> caf::result<std::string> {
             for (const auto& c : self->state.children)
               if (c.worker)

@@ -67,33 +67,6 @@ struct frame {
   }
 };
 
-/// Points on the boundary within two rings outside a rim: what surrounds the hole.
-std::vector<vec3> surroundings(const mesh_version& mesh, const shell& part, const rim& r) {
-  const std::unordered_set<facet_id> selected(part.facets.begin(), part.facets.end());
-  std::unordered_set<facet_id> seen(r.outer.begin(), r.outer.end());
-  std::vector<facet_id> ring(seen.begin(), seen.end());
-  std::unordered_set<vertex_id> vertices(r.loop.begin(), r.loop.end());
-  // Four steps over edges are about two rings over corners.
-  for (int step = 0; step < 4; ++step) {
-    std::vector<facet_id> next;
-    for (const auto f : ring) {
-      vertices.insert(mesh.facet(f).v.begin(), mesh.facet(f).v.end());
-      for (int i = 0; i < 3; ++i) {
-        const auto across = facet_across(mesh, f, i);
-        if (!selected.contains(across) && seen.insert(across).second)
-          next.push_back(across);
-      }
-    }
-    ring = std::move(next);
-  }
-  std::vector<vertex_id> order(vertices.begin(), vertices.end());
-  std::ranges::sort(order);
-  std::vector<vec3> points;
-  for (const auto v : order)
-    points.push_back(mesh.position(v));
-  return points;
-}
-
 std::optional<surface_id> only_surface(const mesh_version& mesh,
                                        const std::vector<facet_id>& outer) {
   const auto first = mesh.facet(outer.front()).surface;
@@ -353,7 +326,8 @@ private:
   /// Where the surroundings lie on a quadric, the cap does, too.
   void continue_shape(const rim& r, const planar_filling& filling, std::vector<vec3>& points,
                       cap& c) const {
-    const auto around = surroundings(mesh_, part_, r);
+    const auto around =
+      surrounding_points(mesh_, r.outer, {part_.facets.begin(), part_.facets.end()});
     const auto shape = fit_quadric(around);
     if (!shape)
       return;
@@ -376,6 +350,32 @@ private:
 };
 
 }  // namespace
+
+std::vector<vec3> surrounding_points(const mesh_version& mesh, const std::vector<facet_id>& facets,
+                                     const std::unordered_set<facet_id>& barred) {
+  std::unordered_set<facet_id> seen(facets.begin(), facets.end());
+  std::vector<facet_id> ring(seen.begin(), seen.end());
+  std::unordered_set<vertex_id> vertices;
+  // Four steps over edges are about two rings over corners.
+  for (int step = 0; step < 4; ++step) {
+    std::vector<facet_id> next;
+    for (const auto f : ring) {
+      vertices.insert(mesh.facet(f).v.begin(), mesh.facet(f).v.end());
+      for (int i = 0; i < 3; ++i) {
+        const auto across = facet_across(mesh, f, i);
+        if (!barred.contains(across) && seen.insert(across).second)
+          next.push_back(across);
+      }
+    }
+    ring = std::move(next);
+  }
+  std::vector<vertex_id> order(vertices.begin(), vertices.end());
+  std::ranges::sort(order);
+  std::vector<vec3> points;
+  for (const auto v : order)
+    points.push_back(mesh.position(v));
+  return points;
+}
 
 expected<plug_surface> close_shell(const mesh_version& mesh, const shell& part,
                                    double spacing_factor, services& host) {

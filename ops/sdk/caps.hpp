@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "mesh/features/rims.hpp"
@@ -38,5 +39,11 @@ struct plug_surface {
 /// triangulation. Source: the paper, 5.1; Brunton et al. 2009 for the unfolding.
 [[nodiscard]] expected<plug_surface> close_shell(const mesh_version& mesh, const shell& part,
                                                  double spacing_factor, services& host);
+
+/// The corners of the given boundary facets and of about two rings around them, without what lies
+/// behind facets of `barred`; in the order of their ids. Cost: O(rings).
+[[nodiscard]] std::vector<vec3> surrounding_points(const mesh_version& mesh,
+                                                   const std::vector<facet_id>& facets,
+                                                   const std::unordered_set<facet_id>& barred);
 
 }  // namespace tedit::ops

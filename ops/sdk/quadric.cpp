@@ -93,11 +93,16 @@ std::optional<double> quadric::along(vec3 p, vec3 d) const {
   return -2 * f0 / divisor * scale;
 }
 
-double quadric::distance(vec3 p) const {
+void quadric::flip() {
+  for (auto& coefficient : c)
+    coefficient = -coefficient;
+}
+
+double quadric::signed_distance(vec3 p) const {
   const vec3 x = (p - origin) / scale;
   const Eigen::Map<const monomials> coefficients(c.data());
   const double slope = (gradients_at(x).transpose() * coefficients).norm();
-  return scale * std::abs(coefficients.dot(values_at(x))) / std::max(slope, 1e-300);
+  return scale * coefficients.dot(values_at(x)) / std::max(slope, 1e-300);
 }
 
 }  // namespace tedit::ops

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -19,8 +21,13 @@ struct quadric {
   /// p along the unit vector d misses it.
   [[nodiscard]] std::optional<double> along(vec3 p, vec3 d) const;
 
-  /// Distance of a point from the surface to first order, m: |f| / |grad f|.
-  [[nodiscard]] double distance(vec3 p) const;
+  /// Distance of a point from the surface to first order, m: f / |grad f|, positive on the side to
+  /// which grad f points.
+  [[nodiscard]] double signed_distance(vec3 p) const;
+  [[nodiscard]] double distance(vec3 p) const { return std::abs(signed_distance(p)); }
+
+  /// Turns the sides around.
+  void flip();
 };
 
 /// The quadric nearest to the points: least sum f^2 for a mean squared gradient of 1 (Taubin 1991).
