@@ -152,6 +152,10 @@ std::unordered_set<tet_id> slab::flood(bool also_crossed) const {
 }
 
 expected<void> slab::check(const std::unordered_set<tet_id>& inside) const {
+  std::unordered_set<surface_id> beside;
+  for (const auto& edge : patch_.border)
+    if (edge.convex() && mesh_.is_live_facet(edge.outer))
+      beside.insert(mesh_.facet(edge.outer).surface);
   double thinnest = 1e300;
   for (const auto t : inside) {
     for (const auto v : mesh_.tet_at(t).v)
@@ -172,7 +176,8 @@ expected<void> slab::check(const std::unordered_set<tet_id>& inside) const {
       const double cosine = dot(patch_.normal, normalized(area_vector(mesh_.position(facet.v[0]),
                                                                       mesh_.position(facet.v[1]),
                                                                       mesh_.position(facet.v[2]))));
-      if (cosine < underside)
+      // A neighbour that goes back below the surface is trimmed like any other.
+      if (cosine < (beside.contains(facet.surface) ? -lower_step : underside))
         thinnest = std::min(thinnest, depth);
       if (cosine > lower_step && depth > zero_)
         return fail(ec::invalid_argument,
