@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesh/checks.hpp"
-#include "mesh/improve.hpp"
+#include "mesh/optimize/improve.hpp"
 
 namespace tedit {
 
