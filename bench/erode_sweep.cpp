@@ -95,7 +95,12 @@ void try_surface(const ops::catalogue& plugins, const version_ptr& base, double 
   const double volume = total_volume(*outcome->version);
   sum.worst_volume_error = std::max(
     sum.worst_volume_error, std::abs(volume - base_volume - done.volume_change) / base_volume);
-  (void)depth;
+  double change = depth;
+  for (const auto& f : done.figures)
+    if (f.id == "thickness_change_mm")
+      change = 1e-3 * f.value;
+  if (depth > 0)
+    sum.thickness_error.push_back(std::abs(change - depth) / depth);
   if (verbose)
     std::cout << "  " << name << ": q " << cli::pretty(done.touched_min_before, 3) << " -> "
               << cli::pretty(done.touched_min_after, 3) << ", " << cli::pretty(ms, 3) << " ms\n";

@@ -84,6 +84,36 @@ expected<lowered> lower_flat(mesh_builder& mesh, surface_patch patch, double dep
   return lowered{std::move(patch), names.floor()};
 }
 
+/// Distance of the new surfaces from the old planes, as the mesh now has it.
+void measure(const mesh_builder& mesh, const std::vector<lowered>& done, double depth,
+             erosion_sum& sum) {
+  double area = 0;
+  double mean = 0;
+  double worst = depth;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    const auto& facet = mesh.facet(f);
+    const auto floor = std::ranges::find(done, facet.surface, &lowered::floor);
+    if (floor == done.end())
+      continue;
+    std::array<double, 3> depths;
+    for (int i = 0; i < 3; ++i) {
+      depths[i] = floor->before.depth(mesh.position(facet.v[i]));
+      if (std::abs(depths[i] - depth) > std::abs(worst - depth))
+        worst = depths[i];
+    }
+    const double share = norm(
+      area_vector(mesh.position(facet.v[0]), mesh.position(facet.v[1]), mesh.position(facet.v[2])));
+    area += share;
+    mean += share * (depths[0] + depths[1] + depths[2]) / 3;
+  }
+  if (area == 0)
+    return;
+  sum.figures.push_back({"thickness_change_mm", 1e3 * mean / area, "mm", "thickness taken off"});
+  sum.figures.push_back({"thickness_change_worst_mm", 1e3 * worst, "mm", "furthest from asked"});
+}
+
 }  // namespace
 
 expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
@@ -108,6 +138,7 @@ expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& su
   const auto tidied = tidy_cut(mesh, mesh.touched(), {}, ctx.run);
   if (!tidied)
     return fail(tidied.error());
+  measure(mesh, done, depth, sum);
   return {};
 }
 

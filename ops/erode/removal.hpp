@@ -21,6 +21,7 @@ struct erosion_sum {
   removal_report removal;         ///< Counts summed up; pieces of the last step.
   std::vector<surface_id> fresh;  ///< Surfaces that the edit made.
   std::vector<std::string> notices;
+  std::vector<figure> figures;
 
   void add(const removal_report& step);
 };

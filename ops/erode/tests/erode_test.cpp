@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/erode/erode.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,6 +49,11 @@ protected:
     for (const auto f : facets_of(mesh, std::vector{id}))
       sum += norm(area_vector(mesh, mesh.facet(f)));
     return sum;
+  }
+
+  static double figure_of(const edit_result& result, const std::string& id) {
+    const auto found = std::ranges::find(result.figures, id, &figure::id);
+    return found == result.figures.end() ? -1 : found->value;
   }
 
   std::unique_ptr<services> host_ = make_host_services();
@@ -206,6 +213,77 @@ TEST_F(Erode, ALowerStepInTheWayIsNamed) {
 
   ASSERT_FALSE(result);
   EXPECT_THAT(result.error().message, HasSubstr("surface 7, which lies 1000 mm below"));
+}
+
+TEST_F(Erode, TheThicknessChangeIsMeasured) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
+
+  const auto result = lower(base, {6}, 0.1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  EXPECT_NEAR(figure_of(*result, "thickness_change_mm"), 100, 1e-9);
+  EXPECT_NEAR(figure_of(*result, "thickness_change_worst_mm"), 100, 1e-9);
+  EXPECT_EQ(figure_of(*result, "pieces"), 1);
+  EXPECT_EQ(figure_of(*result, "hinges_repaired"), 0);
+}
+
+TEST_F(Erode, TwoSidesOfAnEdgeAreLoweredTogether) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
+
+  const auto result = lower(base, {6, 2}, 0.1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_NEAR(total_volume(*result->candidate), 0.81, 1e-12);
+}
+
+TEST_F(Erode, APocketsFloorAndWallsGrowToACorner) {
+  const auto base = named(pocket(), [](vec3, vec3 n) { return n.z > 0.5 ? 7 : n.x > 0.5 ? 8 : 9; });
+
+  const auto result = lower(base, {7, 8}, 0.5);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_NEAR(result->volume_change, -(2.5 * 2 * 2.5 - 2 * 2 * 2), 1e-12);
+}
+
+// -- layers ---------------------------------------------------------------------------
+
+TEST_F(Erode, ALayerLeavesOneCleanPiece) {
+  const auto base = test::box_mesh({6, 6, 6}, {1, 1, 1});
+
+  const auto result = peel(base, {6}, 1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_LT(result->volume_change, 0);
+  EXPECT_NE(result->candidate->find_surface(7), nullptr);
+  EXPECT_EQ(figure_of(*result, "pieces"), 1);
+  EXPECT_EQ(area(*result->candidate, 5), 1);
+  // The frame of the top that touches the other sides stays.
+  EXPECT_GT(area(*result->candidate, 6), 0);
+}
+
+TEST_F(Erode, TwoLayersTakeMoreThanOne) {
+  const auto base = test::box_mesh({8, 8, 8}, {1, 1, 1});
+
+  const auto one = peel(base, {6}, 1);
+  const auto two = peel(base, {6}, 2);
+
+  ASSERT_TRUE(one && two);
+  expect_good(base, *two);
+  EXPECT_LT(two->volume_change, 1.5 * one->volume_change);
+}
+
+TEST_F(Erode, ASurfaceWithoutInnerVerticesIsRefused) {
+  const auto base = test::box_mesh({1, 1, 1}, {1, 1, 1});
+
+  const auto result = peel(base, {6}, 1);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ec::empty_selection);
+  EXPECT_THAT(result.error().message, HasSubstr("surface 6 has no vertex inside its border"));
+  EXPECT_THAT(result.error().remedy, HasSubstr("depth"));
 }
 
 }  // namespace
