@@ -14,6 +14,9 @@ namespace tedit::ops {
 
 namespace {
 
+/// A neighbour that looks down on the patch by more than this (cosine) is no wall but a roof.
+constexpr double roof = -0.5;
+
 std::uint64_t edge_key(vertex_id a, vertex_id b) {
   return std::uint64_t{a} << 32 | b;
 }
@@ -101,8 +104,17 @@ public:
 
   expected<slab_shell> build(services& host) {
     shell_.covered = patch_.facets;
-    for (const auto f : around_.rising())
+    for (const auto f : around_.rising()) {
+      const auto& v = mesh_.facet(f).v;
+      const vec3 n = normalized(
+        area_vector(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])));
+      if (dot(n, patch_.normal) < roof)
+        return fail(ec::cap_intersects,
+                    "the slab would run into surface " + std::to_string(mesh_.facet(f).surface) +
+                      ", which hangs over surface " + std::to_string(patch_.surface),
+                    "Take a smaller height");
       shell_.covered.push_back(f);
+    }
     for (const auto f : shell_.covered) {
       const auto& v = mesh_.facet(f).v;
       shell_.surface.triangles.push_back({point_of(v[0]), point_of(v[2]), point_of(v[1])});

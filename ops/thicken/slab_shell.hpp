@@ -23,7 +23,8 @@ struct slab_shell {
 [[nodiscard]] expected<void> split_rising_neighbours(mesh_builder& mesh, const surface_patch& patch,
                                                      double height, const execution& run);
 
-/// Errors: `not_a_hole` when the sides do not close, those of the triangulation.
+/// Errors: `cap_intersects` under a roof, `not_a_hole` when the sides do not close, those of the
+/// triangulation.
 [[nodiscard]] expected<slab_shell> make_slab_shell(const mesh_builder& mesh,
                                                    const surface_patch& patch, double height,
                                                    services& host);
