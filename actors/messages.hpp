@@ -112,6 +112,19 @@ typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
            x.operation, x.surfaces, x.parameters);
 }
 
+/// A number that only this operation has (`ops::figure`).
+struct figure_row {
+  std::string id;
+  double value = 0;
+  std::string unit;
+  std::string help;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, figure_row& x) {
+  return f(caf::meta::type_name("figure_row"), x.id, x.value, x.unit, x.help);
+}
+
 /// What an operation made and what it says about it; nothing of it is trusted before the checks.
 struct edit_candidate {
   version_ref version;
@@ -119,6 +132,8 @@ struct edit_candidate {
   double volume_change = 0;
   bool improve = true;
   std::vector<std::string> notices;
+  std::vector<figure_row> figures;
+  double quality_floor = 0.15;
   caf::actor source;
   double operation_ms = 0;
 };
@@ -126,7 +141,7 @@ struct edit_candidate {
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_candidate& x) {
   return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change, x.improve,
-           x.notices, x.source, x.operation_ms);
+           x.notices, x.figures, x.quality_floor, x.source, x.operation_ms);
 }
 
 /// A candidate to improve and to check.

@@ -29,6 +29,7 @@ expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_p
   edit_claim claim;
   claim.touched = edit->touched;
   claim.volume_change = edit->volume_change;
+  claim.quality_floor = edit->quality_floor;
   auto finished =
     actors::finish_candidate(base, edit->candidate, claim, edit->improve, load_cases, run);
   if (!finished)
@@ -38,6 +39,7 @@ expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_p
   outcome.report.operation = request.operation;
   outcome.report.surfaces = request.surfaces;
   outcome.report.notices = edit->notices;
+  outcome.report.figures = edit->figures;
   outcome.report.operation_ms = operation_ms;
   outcome.report.total_ms = total.milliseconds();
   run.report(1, "done");

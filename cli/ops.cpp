@@ -63,7 +63,7 @@ std::string describe(const ops::catalogue::entry& entry) {
   for (const auto& p : d.parameters) {
     text += "    " + p.id + " (" + type_name(p.type);
     if (!p.unit.empty())
-      text += ", " + p.unit;
+      text += ", " + p.unit + (p.unit == "m" ? "; or " + p.id + "_mm" : "");
     if (p.min && p.max)
       text += ", " + pretty(*p.min) + " to " + pretty(*p.max);
     text += ", default " + to_json(p.default_value).dump() + "): " + p.help + "\n";

@@ -200,6 +200,10 @@ std::string worst_lines(const solve_outcome& outcome) {
   return text;
 }
 
+bool is_count(const ops::figure& f) {
+  return f.unit.empty() && f.value == std::floor(f.value) && std::abs(f.value) < 1e15;
+}
+
 }  // namespace
 
 std::string without_noise(double value, double scale, int digits, double noise) {
@@ -235,26 +239,30 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                        {"area_before_m2", line.area_before},
                        {"area_after_m2", line.area_after},
                        {"text", line.text}});
-  return {{"from_version", report.from_version},
-          {"to_version", report.to_version},
-          {"surfaces_removed", removed},
-          {"surfaces_added", added},
-          {"surfaces_changed", changed},
-          {"surface_map", map},
-          {"tets_added", report.tets_added},
-          {"tets_removed", report.tets_removed},
-          {"volume_change_m3", report.volume_change},
-          {"radius_ratio_touched",
-           {{"before_min", report.touched_min_before},
-            {"after_min", report.touched_min_after},
-            {"after_median", report.touched_median_after}}},
-          {"receipt", receipt},
-          {"notices", report.notices},
-          {"timings_ms",
-           {{"operation", report.operation_ms},
-            {"improve", report.improve_ms},
-            {"check", report.check_ms},
-            {"total", report.total_ms}}}};
+  json result{{"from_version", report.from_version},
+              {"to_version", report.to_version},
+              {"surfaces_removed", removed},
+              {"surfaces_added", added},
+              {"surfaces_changed", changed},
+              {"surface_map", map},
+              {"tets_added", report.tets_added},
+              {"tets_removed", report.tets_removed},
+              {"volume_change_m3", report.volume_change},
+              {"radius_ratio_touched",
+               {{"before_min", report.touched_min_before},
+                {"after_min", report.touched_min_after},
+                {"after_median", report.touched_median_after}}},
+              {"receipt", receipt},
+              {"notices", report.notices},
+              {"timings_ms",
+               {{"operation", report.operation_ms},
+                {"improve", report.improve_ms},
+                {"check", report.check_ms},
+                {"total", report.total_ms}}}};
+  for (const auto& f : report.figures)
+    if (!result.contains(f.id))
+      result[f.id] = is_count(f) ? json(std::llround(f.value)) : json(f.value);
+  return result;
 }
 
 std::string describe(const edit_report& report) {
@@ -270,6 +278,8 @@ std::string describe(const edit_report& report) {
   lines.add("radius ratio", "worst touched " + pretty(report.touched_min_after, 3) + " (before " +
                               pretty(report.touched_min_before, 3) + "), median " +
                               pretty(report.touched_median_after, 3));
+  for (const auto& f : report.figures)
+    lines.add(f.help, pretty(f.value, 6) + (f.unit.empty() ? "" : " " + f.unit));
   lines.add("time", pretty(report.total_ms, 3) + " ms (operation " +
                       pretty(report.operation_ms, 3) + ", improve " + pretty(report.improve_ms, 3) +
                       ", check " + pretty(report.check_ms, 3) + ")");

@@ -34,7 +34,8 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   result.improve_ms = clock.restart();
   auto final_claim = claim;
   final_claim.touched = result.touched;
-  final_claim.quality_floor = settings.quality_floor;
+  final_claim.quality_floor =
+    std::min(settings.quality_floor, std::max(claim.quality_floor, lowest_quality_floor));
   const auto report = check_edit(*base, *result.version, final_claim);
   if (!report.ok())
     return fail(to_error(report));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesh/checks.hpp"
-#include "mesh/improve.hpp"
+#include "mesh/optimize/improve.hpp"
 
 namespace tedit {
 
@@ -12,6 +12,9 @@ struct finish_settings {
   improve_settings improve;
   double quality_floor = 0.15;  ///< q = 3 r_in/R_circ; see `edit_claim`.
 };
+
+/// An operation may promise less than the host's floor, but no less than this.
+inline constexpr double lowest_quality_floor = 0.05;
 
 /// A candidate that passed every postcondition.
 struct finished_edit {

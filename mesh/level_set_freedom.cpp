@@ -61,6 +61,23 @@ std::vector<vertex_id> border_ends(const mesh_builder& mesh, vertex_id v,
   return result;
 }
 
+double squared(vec3 a) {
+  return dot(a, a);
+}
+
+/// Distance of a point from a triangle, m.
+double distance_to(vec3 p, vec3 a, vec3 b, vec3 c) {
+  const vec3 n = cross(b - a, c - a);
+  const auto side = [&](vec3 from, vec3 to) { return dot(cross(to - from, p - from), n); };
+  if (side(a, b) >= 0 && side(b, c) >= 0 && side(c, a) >= 0)
+    return std::abs(dot(p - a, normalized(n)));
+  const auto to_edge = [&](vec3 from, vec3 to) {
+    const double t = std::clamp(dot(p - from, to - from) / squared(to - from), 0.0, 1.0);
+    return norm(p - from - t * (to - from));
+  };
+  return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
+}
+
 }  // namespace
 
 bool vertex_freedom::allows(vec3 step) const {
@@ -84,6 +101,45 @@ std::vector<facet_id> facets_at(const mesh_builder& mesh, vertex_id v,
       if (mesh.tet_at(t).v[i] != v && is_facet(mesh.neighbours(t)[i]))
         result.push_back(mesh.neighbours(t)[i] & ~facet_flag);
   return result;
+}
+
+bool may_merge(const mesh_builder& mesh, vertex_id from, vertex_id to,
+               const std::vector<tet_id>& star, double tolerance) {
+  for (const auto t : star)
+    if (mesh.region_of(t) != mesh.region_of(star.front()))
+      return false;
+  const auto around = facets_at(mesh, from, star);
+  const auto fans = fans_at(mesh, from, around);
+  const vec3 step = mesh.position(to) - mesh.position(from);
+  if (fans.empty() || fans.size() > 2 || std::ranges::any_of(fans, [&](const flat_fan& fan) {
+        return fan.flat && std::abs(dot(step, normalized(fan.area))) > flatness * norm(step);
+      }))
+    return false;
+  if (fans.size() == 2 && !std::ranges::count(border_ends(mesh, from, around), to))
+    return false;
+  double longest = 0;
+  double nearest = 1e300;
+  std::size_t shared = 0;
+  for (const auto f : around) {
+    std::array<vec3, 3> p;
+    bool vanishes = false;
+    for (int i = 0; i < 3; ++i) {
+      const auto v = mesh.facet(f).v[i];
+      vanishes = vanishes || v == to;
+      longest = std::max(longest, norm(mesh.position(v) - mesh.position(from)));
+      p[i] = mesh.position(v == from ? to : v);
+    }
+    shared += vanishes;
+    if (vanishes)
+      continue;
+    const auto& v = mesh.facet(f).v;
+    const vec3 before = area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
+    const vec3 after = area_vector(p[0], p[1], p[2]);
+    if (dot(before, after) < 0.7 * norm(before) * norm(after))
+      return false;
+    nearest = std::min(nearest, distance_to(mesh.position(from), p[0], p[1], p[2]));
+  }
+  return shared == 2 && nearest <= tolerance * longest;
 }
 
 vertex_freedom freedom_of(const mesh_builder& mesh, vertex_id v, const std::vector<tet_id>& star) {

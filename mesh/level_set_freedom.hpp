@@ -23,6 +23,13 @@ struct vertex_freedom {
 [[nodiscard]] vertex_freedom freedom_of(const mesh_builder& mesh, vertex_id v,
                                         const std::vector<tet_id>& star);
 
+/// May a vertex be drawn to a neighbour on the boundary? Both must lie on the same surface or on
+/// the same edge between two; flat surfaces stay flat, curved ones within `tolerance` (share of the
+/// longest boundary edge at the vertex) of where they were, and no facet turns by more than 45
+/// degrees. Meant for vertices without `freedom_of` that a cut put close together. Cost: O(stars).
+[[nodiscard]] bool may_merge(const mesh_builder& mesh, vertex_id from, vertex_id to,
+                             const std::vector<tet_id>& star, double tolerance);
+
 /// The boundary facets that touch a vertex, out of its star.
 [[nodiscard]] std::vector<facet_id> facets_at(const mesh_builder& mesh, vertex_id v,
                                               const std::vector<tet_id>& star);

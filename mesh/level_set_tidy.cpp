@@ -17,8 +17,8 @@ constexpr double margin = 1.001;
 
 class tidier {
 public:
-  tidier(mesh_builder& mesh, std::unordered_set<tet_id> allowed)
-      : mesh_(mesh), allowed_(std::move(allowed)) {}
+  tidier(mesh_builder& mesh, std::unordered_set<tet_id> allowed, double tolerance)
+      : mesh_(mesh), allowed_(std::move(allowed)), tolerance_(tolerance) {}
 
   [[nodiscard]] const std::unordered_set<tet_id>& allowed() const { return allowed_; }
 
@@ -33,10 +33,14 @@ public:
       const auto freedom = freedom_of(mesh_, from, star);
       const double before = worst_of(star);
       for (const auto to : corner) {
-        if (to == from || freedom.dimensions == 0 ||
-            !freedom.allows(mesh_.position(to) - mesh_.position(from)))
+        if (to == from)
           continue;
-        auto trial = contracted(star, from, to);
+        const bool exact =
+          freedom.dimensions > 0 && freedom.allows(mesh_.position(to) - mesh_.position(from));
+        if (!exact &&
+            !(may_merge(mesh_, from, to, star, tolerance_) && only_their_edge_between(star, to)))
+          continue;
+        auto trial = contracted(star, from, to, exact);
         if (trial.worst > margin * before && trial.worst > best.worst)
           best = std::move(trial);
       }
@@ -84,10 +88,28 @@ private:
             mesh_.position(t.v[3])};
   }
 
+  /// The link condition: every vertex next to both ends lies in a tet with both. Needed where the
+  /// boundary moves, so that equal volume does not prove the new tets sound.
+  [[nodiscard]] bool only_their_edge_between(const std::vector<tet_id>& star, vertex_id to) const {
+    std::unordered_set<vertex_id> ring;
+    std::unordered_set<vertex_id> link;
+    for (const auto t : star) {
+      const auto& v = mesh_.tet_at(t).v;
+      link.insert(v.begin(), v.end());
+      if (std::ranges::count(v, to))
+        ring.insert(v.begin(), v.end());
+    }
+    for (const auto t : mesh_.star(to))
+      for (const auto v : mesh_.tet_at(t).v)
+        if (link.contains(v) && !ring.contains(v))
+          return false;
+    return true;
+  }
+
   /// The star of `from` with `from` drawn to `to`; worst is 0 where that does not fill the same
   /// space with good tets.
   [[nodiscard]] contraction contracted(const std::vector<tet_id>& star, vertex_id from,
-                                       vertex_id to) const {
+                                       vertex_id to, bool exact) const {
     contraction result;
     result.change.removed = star;
     double worst = 1;
@@ -116,7 +138,7 @@ private:
       }
     }
     // Positive tets over the same outer faces fill the same space when their volume is the same.
-    result.worst = std::abs(volume - total) <= 1e-9 * total ? worst : 0;
+    result.worst = !exact || std::abs(volume - total) <= 1e-9 * total ? worst : 0;
     return result;
   }
 
@@ -176,6 +198,7 @@ private:
 
   mesh_builder& mesh_;
   std::unordered_set<tet_id> allowed_;
+  double tolerance_;
 };
 
 std::unordered_set<tet_id> with_rings(const mesh_builder& mesh, const std::vector<tet_id>& region,
@@ -214,7 +237,7 @@ double worst_of(const mesh_builder& mesh, const std::unordered_set<tet_id>& tets
 
 expected<tidy_report> tidy_cut(mesh_builder& mesh, const std::vector<tet_id>& region,
                                const tidy_settings& settings, const execution& run) {
-  tidier moves(mesh, with_rings(mesh, region, settings.rings));
+  tidier moves(mesh, with_rings(mesh, region, settings.rings), settings.tolerance);
   tidy_report report;
   report.min_before = worst_of(mesh, moves.allowed());
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {

@@ -269,6 +269,13 @@ void to_message(const edit_report& report, v1::EditReport* out) {
   out->set_improve_ms(report.improve_ms);
   out->set_check_ms(report.check_ms);
   out->set_total_ms(report.total_ms);
+  for (const auto& f : report.figures) {
+    auto* row = out->add_figures();
+    row->set_id(f.id);
+    row->set_value(f.value);
+    row->set_unit(f.unit);
+    row->set_help(f.help);
+  }
 }
 
 edit_report from_message(const v1::EditReport& m) {
@@ -292,6 +299,8 @@ edit_report from_message(const v1::EditReport& m) {
   report.improve_ms = m.improve_ms();
   report.check_ms = m.check_ms();
   report.total_ms = m.total_ms();
+  for (const auto& row : m.figures())
+    report.figures.push_back({row.id(), row.value(), row.unit(), row.help()});
   return report;
 }
 

@@ -10,6 +10,7 @@
 #include "fem/receipt.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/surface_map.hpp"
+#include "ops/sdk/operation.hpp"
 
 namespace tedit::v1 {
 class EditReport;
@@ -29,6 +30,7 @@ struct edit_report {
   std::vector<surface_change> surface_map;
   std::vector<fem::receipt_line> receipt;
   std::vector<std::string> notices;
+  std::vector<ops::figure> figures;  ///< Numbers of this operation alone.
   std::uint64_t tets_added = 0;
   std::uint64_t tets_removed = 0;
   double volume_change = 0;  ///< m^3.

@@ -131,6 +131,9 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   result.volume_change = edit->volume_change;
   result.improve = edit->improve;
   result.notices = edit->notices;
+  for (const auto& f : edit->figures)
+    result.figures.push_back({f.id, f.value, f.unit, f.help});
+  result.quality_floor = edit->quality_floor;
   result.operation_ms = clock.milliseconds();
   output.keep = edit->candidate;
   return output;

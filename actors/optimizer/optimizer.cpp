@@ -35,6 +35,7 @@ expected<edit_claim> claim_of(const edit_candidate& candidate) {
     return fail(ec::protocol_error, "the list of touched tets is cut off");
   edit_claim claim;
   claim.volume_change = candidate.volume_change;
+  claim.quality_floor = candidate.quality_floor;
   claim.touched.resize(candidate.touched.size() / sizeof(tet_id));
   std::memcpy(claim.touched.data(), candidate.touched.data(), candidate.touched.size());
   return claim;
@@ -66,6 +67,8 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
   if (!done)
     return fail(done.error());
   done->report.notices = order.candidate.notices;
+  for (const auto& f : order.candidate.figures)
+    done->report.figures.push_back({f.id, f.value, f.unit, f.help});
   done->report.operation_ms = order.candidate.operation_ms;
   job_output<finish_result> output;
   output.result.version = make_ref(*done->version);

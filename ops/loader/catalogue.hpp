@@ -51,9 +51,10 @@ private:
 [[nodiscard]] catalogue load_default_catalogue();
 
 /// Checks types, ranges and names and fills in defaults. Text values are parsed by the parameter's
-/// type. Errors: `invalid_parameter` naming the parameter, its range, or the nearest name.
+/// type; a length may be given in millimetres with the suffix _mm ("depth_mm"). Errors:
+/// `invalid_parameter` naming the parameter, its range, or the nearest name.
 [[nodiscard]] expected<parameters> complete_parameters(const operation_description& description,
-                                                       const parameters& given);
+                                                       const parameters& values);
 
 /// Finds and applies an operation: validation first, then `apply`; an exception from the plugin is
 /// an error that names it.

@@ -94,6 +94,25 @@ expected<void> check_range(const parameter_description& p, const parameter_value
   return {};
 }
 
+/// The given values by parameter id: "depth_mm" is "depth" in millimetres for a parameter in
+/// metres.
+expected<parameters> in_metres(const operation_description& description, const parameters& given) {
+  parameters result = given;
+  for (const auto& p : description.parameters) {
+    const auto found = result.find(p.id + "_mm");
+    if (p.unit != "m" || p.type != parameter_type::real || found == result.end())
+      continue;
+    if (result.contains(p.id))
+      return wrong(p, "it is given twice, in m and in mm");
+    const auto value = typed(p, found->second);
+    if (!value)
+      return fail(value.error());
+    result[p.id] = 1e-3 * std::get<double>(*value);
+    result.erase(p.id + "_mm");
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
@@ -119,7 +138,11 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 }
 
 expected<parameters> complete_parameters(const operation_description& description,
-                                         const parameters& given) {
+                                         const parameters& values) {
+  const auto metric = in_metres(description, values);
+  if (!metric)
+    return fail(metric.error());
+  const auto& given = *metric;
   std::vector<std::string> names;
   parameters result;
   for (const auto& p : description.parameters) {

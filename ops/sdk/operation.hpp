@@ -110,6 +110,17 @@ struct context {
   std::function<void(std::string_view)> log;
 };
 
+/// A number that only this operation has, measured on the result: shown with the edit's report and
+/// carried to the protocol and the JSON of `tedit edit` under its id.
+struct figure {
+  std::string id;    ///< snake_case with the unit, "thickness_change_mm"; no key of the report's.
+  double value = 0;  ///< In `unit`.
+  std::string unit;  ///< "mm"; empty for counts and ratios.
+  std::string help;  ///< For people, a few words: "thickness taken off, mean".
+
+  friend bool operator==(const figure&, const figure&) = default;
+};
+
 struct edit_result {
   version_ptr candidate;
   std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
@@ -117,6 +128,10 @@ struct edit_result {
   bool improve = true;       ///< Let the host's optimizer improve the touched region.
   std::vector<surface_id> surfaces_used;  ///< The selection as completed by the operation.
   std::vector<std::string> notices;       ///< What a person should know.
+  std::vector<figure> figures;
+  /// Worst q that the touched region may have, unless it was worse before. Operations whose new
+  /// surface the host's optimizer may not move can promise 0.1 only; below 0.05 nothing is taken.
+  double quality_floor = 0.15;
 };
 
 /// One editing operation. Instances are stateless: `apply` may run on several threads at once.
@@ -137,7 +152,7 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 1;
+inline constexpr std::uint32_t sdk_major = 2;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 /// Compiler and standard library that built the plugin: C++ types cross the border.

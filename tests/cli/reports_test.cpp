@@ -124,6 +124,20 @@ TEST(DescribeEdit, LinesOfSeveralLoadCasesNameTheirs) {
   EXPECT_THAT(describe(report), Not(HasSubstr("bend")));
 }
 
+TEST(EditJson, FiguresAreKeysOfTheirOwn) {
+  edit_report report;
+  report.figures = {{"pieces", 1, "", "pieces of the body"},
+                    {"thickness_change_mm", 0.5, "mm", "thickness taken off"},
+                    {"tets_added", 99, "", "no key of the report is replaced"}};
+  const auto json = to_json(report);
+
+  EXPECT_EQ(json["pieces"].dump(), "1");
+  EXPECT_EQ(json["thickness_change_mm"], 0.5);
+  EXPECT_EQ(json["tets_added"], 0);
+  EXPECT_THAT(describe(report), HasSubstr("thickness taken off"));
+  EXPECT_THAT(describe(report), HasSubstr("0.5 mm\n"));
+}
+
 TEST(SolveJson, NumbersAreAsComputed) {
   const auto json = to_json(plate());
 

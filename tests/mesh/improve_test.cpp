@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/improve.hpp"
+#include "mesh/optimize/improve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@
 
 #include "mesh/builder.hpp"
 #include "mesh/checks.hpp"
-#include "mesh/local_moves.hpp"
+#include "mesh/optimize/local_moves.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/surface_map.hpp"
 #include "tests/support/meshes.hpp"

@@ -82,6 +82,22 @@ TEST(Parameters, DefaultsFillWhatIsNotGiven) {
   EXPECT_EQ(std::get<bool>(values->at("exact")), false);
 }
 
+TEST(Parameters, LengthsMayBeGivenInMillimetres) {
+  auto description = sample();
+  const auto depth = std::ranges::find(description.parameters, "depth", &parameter_description::id);
+  depth->unit = "m";
+
+  const auto values = complete_parameters(description, {{"depth_mm", std::string("250")}});
+  const auto twice = complete_parameters(description, {{"depth_mm", 250.0}, {"depth", 0.25}});
+
+  ASSERT_TRUE(values.has_value()) << render(values.error());
+  EXPECT_EQ(std::get<double>(values->at("depth")), 0.25);
+  ASSERT_FALSE(twice.has_value());
+  EXPECT_THAT(render(twice.error()), HasSubstr("depth: it is given twice"));
+  // Without a unit there are no millimetres.
+  EXPECT_FALSE(complete_parameters(sample(), {{"layers_mm", 2.0}}).has_value());
+}
+
 TEST(Parameters, WhatDoesNotFitIsRefusedByName) {
   const auto refused = [](const char* name, parameter_value value) {
     const auto values = complete_parameters(sample(), {{name, std::move(value)}});

@@ -42,6 +42,17 @@ expected<solve_report> solve_report_from_json(const std::string& json) {
   });
 }
 
+TEST(EditReportJson, FiguresSurviveTheRoundTrip) {
+  edit_report before;
+  before.figures = {{"pieces", 1, "", "pieces of the body"},
+                    {"thickness_change_mm", 0.125, "mm", "thickness taken off"}};
+
+  const auto after = edit_report_from_json(protocol::to_json(before));
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  EXPECT_EQ(after->figures, before.figures);
+}
+
 TEST(SolveReportJson, JudgementsSurviveTheRoundTrip) {
   const auto before = full_report();
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/improve.hpp"
+#include "mesh/optimize/improve.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "mesh/local_moves.hpp"
+#include "mesh/optimize/local_moves.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit {

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/erode/depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mesh/level_set_tidy.hpp"
+#include "ops/erode/slab.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// What was lowered, to measure the result against.
+struct lowered {
+  surface_patch before;
+  surface_id floor = 0;
+};
+
+/// Names the faces that one slab lays bare.
+class slab_surfaces {
+public:
+  slab_surfaces(mesh_builder& mesh, const slab& cut, erosion_sum& sum)
+      : mesh_(mesh), cut_(cut), sum_(sum) {
+    floor_ = mesh_.add_surface("floor of " + std::to_string(cut_.patch().surface));
+    sum_.fresh.push_back(floor_);
+  }
+
+  [[nodiscard]] surface_id floor() const { return floor_; }
+
+  surface_id name(const std::array<vertex_id, 3>& face) {
+    const auto* wall = cut_.on_floor(face) ? nullptr : cut_.wall_of(face);
+    if (!wall)
+      return floor_;
+    const auto [row, fresh] = walls_.try_emplace(wall, 0);
+    if (fresh)
+      row->second = id_of(*wall);
+    return row->second;
+  }
+
+private:
+  /// The neighbour that a wall continues, when it stands in the wall's plane.
+  surface_id id_of(const patch_wall& wall) {
+    const auto& outer = mesh_.facet(wall.outer);
+    const bool live = mesh_.is_live_facet(wall.outer);
+    if (live && std::ranges::all_of(outer.v, [&](vertex_id v) {
+          return std::abs(wall.across(mesh_.position(v))) <= 1e-5 * wall.length;
+        }))
+      return outer.surface;
+    const auto neighbour = live ? outer.surface : cut_.patch().surface;
+    const auto [row, fresh] = beside_.try_emplace(neighbour, 0);
+    if (fresh) {
+      row->second = mesh_.add_surface("wall below " + std::to_string(neighbour));
+      sum_.fresh.push_back(row->second);
+    }
+    return row->second;
+  }
+
+  mesh_builder& mesh_;
+  const slab& cut_;
+  erosion_sum& sum_;
+  surface_id floor_ = 0;
+  std::map<const patch_wall*, surface_id> walls_;
+  std::map<surface_id, surface_id> beside_;
+};
+
+expected<lowered> lower_flat(mesh_builder& mesh, surface_patch patch, double depth, context& ctx,
+                             erosion_sum& sum) {
+  slab below(mesh, patch, depth);
+  if (auto ok = below.cut(ctx.run); !ok)
+    return fail(ok.error());
+  auto removed = below.tets();
+  if (!removed)
+    return fail(removed.error());
+  const auto settled = settle_removal(mesh, *removed);
+  if (!settled)
+    return fail(settled.error());
+  sum.add(*settled);
+  slab_surfaces names(mesh, below, sum);
+  const auto taken = take_off(mesh, *removed, [&](const auto& face) { return names.name(face); });
+  if (!taken)
+    return fail(taken.error());
+  return lowered{std::move(patch), names.floor()};
+}
+
+/// Distance of the new surfaces from the old planes, as the mesh now has it.
+void measure(const mesh_builder& mesh, const std::vector<lowered>& done, double depth,
+             erosion_sum& sum) {
+  double area = 0;
+  double mean = 0;
+  double worst = depth;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    const auto& facet = mesh.facet(f);
+    const auto floor = std::ranges::find(done, facet.surface, &lowered::floor);
+    if (floor == done.end())
+      continue;
+    std::array<double, 3> depths;
+    for (int i = 0; i < 3; ++i) {
+      depths[i] = floor->before.depth(mesh.position(facet.v[i]));
+      if (std::abs(depths[i] - depth) > std::abs(worst - depth))
+        worst = depths[i];
+    }
+    const double share = norm(
+      area_vector(mesh.position(facet.v[0]), mesh.position(facet.v[1]), mesh.position(facet.v[2])));
+    area += share;
+    mean += share * (depths[0] + depths[1] + depths[2]) / 3;
+  }
+  if (area == 0)
+    return;
+  sum.figures.push_back({"thickness_change_mm", 1e3 * mean / area, "mm", "thickness taken off"});
+  sum.figures.push_back({"thickness_change_worst_mm", 1e3 * worst, "mm", "furthest from asked"});
+}
+
+}  // namespace
+
+expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
+                           double depth, context& ctx, erosion_sum& sum) {
+  std::vector<lowered> done;
+  for (const auto surface : surfaces) {
+    ctx.run.report(
+      0.1 + 0.7 * static_cast<double>(done.size()) / static_cast<double>(surfaces.size()),
+      "cutting");
+    auto patch = find_patch(mesh, surface);
+    if (!patch)
+      return fail(patch.error());
+    if (!patch->flat())
+      return fail(ec::invalid_argument, "surface " + std::to_string(surface) + " is not flat",
+                  "Take off element layers (parameter layers), or select flat surfaces");
+    auto one = lower_flat(mesh, std::move(*patch), depth, ctx, sum);
+    if (!one)
+      return fail(one.error());
+    done.push_back(std::move(*one));
+  }
+  ctx.run.report(0.85, "mending the cut");
+  const auto tidied = tidy_cut(mesh, mesh.touched(), {}, ctx.run);
+  if (!tidied)
+    return fail(tidied.error());
+  measure(mesh, done, depth, sum);
+  return {};
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/erode/erode.hpp"
+
+namespace {
+
+using namespace tedit;
+
+class erode_operation final : public ops::operation {
+public:
+  ops::operation_description describe() const override {
+    ops::operation_description d;
+    d.id = "erode";
+    d.name = "Erode";
+    d.summary = "Takes material off below surfaces: layers of tets, or a given depth.";
+    d.version = "1.0.0";
+    d.selection.help = "The surfaces to take material off; for a fin its sides, tip and fillets.";
+    d.parameters = {
+      {"layers",
+       "Layers of tets",
+       "How many layers of tets to take off. A layer is no length: for one, give a depth.",
+       ops::parameter_type::integer,
+       "",
+       1.0,
+       20.0,
+       {},
+       std::int64_t{1}},
+      {"depth",
+       "Depth",
+       "Lower the surfaces by this length instead; 0 takes off layers.",
+       ops::parameter_type::real,
+       "m",
+       0.0,
+       1.0,
+       {},
+       0.0},
+    };
+    return d;
+  }
+
+  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+                                   const ops::parameters& values,
+                                   ops::context& ctx) const override {
+    ops::erode_settings settings;
+    settings.layers = static_cast<int>(std::get<std::int64_t>(values.at("layers")));
+    settings.depth = std::get<double>(values.at("depth"));
+    return ops::erode(mesh, picked.surfaces, settings, ctx);
+  }
+};
+
+}  // namespace
+
+TEDIT_PLUGIN("erode", "1.0.0", erode_operation)

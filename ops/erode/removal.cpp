@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/erode/removal.hpp"
+
+#include <algorithm>
+
+namespace tedit::ops {
+
+expected<void> take_off(mesh_builder& mesh, const std::unordered_set<tet_id>& removed,
+                        const surface_of_face& name) {
+  cavity_change change;
+  change.removed.assign(removed.begin(), removed.end());
+  std::ranges::sort(change.removed);
+  for (const auto t : change.removed)
+    for (int i = 0; i < 4; ++i) {
+      const auto behind = mesh.neighbours(t)[i];
+      if (is_facet(behind) || removed.contains(behind))
+        continue;
+      const auto& v = mesh.tet_at(t).v;
+      const auto& order = tet_faces[i];
+      const std::array<vertex_id, 3> face{v[order[0]], v[order[1]], v[order[2]]};
+      change.facets.push_back({face, name(face)});
+    }
+  if (const auto done = mesh.apply(change); !done)
+    return fail(done.error());
+  drop_bare_interfaces(mesh);
+  return {};
+}
+
+void erosion_sum::add(const removal_report& step) {
+  removal.hinges_mended += step.hinges_mended;
+  removal.crumbs += step.crumbs;
+  removal.crumb_volume += step.crumb_volume;
+  removal.pieces = step.pieces;
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "mesh/pieces.hpp"
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// Which surface a face belongs to that a removal lays bare.
+using surface_of_face = std::function<surface_id(const std::array<vertex_id, 3>& face)>;
+
+/// Takes the tets out; every face laid bare gets its surface from `name`. Errors: those of
+/// `mesh_builder::apply`.
+[[nodiscard]] expected<void> take_off(mesh_builder& mesh, const std::unordered_set<tet_id>& removed,
+                                      const surface_of_face& name);
+
+/// What the steps of an erosion add up to.
+struct erosion_sum {
+  removal_report removal;         ///< Counts summed up; pieces of the last step.
+  std::vector<surface_id> fresh;  ///< Surfaces that the edit made.
+  std::vector<std::string> notices;
+  std::vector<figure> figures;
+
+  void add(const removal_report& step);
+};
+
+}  // namespace tedit::ops

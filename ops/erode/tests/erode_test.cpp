@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/erode/erode.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesh/finish_edit.hpp"
+#include "ops/services/host_services.hpp"
+#include "tests/support/edits.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::ops {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Erode : public ::testing::Test {
+protected:
+  expected<edit_result> lower(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
+                              double depth) {
+    return erode(*mesh, surfaces, {depth, 1}, ctx_);
+  }
+
+  expected<edit_result> peel(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
+                             int layers) {
+    return erode(*mesh, surfaces, {0, layers}, ctx_);
+  }
+
+  /// The postconditions of an edit, with the host's improvement, and the worst q below `floor`.
+  static void expect_good(const version_ptr& base, const edit_result& result, double floor = 0.1) {
+    edit_claim claim;
+    claim.touched = result.touched;
+    claim.volume_change = result.volume_change;
+    finish_settings settings;
+    settings.quality_floor = floor;
+    const auto done = finish_edit(base, result.candidate, claim, true, settings, {});
+    EXPECT_TRUE(done) << render(done.error());
+    if (done) {
+      EXPECT_TRUE(check_version(*done->version).ok());
+    }
+  }
+
+  static double area(const mesh_version& mesh, surface_id id) {
+    double sum = 0;
+    for (const auto f : facets_of(mesh, std::vector{id}))
+      sum += norm(area_vector(mesh, mesh.facet(f)));
+    return sum;
+  }
+
+  static double figure_of(const edit_result& result, const std::string& id) {
+    const auto found = std::ranges::find(result.figures, id, &figure::id);
+    return found == result.figures.end() ? -1 : found->value;
+  }
+
+  std::unique_ptr<services> host_ = make_host_services();
+  context ctx_{{}, host_.get(), {}};
+};
+
+/// A block 4 x 4 x 4 with a pocket 2 x 2 x 2 in the middle of its top: floor 7 at z = 2.
+version_ptr pocket() {
+  const auto block = test::box_mesh({4, 4, 4}, {4, 4, 4});
+  auto dug = test::dig(
+    block, [](vec3 p) { return p.x > 1 && p.x < 3 && p.y > 1 && p.y < 3 && p.z > 2; }, 7);
+  return dug;
+}
+
+/// The same mesh with surface 7 named anew by centre and normal of its facets.
+version_ptr named(const version_ptr& mesh, const std::function<surface_id(vec3, vec3)>& name) {
+  raw_mesh raw;
+  std::map<vertex_id, vertex_id> index;
+  for (vertex_id v = 0; v < mesh->vertex_slots(); ++v)
+    if (mesh->is_live_vertex(v)) {
+      index[v] = static_cast<vertex_id>(raw.positions.size());
+      raw.positions.push_back(mesh->position(v));
+    }
+  for (tet_id t = 0; t < mesh->tet_slots(); ++t) {
+    if (!mesh->is_live_tet(t))
+      continue;
+    tet moved = mesh->tet_at(t);
+    for (auto& v : moved.v)
+      v = index.at(v);
+    raw.tets.push_back(moved);
+    raw.tet_regions.push_back(mesh->region_of(t));
+  }
+  for (facet_id f = 0; f < mesh->facet_slots(); ++f) {
+    if (!mesh->is_live_facet(f))
+      continue;
+    auto v = mesh->facet(f).v;
+    const vec3 centre = (mesh->position(v[0]) + mesh->position(v[1]) + mesh->position(v[2])) / 3;
+    const vec3 n = normalized(area_vector(*mesh, mesh->facet(f)));
+    for (auto& i : v)
+      i = index.at(i);
+    const auto id = mesh->facet(f).surface;
+    raw.triangles.push_back({v, id == 7 ? name(centre, n) : id, true});
+  }
+  return build_version(std::move(raw), 1)->version;
+}
+
+// -- depth ----------------------------------------------------------------------------
+
+TEST_F(Erode, LoweringACubesTopTrimsItsSides) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
+
+  const auto result = lower(base, {6}, 0.1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  const auto& after = *result->candidate;
+  EXPECT_NEAR(total_volume(after), 0.9, 1e-12);
+  EXPECT_NEAR(result->volume_change, -0.1, 1e-12);
+  EXPECT_EQ(after.find_surface(6), nullptr);
+  ASSERT_NE(after.find_surface(7), nullptr);
+  EXPECT_NEAR(area(after, 7), 1, 1e-12);
+  for (const surface_id side : {1, 2, 3, 4})
+    EXPECT_NEAR(area(after, side), 0.9, 1e-12);
+  for (const auto f : facets_of(after, std::vector<surface_id>{7}))
+    for (const auto v : after.facet(f).v)
+      EXPECT_NEAR(after.position(v).z, 0.9, 1e-12);
+}
+
+TEST_F(Erode, AnObliqueTopStaysParallel) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1}, [](vec3 p) {
+    return vec3{p.x, p.y, p.z * (1 + 0.2 * p.x + 0.1 * p.y)};
+  });
+  const vec3 n = normalized({-0.2, -0.1, 1});
+
+  const auto result = lower(base, {6}, 0.137);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  for (const auto f : facets_of(*result->candidate, std::vector<surface_id>{7}))
+    for (const auto v : result->candidate->facet(f).v)
+      EXPECT_NEAR(dot(n, result->candidate->position(v) - vec3{0, 0, 1}), -0.137, 1e-12);
+}
+
+TEST_F(Erode, APocketsFloorGoesDownBetweenItsWalls) {
+  const auto base = named(pocket(), [](vec3, vec3 n) { return n.z > 0.5 ? 7 : 8; });
+
+  const auto result = lower(base, {7}, 0.5);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  const auto& after = *result->candidate;
+  EXPECT_NEAR(result->volume_change, -2 * 2 * 0.5, 1e-12);
+  // The walls, in one plane with what is laid bare, go on; the floor is as large as it was.
+  EXPECT_NEAR(area(after, 8), 4 * 2 * 2.5, 1e-12);
+  EXPECT_NEAR(area(after, 9), 4, 1e-12);
+  EXPECT_EQ(after.surfaces().size(), 8u);
+}
+
+TEST_F(Erode, APlateBesideABossGetsAStep) {
+  const auto block = test::box_mesh({4, 4, 4}, {4, 4, 4});
+  const auto base = named(
+    test::dig(
+      block, [](vec3 p) { return p.z > 2 && !(p.x > 1 && p.x < 3 && p.y > 1 && p.y < 3); }, 7),
+    [](vec3, vec3 n) { return n.z > 0.5 ? 7 : 8; });
+
+  const auto result = lower(base, {7}, 0.5);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_NEAR(result->volume_change, -(16 - 4) * 0.5, 1e-12);
+  EXPECT_NEAR(area(*result->candidate, 8), 4 * 2 * 2.5, 1e-12);
+}
+
+TEST_F(Erode, BothRegionsOfABondedBlockAreLowered) {
+  const auto block = test::box_mesh({4, 4, 4}, {1, 1, 1});
+  raw_mesh raw;
+  for (vertex_id v = 0; v < block->vertex_slots(); ++v)
+    raw.positions.push_back(block->position(v));
+  for (tet_id t = 0; t < block->tet_slots(); ++t) {
+    raw.tets.push_back(block->tet_at(t));
+    const auto c = block->corners(t);
+    raw.tet_regions.push_back(c[0].x + c[1].x + c[2].x + c[3].x < 2 ? 1 : 2);
+  }
+  for (facet_id f = 0; f < block->facet_slots(); ++f)
+    raw.triangles.push_back({block->facet(f).v, block->facet(f).surface, true});
+  const auto base = build_version(std::move(raw), 1)->version;
+
+  const auto result = lower(base, {6}, 0.1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result, 0.05);
+  double left = 0;
+  const auto& after = *result->candidate;
+  for (tet_id t = 0; t < after.tet_slots(); ++t)
+    if (after.is_live_tet(t) && after.region_of(t) == 1)
+      left += signed_volume(after.corners(t));
+  EXPECT_NEAR(left, 0.45, 1e-12);
+}
+
+TEST_F(Erode, AWallThinnerThanTheDepthIsNamed) {
+  const auto base = test::box_mesh({4, 4, 2}, {1, 1, 0.25});
+
+  const auto result = lower(base, {6}, 0.3);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ec::invalid_argument);
+  EXPECT_THAT(result.error().message, HasSubstr("250 mm thick"));
+}
+
+TEST_F(Erode, ALowerStepInTheWayIsNamed) {
+  const auto block = test::box_mesh({4, 4, 4}, {4, 4, 4});
+  const auto base = named(test::dig(
+                            block, [](vec3 p) { return p.x > 2 && p.z > 3; }, 7),
+                          [](vec3, vec3 n) { return n.z > 0.5 ? 7 : 8; });
+
+  const auto result = lower(base, {6}, 1.5);
+
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, HasSubstr("surface 7, which lies 1000 mm below"));
+}
+
+TEST_F(Erode, TheThicknessChangeIsMeasured) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
+
+  const auto result = lower(base, {6}, 0.1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  EXPECT_NEAR(figure_of(*result, "thickness_change_mm"), 100, 1e-9);
+  EXPECT_NEAR(figure_of(*result, "thickness_change_worst_mm"), 100, 1e-9);
+  EXPECT_EQ(figure_of(*result, "pieces"), 1);
+  EXPECT_EQ(figure_of(*result, "hinges_repaired"), 0);
+}
+
+TEST_F(Erode, TwoSidesOfAnEdgeAreLoweredTogether) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
+
+  const auto result = lower(base, {6, 2}, 0.1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_NEAR(total_volume(*result->candidate), 0.81, 1e-12);
+}
+
+TEST_F(Erode, APocketsFloorAndWallsGrowToACorner) {
+  const auto base = named(pocket(), [](vec3, vec3 n) { return n.z > 0.5 ? 7 : n.x > 0.5 ? 8 : 9; });
+
+  const auto result = lower(base, {7, 8}, 0.5);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_NEAR(result->volume_change, -(2.5 * 2 * 2.5 - 2 * 2 * 2), 1e-12);
+}
+
+// -- layers ---------------------------------------------------------------------------
+
+TEST_F(Erode, ALayerLeavesOneCleanPiece) {
+  const auto base = test::box_mesh({6, 6, 6}, {1, 1, 1});
+
+  const auto result = peel(base, {6}, 1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_LT(result->volume_change, 0);
+  EXPECT_NE(result->candidate->find_surface(7), nullptr);
+  EXPECT_EQ(figure_of(*result, "pieces"), 1);
+  EXPECT_NEAR(area(*result->candidate, 5), 1, 1e-12);
+  // The frame of the top that touches the other sides stays.
+  EXPECT_GT(area(*result->candidate, 6), 0);
+}
+
+TEST_F(Erode, TwoLayersTakeMoreThanOne) {
+  const auto base = test::box_mesh({8, 8, 8}, {1, 1, 1});
+
+  const auto one = peel(base, {6}, 1);
+  const auto two = peel(base, {6}, 2);
+
+  ASSERT_TRUE(one && two);
+  expect_good(base, *two);
+  EXPECT_LT(two->volume_change, 1.5 * one->volume_change);
+}
+
+TEST_F(Erode, ASurfaceWithoutInnerVerticesIsRefused) {
+  const auto base = test::box_mesh({1, 1, 1}, {1, 1, 1});
+
+  const auto result = peel(base, {6}, 1);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ec::empty_selection);
+  EXPECT_THAT(result.error().message, HasSubstr("surface 6 has no vertex inside its border"));
+  EXPECT_THAT(result.error().remedy, HasSubstr("depth"));
+}
+
+}  // namespace
+}  // namespace tedit::ops

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// Raises flat surfaces by `height` (m): the space between a surface and its parallel is filled
+/// like a plug and glued on. Where the border is convex the sides go straight up, where a neighbour
+/// rises beside the surface it is covered up to the height. The raised surface keeps its id; sides
+/// continue the neighbour's surface where they are coplanar with it, else they get one of their
+/// own. Errors: `invalid_argument` for a surface that is not flat, `cap_intersects` where the slab
+/// would run into another part of the boundary, `not_a_hole` where it does not close,
+/// `mesher_failed`, `timeout`, `cancelled`. Cost: O(boundary + slab).
+[[nodiscard]] expected<edit_result> thicken(const mesh_version& mesh,
+                                            const std::vector<surface_id>& surfaces, double height,
+                                            context& ctx);
+
+}  // namespace tedit::ops
