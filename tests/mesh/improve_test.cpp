@@ -68,7 +68,7 @@ TEST(Improve, LeavesInterfacesBetweenRegionsAlone) {
   const auto report = improve(builder, all_tets(*mixed), {}, {});
 
   ASSERT_TRUE(report.has_value());
-  EXPECT_EQ(report->relocations, 0u);
+  EXPECT_EQ(report->moves.relocations, 0u);
   EXPECT_EQ(builder.freeze()->tet_count(), mixed->tet_count());
 }
 
