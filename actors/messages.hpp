@@ -112,12 +112,29 @@ typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
            x.operation, x.surfaces, x.parameters);
 }
 
+/// What an operation asks of the optimizer (`improve_request`).
+struct improve_order {
+  std::int32_t how = 1;  ///< As in `improvement`.
+  double target = 0;
+  double insert_below = 0;
+  bool harmonic = true;
+  double absolute_tolerance = 0;  ///< m.
+  double relative_tolerance = 0;
+  std::int32_t rounds = 0;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, improve_order& x) {
+  return f(caf::meta::type_name("improve_order"), x.how, x.target, x.insert_below, x.harmonic,
+           x.absolute_tolerance, x.relative_tolerance, x.rounds);
+}
+
 /// What an operation made and what it says about it; nothing of it is trusted before the checks.
 struct edit_candidate {
   version_ref version;
   std::vector<char> touched;  ///< Tet ids, 4 bytes each.
   double volume_change = 0;
-  bool improve = true;
+  improve_order improve;
   std::vector<std::string> notices;
   caf::actor source;
   double operation_ms = 0;

@@ -211,6 +211,39 @@ std::string components(vec3 v, int digits, double scale, double noise) {
          without_noise(v.y, scale, digits, noise) + ", " + without_noise(v.z, scale, digits, noise);
 }
 
+namespace {
+
+nlohmann::ordered_json to_json(const quality_figures& q) {
+  return {{"tets", q.tets},
+          {"dihedral_counts_10_deg", q.dihedral},
+          {"radius_ratio_counts_0.1", q.ratio},
+          {"min_radius_ratio", q.min_ratio},
+          {"radius_ratio_1pct", q.ratio_1pct},
+          {"mean_radius_ratio", q.mean_ratio},
+          {"min_dihedral_deg", q.min_dihedral_deg},
+          {"max_dihedral_deg", q.max_dihedral_deg},
+          {"dihedral_1pct_deg", q.dihedral_1pct_deg}};
+}
+
+nlohmann::ordered_json to_json(const improve_report& report) {
+  const auto& m = report.moves;
+  return {{"before", to_json(report.before.value_or(quality_figures{}))},
+          {"after", to_json(report.after.value_or(quality_figures{}))},
+          {"surface_deviation_m", report.surface_deviation},
+          {"moves",
+           {{"flips", m.flips},
+            {"relocations", m.relocations},
+            {"collapses", m.collapses},
+            {"insertions", m.insertions},
+            {"harmonic_flips", m.harmonic_flips},
+            {"harmonic_relocations", m.harmonic_relocations},
+            {"boundary_flips", m.boundary_flips},
+            {"boundary_relocations", m.boundary_relocations},
+            {"boundary_collapses", m.boundary_collapses}}}};
+}
+
+}  // namespace
+
 nlohmann::ordered_json to_json(const edit_report& report) {
   using json = nlohmann::ordered_json;
   json removed = json::array();
@@ -235,7 +268,7 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                        {"area_before_m2", line.area_before},
                        {"area_after_m2", line.area_after},
                        {"text", line.text}});
-  return {{"from_version", report.from_version},
+  json result{{"from_version", report.from_version},
           {"to_version", report.to_version},
           {"surfaces_removed", removed},
           {"surfaces_added", added},
@@ -255,6 +288,9 @@ nlohmann::ordered_json to_json(const edit_report& report) {
             {"improve", report.improve_ms},
             {"check", report.check_ms},
             {"total", report.total_ms}}}};
+  if (report.optimisation)
+    result["optimisation"] = to_json(*report.optimisation);
+  return result;
 }
 
 std::string describe(const edit_report& report) {
@@ -270,6 +306,16 @@ std::string describe(const edit_report& report) {
   lines.add("radius ratio", "worst touched " + pretty(report.touched_min_after, 3) + " (before " +
                               pretty(report.touched_min_before, 3) + "), median " +
                               pretty(report.touched_median_after, 3));
+  if (report.optimisation && report.optimisation->before && report.optimisation->after) {
+    const auto& before = *report.optimisation->before;
+    const auto& after = *report.optimisation->after;
+    lines.add("dihedral angles", pretty(after.min_dihedral_deg, 3) + " to " +
+                                   pretty(after.max_dihedral_deg, 4) + " deg (before " +
+                                   pretty(before.min_dihedral_deg, 3) + " to " +
+                                   pretty(before.max_dihedral_deg, 4) + ")");
+    lines.add("surface", "at most " + pretty(1e3 * report.optimisation->surface_deviation, 3) +
+                           " mm from where it was");
+  }
   lines.add("time", pretty(report.total_ms, 3) + " ms (operation " +
                       pretty(report.operation_ms, 3) + ", improve " + pretty(report.improve_ms, 3) +
                       ", check " + pretty(report.check_ms, 3) + ")");

@@ -2,6 +2,7 @@
 #include "mesh/optimize/improve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mesh/optimize/local_moves.hpp"
@@ -62,6 +63,16 @@ std::vector<tet_id> bad_tets(const mesh_builder& mesh, const std::unordered_set<
 }
 
 }  // namespace
+
+expected<void> validate(const thorough_settings& settings) {
+  const auto share = [](double x) { return x >= 0 && x <= 1; };
+  if (!share(settings.target) || !share(settings.insert_below))
+    return fail(ec::invalid_parameter, "the target quality must be between 0 and 1");
+  if (!(settings.tolerance.absolute >= 0) || !share(settings.tolerance.relative) ||
+      !std::isfinite(settings.tolerance.absolute))
+    return fail(ec::invalid_parameter, "the surface tolerance must be a length, 0 or more");
+  return {};
+}
 
 expected<improve_report> improve(mesh_builder& mesh, const std::vector<tet_id>& region,
                                  const improve_settings& settings, const execution& run) {

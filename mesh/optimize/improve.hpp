@@ -27,6 +27,22 @@ struct improve_settings {
   std::optional<thorough_settings> thorough;  ///< Instead of the local pass.
 };
 
+/// How much of it an operation asks for after its edit.
+enum class improvement { none, local, thorough };
+
+struct improve_request {
+  improvement how = improvement::local;
+  thorough_settings thorough;  ///< Only for `thorough`.
+
+  improve_request() = default;
+  improve_request(improvement wanted) : how(wanted) {}
+  improve_request(improvement wanted, const thorough_settings& settings)
+      : how(wanted), thorough(settings) {}
+};
+
+/// Errors: `invalid_parameter` for settings that are no numbers or out of range.
+[[nodiscard]] expected<void> validate(const thorough_settings& settings);
+
 struct improve_report {
   double min_before = 0;  ///< Worst q in the region (with rings) before and after.
   double min_after = 0;

@@ -11,6 +11,7 @@
 
 #include "base/execution.hpp"
 #include "mesh/builder.hpp"
+#include "mesh/optimize/improve.hpp"
 #include "mesh/version.hpp"
 
 /// What a plugin author includes: everything else is internal. An operation is a pure function from
@@ -114,7 +115,8 @@ struct edit_result {
   version_ptr candidate;
   std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
   double volume_change = 0;  ///< m^3; computed apart from the tets, so that the host can check it.
-  bool improve = true;       ///< Let the host's optimizer improve the touched region.
+  improvement improve = improvement::local;  ///< What the host's optimizer does to that region.
+  thorough_settings thorough;                ///< For `improvement::thorough`.
   std::vector<surface_id> surfaces_used;  ///< The selection as completed by the operation.
   std::vector<std::string> notices;       ///< What a person should know.
 };
@@ -137,7 +139,7 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 1;
+inline constexpr std::uint32_t sdk_major = 2;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 /// Compiler and standard library that built the plugin: C++ types cross the border.

@@ -91,7 +91,7 @@ TEST(FinishEdit, AFaultyCandidateGivesNoVersion) {
   edit_claim claim;
   claim.touched = builder.touched();
 
-  const auto finished = finish_edit(base, builder.freeze(), claim, false, {}, {});
+  const auto finished = finish_edit(base, builder.freeze(), claim, improvement::none, {}, {});
 
   ASSERT_FALSE(finished.has_value());
   EXPECT_EQ(finished.error().code, ec::postcondition_failed);
