@@ -125,12 +125,29 @@ typename Inspector::result_type inspect(Inspector& f, figure_row& x) {
   return f(caf::meta::type_name("figure_row"), x.id, x.value, x.unit, x.help);
 }
 
+/// What an operation asks of the optimizer (`improve_request`).
+struct improve_order {
+  std::int32_t how = 1;  ///< As in `improvement`.
+  double target = 0;
+  double insert_below = 0;
+  bool harmonic = true;
+  double absolute_tolerance = 0;  ///< m.
+  double relative_tolerance = 0;
+  std::int32_t rounds = 0;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, improve_order& x) {
+  return f(caf::meta::type_name("improve_order"), x.how, x.target, x.insert_below, x.harmonic,
+           x.absolute_tolerance, x.relative_tolerance, x.rounds);
+}
+
 /// What an operation made and what it says about it; nothing of it is trusted before the checks.
 struct edit_candidate {
   version_ref version;
   std::vector<char> touched;  ///< Tet ids, 4 bytes each.
   double volume_change = 0;
-  bool improve = true;
+  improve_order improve;
   std::vector<std::string> notices;
   std::vector<figure_row> figures;
   double quality_floor = 0.15;

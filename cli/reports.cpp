@@ -215,6 +215,39 @@ std::string components(vec3 v, int digits, double scale, double noise) {
          without_noise(v.y, scale, digits, noise) + ", " + without_noise(v.z, scale, digits, noise);
 }
 
+namespace {
+
+nlohmann::ordered_json to_json(const quality_figures& q) {
+  return {{"tets", q.tets},
+          {"dihedral_counts_10_deg", q.dihedral},
+          {"radius_ratio_counts_0.1", q.ratio},
+          {"min_radius_ratio", q.min_ratio},
+          {"radius_ratio_1pct", q.ratio_1pct},
+          {"mean_radius_ratio", q.mean_ratio},
+          {"min_dihedral_deg", q.min_dihedral_deg},
+          {"max_dihedral_deg", q.max_dihedral_deg},
+          {"dihedral_1pct_deg", q.dihedral_1pct_deg}};
+}
+
+nlohmann::ordered_json to_json(const improve_report& report) {
+  const auto& m = report.moves;
+  return {{"before", to_json(report.before.value_or(quality_figures{}))},
+          {"after", to_json(report.after.value_or(quality_figures{}))},
+          {"surface_deviation_m", report.surface_deviation},
+          {"moves",
+           {{"flips", m.flips},
+            {"relocations", m.relocations},
+            {"collapses", m.collapses},
+            {"insertions", m.insertions},
+            {"harmonic_flips", m.harmonic_flips},
+            {"harmonic_relocations", m.harmonic_relocations},
+            {"boundary_flips", m.boundary_flips},
+            {"boundary_relocations", m.boundary_relocations},
+            {"boundary_collapses", m.boundary_collapses}}}};
+}
+
+}  // namespace
+
 nlohmann::ordered_json to_json(const edit_report& report) {
   using json = nlohmann::ordered_json;
   json removed = json::array();
@@ -262,6 +295,8 @@ nlohmann::ordered_json to_json(const edit_report& report) {
   for (const auto& f : report.figures)
     if (!result.contains(f.id))
       result[f.id] = is_count(f) ? json(std::llround(f.value)) : json(f.value);
+  if (report.optimisation)
+    result["optimisation"] = to_json(*report.optimisation);
   return result;
 }
 
@@ -280,6 +315,16 @@ std::string describe(const edit_report& report) {
                               pretty(report.touched_median_after, 3));
   for (const auto& f : report.figures)
     lines.add(f.help, pretty(f.value, 6) + (f.unit.empty() ? "" : " " + f.unit));
+  if (report.optimisation && report.optimisation->before && report.optimisation->after) {
+    const auto& before = *report.optimisation->before;
+    const auto& after = *report.optimisation->after;
+    lines.add("dihedral angles", pretty(after.min_dihedral_deg, 3) + " to " +
+                                   pretty(after.max_dihedral_deg, 4) + " deg (before " +
+                                   pretty(before.min_dihedral_deg, 3) + " to " +
+                                   pretty(before.max_dihedral_deg, 4) + ")");
+    lines.add("surface", "at most " + pretty(1e3 * report.optimisation->surface_deviation, 3) +
+                           " mm from where it was");
+  }
   lines.add("time", pretty(report.total_ms, 3) + " ms (operation " +
                       pretty(report.operation_ms, 3) + ", improve " + pretty(report.improve_ms, 3) +
                       ", check " + pretty(report.check_ms, 3) + ")");

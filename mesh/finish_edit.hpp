@@ -21,6 +21,8 @@ struct finished_edit {
   version_ptr version;
   std::vector<tet_id> touched;  ///< Tets of the version that are new or changed.
   improve_report improvement;
+  /// m^3: the claim's, and what the optimizer did to the boundary within its tolerance.
+  double volume_change = 0;
   double touched_min_before = 0;  ///< Worst q of the base's tets in and around the region.
   double touched_min_after = 0;
   double touched_median_after = 0;
@@ -28,12 +30,13 @@ struct finished_edit {
   double check_ms = 0;
 };
 
-/// What becomes of an operation's candidate, whoever wrote the operation: the local improvement
-/// when wanted, then the postconditions of an edit. Either all hold or nothing comes out. Errors:
+/// What becomes of an operation's candidate, whoever wrote the operation: the improvement that it
+/// asks for, then the postconditions of an edit. Either all hold or nothing comes out. Errors:
 /// `postcondition_failed` with the numbers, `cancelled`.
 [[nodiscard]] expected<finished_edit> finish_edit(const version_ptr& base,
                                                   const version_ptr& candidate,
-                                                  const edit_claim& claim, bool improve_region,
+                                                  const edit_claim& claim,
+                                                  const improve_request& wanted,
                                                   const finish_settings& settings,
                                                   const execution& run);
 

@@ -27,11 +27,12 @@ void count_tets(const mesh_version& base, const mesh_version& after, edit_report
 }  // namespace
 
 expected<finished_candidate> finish_candidate(const version_ptr& base, const version_ptr& candidate,
-                                              const edit_claim& claim, bool improve,
+                                              const edit_claim& claim,
+                                              const improve_request& wanted,
                                               const std::vector<fem::load_case>& load_cases,
                                               const execution& run) {
   run.report(0, "improving and checking");
-  const auto finished = finish_edit(base, candidate, claim, improve, {}, run);
+  const auto finished = finish_edit(base, candidate, claim, wanted, {}, run);
   if (!finished)
     return fail(finished.error());
   finished_candidate result;
@@ -46,7 +47,9 @@ expected<finished_candidate> finish_candidate(const version_ptr& base, const ver
     result.load_cases.push_back(std::move(carried.after));
   }
   count_tets(*base, *result.version, report);
-  report.volume_change = claim.volume_change;
+  report.volume_change = finished->volume_change;
+  if (finished->improvement.before)
+    report.optimisation = finished->improvement;
   report.touched_min_before = finished->touched_min_before;
   report.touched_min_after = finished->touched_min_after;
   report.touched_median_after = finished->touched_median_after;

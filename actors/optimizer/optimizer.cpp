@@ -41,6 +41,19 @@ expected<edit_claim> claim_of(const edit_candidate& candidate) {
   return claim;
 }
 
+expected<improve_request> request_of(const improve_order& order) {
+  if (order.how < 0 || order.how > static_cast<int>(improvement::thorough) || order.rounds < 0 ||
+      order.rounds > 100)
+    return fail(ec::protocol_error, "there is no such improvement");
+  thorough_settings settings;
+  settings.target = order.target;
+  settings.insert_below = order.insert_below;
+  settings.harmonic = order.harmonic;
+  settings.tolerance = {order.absolute_tolerance, order.relative_tolerance};
+  settings.rounds = order.rounds;
+  return improve_request(static_cast<improvement>(order.how), settings);
+}
+
 }  // namespace
 
 expected<job_output<finish_result>> finish(const finish_order& order, const page_set& pages,
@@ -56,6 +69,9 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
   const auto claim = claim_of(order.candidate);
   if (!claim)
     return fail(claim.error());
+  const auto wanted = request_of(order.candidate.improve);
+  if (!wanted)
+    return fail(wanted.error());
   std::vector<fem::load_case> load_cases;
   for (const auto& text : order.load_cases) {
     auto loads = protocol::load_case_from_json(text, "load case");
@@ -63,7 +79,7 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
       return fail(loads.error());
     load_cases.push_back(std::move(*loads));
   }
-  auto done = finish_candidate(*base, *candidate, *claim, order.candidate.improve, load_cases, run);
+  auto done = finish_candidate(*base, *candidate, *claim, *wanted, load_cases, run);
   if (!done)
     return fail(done.error());
   done->report.notices = order.candidate.notices;

@@ -11,6 +11,7 @@
 
 #include "base/execution.hpp"
 #include "mesh/builder.hpp"
+#include "mesh/optimize/improve.hpp"
 #include "mesh/version.hpp"
 
 /// What a plugin author includes: everything else is internal. An operation is a pure function from
@@ -125,7 +126,8 @@ struct edit_result {
   version_ptr candidate;
   std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
   double volume_change = 0;  ///< m^3; computed apart from the tets, so that the host can check it.
-  bool improve = true;       ///< Let the host's optimizer improve the touched region.
+  improvement improve = improvement::local;  ///< What the host's optimizer does to that region.
+  thorough_settings thorough;                ///< For `improvement::thorough`.
   std::vector<surface_id> surfaces_used;  ///< The selection as completed by the operation.
   std::vector<std::string> notices;       ///< What a person should know.
   std::vector<figure> figures;

@@ -68,7 +68,7 @@ TEST(Improve, LeavesInterfacesBetweenRegionsAlone) {
   const auto report = improve(builder, all_tets(*mixed), {}, {});
 
   ASSERT_TRUE(report.has_value());
-  EXPECT_EQ(report->relocations, 0u);
+  EXPECT_EQ(report->moves.relocations, 0u);
   EXPECT_EQ(builder.freeze()->tet_count(), mixed->tet_count());
 }
 
@@ -91,7 +91,7 @@ TEST(FinishEdit, AFaultyCandidateGivesNoVersion) {
   edit_claim claim;
   claim.touched = builder.touched();
 
-  const auto finished = finish_edit(base, builder.freeze(), claim, false, {}, {});
+  const auto finished = finish_edit(base, builder.freeze(), claim, improvement::none, {}, {});
 
   ASSERT_FALSE(finished.has_value());
   EXPECT_EQ(finished.error().code, ec::postcondition_failed);

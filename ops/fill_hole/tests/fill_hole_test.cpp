@@ -33,7 +33,7 @@ filled fill(const version_ptr& mesh, std::vector<surface_id> surfaces,
     edit_claim claim;
     claim.touched = result.edit->touched;
     claim.volume_change = result.edit->volume_change;
-    result.finished = finish_edit(mesh, result.edit->candidate, claim, true, {}, {});
+    result.finished = finish_edit(mesh, result.edit->candidate, claim, improvement::local, {}, {});
   }
   return result;
 }

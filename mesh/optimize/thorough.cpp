@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/optimize/thorough.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/guard.hpp"
+#include "mesh/optimize/harmonic.hpp"
+
+namespace tedit {
+
+namespace {
+
+/// Sweeps of one pass that lifts the worst; most settle after three.
+constexpr int lifting_sweeps = 6;
+
+/// Relocations of all vertices between two rounds of flips.
+constexpr int relocation_sweeps = 3;
+
+/// A round that lowers the sum of eta by less than this share is the last one.
+constexpr double settled_share = 1e-3;
+
+class thorough_pass {
+public:
+  thorough_pass(work_mesh& mesh, const thorough_settings& settings, const execution& run)
+      : mesh_(mesh),
+        settings_(settings),
+        run_(run),
+        guard_(mesh, settings.tolerance),
+        worst_(mesh, guard_, settings.target, counts_) {}
+
+  const move_counts& run() {
+    report(0.05, "lifting the worst tets");
+    lift();
+    for (int round = 0; settings_.harmonic && round < settings_.rounds; ++round) {
+      report(0.1 + 0.8 * (round + 0.5) / settings_.rounds, "smoothing");
+      const bool settled = smooth();
+      report(0.1 + 0.8 * (round + 1.0) / settings_.rounds, "lifting the worst tets");
+      lift();
+      if (settled)
+        break;
+    }
+    return counts_;
+  }
+
+private:
+  void report(double fraction, const char* stage) const { run_.report(fraction, stage); }
+
+  [[nodiscard]] std::vector<std::uint32_t> worst_below(double limit) const {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
+      if (mesh_.is_live(t) && mesh_.quality(t) < limit)
+        result.push_back(t);
+    std::ranges::sort(result, {}, [&](auto t) { return std::pair(mesh_.quality(t), t); });
+    return result;
+  }
+
+  /// Tries every tet below the limit, worst first, unless nothing around it has changed since the
+  /// last time; returns whether something did.
+  template <class Attempt>
+  bool sweep(double limit, std::vector<std::uint64_t>& tried, Attempt&& attempt) {
+    bool changed = false;
+    for (const auto t : worst_below(limit)) {
+      check_cancelled();
+      if (!mesh_.is_live(t) || mesh_.quality(t) >= limit)
+        continue;
+      tried.resize(mesh_.tet_slots(), 0);
+      if (tried[t] > mesh_.changed_at(t))
+        continue;
+      if (attempt(t))
+        changed = true;
+      else
+        tried[t] = mesh_.now() + 1;
+    }
+    return changed;
+  }
+
+  void lift() {
+    std::vector<std::uint64_t> mended(mesh_.tet_slots(), 0);
+    std::vector<std::uint64_t> split(mesh_.tet_slots(), 0);
+    for (int n = 0; n < lifting_sweeps; ++n) {
+      bool changed =
+        sweep(settings_.target, mended, [&](std::uint32_t t) { return worst_.mend(t); });
+      changed |=
+        sweep(settings_.insert_below, split, [&](std::uint32_t t) { return worst_.insert(t); });
+      if (!changed)
+        return;
+    }
+  }
+
+  /// Flips and relocations that lower the sum of eta; true when there is not much left to gain.
+  bool smooth() {
+    flip_to_harmonic(mesh_, guard_, settings_.target, counts_);
+    double first = 0;
+    double last = 0;
+    for (int n = 0; n < relocation_sweeps; ++n) {
+      last = relocate_to_harmonic(mesh_, settings_.target, counts_);
+      if (n == 0)
+        first = last;
+    }
+    return first - last < settled_share * first;
+  }
+
+  work_mesh& mesh_;
+  const thorough_settings& settings_;
+  const execution& run_;
+  surface_guard guard_;
+  move_counts counts_;
+  worst_first worst_;
+};
+
+quality_figures measure(const work_mesh& mesh) {
+  std::vector<std::uint32_t> live;
+  for (std::uint32_t t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live(t))
+      live.push_back(t);
+  return measure_quality(live.size(), [&](std::size_t i) { return mesh.corners(live[i]); });
+}
+
+}  // namespace
+
+expected<improve_report> improve_thoroughly(mesh_builder& mesh, std::vector<tet_id> tets,
+                                            const thorough_settings& settings,
+                                            const execution& run) {
+  auto done = guarded(run, [&]() -> expected<improve_report> {
+    std::ranges::sort(tets);
+    work_mesh work(mesh, tets);
+    improve_report report;
+    report.before = measure(work);
+    report.moves = thorough_pass(work, settings, run).run();
+    report.after = measure(work);
+    report.surface_deviation = work.largest_deviation();
+    report.min_before = report.before->min_ratio;
+    report.min_after = report.after->min_ratio;
+    check_cancelled();
+    if (auto written = work.write(mesh); !written)
+      return fail(written.error());
+    return report;
+  });
+  if (!done && done.error().code == ec::cancelled)
+    return fail(ec::cancelled, "the edit was cancelled");
+  return done;
+}
+
+}  // namespace tedit

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/improve_mesh/improve_mesh.hpp"
+
+#include <algorithm>
+
+namespace tedit::ops {
+
+namespace {
+
+/// Rings of tets around a picked surface: inside them the wall, which must stay, does not count.
+constexpr int rings = 3;
+
+expected<std::vector<tet_id>> near_surfaces(const mesh_version& mesh,
+                                            const std::vector<surface_id>& surfaces,
+                                            context& ctx) {
+  std::vector<vertex_id> front;
+  for (const auto f : facets_of(mesh, surfaces))
+    front.insert(front.end(), mesh.facet(f).v.begin(), mesh.facet(f).v.end());
+  std::vector<tet_id> result;
+  for (int ring = 0; ring < rings; ++ring) {
+    if (ctx.run.cancel.cancelled())
+      return fail(ec::cancelled, "the edit was cancelled");
+    std::ranges::sort(front);
+    const auto repeated = std::ranges::unique(front);
+    front.erase(repeated.begin(), repeated.end());
+    result = tets_around(mesh, front);
+    for (const auto t : result)
+      front.insert(front.end(), mesh.tet_at(t).v.begin(), mesh.tet_at(t).v.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& picked,
+                                   const thorough_settings& settings, context& ctx) {
+  edit_result result;
+  if (picked.surfaces.empty()) {
+    for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+      if (mesh.is_live_tet(t))
+        result.touched.push_back(t);
+  } else {
+    auto region = near_surfaces(mesh, picked.surfaces, ctx);
+    if (!region)
+      return fail(region.error());
+    result.touched = std::move(*region);
+  }
+  // The caller's version may not outlive the result: the same pages under a handle of its own.
+  result.candidate = mesh_builder(version_ptr(version_ptr{}, &mesh)).freeze();
+  result.surfaces_used = picked.surfaces;
+  result.improve = improvement::thorough;
+  result.thorough = settings;
+  return result;
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// The version as it is, with the region that the host's optimizer shall work on: all tets, or
+/// those within three rings of the surfaces picked.
+/// Errors: `cancelled`. Cost: O(mesh).
+[[nodiscard]] expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& picked,
+                                                 const thorough_settings& settings, context& ctx);
+
+}  // namespace tedit::ops
