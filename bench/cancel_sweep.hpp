@@ -16,10 +16,12 @@ struct whole_solve {
   fem::solve_settings settings;
 };
 
-/// Solves once, then cancels `moments` further solves at moments spread evenly over that time. The
+/// Solves twice, then cancels `moments` further solves at moments spread evenly over that time. The
 /// figures are milliseconds from the cancel until the solve has come back and everything that it
-/// held is gone: median, 99th percentile, worst, and the worst of each stage. At the end it solves
-/// once more on the same backend: `same_bits` says whether nothing of the cancelled ones is left.
+/// held is gone: median, 99th percentile, worst, and the worst of each stage; by the clock, and CPU
+/// milliseconds of all threads, which other programs on the machine do not change. At the end it
+/// solves once more on the same backend: `same_bits` says whether nothing of the cancelled ones is
+/// left.
 [[nodiscard]] expected<nlohmann::json> cancel_sweep(const whole_solve& work, int moments);
 
 }  // namespace tedit::bench

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "mesh/quality.hpp"
 
@@ -32,12 +33,14 @@ surface_triangles::surface_triangles(const mesh_version& mesh, const load_case& 
     }
     list->second.push_back(t);
   };
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+  polled_for(mesh.facet_slots(), [&](std::size_t slot) {
+    const auto f = static_cast<facet_id>(slot);
     if (mesh.is_live_facet(f))
       add(mesh.facet(f).surface, mesh.facet(f).v, false);
+  });
   const auto& interfaces = mesh.data().interfaces;
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    add(interfaces[i].surface, interfaces[i].v, true);
+  polled_for(interfaces.size(),
+             [&](std::size_t i) { add(interfaces[i].surface, interfaces[i].v, true); });
 }
 
 const std::vector<surface_triangles::triangle>& surface_triangles::of(surface_id id) const {
@@ -285,11 +288,10 @@ private:
   expected<void> add_gravity(vec3 m_s2, const std::string& name) {
     if (!is_finite(m_s2))
       return not_a_number(name);
-    for (std::size_t e = 0; e < p_.element_count(); ++e) {
+    bool known = true;
+    polled_for(p_.element_count(), [&](std::size_t e) {
       const double density = p_.densities[p_.element_materials[e]];
-      if (!(density > 0))
-        return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
-                    "Give density_kg_m3");
+      known = known && density > 0;
       const auto* n = &p_.element_nodes[static_cast<std::size_t>(p_.nodes_per_element) * e];
       const double mass =
         density * signed_volume(p_.nodes[n[0]], p_.nodes[n[1]], p_.nodes[n[2]], p_.nodes[n[3]]);
@@ -297,7 +299,10 @@ private:
       const double at_corner = p_.element_order == 2 ? -1.0 / 20 : 1.0 / 4;
       for (int a = 0; a < p_.nodes_per_element; ++a)
         add_to(n[a], ((a < 4 ? at_corner : 1.0 / 5) * mass) * m_s2);
-    }
+    });
+    if (!known)
+      return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
+                  "Give density_kg_m3");
     return {};
   }
 

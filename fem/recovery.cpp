@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "fem/error_estimate.hpp"
+#include "fem/polled.hpp"
 #include "fem/quadratic.hpp"
 
 namespace tedit::fem {
@@ -57,14 +58,15 @@ nodal_patches::nodal_patches(const problem& p)
   for_each(p.element_count(), [&](std::size_t e) { volumes_[e] = gradients_of(p, e).volume; });
   const auto per = static_cast<std::size_t>(p.nodes_per_element);
   if (p.constants.size() == 1) {
-    for (std::size_t n = 0; n < p.corner_count; ++n)
+    polled_for(p.corner_count, [&](std::size_t n) {
       first_[n + 1] = first_[n] + (corners_.of_node(n).empty() ? 0 : 1);
+    });
     material_.assign(first_.back(), 0);
     share_.assign(first_.back(), 1);
     return;
   }
   std::vector<std::uint32_t> found;
-  for (std::size_t n = 0; n < p.corner_count; ++n) {
+  polled_for(p.corner_count, [&](std::size_t n) {
     found.clear();
     for (const auto corner : corners_.of_node(n))
       if (const auto m = p.element_materials[corner / per];
@@ -72,7 +74,7 @@ nodal_patches::nodal_patches(const problem& p)
         found.push_back(m);
     material_.insert(material_.end(), found.begin(), found.end());
     first_[n + 1] = material_.size();
-  }
+  });
   share_.assign(material_.size(), 0);
   for_each(p.corner_count, [&](std::size_t n) {
     double all = 0;
@@ -243,7 +245,7 @@ void fill_safety(const problem& p, const nodal_patches& patches, std::span<const
 }
 
 void summarise_displacement(const problem& p, solution& out) {
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
+  polled_for(p.node_count(), [&](std::size_t n) {
     const auto u = node_vector(out.displacement, n);
     if (norm(u) > out.max_displacement_m) {
       out.max_displacement_m = norm(u);
@@ -252,14 +254,14 @@ void summarise_displacement(const problem& p, solution& out) {
     const auto f = node_vector(p.loads, n);
     out.applied_n += f;
     out.compliance_j += dot(f, u);
-  }
+  });
 }
 
 /// Reactions: K u - f in the held directions; strain energy u.Ku/2.
 void add_reactions(const problem& p, const element_operator& k, solution& out) {
   out.reactions.resize(p.dofs());
   k.apply(out.displacement, out.reactions);
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
+  polled_for(p.node_count(), [&](std::size_t n) {
     const auto force = node_vector(out.reactions, n);
     out.strain_energy_j += 0.5 * dot(node_vector(out.displacement, n), force);
     const vec3 rest = force - node_vector(p.loads, n);
@@ -271,17 +273,17 @@ void add_reactions(const problem& p, const element_operator& k, solution& out) {
     out.reactions[3 * n + 1] = held.y;
     out.reactions[3 * n + 2] = held.z;
     out.reaction_n += held;
-  }
+  });
   out.surface_reactions = reactions_by_surface(p, out.reactions);
 }
 
 void add_mass(const problem& p, const nodal_patches& patches, solution& out) {
   out.mass_known = true;
-  for (std::size_t e = 0; e < p.element_count(); ++e) {
+  polled_for(p.element_count(), [&](std::size_t e) {
     const double density = p.densities[p.element_materials[e]];
     out.mass_known = out.mass_known && density > 0;
     out.mass_kg += density * patches.volume_of(e);
-  }
+  });
   if (!out.mass_known)
     out.mass_kg = 0;
 }

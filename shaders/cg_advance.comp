@@ -14,7 +14,7 @@ layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
 
 void main() {
   const float alpha = scalars[TEDIT_CG_FACTOR];
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+  for (uint n = first_row(); n < push.rows; n += stride()) {
     u[n] += alpha * p[n];
     const vec3 left = r[n].xyz - alpha * q[n].xyz;
     r[n] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], left), 0);

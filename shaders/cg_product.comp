@@ -11,9 +11,9 @@ layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
 
 void main() {
   float sum = 0;
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
+  for (uint n = first_row(); n < push.rows; n += stride())
     sum += dot(r[n].xyz, z[n].xyz);
   sum = group_sum(sum);
   if (gl_LocalInvocationID.x == 0)
-    partials[gl_WorkGroupID.x] = sum;
+    partials[push.place + gl_WorkGroupID.x] = sum;
 }

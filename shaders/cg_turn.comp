@@ -10,6 +10,6 @@ layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
 
 void main() {
   const float beta = scalars[TEDIT_CG_FACTOR];
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
+  for (uint n = first_row(); n < push.rows; n += stride())
     p[n] = z[n] + beta * p[n];
 }

@@ -12,7 +12,7 @@ layout(set = 0, binding = 5) buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const uvec4 row = rows[i];
     if (row.z == 0)
       continue;  // Left by a cluster that an edit dissolved; another row may have the node now.

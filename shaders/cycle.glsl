@@ -9,6 +9,8 @@ layout(constant_id = 0) const uint group_size = 64;
 layout(constant_id = 1) const uint slice_rows = 8;
 layout(constant_id = 2) const uint mode = 0;
 
+// Where an invocation starts.
+uint first_row() { return push.from + gl_GlobalInvocationID.x; }
 uint stride() { return gl_NumWorkGroups.x * group_size; }
 
 // S x for a symmetric matrix held as xx xy xz yy | yz zz.

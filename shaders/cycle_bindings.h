@@ -46,7 +46,8 @@ using uint = std::uint32_t;
 #endif
 
 TEDIT_CYCLE_PUSH {
-  uint rows;       // how many this dispatch has
+  uint rows;       // up to which this dispatch goes,
+  uint from;       // and where it starts
   uint first_row;
   uint count;      // entries of a row, corners, aggregates, room for elements: see the kernel
   uint place;      // of the first partial sum
@@ -59,7 +60,7 @@ TEDIT_CYCLE_PUSH {
   float smallest;   // at most the smallest eigenvalue of B K
 #ifdef __cplusplus
 };
-static_assert(sizeof(cycle_push) == 44);
+static_assert(sizeof(cycle_push) == 48);
 }  // namespace tedit::fem
 #else
 } push;

@@ -11,7 +11,7 @@ layout(set = 0, binding = 1) readonly buffer b1 { uvec4 blocks[]; };  // 3 per e
 
 void main() {
   float sum = 0;
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const uint row = push.first_row + i;
     const vec3 own = x[row].xyz;
     const uvec2 slice = slices[row / slice_rows];

@@ -11,7 +11,7 @@ layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
 
 void main() {
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+  for (uint n = first_row(); n < push.rows; n += stride()) {
     const vec4 value = right[n];
     const vec4 now = vec4(push.fresh * apply_symmetric(diagonal[2 * n], diagonal[2 * n + 1], value.xyz), 0);
     r[n] = value;

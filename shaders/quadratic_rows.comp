@@ -15,7 +15,7 @@ layout(set = 0, binding = 9) buffer b9 { vec4 sums[]; };
 
 void main() {
   float sum = 0;
-  for (uint row = gl_GlobalInvocationID.x; row < push.rows; row += stride()) {
+  for (uint row = first_row(); row < push.rows; row += stride()) {
     vec3 y = vec3(0);
     const uvec2 own = rows[row];
     for (uint k = 0; k < own.y; k += 4) {

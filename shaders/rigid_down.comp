@@ -11,7 +11,7 @@ layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };  // 2 per aggregate
 
 void main() {
-  for (uint a = gl_GlobalInvocationID.x; a < push.rows; a += stride()) {
+  for (uint a = first_row(); a < push.rows; a += stride()) {
     vec3 force = vec3(0);
     vec3 moment = vec3(0);
     const uvec2 place = rows[a];

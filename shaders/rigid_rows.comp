@@ -29,7 +29,7 @@ motion inverse_times(uint row, motion v) {
 }
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const uint row = push.first_row + i;
     motion y = motion(vec3(0), vec3(0));
     const uvec2 place = rows[i];

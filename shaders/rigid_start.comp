@@ -13,7 +13,7 @@ layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const vec4 a = right[2 * i];
     const vec4 b = right[2 * i + 1];
     const uint at = 9 * i;

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "fem/polled.hpp"
+
 namespace tedit::fem {
 
 namespace {
@@ -94,8 +96,12 @@ void vulkan_rigid_rows::add_piece(vulkan_memory& memory, std::uint32_t first_row
   part.table = vulkan_row_table(memory, lengths, 4, memory.most_per_piece() / block_bytes);
   std::vector<std::uint32_t> columns;
   std::vector<rigid_level::block6> blocks;
-  for (std::uint32_t row = 0; row < part.rows; ++row)
-    append_row(first_row + row, columns, blocks);
+  polled_for(
+    part.rows,
+    [&](std::size_t row) {
+      append_row(first_row + static_cast<std::uint32_t>(row), columns, blocks);
+    },
+    1024);
   part.columns = memory.put(columns, part.table.places().room());
   part.blocks = memory.put(blocks, part.table.places().room());
 }
@@ -275,8 +281,7 @@ vulkan_cycle::vulkan_cycle(vulkan_memory& memory, const row_operator& k, const h
       smoother_(memory, k, h.smoother, filter, scale),
       rigid_(memory, h, settings, scale) {
   std::vector<std::array<std::uint32_t, 4>> arms(nodes_);
-  for (std::uint32_t n = 0; n < nodes_; ++n)
-    arms[n] = arm_of(n);
+  polled_for(nodes_, [&](std::size_t n) { arms[n] = arm_of(static_cast<std::uint32_t>(n)); });
   arms_ = memory.put(arms);
   members_ = vulkan_lists(memory, aggregates(), members_of(h));
 }

@@ -97,9 +97,12 @@ expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
     result.most_groups = 65535;  // what Vulkan guarantees
     result.sum_groups = 512;
     result.rows_per_part = 1u << 20;
+    result.rows_per_dispatch = 1u << 20;
   }
   if (settings.rows_per_part > 0)
     result.rows_per_part = settings.rows_per_part;
+  if (settings.rows_per_dispatch > 0)
+    result.rows_per_dispatch = settings.rows_per_dispatch;
   auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_CYCLE_BINDINGS, sizeof(cycle_push));
   if (!layout)
     return fail(layout.error());

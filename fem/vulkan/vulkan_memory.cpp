@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_memory.hpp"
 
-#include "base/guard.hpp"
+#include "fem/polled.hpp"
 #include "fem/vulkan/vulkan_changes.hpp"
 
 namespace tedit::fem {
@@ -57,16 +57,18 @@ expected<void> vulkan_memory::status() const {
 
 std::vector<device_float4> packed3(std::span<const double> values, double scale) {
   std::vector<device_float4> result(values.size() / 3);
-  for (std::size_t n = 0; n < result.size(); ++n)
+  polled_for(result.size(), [&](std::size_t n) {
     for (int i = 0; i < 3; ++i)
       result[n][i] = static_cast<float>(scale * values[3 * n + i]);
+  });
   return result;
 }
 
 void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values) {
-  for (std::size_t n = 0; n < packed.size(); ++n)
+  polled_for(packed.size(), [&](std::size_t n) {
     for (int i = 0; i < 3; ++i)
       values[3 * n + i] = scale * static_cast<double>(packed[n][i]);
+  });
 }
 
 }  // namespace tedit::fem

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fem/polled.hpp"
 #include "fem/vulkan/vulkan_backend.hpp"
 #include "gpu/kernels.hpp"
 
@@ -77,8 +78,8 @@ template <class T>
 [[nodiscard]] std::vector<std::array<float, 8>> packed_symmetric(
   std::span<const std::array<T, 6>> blocks, double scale) {
   std::vector<std::array<float, 8>> result(blocks.size());
-  for (std::size_t n = 0; n < blocks.size(); ++n)
-    result[n] = packed_six(blocks[n].data(), scale);
+  polled_for(blocks.size(),
+             [&](std::size_t n) { result[n] = packed_six(blocks[n].data(), scale); });
   return result;
 }
 

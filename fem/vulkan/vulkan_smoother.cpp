@@ -92,6 +92,7 @@ void vulkan_smoother::add_part(vulkan_memory& memory, std::uint32_t first, std::
   std::vector<std::uint32_t> squares;
   std::vector<entry> blocks;
   for (auto c = first; c < last; ++c) {
+    check_cancelled();
     rows.push_back(size_of(c));
     squares.push_back(size_of(c) * size_of(c));
     const auto more =
