@@ -97,12 +97,23 @@ protected:
     ASSERT_TRUE(edited_ && again_);
   }
 
-  /// The displacement of the version, solved without history.
-  std::vector<double> anew(const version_ptr& mesh) {
-    solve_session fresh;
-    auto result = solve(fresh, mesh);
-    EXPECT_TRUE(result.has_value()) << render(result.error());
-    return *result;
+  /// The version solved without history.
+  solution anew(const version_ptr& mesh) {
+    auto result = solve_session().solve(mesh, loads_, GetParam(), *device_, {}, {});
+    EXPECT_TRUE(result.has_value()) << (result ? "" : render(result.error()));
+    return result ? std::move(result->solution) : solution{};
+  }
+
+  /// Nodes of a problem that followed an edit have other numbers.
+  static void expect_same(const expected<solve_session::result>& got, const solution& right,
+                          bool assembled) {
+    ASSERT_TRUE(got.has_value()) << render(got.error());
+    EXPECT_EQ(got->assembled, assembled);
+    EXPECT_NEAR(got->solution.compliance_j, right.compliance_j, 1e-5 * right.compliance_j);
+    EXPECT_NEAR(got->solution.max_displacement_m, right.max_displacement_m,
+                1e-5 * right.max_displacement_m);
+    EXPECT_NEAR(got->solution.max_von_mises_pa, right.max_von_mises_pa,
+                1e-4 * right.max_von_mises_pa);
   }
 
   /// On a session that knows `part_`, solves the edit and cancels at a check. False when it was
@@ -116,7 +127,7 @@ protected:
     return !result;
   }
 
-  version_ptr part_ = box_mesh({8, 8, 10}, {1, 1, 1});
+  version_ptr part_ = box_mesh({6, 6, 7}, {1, 1, 1});
   version_ptr edited_, again_;
 };
 
@@ -126,13 +137,11 @@ TEST_P(CancelAfterAnEdit, AtAnyCheckTheSystemIsKept) {
   const auto right = anew(edited_);
   bool cancelled = true;
   std::uint64_t poll = 1;
-  for (; cancelled; poll += 1 + poll / 4) {
+  for (; cancelled; poll += 1 + poll / 2) {
     solve_session session;
     cancelled = cancelled_at(poll, session);
     const auto after = session.solve(edited_, loads_, GetParam(), *device_, {}, {});
-    ASSERT_TRUE(after.has_value()) << render(after.error());
-    EXPECT_FALSE(after->assembled) << poll;
-    expect_near(after->solution.displacement, right);
+    ASSERT_NO_FATAL_FAILURE(expect_same(after, right, false)) << poll;
   }
   EXPECT_GT(poll, 50);  // The update and the iterations after it were both hit.
 }
@@ -143,9 +152,7 @@ TEST_P(CancelAfterAnEdit, WhileTheSystemFollowsTheNextEditIsFollowed) {
 
   const auto after = session.solve(again_, loads_, GetParam(), *device_, {}, {});
 
-  ASSERT_TRUE(after.has_value()) << render(after.error());
-  EXPECT_FALSE(after->assembled);
-  expect_near(after->solution.displacement, anew(again_));
+  expect_same(after, anew(again_), false);
 }
 
 TEST_P(CancelAfterAnEdit, WhileTheSystemFollowsTheSessionMayForgetOrEnd) {
@@ -153,9 +160,7 @@ TEST_P(CancelAfterAnEdit, WhileTheSystemFollowsTheSessionMayForgetOrEnd) {
   ASSERT_TRUE(cancelled_at(1, session));
   session.forget();
   const auto after = session.solve(edited_, loads_, GetParam(), *device_, {}, {});
-  ASSERT_TRUE(after.has_value()) << render(after.error());
-  EXPECT_TRUE(after->assembled);
-  EXPECT_EQ(after->solution.displacement, anew(edited_));
+  expect_same(after, anew(edited_), true);
   {
     solve_session other;
     ASSERT_TRUE(cancelled_at(1, other));
@@ -173,9 +178,7 @@ TEST_P(CancelAfterAnEdit, AnEditThatIsRefusedMeanwhileIsForgotten) {
 
   const auto after = session.solve(edited_, loads_, GetParam(), *device_, {}, {});
 
-  ASSERT_TRUE(after.has_value()) << render(after.error());
-  EXPECT_TRUE(after->assembled);
-  EXPECT_EQ(after->solution.displacement, anew(edited_));
+  expect_same(after, anew(edited_), true);
 }
 
 }  // namespace
