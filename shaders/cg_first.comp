@@ -9,5 +9,6 @@ layout(set = 0, binding = 6) writeonly buffer b6 { vec4 p[]; };
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride())
-    p[n] = z[n];
+    for (uint at = cases * n; at < cases * (n + 1); ++at)
+      p[at] = z[at];
 }

@@ -185,6 +185,14 @@ void vulkan_rigid_cycle::upload(vulkan_memory& memory, const rigid_level& from, 
   to.down.emplace(memory, restriction_rows(from));
 }
 
+void vulkan_rigid_cycle::widen(vulkan_memory& memory, std::uint32_t cases) {
+  for (auto& l : levels_)
+    for (auto* vector : {&l.right, &l.z, &l.again, &l.residual, &l.first, &l.second})
+      if (vector->bytes() > 0)  // The coarsest level has two.
+        memory.replace(*vector, vector->bytes() / cases_ * cases);
+  cases_ = cases;
+}
+
 void vulkan_rigid_cycle::update(const hierarchy& h, vulkan_changes& changes) {
   for (std::size_t l = 0; l + 1 < h.levels.size(); ++l) {
     const auto& from = h.levels[l];
@@ -198,7 +206,7 @@ void vulkan_rigid_cycle::update(const hierarchy& h, vulkan_changes& changes) {
   const std::size_t size = std::size_t{6} * h.levels.back().nodes();
   changes.put(dense_, 0, packed_dense(dense_inverse(*h.coarsest, size), size, scale_));
   for (const auto& l : levels_)
-    if (32 * std::uint64_t{l.host->nodes()} > l.right.bytes())
+    if (32 * std::uint64_t{cases_} * l.host->nodes() > l.right.bytes())
       changes.refuse();
 }
 

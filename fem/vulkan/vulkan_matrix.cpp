@@ -317,10 +317,10 @@ std::uint64_t vulkan_matrix::read_bytes() const {
   return bytes;
 }
 
-std::uint32_t vulkan_matrix::most_partials() const {
+std::uint32_t vulkan_matrix::most_partials(const cycle_kernels& kernels) const {
   std::uint32_t sums = 0;
   for (const auto& part : chunks_)
-    sums += shapes_.most_sums(part.rows);
+    sums += kernels.most_sums(part.rows);
   return sums;
 }
 

@@ -57,17 +57,23 @@ expected<void> vulkan_memory::status() const {
 
 std::vector<device_float4> packed3(std::span<const double> values, double scale) {
   std::vector<device_float4> result(values.size() / 3);
-  polled_for(result.size(), [&](std::size_t n) {
-    for (int i = 0; i < 3; ++i)
-      result[n][i] = static_cast<float>(scale * values[3 * n + i]);
-  });
+  pack3(values, scale, result, {});
   return result;
 }
 
-void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values) {
-  polled_for(packed.size(), [&](std::size_t n) {
+void pack3(std::span<const double> values, double scale, std::span<device_float4> packed,
+           case_place place) {
+  polled_for(values.size() / 3, [&](std::size_t n) {
     for (int i = 0; i < 3; ++i)
-      values[3 * n + i] = scale * static_cast<double>(packed[n][i]);
+      packed[place.of * n + place.number][i] = static_cast<float>(scale * values[3 * n + i]);
+  });
+}
+
+void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values,
+             case_place place) {
+  polled_for(values.size() / 3, [&](std::size_t n) {
+    for (int i = 0; i < 3; ++i)
+      values[3 * n + i] = scale * static_cast<double>(packed[place.of * n + place.number][i]);
   });
 }
 

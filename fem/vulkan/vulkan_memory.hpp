@@ -35,6 +35,11 @@ public:
     return put_bytes(std::as_bytes(std::span(values)), items * sizeof(T));
   }
   void give_back(gpu::buffer& from);
+  /// A buffer of another size in its place; its contents are lost.
+  void replace(gpu::buffer& old, std::uint64_t bytes) {
+    give_back(old);
+    old = room(bytes);
+  }
   /// Takes buffers that are gone off the count.
   void forget(std::uint64_t bytes) { bytes_ -= bytes; }
   [[nodiscard]] expected<void> status() const;
@@ -85,6 +90,14 @@ template <class T>
 
 /// Vectors with three numbers a node, one vec4 each, times `scale`.
 [[nodiscard]] std::vector<device_float4> packed3(std::span<const double> values, double scale);
-void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values);
+/// One of several cases side by side.
+struct case_place {
+  std::size_t number = 0;
+  std::size_t of = 1;
+};
+void pack3(std::span<const double> values, double scale, std::span<device_float4> packed,
+           case_place place);
+void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values,
+             case_place place = {});
 
 }  // namespace tedit::fem
