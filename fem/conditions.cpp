@@ -108,6 +108,8 @@ struct held_directions {
 
 using node_map = std::map<std::uint32_t, held_directions>;
 
+constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel: maps are slow.
+
 vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
   return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
 }
@@ -115,9 +117,14 @@ vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
 /// One direction for each node of a surface: the mean normal there.
 bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, node_map& held) {
   std::map<std::uint32_t, vec3> normals;
-  for (const auto& t : triangles.of(id))
-    for (const auto node : t.all())
-      normals[node] += area_of(p, t);
+  const auto& list = triangles.of(id);
+  polled_for(
+    list.size(),
+    [&](std::size_t i) {
+      for (const auto node : list[i].all())
+        normals[node] += area_of(p, list[i]);
+    },
+    triangles_between);
   for (const auto& [node, normal] : normals) {
     const vec3 d = normalized(normal);
     const double area = norm(normal);
@@ -139,7 +146,8 @@ bool add_components(const surface_triangles& triangles, surface_id id,
                     node_map& held) {
   const std::array<vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   bool ok = true;
-  for (const auto& t : triangles.of(id)) {
+  const auto& list = triangles.of(id);
+  const auto add = [&](const surface_triangles::triangle& t) {
     const double area = norm(area_of(p, t));
     const auto along = [&](int axis) { return values[axis] ? area : 0.0; };
     for (const auto node : t.all()) {
@@ -148,7 +156,9 @@ bool add_components(const surface_triangles& triangles, surface_id id,
           ok = held[node].add(axes[i], *values[i], 1e-9, false) && ok;
       p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}});
     }
-  }
+  };
+  polled_for(
+    list.size(), [&](std::size_t i) { add(list[i]); }, triangles_between);
   return ok;
 }
 
@@ -192,8 +202,8 @@ void write_filter(const node_map& held, problem& p) {
 expected<void> add_constraints(const surface_triangles& triangles, const load_case& loads,
                                problem& p) {
   p.holders.clear();
-  p.filter.assign(p.node_count(), {1, 0, 0, 1, 0, 1});
-  p.prescribed.assign(p.dofs(), 0);
+  polled_assign(p.filter, p.node_count(), {1, 0, 0, 1, 0, 1});
+  polled_assign(p.prescribed, p.dofs(), 0.0);
   node_map held;
   // Exact components first: a roller on the same node then only adds what is left.
   for (const bool rollers : {false, true}) {
@@ -313,7 +323,7 @@ private:
 }  // namespace
 
 expected<void> add_loads(const surface_triangles& triangles, const load_case& loads, problem& p) {
-  p.loads.assign(p.dofs(), 0);
+  polled_assign(p.loads, p.dofs(), 0.0);
   load_adder adder(triangles, p);
   for (std::size_t i = 0; i < loads.loads.size(); ++i)
     if (auto ok = adder.add(loads.loads[i], "load " + std::to_string(i)); !ok)

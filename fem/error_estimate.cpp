@@ -129,7 +129,7 @@ bool on_reentrant_edge(const problem& p, const std::vector<rim_triangle>& around
 
 void estimate_error(const problem& p, const nodal_patches& patches, const corner_flux& stress,
                     std::span<const double> means, solution& out) {
-  out.element_error.resize(p.element_count());
+  polled_resize(out.element_error, p.element_count());
   const double sum = parallel_sum(p.element_count(), [&](std::size_t first, std::size_t last) {
     double part = 0;
     for (std::size_t e = first; e < last; ++e) {

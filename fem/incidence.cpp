@@ -24,7 +24,7 @@ incidence::incidence(const problem& p, int locals)
   for_each_corner([&](std::uint32_t node, std::uint32_t) { ++next[node]; });
   places_ = row_places(next);
   reserve_for_edits(corners_, places_.room());
-  corners_.resize(places_.room());
+  polled_resize(corners_, places_.room());
   for (std::size_t n = 0; n < next.size(); ++n)
     next[n] = places_.begin(n);
   for_each_corner(
@@ -129,7 +129,8 @@ void add_forces(const problem& p, std::size_t first, std::size_t last, const std
 }  // namespace
 
 element_operator::element_operator(const problem& p)
-    : problem_(p), local_(p.element_nodes.size()), chunks_(chunk_count(p.element_count())) {
+    : problem_(p), chunks_(chunk_count(p.element_count())) {
+  polled_resize(local_, p.element_nodes.size());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t c) {
     list_chunk_nodes(first, last, chunks_[c].nodes);
   });

@@ -22,6 +22,30 @@ void polled_for(std::size_t items, const Work& work, std::size_t between = 16384
   }
 }
 
+/// Makes the vector longer, in pieces: memory that was never touched comes from the system page by
+/// page, 100 MB in 50 ms and more.
+template <class T>
+void polled_resize(std::vector<T>& items, std::size_t size) {
+  constexpr std::size_t piece = (std::size_t{4} << 20) / sizeof(T);
+  items.reserve(size);
+  while (items.size() < size) {
+    check_cancelled();
+    items.resize(std::min(size, items.size() + piece));
+  }
+}
+
+/// So many items of one value, in pieces.
+template <class T>
+void polled_assign(std::vector<T>& items, std::size_t size, const T& value) {
+  constexpr std::size_t piece = (std::size_t{4} << 20) / sizeof(T);
+  items.clear();
+  items.reserve(size);
+  while (items.size() < size) {
+    check_cancelled();
+    items.resize(std::min(size, items.size() + piece), value);
+  }
+}
+
 /// Sorts as `std::ranges::sort` does; equal items in any order. Pieces are sorted, then merged.
 template <class T, class Less>
 void polled_sort(std::vector<T>& items, const Less& less) {

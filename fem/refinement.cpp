@@ -49,12 +49,9 @@ expected<void> check_settings(const problem& p, const solve_settings& settings) 
 
 refinement::refinement(conditions_view conditions, const element_operator& k,
                        const solve_settings& settings, solution& out)
-    : conditions_(std::move(conditions)),
-      k_(&k),
-      settings_(&settings),
-      out_(&out),
-      residual_(conditions_.loads.size()),
-      correction_(conditions_.loads.size()) {
+    : conditions_(std::move(conditions)), k_(&k), settings_(&settings), out_(&out) {
+  polled_resize(residual_, conditions_.loads.size());
+  polled_resize(correction_, conditions_.loads.size());
   out.displacement.assign(conditions_.prescribed.begin(), conditions_.prescribed.end());
   reference_ = start_residual();
   out.true_relative_residual = reference_ > 0 ? 1 : 0;

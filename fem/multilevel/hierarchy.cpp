@@ -17,10 +17,10 @@ namespace {
 node_graph graph_of(const block_matrix& k) {
   node_graph graph;
   graph.first.assign(k.rows() + 1, 0);
-  for (std::size_t n = 0; n < k.rows(); ++n)
-    graph.first[n + 1] = graph.first[n] + k.places.length(n);
-  graph.column.resize(graph.first.back());
-  graph.weight.resize(graph.first.back());
+  polled_for(k.rows(),
+             [&](std::size_t n) { graph.first[n + 1] = graph.first[n] + k.places.length(n); });
+  polled_resize(graph.column, graph.first.back());
+  polled_resize(graph.weight, graph.first.back());
   std::vector<float> scale(k.rows());
   parallel_for(k.rows(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)

@@ -155,7 +155,8 @@ edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter) {
 node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
                                       const sliver_clusters& clusters) {
   const incidence around(quadratic);
-  std::vector<std::array<float, 6>> diagonal(quadratic.node_count());
+  std::vector<std::array<float, 6>> diagonal;
+  polled_resize(diagonal, quadratic.node_count());
   parallel_for(diagonal.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       diagonal[n] = diagonal_block(quadratic, around.of_node(n));

@@ -185,7 +185,7 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
 }  // namespace
 
 quadratic_operator::quadratic_operator(const problem& p) {
-  elements_.resize(p.element_count());
+  polled_resize(elements_, p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e)
       set_element(p, e);
