@@ -186,8 +186,8 @@ void add_mid_nodes(problem& p) {
                                          static_cast<std::uint32_t>(p.corner_count));
   for (std::size_t n = 0; n < p.corner_count; ++n)
     node_of_row[n + 1] = node_of_row[n] + rows.length[n];
-  p.nodes.resize(node_of_row.back());
-  p.edge_ends.resize(p.nodes.size() - p.corner_count);
+  polled_resize(p.nodes, node_of_row.back());
+  polled_resize(p.edge_ends, p.nodes.size() - p.corner_count);
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       for (std::uint32_t i = 0; i < rows.length[n]; ++i) {
@@ -197,7 +197,8 @@ void add_mid_nodes(problem& p) {
         p.edge_ends[mid - p.corner_count] = {static_cast<std::uint32_t>(n), other};
       }
   });
-  std::vector<std::uint32_t> all(10 * p.element_count());
+  std::vector<std::uint32_t> all;
+  polled_resize(all, 10 * p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e) {
       std::copy_n(&p.element_nodes[4 * e], 4, &all[10 * e]);

@@ -52,7 +52,9 @@ refinement::refinement(conditions_view conditions, const element_operator& k,
     : conditions_(std::move(conditions)), k_(&k), settings_(&settings), out_(&out) {
   polled_resize(residual_, conditions_.loads.size());
   polled_resize(correction_, conditions_.loads.size());
-  out.displacement.assign(conditions_.prescribed.begin(), conditions_.prescribed.end());
+  polled_resize(out.displacement, conditions_.prescribed.size());
+  polled_for(out.displacement.size(),
+             [&](std::size_t i) { out.displacement[i] = conditions_.prescribed[i]; });
   reference_ = start_residual();
   out.true_relative_residual = reference_ > 0 ? 1 : 0;
   if (!settings.start.empty())
@@ -117,7 +119,7 @@ void refinement::add_correction(double factor) {
 double refinement::start_residual() {
   if (std::ranges::any_of(conditions_.prescribed, [](double u) { return u != 0; }))
     return residual_norm();
-  std::ranges::copy(conditions_.loads, residual_.begin());
+  polled_for(residual_.size(), [&](std::size_t i) { residual_[i] = conditions_.loads[i]; });
   apply_filter(conditions_.filter, residual_);
   return norm_of(residual_);
 }

@@ -310,7 +310,8 @@ template <class L>
 void quadratic_operator::sum_patches(const float* x) const {
   using node = typename L::node;
   auto& all = shares<L>();
-  all.resize(patch_nodes_.size());
+  if (all.size() != patch_nodes_.size())
+    polled_resize(all, patch_nodes_.size());
   parallel_for(
     patches_.size(),
     [&](std::size_t first, std::size_t last, std::size_t) {
