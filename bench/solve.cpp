@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // bench_solve MESH LOAD_CASE [--device NAME] [--order N] [--tolerance T] [--repeat N] [--cases N]
-// [--write-system FILE]: solves cold, several times, and prints one JSON object: accuracy first,
+// [--cancel-sweep N] [--write-system FILE]: solves cold, several times, and prints one JSON object: accuracy first,
 // then the median of wall and CPU seconds of set-up, solve and recovery together (from the problem
 // to the displacement and stresses), the CPU seconds before the solve and before the recovery, and
 // the memory. With --cases, the file's loads turned and weighted in N ways are solved together.
-// With
-// --write-system nothing is solved: the equations go to a file that other solvers read
+// With --cancel-sweep, N solves are cancelled at moments spread over a whole one, and how long each
+// takes to come back is printed (bench/cancel_sweep.hpp). With --write-system nothing is solved: the equations go to a file that other solvers read
 // (bench/peers/system.hpp).
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,7 @@
 
 #include "base/memory.hpp"
 #include "base/stopwatch.hpp"
+#include "bench/cancel_sweep.hpp"
 #include "bench/peers/system.hpp"
 #include "fem/load_cases.hpp"
 #include "fem/native/native_backend.hpp"
@@ -153,6 +154,8 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", settings.tolerance);
   app.add_option("--repeat", repeats)->check(CLI::Range(1, 100));
   app.add_option("--cases", cases, "Load cases at once")->check(CLI::Range(1, 100));
+  int moments = 0;
+  app.add_option("--cancel-sweep", moments, "Cancel so many solves")->check(CLI::Range(1, 10000));
   app.add_option("--write-system", system_file, "Write the equations here, solve nothing");
   fem::native_settings native;
   app.add_option("--weak-edge", native.multilevel.weak_edge, "Of the native backend");
@@ -185,6 +188,13 @@ int main(int argc, char** argv) {
                   : fem::open_backend(device_name);
   if (!device)
     return stop(device.error());
+  if (moments > 0) {
+    const auto swept = bench::cancel_sweep({*mesh->version, *loads, order, **device, settings}, moments);
+    if (!swept)
+      return stop(swept.error());
+    std::cout << swept->dump() << '\n';
+    return 0;
+  }
   auto set = make_set(std::move(*p), cases);
   const auto runs = measure(set, **device, settings, repeats);
   if (!runs)

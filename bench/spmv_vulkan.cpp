@@ -74,7 +74,7 @@ private:
         x[n][i] = static_cast<float>(std::sin(0.1 * static_cast<double>(3 * n + i)));
     x_ = memory_.put(x);
     y_ = memory_.room(node_bytes * nodes);
-    partials_ = memory_.room(4 * std::uint64_t{k_->most_partials()});
+    partials_ = memory_.room(4 * std::uint64_t{k_->most_partials(kernels_)});
     if (auto ok = memory_.status(); !ok)
       return ok;
     product_.emplace(kernels_);

@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "fem/element.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -147,22 +148,27 @@ block_matrix make_pattern(const problem& p, const incidence& corners) {
   block_matrix k;
   k.places = row_places(length);
   reserve_for_edits(k.column, k.places.room());
-  for (const auto& part : columns)
-    k.column.insert(k.column.end(), part.begin(), part.end());
+  polled_for(
+    columns.size(),
+    [&](std::size_t chunk) {
+      k.column.insert(k.column.end(), columns[chunk].begin(), columns[chunk].end());
+    },
+    16);
   return k;
 }
 
 }  // namespace
 
 block_matrix assemble_blocks(const problem& p, const incidence& corners) {
-  std::vector<tet_gradients> gradients(p.element_count());
+  std::vector<tet_gradients> gradients;
+  polled_resize(gradients, p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e)
       gradients[e] = gradients_of(p, e);
   });
   auto k = make_pattern(p, corners);
   reserve_for_edits(k.value, 9 * std::size_t{k.places.room()});
-  k.value.resize(9 * std::size_t{k.places.room()} + 1);
+  polled_resize(k.value, 9 * std::size_t{k.places.room()} + 1);
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     row_gatherer gatherer(p, corners);
     run_widest([&]() TEDIT_INLINED {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "mesh/quality.hpp"
 
@@ -32,12 +33,14 @@ surface_triangles::surface_triangles(const mesh_version& mesh, const load_case& 
     }
     list->second.push_back(t);
   };
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+  polled_for(mesh.facet_slots(), [&](std::size_t slot) {
+    const auto f = static_cast<facet_id>(slot);
     if (mesh.is_live_facet(f))
       add(mesh.facet(f).surface, mesh.facet(f).v, false);
+  });
   const auto& interfaces = mesh.data().interfaces;
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    add(interfaces[i].surface, interfaces[i].v, true);
+  polled_for(interfaces.size(),
+             [&](std::size_t i) { add(interfaces[i].surface, interfaces[i].v, true); });
 }
 
 const std::vector<surface_triangles::triangle>& surface_triangles::of(surface_id id) const {
@@ -105,6 +108,8 @@ struct held_directions {
 
 using node_map = std::map<std::uint32_t, held_directions>;
 
+constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel: maps are slow.
+
 vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
   return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
 }
@@ -112,9 +117,14 @@ vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
 /// One direction for each node of a surface: the mean normal there.
 bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, node_map& held) {
   std::map<std::uint32_t, vec3> normals;
-  for (const auto& t : triangles.of(id))
-    for (const auto node : t.all())
-      normals[node] += area_of(p, t);
+  const auto& list = triangles.of(id);
+  polled_for(
+    list.size(),
+    [&](std::size_t i) {
+      for (const auto node : list[i].all())
+        normals[node] += area_of(p, list[i]);
+    },
+    triangles_between);
   for (const auto& [node, normal] : normals) {
     const vec3 d = normalized(normal);
     const double area = norm(normal);
@@ -136,7 +146,8 @@ bool add_components(const surface_triangles& triangles, surface_id id,
                     node_map& held) {
   const std::array<vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   bool ok = true;
-  for (const auto& t : triangles.of(id)) {
+  const auto& list = triangles.of(id);
+  const auto add = [&](const surface_triangles::triangle& t) {
     const double area = norm(area_of(p, t));
     const auto along = [&](int axis) { return values[axis] ? area : 0.0; };
     for (const auto node : t.all()) {
@@ -145,7 +156,9 @@ bool add_components(const surface_triangles& triangles, surface_id id,
           ok = held[node].add(axes[i], *values[i], 1e-9, false) && ok;
       p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}});
     }
-  }
+  };
+  polled_for(
+    list.size(), [&](std::size_t i) { add(list[i]); }, triangles_between);
   return ok;
 }
 
@@ -189,8 +202,8 @@ void write_filter(const node_map& held, problem& p) {
 expected<void> add_constraints(const surface_triangles& triangles, const load_case& loads,
                                problem& p) {
   p.holders.clear();
-  p.filter.assign(p.node_count(), {1, 0, 0, 1, 0, 1});
-  p.prescribed.assign(p.dofs(), 0);
+  polled_assign(p.filter, p.node_count(), {1, 0, 0, 1, 0, 1});
+  polled_assign(p.prescribed, p.dofs(), 0.0);
   node_map held;
   // Exact components first: a roller on the same node then only adds what is left.
   for (const bool rollers : {false, true}) {
@@ -285,11 +298,10 @@ private:
   expected<void> add_gravity(vec3 m_s2, const std::string& name) {
     if (!is_finite(m_s2))
       return not_a_number(name);
-    for (std::size_t e = 0; e < p_.element_count(); ++e) {
+    bool known = true;
+    polled_for(p_.element_count(), [&](std::size_t e) {
       const double density = p_.densities[p_.element_materials[e]];
-      if (!(density > 0))
-        return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
-                    "Give density_kg_m3");
+      known = known && density > 0;
       const auto* n = &p_.element_nodes[static_cast<std::size_t>(p_.nodes_per_element) * e];
       const double mass =
         density * signed_volume(p_.nodes[n[0]], p_.nodes[n[1]], p_.nodes[n[2]], p_.nodes[n[3]]);
@@ -297,7 +309,10 @@ private:
       const double at_corner = p_.element_order == 2 ? -1.0 / 20 : 1.0 / 4;
       for (int a = 0; a < p_.nodes_per_element; ++a)
         add_to(n[a], ((a < 4 ? at_corner : 1.0 / 5) * mass) * m_s2);
-    }
+    });
+    if (!known)
+      return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
+                  "Give density_kg_m3");
     return {};
   }
 
@@ -308,7 +323,7 @@ private:
 }  // namespace
 
 expected<void> add_loads(const surface_triangles& triangles, const load_case& loads, problem& p) {
-  p.loads.assign(p.dofs(), 0);
+  polled_assign(p.loads, p.dofs(), 0.0);
   load_adder adder(triangles, p);
   for (std::size_t i = 0; i < loads.loads.size(); ++i)
     if (auto ok = adder.add(loads.loads[i], "load " + std::to_string(i)); !ok)

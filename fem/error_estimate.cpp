@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "fem/element.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -128,7 +129,7 @@ bool on_reentrant_edge(const problem& p, const std::vector<rim_triangle>& around
 
 void estimate_error(const problem& p, const nodal_patches& patches, const corner_flux& stress,
                     std::span<const double> means, solution& out) {
-  out.element_error.resize(p.element_count());
+  polled_resize(out.element_error, p.element_count());
   const double sum = parallel_sum(p.element_count(), [&](std::size_t first, std::size_t last) {
     double part = 0;
     for (std::size_t e = first; e < last; ++e) {
@@ -154,19 +155,20 @@ void find_singular_places(const problem& p, const nodal_patches& patches, soluti
   const double limit = dense * sum / patches.volume();
   const double wanted = high * *std::ranges::max_element(out.von_mises);
   const auto per = static_cast<std::size_t>(p.nodes_per_element);
-  for (std::uint32_t n = 0; n < p.corner_count; ++n) {
+  polled_for(p.corner_count, [&](std::size_t at) {
+    const auto n = static_cast<std::uint32_t>(at);
     const auto is_dense = [&](std::uint32_t corner) {
       const auto e = corner / per;
       return out.element_error[e] * out.element_error[e] > limit * patches.volume_of(e);
     };
     if (out.von_mises[n] < wanted || std::ranges::none_of(patches.corners().of_node(n), is_dense))
-      continue;
+      return;
     const auto around = boundary_around(p, patches.corners(), n);
     if (on_clamp_rim(p, around, n))
       out.singular_places.push_back({n, singularity::clamp_rim, p.nodes[n], out.von_mises[n]});
     else if (on_reentrant_edge(p, around, n))
       out.singular_places.push_back({n, singularity::reentrant_edge, p.nodes[n], out.von_mises[n]});
-  }
+  });
   std::ranges::stable_sort(out.singular_places, std::greater{}, &singular_place::von_mises_pa);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "fem/element_lanes.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -13,15 +14,17 @@ incidence::incidence(const problem& p, int locals)
     : locals_(static_cast<std::uint32_t>(std::min(p.nodes_per_element, locals))) {
   const auto per = static_cast<std::uint32_t>(p.nodes_per_element);
   const auto for_each_corner = [&](const auto& visit) {
-    for (std::uint32_t e = 0; e < p.element_count(); ++e)
-      for (std::uint32_t corner = per * e; corner < per * e + locals_; ++corner)
+    polled_for(p.element_count(), [&](std::size_t e) {
+      const auto first = per * static_cast<std::uint32_t>(e);
+      for (auto corner = first; corner < first + locals_; ++corner)
         visit(p.element_nodes[corner], corner);
+    });
   };
   std::vector<std::uint32_t> next(locals_ == 4 ? p.corner_count : p.node_count(), 0);
   for_each_corner([&](std::uint32_t node, std::uint32_t) { ++next[node]; });
   places_ = row_places(next);
   reserve_for_edits(corners_, places_.room());
-  corners_.resize(places_.room());
+  polled_resize(corners_, places_.room());
   for (std::size_t n = 0; n < next.size(); ++n)
     next[n] = places_.begin(n);
   for_each_corner(
@@ -126,7 +129,8 @@ void add_forces(const problem& p, std::size_t first, std::size_t last, const std
 }  // namespace
 
 element_operator::element_operator(const problem& p)
-    : problem_(p), local_(p.element_nodes.size()), chunks_(chunk_count(p.element_count())) {
+    : problem_(p), chunks_(chunk_count(p.element_count())) {
+  polled_resize(local_, p.element_nodes.size());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t c) {
     list_chunk_nodes(first, last, chunks_[c].nodes);
   });
@@ -170,27 +174,36 @@ void element_operator::list_chunk_nodes(std::size_t first, std::size_t last,
 }
 
 void element_operator::share_nodes() {
+  constexpr std::size_t chunks_between = 32;
   std::vector<std::uint32_t> users(problem_.node_count(), 0);
-  for (const auto& part : chunks_)
-    for (const auto node : part.nodes)
-      ++users[node];
+  polled_for(
+    chunks_.size(),
+    [&](std::size_t c) {
+      for (const auto node : chunks_[c].nodes)
+        ++users[node];
+    },
+    chunks_between);
   shared_.clear();
   shared_first_.assign(1, 0);
   std::vector<std::uint32_t> next(problem_.node_count(), no_id);
-  for (std::uint32_t n = 0; n < users.size(); ++n) {
+  polled_for(users.size(), [&](std::size_t n) {
     if (users[n] == 1)
-      continue;
+      return;
     next[n] = shared_first_.back();
-    shared_.push_back(n);
+    shared_.push_back(static_cast<std::uint32_t>(n));
     shared_first_.push_back(next[n] + users[n]);
-  }
-  for (auto& part : chunks_) {
-    part.slot.resize(part.nodes.size());
-    for (std::size_t i = 0; i < part.slot.size(); ++i) {
-      auto& at = next[part.nodes[i]];
-      part.slot[i] = at == no_id ? no_id : at++;
-    }
-  }
+  });
+  polled_for(
+    chunks_.size(),
+    [&](std::size_t c) {
+      auto& part = chunks_[c];
+      part.slot.resize(part.nodes.size());
+      for (std::size_t i = 0; i < part.slot.size(); ++i) {
+        auto& at = next[part.nodes[i]];
+        part.slot[i] = at == no_id ? no_id : at++;
+      }
+    },
+    chunks_between);
 }
 
 /// Arrays that live for one application.

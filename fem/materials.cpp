@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 
 namespace tedit::fem {
@@ -80,13 +81,17 @@ expected<void> assign_materials(const mesh_version& mesh, const load_case& loads
                     "Name each region in one material");
   }
   const auto materials = materials_of_regions(loads);
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
+  auto refused = no_id;  // The first tet in a region without material.
+  polled_for(mesh.tet_slots(), [&](std::size_t slot) {
+    const auto t = static_cast<tet_id>(slot);
     if (!mesh.is_live_tet(t))
-      continue;
+      return;
     p.element_materials.push_back(materials.of(mesh.region_of(t)));
-    if (p.element_materials.back() == no_id)
-      return refuse_region(mesh.region_of(t));
-  }
+    if (p.element_materials.back() == no_id && refused == no_id)
+      refused = t;
+  });
+  if (refused != no_id)
+    return refuse_region(mesh.region_of(refused));
   return {};
 }
 

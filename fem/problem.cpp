@@ -7,6 +7,7 @@
 
 #include "base/guard.hpp"
 #include "base/parallel.hpp"
+#include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
 #include "mesh/quality.hpp"
@@ -30,30 +31,32 @@ void number_nodes(const mesh_version& mesh, std::uint32_t spare, problem& p,
                   std::vector<std::uint32_t>& node_of) {
   vec3 low{1e300, 1e300, 1e300};
   vec3 high = -low;
-  for (vertex_id v = 0; v < mesh.vertex_slots(); ++v) {
+  polled_for(mesh.vertex_slots(), [&](std::size_t slot) {
+    const auto v = static_cast<vertex_id>(slot);
     if (!mesh.is_live_vertex(v))
-      continue;
+      return;
     const auto& x = mesh.position(v);
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
     p.node_vertices.push_back(v);
-  }
+  });
   const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-300});
   std::vector<std::uint64_t> code(mesh.vertex_slots());
-  for (const auto v : p.node_vertices) {
+  polled_for(p.node_vertices.size(), [&](std::size_t i) {
+    const auto v = p.node_vertices[i];
     const vec3 x = (mesh.position(v) - low) * (2097151.0 / size);
     code[v] = spread_bits(static_cast<std::uint64_t>(x.x)) |
               spread_bits(static_cast<std::uint64_t>(x.y)) << 1 |
               spread_bits(static_cast<std::uint64_t>(x.z)) << 2;
-  }
-  std::ranges::sort(p.node_vertices, [&](vertex_id a, vertex_id b) {
+  });
+  polled_sort(p.node_vertices, [&](vertex_id a, vertex_id b) {
     return code[a] != code[b] ? code[a] < code[b] : a < b;
   });
   node_of.assign(mesh.vertex_slots(), no_id);
-  for (std::uint32_t n = 0; n < p.node_vertices.size(); ++n) {
-    node_of[p.node_vertices[n]] = n;
+  polled_for(p.node_vertices.size(), [&](std::size_t n) {
+    node_of[p.node_vertices[n]] = static_cast<std::uint32_t>(n);
     p.nodes.push_back(mesh.position(p.node_vertices[n]));
-  }
+  });
   for (; spare > 0; --spare) {
     p.unused.push_back(static_cast<std::uint32_t>(p.nodes.size()));
     p.node_vertices.push_back(no_id);
@@ -79,13 +82,14 @@ std::string list_of(const std::vector<tet_id>& tets) {
 }
 
 void add_elements(const mesh_version& mesh, const std::vector<std::uint32_t>& node_of, problem& p) {
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
+  polled_for(mesh.tet_slots(), [&](std::size_t slot) {
+    const auto t = static_cast<tet_id>(slot);
     if (!mesh.is_live_tet(t))
-      continue;
+      return;
     p.element_tets.push_back(t);
     for (const auto v : mesh.tet_at(t).v)
       p.element_nodes.push_back(node_of[v]);
-  }
+  });
 }
 
 /// Elements by their smallest node (stable): a counting sort.
@@ -93,22 +97,22 @@ void sort_elements(problem& p) {
   const std::size_t count = p.element_count();
   std::vector<std::uint32_t> smallest(count);
   std::vector<std::uint32_t> next(p.node_count() + 1, 0);
-  for (std::size_t e = 0; e < count; ++e) {
+  polled_for(count, [&](std::size_t e) {
     const auto* n = &p.element_nodes[4 * e];
     smallest[e] = std::min({n[0], n[1], n[2], n[3]});
     ++next[smallest[e] + 1];
-  }
+  });
   std::partial_sum(next.begin(), next.end(), next.begin());
   problem sorted;
   sorted.element_nodes.resize(p.element_nodes.size());
   sorted.element_tets.resize(count);
   sorted.element_materials.resize(count);
-  for (std::size_t e = 0; e < count; ++e) {
+  polled_for(count, [&](std::size_t e) {
     const std::size_t to = next[smallest[e]]++;
     std::copy_n(&p.element_nodes[4 * e], 4, &sorted.element_nodes[4 * to]);
     sorted.element_tets[to] = p.element_tets[e];
     sorted.element_materials[to] = p.element_materials[e];
-  }
+  });
   p.element_nodes.swap(sorted.element_nodes);
   p.element_tets.swap(sorted.element_tets);
   p.element_materials.swap(sorted.element_materials);
@@ -125,12 +129,13 @@ edge_rows rows_of_edges(const problem& p) {
   edge_rows rows;
   rows.first.assign(p.corner_count + 1, 0);
   const auto for_each_edge = [&](const auto& visit) {
-    for (std::size_t e = 0; e < p.element_count(); ++e)
+    polled_for(p.element_count(), [&](std::size_t e) {
       for (const auto& [i, j] : ends_of_mid_node) {
         const auto [low, high] =
           std::minmax(p.element_nodes[4 * e + i], p.element_nodes[4 * e + j]);
         visit(low, high);
       }
+    });
   };
   for_each_edge([&](std::uint32_t low, std::uint32_t) { ++rows.first[low + 1]; });
   std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
@@ -155,13 +160,13 @@ edge_rows rows_of_edges(const problem& p) {
 expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> tets) {
   std::vector<tet_id> flat;
   std::vector<tet_id> inverted;
-  for (const auto t : tets) {
-    const auto corners = mesh.corners(t);
+  polled_for(tets.size(), [&](std::size_t i) {
+    const auto corners = mesh.corners(tets[i]);
     if (is_flat(corners))
-      flat.push_back(t);
+      flat.push_back(tets[i]);
     else if (signed_volume(corners) < 0)
-      inverted.push_back(t);
-  }
+      inverted.push_back(tets[i]);
+  });
   const auto refuse = [&](ec code, const std::vector<tet_id>& bad, const char* what) {
     const auto c = mesh.corners(bad.front());
     const vec3 at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
@@ -181,8 +186,8 @@ void add_mid_nodes(problem& p) {
                                          static_cast<std::uint32_t>(p.corner_count));
   for (std::size_t n = 0; n < p.corner_count; ++n)
     node_of_row[n + 1] = node_of_row[n] + rows.length[n];
-  p.nodes.resize(node_of_row.back());
-  p.edge_ends.resize(p.nodes.size() - p.corner_count);
+  polled_resize(p.nodes, node_of_row.back());
+  polled_resize(p.edge_ends, p.nodes.size() - p.corner_count);
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       for (std::uint32_t i = 0; i < rows.length[n]; ++i) {
@@ -192,7 +197,8 @@ void add_mid_nodes(problem& p) {
         p.edge_ends[mid - p.corner_count] = {static_cast<std::uint32_t>(n), other};
       }
   });
-  std::vector<std::uint32_t> all(10 * p.element_count());
+  std::vector<std::uint32_t> all;
+  polled_resize(all, 10 * p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e) {
       std::copy_n(&p.element_nodes[4 * e], 4, &all[10 * e]);

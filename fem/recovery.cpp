@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "fem/error_estimate.hpp"
+#include "fem/polled.hpp"
 #include "fem/quadratic.hpp"
 
 namespace tedit::fem {
@@ -57,14 +58,15 @@ nodal_patches::nodal_patches(const problem& p)
   for_each(p.element_count(), [&](std::size_t e) { volumes_[e] = gradients_of(p, e).volume; });
   const auto per = static_cast<std::size_t>(p.nodes_per_element);
   if (p.constants.size() == 1) {
-    for (std::size_t n = 0; n < p.corner_count; ++n)
+    polled_for(p.corner_count, [&](std::size_t n) {
       first_[n + 1] = first_[n] + (corners_.of_node(n).empty() ? 0 : 1);
+    });
     material_.assign(first_.back(), 0);
     share_.assign(first_.back(), 1);
     return;
   }
   std::vector<std::uint32_t> found;
-  for (std::size_t n = 0; n < p.corner_count; ++n) {
+  polled_for(p.corner_count, [&](std::size_t n) {
     found.clear();
     for (const auto corner : corners_.of_node(n))
       if (const auto m = p.element_materials[corner / per];
@@ -72,7 +74,7 @@ nodal_patches::nodal_patches(const problem& p)
         found.push_back(m);
     material_.insert(material_.end(), found.begin(), found.end());
     first_[n + 1] = material_.size();
-  }
+  });
   share_.assign(material_.size(), 0);
   for_each(p.corner_count, [&](std::size_t n) {
     double all = 0;
@@ -91,7 +93,8 @@ double nodal_patches::volume() const {
 
 std::vector<double> nodal_patches::means_of(const corner_flux& flux) const {
   const auto per = static_cast<std::size_t>(problem_.nodes_per_element);
-  std::vector<double> means(6 * count(), 0);
+  std::vector<double> means;
+  polled_resize(means, 6 * count());
   for_each(problem_.corner_count, [&](std::size_t n) {
     double all = 0;
     for (const auto corner : corners_.of_node(n)) {
@@ -150,7 +153,7 @@ void fill_element_stress(const problem& p, corner_flux& stress, solution& out) {
     out.element_stress = std::move(stress.storage);
     return;
   }
-  out.element_stress.resize(6 * p.element_count());
+  polled_resize(out.element_stress, 6 * p.element_count());
   for_each(p.element_count(), [&](std::size_t e) {
     for (std::size_t c = 0; c < 6; ++c)
       out.element_stress[6 * e + c] =
@@ -161,8 +164,8 @@ void fill_element_stress(const problem& p, corner_flux& stress, solution& out) {
 /// Nodal stress and strain from the patches.
 void fill_nodal(const problem& p, const nodal_patches& patches, std::span<const double> means,
                 solution& out) {
-  out.nodal_strain.assign(6 * p.node_count(), 0);
-  out.nodal_stress.assign(6 * p.node_count(), 0);
+  polled_assign(out.nodal_strain, 6 * p.node_count(), 0.0);
+  polled_assign(out.nodal_stress, 6 * p.node_count(), 0.0);
   for_each(p.corner_count, [&](std::size_t n) {
     for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i) {
       const auto strain = strain_of(&means[6 * i], p.constants[patches.material_of(i)]);
@@ -178,8 +181,8 @@ void fill_nodal(const problem& p, const nodal_patches& patches, std::span<const 
 
 void fill_von_mises(const problem& p, const nodal_patches& patches, std::span<const double> means,
                     solution& out) {
-  out.von_mises.resize(p.node_count());
-  out.principal_stress.resize(3 * p.node_count());
+  polled_resize(out.von_mises, p.node_count());
+  polled_resize(out.principal_stress, 3 * p.node_count());
   for_each(p.node_count(), [&](std::size_t n) {
     out.von_mises[n] = von_mises(&out.nodal_stress[6 * n]);
     if (p.element_order == 2 && n < p.corner_count)
@@ -218,7 +221,7 @@ void fill_safety(const problem& p, const nodal_patches& patches, std::span<const
   if (std::ranges::none_of(p.yield_strengths, [](double y) { return y > 0; }))
     return;
   const auto smaller = [](double a, double b) { return a == 0 || (b > 0 && b < a) ? b : a; };
-  out.safety_factor.assign(p.node_count(), 0);
+  polled_assign(out.safety_factor, p.node_count(), 0.0);
   for_each(p.corner_count, [&](std::size_t n) {
     for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i) {
       const double yield = p.yield_strengths[patches.material_of(i)];
@@ -243,7 +246,7 @@ void fill_safety(const problem& p, const nodal_patches& patches, std::span<const
 }
 
 void summarise_displacement(const problem& p, solution& out) {
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
+  polled_for(p.node_count(), [&](std::size_t n) {
     const auto u = node_vector(out.displacement, n);
     if (norm(u) > out.max_displacement_m) {
       out.max_displacement_m = norm(u);
@@ -252,14 +255,14 @@ void summarise_displacement(const problem& p, solution& out) {
     const auto f = node_vector(p.loads, n);
     out.applied_n += f;
     out.compliance_j += dot(f, u);
-  }
+  });
 }
 
 /// Reactions: K u - f in the held directions; strain energy u.Ku/2.
 void add_reactions(const problem& p, const element_operator& k, solution& out) {
-  out.reactions.resize(p.dofs());
+  polled_resize(out.reactions, p.dofs());
   k.apply(out.displacement, out.reactions);
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
+  polled_for(p.node_count(), [&](std::size_t n) {
     const auto force = node_vector(out.reactions, n);
     out.strain_energy_j += 0.5 * dot(node_vector(out.displacement, n), force);
     const vec3 rest = force - node_vector(p.loads, n);
@@ -271,17 +274,17 @@ void add_reactions(const problem& p, const element_operator& k, solution& out) {
     out.reactions[3 * n + 1] = held.y;
     out.reactions[3 * n + 2] = held.z;
     out.reaction_n += held;
-  }
+  });
   out.surface_reactions = reactions_by_surface(p, out.reactions);
 }
 
 void add_mass(const problem& p, const nodal_patches& patches, solution& out) {
   out.mass_known = true;
-  for (std::size_t e = 0; e < p.element_count(); ++e) {
+  polled_for(p.element_count(), [&](std::size_t e) {
     const double density = p.densities[p.element_materials[e]];
     out.mass_known = out.mass_known && density > 0;
     out.mass_kg += density * patches.volume_of(e);
-  }
+  });
   if (!out.mass_known)
     out.mass_kg = 0;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/incidence.hpp"
+#include "fem/polled.hpp"
 #include "fem/solver.hpp"
 
 namespace tedit::fem {
@@ -13,8 +14,8 @@ struct corner_flux {
   std::span<const double> values;  ///< 6 * per_element per element.
   std::vector<double> storage;     ///< Of the values, until it is moved elsewhere.
 
-  corner_flux(std::size_t each, std::size_t elements)
-      : per_element(each), storage(6 * each * elements) {
+  corner_flux(std::size_t each, std::size_t elements) : per_element(each) {
+    polled_resize(storage, 6 * each * elements);
     values = storage;
   }
   // A copy's values would be the other's.

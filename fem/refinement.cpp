@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -22,14 +23,14 @@ double norm_of(std::span<const double> x) {
 }
 
 void apply_filter(std::span<const std::array<double, 6>> filter, std::span<double> x) {
-  for (std::size_t n = 0; n < filter.size(); ++n) {
+  polled_for(filter.size(), [&](std::size_t n) {
     const auto& s = filter[n];
     double* v = &x[3 * n];
     const std::array<double, 3> y{s[0] * v[0] + s[1] * v[1] + s[2] * v[2],
                                   s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
                                   s[2] * v[0] + s[4] * v[1] + s[5] * v[2]};
     std::ranges::copy(y, v);
-  }
+  });
 }
 
 }  // namespace
@@ -48,13 +49,12 @@ expected<void> check_settings(const problem& p, const solve_settings& settings) 
 
 refinement::refinement(conditions_view conditions, const element_operator& k,
                        const solve_settings& settings, solution& out)
-    : conditions_(std::move(conditions)),
-      k_(&k),
-      settings_(&settings),
-      out_(&out),
-      residual_(conditions_.loads.size()),
-      correction_(conditions_.loads.size()) {
-  out.displacement.assign(conditions_.prescribed.begin(), conditions_.prescribed.end());
+    : conditions_(std::move(conditions)), k_(&k), settings_(&settings), out_(&out) {
+  polled_resize(residual_, conditions_.loads.size());
+  polled_resize(correction_, conditions_.loads.size());
+  polled_resize(out.displacement, conditions_.prescribed.size());
+  polled_for(out.displacement.size(),
+             [&](std::size_t i) { out.displacement[i] = conditions_.prescribed[i]; });
   reference_ = start_residual();
   out.true_relative_residual = reference_ > 0 ? 1 : 0;
   if (!settings.start.empty())
@@ -86,8 +86,7 @@ inner_case refinement::next(bool early) {
     energy = std::max(energy, settings_->preview_energy);
   // Single precision works best near one; its own scale is the residual's norm.
   scale_ = norm_of(residual_);
-  for (auto& value : residual_)
-    value /= scale_;
+  polled_for(residual_.size(), [&](std::size_t i) { residual_[i] /= scale_; });
   // From nothing, what is gained is the energy of the field.
   return {residual_, correction_, wanted, energy * energy_ / scale_, energy_ > 0 ? 0 : energy};
 }
@@ -111,8 +110,8 @@ bool refinement::take(const inner_result& inner) {
 void refinement::add_correction(double factor) {
   // Directions that are held stay so to double precision.
   apply_filter(conditions_.filter, correction_);
-  for (std::size_t i = 0; i < correction_.size(); ++i)
-    out_->displacement[i] += factor * correction_[i];
+  polled_for(correction_.size(),
+             [&](std::size_t i) { out_->displacement[i] += factor * correction_[i]; });
   update();
 }
 
@@ -120,7 +119,7 @@ void refinement::add_correction(double factor) {
 double refinement::start_residual() {
   if (std::ranges::any_of(conditions_.prescribed, [](double u) { return u != 0; }))
     return residual_norm();
-  std::ranges::copy(conditions_.loads, residual_.begin());
+  polled_for(residual_.size(), [&](std::size_t i) { residual_[i] = conditions_.loads[i]; });
   apply_filter(conditions_.filter, residual_);
   return norm_of(residual_);
 }
@@ -136,18 +135,18 @@ void refinement::add_start() {
   double work = 0;
   double by_loads = 0;
   double energy = 0;
-  for (std::size_t i = 0; i < d.size(); ++i) {
+  polled_for(d.size(), [&](std::size_t i) {
     work += d[i] * residual_[i];
     by_loads += d[i] * conditions_.loads[i];
     energy += d[i] * kd[i];
-  }
+  });
   if (!(energy > 0) || !std::isfinite(work))
     return;
   const double alpha = work / energy;
-  for (std::size_t i = 0; i < d.size(); ++i) {
+  polled_for(d.size(), [&](std::size_t i) {
     out_->displacement[i] += alpha * d[i];
     residual_[i] -= alpha * kd[i];
-  }
+  });
   energy_ = std::sqrt(
     std::max(0.0, energy_ * energy_ + 2 * alpha * (by_loads - work) + alpha * alpha * energy));
   out_->true_relative_residual = reference_ > 0 ? norm_of(residual_) / reference_ : 0;
@@ -156,10 +155,10 @@ void refinement::add_start() {
 double refinement::residual_norm() {
   k_->apply(out_->displacement, residual_);
   double twice_strain = 0;
-  for (std::size_t i = 0; i < residual_.size(); ++i) {
+  polled_for(residual_.size(), [&](std::size_t i) {
     twice_strain += residual_[i] * out_->displacement[i];
     residual_[i] = conditions_.loads[i] - residual_[i];
-  }
+  });
   energy_ = std::sqrt(std::max(0.0, twice_strain));
   apply_filter(conditions_.filter, residual_);
   return norm_of(residual_);

@@ -2,9 +2,12 @@
 #include "fem/solve_session.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <system_error>
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
+#include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 
 namespace tedit::fem {
@@ -32,12 +35,12 @@ std::vector<std::uint32_t> same_corners(const problem& from, const problem& to) 
     if (from.node_vertices[n] != no_id)
       node_of[from.node_vertices[n]] = n;
   std::vector<std::uint32_t> same(to.corner_count, no_id);
-  for (std::size_t n = 0; n < same.size(); ++n) {
+  polled_for(same.size(), [&](std::size_t n) {
     const auto v = to.node_vertices[n];
     // A slot may have been given to another point meanwhile.
     if (v <= last && node_of[v] != no_id && from.nodes[node_of[v]] == to.nodes[n])
       same[n] = node_of[v];
-  }
+  });
   return same;
 }
 
@@ -48,9 +51,10 @@ void fill_corners(const problem& p, std::vector<std::uint8_t>& known, std::vecto
     return std::any_of(n, n + 4, [&](std::uint32_t i) { return known[i] == 0; });
   };
   std::vector<std::size_t> elements;
-  for (std::size_t e = 0; e < p.element_count(); ++e)
+  polled_for(p.element_count(), [&](std::size_t e) {
     if (open(e))
       elements.push_back(e);
+  });
   std::vector<vec3> sum(p.corner_count);
   std::vector<int> count(p.corner_count, 0);
   while (!elements.empty()) {
@@ -101,13 +105,14 @@ std::vector<double> carry_over(const problem& from, std::span<const double> disp
   std::vector<double> u(to.dofs(), 0);
   const auto same = same_corners(from, to);
   std::vector<std::uint8_t> known(to.corner_count, 0);
-  for (std::size_t n = 0; n < same.size(); ++n)
+  polled_for(same.size(), [&](std::size_t n) {
     if (same[n] != no_id) {
       known[n] = 1;
       put(value_at(displacement, same[n]), n, u);
     }
+  });
   fill_corners(to, known, u);
-  for (std::size_t i = 0; i < to.edge_ends.size(); ++i) {
+  polled_for(to.edge_ends.size(), [&](std::size_t i) {
     const auto [a, b] = to.edge_ends[i];
     auto old = no_id;
     if (from.element_order == 2 && same[a] != no_id && same[b] != no_id)
@@ -116,7 +121,7 @@ std::vector<double> carry_over(const problem& from, std::span<const double> disp
       old = no_id;
     put(old != no_id ? value_at(displacement, old) : 0.5 * (value_at(u, a) + value_at(u, b)),
         to.corner_count + i, u);
-  }
+  });
   return u;
 }
 
@@ -263,8 +268,10 @@ expected<void> solve_session::assemble(const version_ptr& mesh, case_list loads,
   if (!made)
     return fail(made.error());
   auto next = std::make_unique<case_set>(std::move(*made));
-  for (auto& start : starts_)
+  auto starts = starts_;
+  for (auto& start : starts)
     start.displacement = carry_over(set_->problem, start.displacement, next->problem);
+  starts_ = std::move(starts);
   set_ = std::move(next);
   setup_ms_ = clock.restart();
   run.report(0.02, "assembling");
@@ -282,6 +289,79 @@ expected<void> solve_session::assemble(const version_ptr& mesh, case_list loads,
   return {};
 }
 
+// -- following an edit on a thread of its own --------------------------------------------
+
+namespace {
+
+/// On a thread of its own; without room for one, when its result is asked for.
+template <class Work>
+std::future<expected<bool>> start(const Work& work) {
+  try {
+    return std::async(std::launch::async, work);
+  } catch (const std::system_error&) {
+    return std::async(std::launch::deferred, work);
+  }
+}
+
+expected<void> wait_for(const std::future<expected<bool>>& work, const execution& run) {
+  constexpr std::chrono::milliseconds between_looks{5};
+  do
+    if (run.cancel.cancelled())
+      return fail(ec::cancelled, "the solve was cancelled");
+  while (work.wait_for(between_looks) == std::future_status::timeout);
+  return {};
+}
+
+}  // namespace
+
+/// Keeps the starts: they are of the present problem.
+void solve_session::drop_system() {
+  system_.reset();
+  if (set_)
+    std::erase_if(starts_, [&](const kept_start& start) {
+      return start.displacement.size() != set_->problem.dofs();
+    });
+}
+
+/// Waits for a system that a cancelled solve left on its way to another version.
+void solve_session::settle() {
+  if (!following_.valid())
+    return;
+  const auto followed = following_.get();
+  if (followed && *followed)
+    return;
+  if (!followed)
+    starts_.clear();  // Who knows which version they are of.
+  drop_system();
+}
+
+expected<void> solve_session::settle(const execution& run) {
+  if (following_.valid())
+    if (auto ok = wait_for(following_, run); !ok)
+      return ok;
+  settle();
+  return {};
+}
+
+/// `follow`, which nothing stops: half of it would be of no use. A cancel only leaves it behind.
+expected<bool> solve_session::follow_beside(const version_ptr& mesh, case_list loads,
+                                            const execution& run) {
+  following_ = start([this, mesh, cases = std::vector(loads.begin(), loads.end())] {
+    return guarded([&] { return follow(mesh, cases); });
+  });
+  if (auto ok = wait_for(following_, run); !ok)
+    return fail(ok.error());
+  return following_.get();
+}
+
+void solve_session::forget() {
+  settle();
+  system_.reset();
+  operator_.reset();
+  updater_.reset();
+  starts_.clear();
+}
+
 /// A system for the mesh and the conditions: the one that there is, carried on where it can be.
 expected<void> solve_session::prepare(const version_ptr& mesh, case_list loads, int element_order,
                                       backend& device, const execution& run) {
@@ -290,14 +370,11 @@ expected<void> solve_session::prepare(const version_ptr& mesh, case_list loads, 
   if (fits(loads, element_order, device)) {
     if (mesh_->id() == mesh->id())
       return renew_conditions(loads);
-    // Not to be cancelled: it is short, and half of it would be of no use.
-    const cancel_token never;
-    const cancel_scope scope(never);
-    const auto followed = follow(mesh, loads);
-    if (!followed) {
+    const auto followed = follow_beside(mesh, loads, run);
+    if (!followed && !following_.valid())
       starts_.clear();  // Who knows which version they are of.
+    if (!followed)
       return fail(followed.error());
-    }
     if (*followed)
       return {};
   }
@@ -324,12 +401,12 @@ expected<solve_session::cases_result> solve_session::solve(const version_ptr& me
                                                            const cases_callback& on_frame) {
   if (auto ok = check_cases(loads); !ok)
     return fail(ok.error());
+  if (auto ok = settle(run); !ok)
+    return fail(ok.error());
   auto ready = guarded(run, [&] { return prepare(mesh, loads, element_order, device, run); });
   if (!ready) {
-    system_.reset();
-    std::erase_if(starts_, [&](const kept_start& start) {
-      return start.displacement.size() != set_->problem.dofs();
-    });
+    if (!following_.valid())
+      drop_system();
     return fail(ready.error());
   }
   standing_system on{*operator_, *system_, device.info().name, assembly_ms_, setup_ms_};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,8 +15,16 @@ namespace tedit::fem {
 /// while mesh and materials stay (new loads or constraints never assemble again); where an edit
 /// changed the mesh a little, the system with the rows that it touched renewed; and the last
 /// displacement of each load case as a start. Holds one system; not for two threads at once.
+///
+/// A solve that is cancelled while the system follows an edit comes back at once. The system is
+/// finished on a thread of its own, and the next solve waits for that and goes on from there.
 class solve_session {
 public:
+  solve_session() = default;
+  solve_session(const solve_session&) = delete;
+  solve_session& operator=(const solve_session&) = delete;
+  ~solve_session() { settle(); }
+
   struct result {
     fem::solution solution;
     bool assembled = true;         ///< False when the system of the last solve was used again.
@@ -43,7 +52,11 @@ public:
                                        const solve_settings& settings, const execution& run,
                                        const frame_callback& on_frame = {});
 
-  /// What the last solve was about, also while it sends frames. Not before the first one.
+  /// Drops all that was kept: for a device that is lost.
+  void forget();
+
+  /// What the last solve was about, also while it sends frames. Not before the first one, nor after
+  /// one that failed.
   [[nodiscard]] const case_set& last_set() const { return *set_; }
   [[nodiscard]] const problem& last_problem() const { return set_->problem; }
 
@@ -62,6 +75,11 @@ private:
   [[nodiscard]] expected<void> renew_conditions(case_list loads);
   [[nodiscard]] expected<void> prepare(const version_ptr& mesh, case_list loads, int element_order,
                                        backend& device, const execution& run);
+  void drop_system();
+  void settle();
+  [[nodiscard]] expected<void> settle(const execution& run);
+  [[nodiscard]] expected<bool> follow_beside(const version_ptr& mesh, case_list loads,
+                                             const execution& run);
   [[nodiscard]] expected<bool> follow(const version_ptr& mesh, case_list loads);
   [[nodiscard]] std::vector<held_nodes> held() const;
   [[nodiscard]] expected<void> follow_conditions(case_list loads,
@@ -83,6 +101,8 @@ private:
   double assembly_ms_ = 0;
   double setup_ms_ = 0;
   std::vector<kept_start> starts_;  ///< Empty: none.
+  /// `follow` at work on all of this, left by a solve that was cancelled.
+  std::future<expected<bool>> following_;
 };
 
 /// The displacement of one problem carried over to another, of another version of the part: where a

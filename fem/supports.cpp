@@ -5,6 +5,7 @@
 
 #include "base/guard.hpp"
 #include "base/parallel.hpp"
+#include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 
 namespace tedit::fem {
@@ -55,7 +56,8 @@ std::vector<body_nodes> nodes_of_bodies(const mesh_version& mesh, const problem&
   std::iota(order.begin(), order.end(), 0u);
   if (count > 1)
     std::ranges::stable_sort(order, {}, [&](std::uint32_t e) { return body[p.element_tets[e]]; });
-  for (const auto e : order) {
+  polled_for(order.size(), [&](std::size_t i) {
+    const auto e = order[i];
     const auto b = body[p.element_tets[e]];
     ++result[b].tets;
     for (int a = 0; a < p.nodes_per_element; ++a) {
@@ -63,7 +65,7 @@ std::vector<body_nodes> nodes_of_bodies(const mesh_version& mesh, const problem&
       if (std::exchange(seen_by[node], b) != b)
         result[b].nodes.push_back(node);
     }
-  }
+  });
   return result;
 }
 
@@ -86,7 +88,8 @@ std::string describe_mode(const vector6& mode, vec3 centre, double size) {
 /// the free rigid modes.
 matrix6 support_matrix(const problem& p, const body_nodes& body, vec3 centre, double size) {
   matrix6 sum = matrix6::Zero();
-  for (const auto node : body.nodes) {
+  polled_for(body.nodes.size(), [&](std::size_t i) {
+    const auto node = body.nodes[i];
     const auto& s = p.filter[node];
     const std::array<vec3, 3> held{
       {{1 - s[0], -s[1], -s[2]}, {-s[1], 1 - s[3], -s[4]}, {-s[2], -s[4], 1 - s[5]}}};
@@ -98,30 +101,31 @@ matrix6 support_matrix(const problem& p, const body_nodes& body, vec3 centre, do
       w << d.x, d.y, d.z, moment.x, moment.y, moment.z;
       sum += w * w.transpose();
     }
-  }
+  });
   return sum;
 }
 
 expected<void> check_body(const problem& p, const body_nodes& body, std::size_t bodies) {
   vec3 centre;
-  for (const auto node : body.nodes)
-    centre += p.nodes[node] / static_cast<double>(body.nodes.size());
+  const std::size_t count = body.nodes.size();
+  polled_for(count,
+             [&](std::size_t i) { centre += p.nodes[body.nodes[i]] / static_cast<double>(count); });
   double size = 0;
-  for (const auto node : body.nodes)
-    size = std::max(size, norm(p.nodes[node] - centre));
+  polled_for(count,
+             [&](std::size_t i) { size = std::max(size, norm(p.nodes[body.nodes[i]] - centre)); });
   const matrix6 support = support_matrix(p, body, centre, size);
   const Eigen::SelfAdjointEigenSolver<matrix6> modes(support);
   const double largest = modes.eigenvalues()[5];
   std::string free;
-  int count = 0;
+  int free_modes = 0;
   for (int i = 0; i < 6; ++i) {
     // A support of 1e-6 of the part's size leaves an eigenvalue of about 1e-12.
     if (modes.eigenvalues()[i] > 1e-11 * largest)
       continue;
-    ++count;
+    ++free_modes;
     free += (free.empty() ? "" : "; ") + describe_mode(modes.eigenvectors().col(i), centre, size);
   }
-  if (count == 0)
+  if (free_modes == 0)
     return {};
   const std::string who = bodies == 1
                             ? "the part"

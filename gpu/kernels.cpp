@@ -6,6 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/guard.hpp"
+
 namespace tedit::gpu {
 
 // -- layout ----------------------------------------------------------------------------
@@ -287,7 +289,7 @@ expected<void> commands::wait() const {
 
 namespace {
 
-constexpr std::uint64_t staging_bytes = 32ull << 20;
+constexpr std::uint64_t staging_bytes = 4ull << 20;
 
 }  // namespace
 
@@ -298,6 +300,7 @@ expected<void> upload(const std::shared_ptr<kernel_layout>& layout, buffer& to,
   if (!staging)
     return fail(staging.error());
   for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
+    check_cancelled();
     const auto part = bytes.subspan(at, std::min<std::uint64_t>(staging_bytes, bytes.size() - at));
     std::memcpy(staging->mapped().data(), part.data(), part.size());
     auto work = commands::begin(layout);
@@ -344,6 +347,7 @@ expected<void> download(const std::shared_ptr<kernel_layout>& layout, const buff
   if (!staging)
     return fail(staging.error());
   for (std::uint64_t at = 0; at < bytes.size(); at += staging_bytes) {
+    check_cancelled();
     const auto part = bytes.subspan(at, std::min<std::uint64_t>(staging_bytes, bytes.size() - at));
     auto work = commands::begin(layout);
     if (!work)

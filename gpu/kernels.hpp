@@ -113,7 +113,8 @@ private:
   VkFence fence_ = VK_NULL_HANDLE;
 };
 
-/// Copies to and from device buffers through a staging buffer, in pieces.
+/// Copies to and from device buffers through a staging buffer, in pieces of 4 MiB; asks
+/// `check_cancelled` (base/guard.hpp) before each.
 [[nodiscard]] expected<void> upload(const std::shared_ptr<kernel_layout>& layout, buffer& to,
                                     std::span<const std::byte> bytes);
 /// Bytes of a list that belong at a place in a device buffer.

@@ -13,10 +13,14 @@ layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
 layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
 
 void main() {
-  const float alpha = scalars[TEDIT_CG_FACTOR];
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
-    u[n] += alpha * p[n];
-    const vec3 left = r[n].xyz - alpha * q[n].xyz;
-    r[n] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], left), 0);
-  }
+  for (uint n = first_row(); n < push.rows; n += stride())
+    for (uint c = 0; c < cases; ++c) {
+      if (scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_STATE] != 0)
+        continue;
+      const float alpha = scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_FACTOR];
+      const uint at = cases * n + c;
+      u[at] += alpha * p[at];
+      const vec3 left = r[at].xyz - alpha * q[at].xyz;
+      r[at] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], left), 0);
+    }
 }

@@ -8,6 +8,7 @@ layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 p[]; };
 
 void main() {
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
-    p[n] = z[n];
+  for (uint n = first_row(); n < push.rows; n += stride())
+    for (uint at = cases * n; at < cases * (n + 1); ++at)
+      p[at] = z[at];
 }

@@ -9,7 +9,11 @@ layout(set = 0, binding = 6) buffer b6 { vec4 p[]; };
 layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
 
 void main() {
-  const float beta = scalars[TEDIT_CG_FACTOR];
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride())
-    p[n] = z[n] + beta * p[n];
+  for (uint n = first_row(); n < push.rows; n += stride())
+    for (uint c = 0; c < cases; ++c) {
+      if (scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_STATE] != 0)
+        continue;
+      const uint at = cases * n + c;
+      p[at] = z[at] + scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_FACTOR] * p[at];
+    }
 }

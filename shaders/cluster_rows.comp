@@ -12,20 +12,26 @@ layout(set = 0, binding = 5) buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const uvec4 row = rows[i];
     if (row.z == 0)
       continue;  // Left by a cluster that an edit dissolved; another row may have the node now.
-    vec3 y = vec3(0);
+    vec3 y[cases];
+    for (uint c = 0; c < cases; ++c)
+      y[c] = vec3(0);
     for (uint k = 0; k < row.z; ++k) {
       const uint entry = 3 * (row.y + k);
       const uvec4 a = blocks[entry];
       const vec4 b = uintBitsToFloat(blocks[entry + 1]);
       const vec4 e = uintBitsToFloat(blocks[entry + 2]);
-      const vec3 d = r[a.x].xyz;
-      y += vec3(dot(uintBitsToFloat(a.yzw), d), dot(b.xyz, d), dot(vec3(b.w, e.xy), d));
+      for (uint c = 0; c < cases; ++c) {
+        const vec3 d = r[cases * a.x + c].xyz;
+        y[c] += vec3(dot(uintBitsToFloat(a.yzw), d), dot(b.xyz, d), dot(vec3(b.w, e.xy), d));
+      }
     }
-    step_out[row.x] += vec4(push.fresh * y, 0);
-    z[row.x] += vec4(push.fresh * y, 0);
+    for (uint c = 0; c < cases; ++c) {
+      step_out[cases * row.x + c] += vec4(push.fresh * y[c], 0);
+      z[cases * row.x + c] += vec4(push.fresh * y[c], 0);
+    }
   }
 }

@@ -8,7 +8,11 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 0) const uint group_size = 64;
 layout(constant_id = 1) const uint slice_rows = 8;
 layout(constant_id = 2) const uint mode = 0;
+// So many load cases side by side: a vector has the cases of its first node, then of the next one.
+layout(constant_id = 4) const uint cases = 1;
 
+// Where an invocation starts.
+uint first_row() { return push.from + gl_GlobalInvocationID.x; }
 uint stride() { return gl_NumWorkGroups.x * group_size; }
 
 // S x for a symmetric matrix held as xx xy xz yy | yz zz.

@@ -17,7 +17,7 @@
 #define TEDIT_CG_ALPHA 1
 #define TEDIT_CG_BETA 2
 
-// Places in the scalars.
+// Places in the scalars of one case; those of the next one follow.
 #define TEDIT_CG_DELTA 0      // r.z
 #define TEDIT_CG_THRESHOLD 1  // stop when r.z is at most this
 #define TEDIT_CG_STATE 2      // 0 running, 1 converged, 2 broken down
@@ -29,6 +29,7 @@
 #define TEDIT_CG_ENERGY2 8    // stop when e.Ke is at most this,
 #define TEDIT_CG_SHARE2 9     // or this times what was gained
 #define TEDIT_CG_SMALLEST 10  // at most the smallest eigenvalue of B K
+#define TEDIT_CG_REDUCTION2 11  // square of the wanted reduction: this and the three before are set before the first sum
 #define TEDIT_CG_HISTORY 12   // alpha and beta of the first iterations
 #define TEDIT_CG_KEPT 100     // of so many
 #define TEDIT_CG_SCALARS (TEDIT_CG_HISTORY + 2 * TEDIT_CG_KEPT)
@@ -46,20 +47,17 @@ using uint = std::uint32_t;
 #endif
 
 TEDIT_CYCLE_PUSH {
-  uint rows;       // how many this dispatch has
+  uint rows;       // up to which this dispatch goes,
+  uint from;       // and where it starts
   uint first_row;
   uint count;      // entries of a row, corners, aggregates, room for elements: see the kernel
   uint place;      // of the first partial sum
   float before;    // Chebyshev weights: next step = before * old step + fresh * B r
   float fresh;
   float enter;     // how much of the old step enters z
-  float reduction2; // square of the wanted reduction
-  float energy2;    // e.Ke that is small enough in any case
-  float share2;     // or this times what was gained
-  float smallest;   // at most the smallest eigenvalue of B K
 #ifdef __cplusplus
 };
-static_assert(sizeof(cycle_push) == 44);
+static_assert(sizeof(cycle_push) == 32);
 }  // namespace tedit::fem
 #else
 } push;

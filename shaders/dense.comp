@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // z = M right with the dense inverse of the coarsest level; one invocation per unknown. Neighbours read neighbouring
-// parts of M: entry k of row i lies at k * rows + i, three columns each.
+// parts of M: entry k of row i lies at k * size + i, three columns each.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
@@ -10,10 +10,18 @@ layout(set = 0, binding = 2) readonly buffer b2 { vec4 right[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { float z[]; };
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
-    float sum = 0;
-    for (uint k = 0; k < push.count; ++k)
-      sum += dot(inverse_rows[k * push.rows + i], right[k]);
-    z[i / 3 * 4 + i % 3] = sum;
+  const uint size = 3 * push.count;
+  for (uint i = first_row(); i < push.rows; i += stride()) {
+    float sums[cases];
+    for (uint c = 0; c < cases; ++c)
+      sums[c] = 0;
+    for (uint k = 0; k < push.count; ++k) {
+      const vec4 part = inverse_rows[k * size + i];
+      for (uint c = 0; c < cases; ++c)
+        sums[c] += dot(part, right[2 * (cases * (k / 2) + c) + k % 2]);
+    }
+    const uint half_motion = i / 3;
+    for (uint c = 0; c < cases; ++c)
+      z[4 * (2 * (cases * (half_motion / 2) + c) + half_motion % 2) + i % 3] = sums[c];
   }
 }

@@ -11,7 +11,7 @@ layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };
 
 void main() {
-  for (uint c = gl_GlobalInvocationID.x; c < push.rows; c += stride()) {
+  for (uint c = first_row(); c < push.rows; c += stride()) {
     vec3 sum = vec3(0);
     const uvec2 place = rows[c];
     for (uint at = place.x; at < place.y; ++at)

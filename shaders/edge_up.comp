@@ -10,7 +10,7 @@ layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 
 void main() {
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+  for (uint n = first_row(); n < push.rows; n += stride()) {
     if (n < push.count) {  // a corner
       step_out[n] = coarse[n];
       continue;

@@ -10,24 +10,33 @@ layout(set = 0, binding = 0) readonly buffer b0 { uvec2 slices[]; };  // first e
 layout(set = 0, binding = 1) readonly buffer b1 { uvec4 blocks[]; };  // 3 per entry: column, 9 values by rows
 
 void main() {
-  float sum = 0;
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  float sums[cases];
+  for (uint c = 0; c < cases; ++c)
+    sums[c] = 0;
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const uint row = push.first_row + i;
-    const vec3 own = x[row].xyz;
+    vec3 own[cases];
+    vec3 y[cases];
+    for (uint c = 0; c < cases; ++c) {
+      own[c] = x[cases * row + c].xyz;
+      y[c] = vec3(0);
+    }
     const uvec2 slice = slices[row / slice_rows];
     uint entry = 3 * (slice.x + row % slice_rows);
-    vec3 y = vec3(0);
     for (uint k = 0; k < slice.y; ++k) {
       const uvec4 a = blocks[entry];
       const vec4 b = uintBitsToFloat(blocks[entry + 1]);
       const vec4 e = uintBitsToFloat(blocks[entry + 2]);
-      const vec3 d = x[a.x].xyz - own;
-      y.x += dot(uintBitsToFloat(a.yzw), d);
-      y.y += dot(b.xyz, d);
-      y.z += dot(vec3(b.w, e.xy), d);
+      for (uint c = 0; c < cases; ++c) {
+        const vec3 d = x[cases * a.x + c].xyz - own[c];
+        y[c].x += dot(uintBitsToFloat(a.yzw), d);
+        y[c].y += dot(b.xyz, d);
+        y[c].z += dot(vec3(b.w, e.xy), d);
+      }
       entry += 3 * slice_rows;
     }
-    sum += finish_row(row, own, y);
+    for (uint c = 0; c < cases; ++c)
+      sums[c] += finish_row(row, cases * row + c, own[c], y[c]);
   }
-  finish_sum(sum);
+  finish_sums(sums);
 }

@@ -11,11 +11,15 @@ layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
 
 void main() {
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
-    const vec4 value = right[n];
-    const vec4 now = vec4(push.fresh * apply_symmetric(diagonal[2 * n], diagonal[2 * n + 1], value.xyz), 0);
-    r[n] = value;
-    step_out[n] = now;
-    z[n] = now;
+  for (uint n = first_row(); n < push.rows; n += stride()) {
+    const vec4 first = diagonal[2 * n];
+    const vec4 second = diagonal[2 * n + 1];
+    for (uint at = cases * n; at < cases * (n + 1); ++at) {
+      const vec4 value = right[at];
+      const vec4 now = vec4(push.fresh * apply_symmetric(first, second, value.xyz), 0);
+      r[at] = value;
+      step_out[at] = now;
+      z[at] = now;
+    }
   }
 }

@@ -86,6 +86,6 @@ void element_forces(uint e) {
 }
 
 void main() {
-  for (uint e = gl_GlobalInvocationID.x; e < push.rows; e += stride())
+  for (uint e = first_row(); e < push.rows; e += stride())
     element_forces(e);
 }

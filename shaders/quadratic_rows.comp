@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Rows of quadratic tets: the sum of the element forces at a node, in a fixed order. Elements come in ranges that fit a
-// binding; all but the last range only add to the sums.
+// binding; all but the last range only add to the sums. One load case.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 #include "row_modes.glsl"
@@ -14,8 +14,9 @@ layout(set = 0, binding = 8) readonly buffer b8 { vec4 forces[]; };
 layout(set = 0, binding = 9) buffer b9 { vec4 sums[]; };
 
 void main() {
-  float sum = 0;
-  for (uint row = gl_GlobalInvocationID.x; row < push.rows; row += stride()) {
+  float sums_of[cases];
+  sums_of[0] = 0;
+  for (uint row = first_row(); row < push.rows; row += stride()) {
     vec3 y = vec3(0);
     const uvec2 own = rows[row];
     for (uint k = 0; k < own.y; k += 4) {
@@ -33,7 +34,7 @@ void main() {
     if (mode == TEDIT_ACCUMULATE)
       sums[row] = vec4(y, 0);
     else
-      sum += finish_row(row, x[row].xyz, y);
+      sums_of[0] += finish_row(row, row, x[row].xyz, y);
   }
-  finish_sum(sum);
+  finish_sums(sums_of);
 }

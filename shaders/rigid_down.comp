@@ -8,20 +8,29 @@ layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };  // first mem
 layout(set = 0, binding = 1) readonly buffer b1 { uint members[]; };
 layout(set = 0, binding = 2) readonly buffer b2 { vec4 arms[]; };
 layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };  // 2 per aggregate
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };  // 2 per aggregate and case
 
 void main() {
-  for (uint a = gl_GlobalInvocationID.x; a < push.rows; a += stride()) {
-    vec3 force = vec3(0);
-    vec3 moment = vec3(0);
+  for (uint a = first_row(); a < push.rows; a += stride()) {
+    vec3 force[cases];
+    vec3 moment[cases];
+    for (uint c = 0; c < cases; ++c) {
+      force[c] = vec3(0);
+      moment[c] = vec3(0);
+    }
     const uvec2 place = rows[a];
     for (uint at = place.x; at < place.y; ++at) {
       const uint n = members[at];
-      const vec3 f = r[n].xyz;
-      force += f;
-      moment += cross(arms[n].xyz, f);
+      const vec3 arm = arms[n].xyz;
+      for (uint c = 0; c < cases; ++c) {
+        const vec3 f = r[cases * n + c].xyz;
+        force[c] += f;
+        moment[c] += cross(arm, f);
+      }
     }
-    right[2 * a] = vec4(force, 0);
-    right[2 * a + 1] = vec4(moment, 0);
+    for (uint c = 0; c < cases; ++c) {
+      right[2 * (cases * a + c)] = vec4(force[c], 0);
+      right[2 * (cases * a + c) + 1] = vec4(moment[c], 0);
+    }
   }
 }

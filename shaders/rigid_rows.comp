@@ -14,50 +14,60 @@ layout(set = 0, binding = 5) writeonly buffer b5 { vec4 other[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 layout(set = 0, binding = 8) readonly buffer b8 { vec4 blocks[]; };
 
-motion block_times(uint block, motion v) {
-  const uint at = 9 * block;
-  return sum_of(sum_of(two_columns(blocks[at], blocks[at + 1], blocks[at + 2], v.move.x, v.move.y),
-                       two_columns(blocks[at + 3], blocks[at + 4], blocks[at + 5], v.move.z, v.turn.x)),
-                two_columns(blocks[at + 6], blocks[at + 7], blocks[at + 8], v.turn.y, v.turn.z));
+block66 block_at(uint block) {
+  block66 b;
+  for (uint i = 0; i < 9; ++i)
+    b.part[i] = blocks[9 * block + i];
+  return b;
 }
 
-motion inverse_times(uint row, motion v) {
-  const uint at = 9 * row;
-  return sum_of(sum_of(two_columns(inverses[at], inverses[at + 1], inverses[at + 2], v.move.x, v.move.y),
-                       two_columns(inverses[at + 3], inverses[at + 4], inverses[at + 5], v.move.z, v.turn.x)),
-                two_columns(inverses[at + 6], inverses[at + 7], inverses[at + 8], v.turn.y, v.turn.z));
+block66 inverse_at(uint row) {
+  block66 b;
+  for (uint i = 0; i < 9; ++i)
+    b.part[i] = inverses[9 * row + i];
+  return b;
 }
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
+  for (uint i = first_row(); i < push.rows; i += stride()) {
     const uint row = push.first_row + i;
-    motion y = motion(vec3(0), vec3(0));
+    motion y[cases];
+    for (uint c = 0; c < cases; ++c)
+      y[c] = motion(vec3(0), vec3(0));
     const uvec2 place = rows[i];
     for (uint s = place.x; s < place.y; ++s) {
-      const uint column = columns[s];
-      y = sum_of(y, block_times(s, motion(x[2 * column].xyz, x[2 * column + 1].xyz)));
+      const uint column = cases * columns[s];
+      const block66 block = block_at(s);
+      for (uint c = 0; c < cases; ++c)
+        y[c] = sum_of(y[c], block_times(block, motion(x[2 * (column + c)].xyz, x[2 * (column + c) + 1].xyz)));
     }
-    if (mode == TEDIT_MULTIPLY) {
-      r[2 * row] = vec4(y.move, 0);
-      r[2 * row + 1] = vec4(y.turn, 0);
-      continue;
+    block66 inverse;
+    if (mode == TEDIT_MOVE)
+      inverse = inverse_at(row);
+    for (uint c = 0; c < cases; ++c) {
+      const uint at = 2 * (cases * row + c);
+      if (mode == TEDIT_MULTIPLY) {
+        r[at] = vec4(y[c].move, 0);
+        r[at + 1] = vec4(y[c].turn, 0);
+        continue;
+      }
+      const motion left = motion(r[at].xyz - y[c].move, r[at + 1].xyz - y[c].turn);
+      if (mode == TEDIT_RESIDUAL) {
+        other[at] = vec4(left.move, 0);
+        other[at + 1] = vec4(left.turn, 0);
+        continue;
+      }
+      const motion image = block_times(inverse, left);
+      const vec3 old_move = x[at].xyz;
+      const vec3 old_turn = x[at + 1].xyz;
+      const vec3 move = push.before * old_move + push.fresh * image.move;
+      const vec3 turn = push.before * old_turn + push.fresh * image.turn;
+      r[at] = vec4(left.move, 0);
+      r[at + 1] = vec4(left.turn, 0);
+      other[at] = vec4(move, 0);
+      other[at + 1] = vec4(turn, 0);
+      z[at] += vec4(push.enter * old_move + move, 0);
+      z[at + 1] += vec4(push.enter * old_turn + turn, 0);
     }
-    const motion left = motion(r[2 * row].xyz - y.move, r[2 * row + 1].xyz - y.turn);
-    if (mode == TEDIT_RESIDUAL) {
-      other[2 * row] = vec4(left.move, 0);
-      other[2 * row + 1] = vec4(left.turn, 0);
-      continue;
-    }
-    const motion image = inverse_times(row, left);
-    const vec3 old_move = x[2 * row].xyz;
-    const vec3 old_turn = x[2 * row + 1].xyz;
-    const vec3 move = push.before * old_move + push.fresh * image.move;
-    const vec3 turn = push.before * old_turn + push.fresh * image.turn;
-    r[2 * row] = vec4(left.move, 0);
-    r[2 * row + 1] = vec4(left.turn, 0);
-    other[2 * row] = vec4(move, 0);
-    other[2 * row + 1] = vec4(turn, 0);
-    z[2 * row] += vec4(push.enter * old_move + move, 0);
-    z[2 * row + 1] += vec4(push.enter * old_turn + turn, 0);
   }
 }

@@ -13,21 +13,22 @@ layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride()) {
-    const vec4 a = right[2 * i];
-    const vec4 b = right[2 * i + 1];
-    const uint at = 9 * i;
-    const motion y =
-      sum_of(sum_of(two_columns(inverses[at], inverses[at + 1], inverses[at + 2], a.x, a.y),
-                    two_columns(inverses[at + 3], inverses[at + 4], inverses[at + 5], a.z, b.x)),
-             two_columns(inverses[at + 6], inverses[at + 7], inverses[at + 8], b.y, b.z));
-    const vec4 move = vec4(push.fresh * y.move, 0);
-    const vec4 turn = vec4(push.fresh * y.turn, 0);
-    r[2 * i] = a;
-    r[2 * i + 1] = b;
-    step_out[2 * i] = move;
-    step_out[2 * i + 1] = turn;
-    z[2 * i] = push.enter == 0 ? move : z[2 * i] + move;
-    z[2 * i + 1] = push.enter == 0 ? turn : z[2 * i + 1] + turn;
+  for (uint i = first_row(); i < push.rows; i += stride()) {
+    block66 inverse;
+    for (uint k = 0; k < 9; ++k)
+      inverse.part[k] = inverses[9 * i + k];
+    for (uint at = 2 * cases * i; at < 2 * cases * (i + 1); at += 2) {
+      const vec4 a = right[at];
+      const vec4 b = right[at + 1];
+      const motion y = block_times(inverse, motion(a.xyz, b.xyz));
+      const vec4 move = vec4(push.fresh * y.move, 0);
+      const vec4 turn = vec4(push.fresh * y.turn, 0);
+      r[at] = a;
+      r[at + 1] = b;
+      step_out[at] = move;
+      step_out[at + 1] = turn;
+      z[at] = push.enter == 0 ? move : z[at] + move;
+      z[at + 1] = push.enter == 0 ? turn : z[at + 1] + turn;
+    }
   }
 }

@@ -10,13 +10,18 @@ layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 
 void main() {
-  for (uint n = gl_GlobalInvocationID.x; n < push.rows; n += stride()) {
+  for (uint n = first_row(); n < push.rows; n += stride()) {
     const uvec4 arm = arms[n];
     const uint a = arm.w;
-    vec3 u = vec3(0);
-    if (a < push.count)
-      u = apply_symmetric(filters[2 * n], filters[2 * n + 1],
-                          coarse[2 * a].xyz + cross(coarse[2 * a + 1].xyz, uintBitsToFloat(arm.xyz)));
-    step_out[n] = vec4(u, 0);
+    const vec4 first = filters[2 * n];
+    const vec4 second = filters[2 * n + 1];
+    for (uint c = 0; c < cases; ++c) {
+      vec3 u = vec3(0);
+      if (a < push.count) {
+        const uint at = 2 * (cases * a + c);
+        u = apply_symmetric(first, second, coarse[at].xyz + cross(coarse[at + 1].xyz, uintBitsToFloat(arm.xyz)));
+      }
+      step_out[cases * n + c] = vec4(u, 0);
+    }
   }
 }

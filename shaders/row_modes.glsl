@@ -9,29 +9,31 @@ layout(set = 0, binding = 5) writeonly buffer b5 { vec4 other[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
 
-// `own` is x of this row. Returns a term of the partial sum.
-float finish_row(uint row, vec3 own, vec3 y) {
+// `at` is the place of a row of one case in the vectors, `own` x there. Returns a term of the case's partial sum.
+float finish_row(uint row, uint at, vec3 own, vec3 y) {
   if (mode == TEDIT_MULTIPLY) {
-    r[row] = vec4(y, 0);
+    r[at] = vec4(y, 0);
     return dot(own, y);
   }
-  const vec3 left = r[row].xyz - y;
+  const vec3 left = r[at].xyz - y;
   const vec3 image = apply_symmetric(diagonal[2 * row], diagonal[2 * row + 1], left);
   if (mode == TEDIT_RESIDUAL) {
-    r[row] = vec4(image, 0);
+    r[at] = vec4(image, 0);
     return 0;
   }
   const vec3 now = push.before * own + push.fresh * image;
-  r[row] = vec4(left, 0);
-  other[row] = vec4(now, 0);
-  z[row] += vec4(push.enter * own + now, 0);
+  r[at] = vec4(left, 0);
+  other[at] = vec4(now, 0);
+  z[at] += vec4(push.enter * own + now, 0);
   return 0;
 }
 
-void finish_sum(float sum) {
+void finish_sums(float sums[cases]) {
   if (mode != TEDIT_MULTIPLY)
     return;
-  sum = group_sum(sum);
-  if (gl_LocalInvocationID.x == 0)
-    partials[push.place + gl_WorkGroupID.x] = sum;
+  for (uint c = 0; c < cases; ++c) {
+    const float sum = group_sum(sums[c]);
+    if (gl_LocalInvocationID.x == 0)
+      partials[cases * (push.place + gl_WorkGroupID.x) + c] = sum;
+  }
 }

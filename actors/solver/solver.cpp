@@ -145,7 +145,7 @@ expected<job_output<solve_result>> solve_on(const solve_task& task, const std::s
 /// Nothing that stands on a lost device is used again.
 void drop_device(solver_bench& bench, const std::string& name, const error& why) {
   spdlog::error("the device \"{}\" failed in a solve: {}", name, render(why));
-  bench.session = {};
+  bench.session.forget();
   bench.devices.erase(name);
 }
 

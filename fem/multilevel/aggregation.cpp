@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "fem/polled.hpp"
 #include "mesh/types.hpp"
 
 namespace tedit::fem {
@@ -52,11 +53,12 @@ private:
     std::vector<std::uint64_t> key(order.size());
     for (std::uint32_t n = 0; n < key.size(); ++n)
       key[n] = mix(n);
-    std::ranges::sort(order, {}, [&](std::uint32_t n) { return key[n]; });
+    polled_sort(order, [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
     std::vector<std::uint8_t> covered(order.size(), 0);
-    for (const auto root : order) {
+    polled_for(order.size(), [&](std::size_t i) {
+      const auto root = order[i];
       if (covered[root] != 0 || excluded_[root] != 0)
-        continue;
+        return;
       covered[root] = 1;
       result_.of[root] = result_.count;
       for_strong(root, [&](std::uint32_t near) {
@@ -65,7 +67,7 @@ private:
         for_strong(near, [&](std::uint32_t far) { covered[far] = 1; });
       });
       ++result_.count;
-    }
+    });
   }
 
   /// The aggregate of the strongest neighbour that is in one of `from`.
@@ -84,12 +86,14 @@ private:
   bool join_leftovers() {
     const auto before = result_.of;
     bool joined = false;
-    for (std::uint32_t n = 0; n < before.size(); ++n)
+    polled_for(before.size(), [&](std::size_t i) {
+      const auto n = static_cast<std::uint32_t>(i);
       if (before[n] == no_id && excluded_[n] == 0)
         if (const auto there = strongest(n, before, weak_); there != no_id) {
           result_.of[n] = there;
           joined = true;
         }
+    });
     return joined;
   }
 
@@ -101,9 +105,10 @@ private:
 
   void glue(std::span<const std::uint32_t> cluster) {
     std::map<std::uint32_t, std::uint32_t> to;
-    for (std::uint32_t n = 0; n < cluster.size(); ++n)
+    polled_for(cluster.size(), [&](std::size_t n) {
       if (cluster[n] != no_id && result_.of[n] != no_id)
         result_.of[n] = to.try_emplace(cluster[n], result_.of[n]).first->second;
+    });
   }
 
   void merge_small(std::uint32_t least) {
@@ -115,10 +120,11 @@ private:
     for (auto& a : kept)
       if (a != no_id && size[a] < least)
         a = no_id;
-    for (std::uint32_t n = 0; n < kept.size(); ++n)
+    polled_for(kept.size(), [&](std::size_t n) {
       if (result_.of[n] != no_id && kept[n] == no_id)
-        if (const auto there = strongest(n, kept, 0); there != no_id)
+        if (const auto there = strongest(static_cast<std::uint32_t>(n), kept, 0); there != no_id)
           result_.of[n] = there;
+    });
   }
 
   void renumber() {
@@ -142,9 +148,10 @@ private:
 aggregation match(const node_graph& graph) {
   aggregation result;
   result.of.assign(graph.nodes(), no_id);
-  for (std::uint32_t n = 0; n < graph.nodes(); ++n) {
+  polled_for(graph.nodes(), [&](std::size_t i) {
+    const auto n = static_cast<std::uint32_t>(i);
     if (result.of[n] != no_id)
-      continue;
+      return;
     std::uint32_t best = no_id;
     float weight = 0;
     for (auto s = graph.first[n]; s < graph.first[n + 1]; ++s)
@@ -157,7 +164,7 @@ aggregation match(const node_graph& graph) {
     if (best != no_id)
       result.of[best] = result.count;
     ++result.count;
-  }
+  });
   return result;
 }
 
@@ -169,7 +176,7 @@ node_graph collapse(const node_graph& graph, const aggregation& groups) {
   node_graph result;
   result.first.push_back(0);
   std::vector<std::uint32_t> place(groups.count, no_id);
-  for (std::uint32_t g = 0; g < groups.count; ++g) {
+  polled_for(groups.count, [&](std::size_t g) {
     for (const auto n : members[g])
       for (auto s = graph.first[n]; s < graph.first[n + 1]; ++s) {
         const auto other = groups.of[graph.column[s]];
@@ -183,7 +190,7 @@ node_graph collapse(const node_graph& graph, const aggregation& groups) {
         result.weight[place[other]] += graph.weight[s];
       }
     result.first.push_back(static_cast<std::uint32_t>(result.column.size()));
-  }
+  });
   return result;
 }
 

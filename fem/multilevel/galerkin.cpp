@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/guard.hpp"
 #include "base/parallel.hpp"
 
 namespace tedit::fem {
@@ -158,6 +159,7 @@ void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span fil
           fresh[i] = row_maker(p, k, filter, h, memory.frames).make(part[i]);
       },
       8);
+    check_cancelled();
     for (std::size_t i = 0; i < part.size(); ++i) {
       memory.keep[part[i]] = fresh[i].keep;
       replace_row(level, part[i], fresh[i].column, fresh[i].block);

@@ -8,6 +8,7 @@
 #include "fem/multilevel/galerkin.hpp"
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -16,10 +17,10 @@ namespace {
 node_graph graph_of(const block_matrix& k) {
   node_graph graph;
   graph.first.assign(k.rows() + 1, 0);
-  for (std::size_t n = 0; n < k.rows(); ++n)
-    graph.first[n + 1] = graph.first[n] + k.places.length(n);
-  graph.column.resize(graph.first.back());
-  graph.weight.resize(graph.first.back());
+  polled_for(k.rows(),
+             [&](std::size_t n) { graph.first[n + 1] = graph.first[n] + k.places.length(n); });
+  polled_resize(graph.column, graph.first.back());
+  polled_resize(graph.weight, graph.first.back());
   std::vector<float> scale(k.rows());
   parallel_for(k.rows(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
@@ -115,11 +116,14 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
   result.memory->cluster_of = clusters.of;
   auto& frames = result.memory->levels.emplace_back().frames;
   frames.resize(aggregates.count);
-  for (std::uint32_t a = 0; a < aggregates.count; ++a) {
-    frames[a] = frame_of(p, result.members.of(a));
-    for (const auto n : result.members.of(a))
-      store_transfer(p, filter, frames[a], n, result);
-  }
+  polled_for(
+    aggregates.count,
+    [&](std::size_t a) {
+      frames[a] = frame_of(p, result.members.of(a));
+      for (const auto n : result.members.of(a))
+        store_transfer(p, filter, frames[a], n, result);
+    },
+    1024);
   auto& first = result.levels.emplace_back();
   constexpr std::size_t usual_blocks = 32;  // Of a row.
   reserve_for_edits(first.column, usual_blocks * aggregates.count);

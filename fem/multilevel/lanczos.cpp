@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/parallel.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -52,11 +53,12 @@ ritz_range extreme_ritz_values(std::span<const double> alpha, std::span<const do
 float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, const vector_map& a,
                          const vector_map& b) {
   const std::size_t n = unknowns + padding;
-  std::vector<float> r(n, 0);
-  std::vector<float> z(n, 0);
-  std::vector<float> q(n, 0);
-  for (std::size_t i = 0; i < unknowns; ++i)
-    r[i] = noise(i);
+  std::vector<float> r;
+  std::vector<float> z;
+  std::vector<float> q;
+  for (auto* v : {&r, &z, &q})
+    polled_resize(*v, n);
+  polled_for(unknowns, [&](std::size_t i) { r[i] = noise(i); });
   b(r.data(), z.data());
   std::vector<float> p = z;
   double rz = inner(r, z, unknowns);
@@ -70,8 +72,7 @@ float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, c
     const double alpha = rz / bend;
     alphas.push_back(alpha);
     const auto down = static_cast<float>(alpha);
-    for (std::size_t i = 0; i < unknowns; ++i)
-      r[i] -= down * q[i];
+    polled_for(unknowns, [&](std::size_t i) { r[i] -= down * q[i]; });
     b(r.data(), z.data());
     const double next = inner(r, z, unknowns);
     if (!(next > 1e-12 * rz))
@@ -79,8 +80,7 @@ float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, c
     betas.push_back(next / rz);
     rz = next;
     const auto keep = static_cast<float>(betas.back());
-    for (std::size_t i = 0; i < unknowns; ++i)
-      p[i] = z[i] + keep * p[i];
+    polled_for(unknowns, [&](std::size_t i) { p[i] = z[i] + keep * p[i]; });
   }
   return static_cast<float>(extreme_ritz_values(alphas, betas).largest);
 }

@@ -7,21 +7,24 @@
 #include <numeric>
 
 #include "fem/multilevel/cluster_inverse.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
 member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t owners) {
   std::vector<std::uint32_t> next(owners, 0);
-  for (const auto o : owner)
-    if (o != no_id)
-      ++next[o];
+  polled_for(owner.size(), [&](std::size_t i) {
+    if (owner[i] != no_id)
+      ++next[owner[i]];
+  });
   places = row_places(next);
   item.resize(places.room());
   for (std::uint32_t o = 0; o < owners; ++o)
     next[o] = places.begin(o);
-  for (std::uint32_t i = 0; i < owner.size(); ++i)
+  polled_for(owner.size(), [&](std::size_t i) {
     if (owner[i] != no_id)
-      item[next[owner[i]]++] = i;
+      item[next[owner[i]]++] = static_cast<std::uint32_t>(i);
+  });
 }
 
 void member_lists::replace(std::uint32_t owner, std::span<const std::uint32_t> items) {
@@ -175,6 +178,7 @@ std::vector<std::uint32_t> update_smoother(const smoother_source& source,
   cluster_of = std::move(clusters.of);
   lists.inverse.resize(clusters.count);
   for (std::size_t i = 0; i < change.clusters.size(); ++i) {
+    check_cancelled();
     const auto c = change.clusters[i];
     const std::span<const std::uint32_t> members = change.members[i];
     lists.nodes.replace(c, members);
@@ -183,10 +187,15 @@ std::vector<std::uint32_t> update_smoother(const smoother_source& source,
       lists.inverse[c] = invert_cluster(source.matrix_of(members), source.filter, members);
   }
   smoother.inverse.resize(source.filter.size());
-  for (const auto n : change.nodes)
-    smoother.inverse[n] = n < cluster_of.size() && cluster_of[n] != no_id
-                            ? std::array<float, 6>{}
-                            : invert_block(source.diagonal_of(n), source.filter[n]);
+  polled_for(
+    change.nodes.size(),
+    [&](std::size_t i) {
+      const auto n = change.nodes[i];
+      smoother.inverse[n] = n < cluster_of.size() && cluster_of[n] != no_id
+                              ? std::array<float, 6>{}
+                              : invert_block(source.diagonal_of(n), source.filter[n]);
+    },
+    512);
   lists.changed = std::move(change.clusters);
   smoother.changed = change.nodes;
   return change.nodes;

@@ -9,6 +9,7 @@
 #include "fem/multilevel/cluster_inverse.hpp"
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -130,29 +131,32 @@ edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter) {
   result.ends = quadratic.edge_ends;
   std::vector<std::uint32_t> owner;
   owner.reserve(2 * result.ends.size());
-  for (const auto& ends : result.ends)
-    owner.insert(owner.end(), ends.begin(), ends.end());
+  polled_for(result.ends.size(), [&](std::size_t i) {
+    owner.insert(owner.end(), result.ends[i].begin(), result.ends[i].end());
+  });
   result.middles = member_lists(owner, static_cast<std::uint32_t>(quadratic.corner_count));
   bool filtered = false;
   result.held.resize(filter.size());
-  for (std::size_t n = 0; n < filter.size(); ++n) {
+  polled_for(filter.size(), [&](std::size_t n) {
     const double trace = filter[n][0] + filter[n][3] + filter[n][5];
     result.held[n] = trace < 1e-9 ? 1 : 0;
     filtered = filtered || trace < 3 - 1e-9;
-  }
+  });
   if (!filtered)
     return result;
   result.filter.resize(filter.size());
-  for (std::size_t n = 0; n < filter.size(); ++n)
+  polled_for(filter.size(), [&](std::size_t n) {
     std::ranges::transform(filter[n], result.filter[n].begin(),
                            [](double s) { return static_cast<float>(s); });
+  });
   return result;
 }
 
 node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
                                       const sliver_clusters& clusters) {
   const incidence around(quadratic);
-  std::vector<std::array<float, 6>> diagonal(quadratic.node_count());
+  std::vector<std::array<float, 6>> diagonal;
+  polled_resize(diagonal, quadratic.node_count());
   parallel_for(diagonal.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       diagonal[n] = diagonal_block(quadratic, around.of_node(n));

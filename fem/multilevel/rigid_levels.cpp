@@ -10,6 +10,7 @@
 
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -109,9 +110,14 @@ node_graph graph_of(const rigid_level& level) {
   node_graph graph;
   std::vector<float> scale(level.nodes(), 0);
   const auto for_entries = [&](const auto& visit) {
-    for (std::uint32_t i = 0; i < level.nodes(); ++i)
-      for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
-        visit(i, level.column[s], s);
+    polled_for(
+      level.nodes(),
+      [&](std::size_t at) {
+        const auto i = static_cast<std::uint32_t>(at);
+        for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s)
+          visit(i, level.column[s], s);
+      },
+      1024);
   };
   for_entries([&](std::uint32_t i, std::uint32_t j, std::uint32_t s) {
     if (i == j)

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "fem/multilevel/node_smoother.hpp"
 #include "fem/multilevel/rigid_levels.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -33,10 +34,13 @@ public:
     reserve_for_edits(level_.prolongation_column, blocks);
     reserve_for_edits(level_.prolongation, blocks);
     reserve_for_edits(level_.entry_row, blocks);
-    for (const auto i : rows) {
-      place_prolongation(i, fresh[i]);
-      fresh[i] = {};
-    }
+    polled_for(
+      rows.size(),
+      [&](std::size_t i) {
+        place_prolongation(rows[i], fresh[i]);
+        fresh[i] = {};
+      },
+      1024);
     level_.entries = member_lists(level_.prolongation_column, count);
     parents_ = numbers(count);
     std::vector<std::uint32_t> reframed;
@@ -167,13 +171,14 @@ private:
     for_each(fresh.size(), [&](std::size_t at) { fresh[at] = make_row(parents_[at]); });
     reframed.clear();
     above_.keep.resize(above_.frames.size(), matrix6::Identity());
-    for (std::size_t at = 0; at < fresh.size(); ++at) {
+    const auto place = [&](std::size_t at) {
       const auto parent = parents_[at];
       replace_row(coarser_, parent, fresh[at].row.column, fresh[at].row.block);
       if ((fresh[at].keep - above_.keep[parent]).norm() > 1e-6)
         reframed.push_back(parent);
       above_.keep[parent] = fresh[at].keep;
-    }
+    };
+    polled_for(fresh.size(), place, 1024);
     renew_inverses(coarser_, parents_);
   }
 

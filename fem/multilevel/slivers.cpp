@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "fem/polled.hpp"
 #include "fem/rows.hpp"
 
 namespace tedit::fem {
@@ -69,10 +70,11 @@ std::vector<std::pair<double, std::uint32_t>> thin_tets(const problem& p, double
     }
   });
   std::vector<std::pair<double, std::uint32_t>> result;
-  for (std::uint32_t e = 0; e < of.size(); ++e)
+  polled_for(of.size(), [&](std::size_t e) {
     if (of[e] > condition)
-      result.emplace_back(-of[e], e);
-  std::ranges::sort(result);
+      result.emplace_back(-of[e], static_cast<std::uint32_t>(e));
+  });
+  polled_sort(result, std::less{});
   return result;
 }
 
@@ -99,14 +101,14 @@ sliver_clusters cluster_slivers(const problem& p, const std::vector<std::uint8_t
   }
   result.of.assign(nodes, no_id);
   std::vector<std::uint32_t> number(nodes, no_id);
-  for (std::uint32_t n = 0; n < nodes; ++n) {
-    const auto root = sets.find(n);
+  polled_for(nodes, [&](std::size_t n) {
+    const auto root = sets.find(static_cast<std::uint32_t>(n));
     if (excluded[n] != 0 || sets.size(root) < 2)
-      continue;
+      return;
     if (number[root] == no_id)
       number[root] = result.count++;
     result.of[n] = number[root];
-  }
+  });
   return result;
 }
 

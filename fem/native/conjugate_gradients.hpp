@@ -8,6 +8,7 @@
 #include "fem/energy_bound.hpp"
 #include "fem/kernels.hpp"
 #include "fem/native/vectors.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -40,7 +41,7 @@ public:
   /// For an operator that has other rows now.
   void fit(std::size_t nodes) {
     for (auto* v : {&x_, &r_, &z_, &p_, &q_})
-      v->resize(L::size(nodes), 0);
+      polled_resize(*v, L::size(nodes));
   }
 
   /// Solves K x = residual for each of at most `L::width` cases until its preconditioned residual
@@ -54,7 +55,7 @@ public:
     begin(cases, results);
     bounds_.assign(cases.size(), energy_bound(smallest));
     precondition(r_.data(), z_.data());
-    p_ = z_;
+    std::ranges::copy(z_, p_.begin());
     rz_ = dots_of<L>(r_, z_);
     start_ = rz_;
     for (std::size_t c = 0; c < cases.size(); ++c) {

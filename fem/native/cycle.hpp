@@ -3,6 +3,7 @@
 
 #include "fem/multilevel/node_smoother.hpp"
 #include "fem/native/vectors.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -43,7 +44,7 @@ struct node_vectors {
 
   void fit(std::size_t nodes) {
     for (auto* v : {&residual, &step, &other})
-      v->resize(L::size(nodes), 0);
+      polled_resize(*v, L::size(nodes));
   }
 
   [[nodiscard]] std::uint64_t bytes() const { return 3 * residual.size() * sizeof(float); }

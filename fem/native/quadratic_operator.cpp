@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fem/element.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -184,7 +185,7 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
 }  // namespace
 
 quadratic_operator::quadratic_operator(const problem& p) {
-  elements_.resize(p.element_count());
+  polled_resize(elements_, p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e)
       set_element(p, e);
@@ -221,6 +222,8 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
   patch_nodes_.reserve(old_nodes.size() + 64);
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t i = 0; i * elements_per_patch < count; ++i) {
+    if (i % 64 == 0)
+      check_cancelled();
     const auto first = i * elements_per_patch;
     patch part{first, std::min(count, first + elements_per_patch),
                static_cast<std::uint32_t>(patch_nodes_.size()), 0};
@@ -258,6 +261,7 @@ void quadratic_operator::make_patches(const problem& p) {
   std::vector<std::uint32_t> place(p.node_count(), no_id);
   const auto count = static_cast<std::uint32_t>(p.element_count());
   for (std::uint32_t first = 0; first < count; first += elements_per_patch) {
+    check_cancelled();
     patch part{first, std::min(count, first + elements_per_patch),
                static_cast<std::uint32_t>(patch_nodes_.size()), 0};
     const auto nodes =
@@ -284,14 +288,14 @@ void quadratic_operator::make_patches(const problem& p) {
 
 void quadratic_operator::make_shares(std::size_t nodes) {
   share_first_.assign(nodes + 1, 0);
-  for (const auto node : patch_nodes_)
-    ++share_first_[node + 1];
+  polled_for(patch_nodes_.size(), [&](std::size_t i) { ++share_first_[patch_nodes_[i] + 1]; });
   for (std::size_t n = 0; n < nodes; ++n)
     share_first_[n + 1] += share_first_[n];
   share_.resize(patch_nodes_.size());
   auto next = share_first_;
-  for (std::uint32_t i = 0; i < patch_nodes_.size(); ++i)
-    share_[next[patch_nodes_[i]]++] = i;
+  polled_for(patch_nodes_.size(), [&](std::size_t i) {
+    share_[next[patch_nodes_[i]]++] = static_cast<std::uint32_t>(i);
+  });
 }
 
 std::uint64_t quadratic_operator::bytes() const {
@@ -306,7 +310,8 @@ template <class L>
 void quadratic_operator::sum_patches(const float* x) const {
   using node = typename L::node;
   auto& all = shares<L>();
-  all.resize(patch_nodes_.size());
+  if (all.size() != patch_nodes_.size())
+    polled_resize(all, patch_nodes_.size());
   parallel_for(
     patches_.size(),
     [&](std::size_t first, std::size_t last, std::size_t) {

@@ -23,6 +23,8 @@ struct vulkan_settings {
   std::uint32_t slice_rows = 0;
   /// Rows of all dispatches in one part of a recorded program; 0 takes what suits the device.
   std::uint32_t rows_per_part = 0;
+  /// Rows of one dispatch, which nothing can stop; 0 takes what suits the device.
+  std::uint32_t rows_per_dispatch = 0;
 };
 
 /// A Vulkan device as a backend, in single precision: linear tets are assembled and both orders

@@ -48,11 +48,11 @@ vulkan_row_table::vulkan_row_table(vulkan_memory& memory, std::span<const std::u
 vulkan_lists::vulkan_lists(vulkan_memory& memory, std::uint32_t rows, const source& from) {
   std::vector<std::uint32_t> items;
   std::vector<std::uint32_t> lengths(rows);
-  for (std::uint32_t row = 0; row < rows; ++row) {
+  polled_for(rows, [&](std::size_t row) {
     const auto before = items.size();
-    from(row, items);
+    from(static_cast<std::uint32_t>(row), items);
     lengths[row] = static_cast<std::uint32_t>(items.size() - before);
-  }
+  });
   rows_ = vulkan_row_table(memory, lengths, 16, memory.most_per_piece() / 4);
   items_ = memory.put(items, rows_.places().room());
 }

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "fem/polled.hpp"
+
 namespace tedit::fem {
 
 namespace {
@@ -94,8 +96,12 @@ void vulkan_rigid_rows::add_piece(vulkan_memory& memory, std::uint32_t first_row
   part.table = vulkan_row_table(memory, lengths, 4, memory.most_per_piece() / block_bytes);
   std::vector<std::uint32_t> columns;
   std::vector<rigid_level::block6> blocks;
-  for (std::uint32_t row = 0; row < part.rows; ++row)
-    append_row(first_row + row, columns, blocks);
+  polled_for(
+    part.rows,
+    [&](std::size_t row) {
+      append_row(first_row + static_cast<std::uint32_t>(row), columns, blocks);
+    },
+    1024);
   part.columns = memory.put(columns, part.table.places().room());
   part.blocks = memory.put(blocks, part.table.places().room());
 }
@@ -179,6 +185,14 @@ void vulkan_rigid_cycle::upload(vulkan_memory& memory, const rigid_level& from, 
   to.down.emplace(memory, restriction_rows(from));
 }
 
+void vulkan_rigid_cycle::widen(vulkan_memory& memory, std::uint32_t cases) {
+  for (auto& l : levels_)
+    for (auto* vector : {&l.right, &l.z, &l.again, &l.residual, &l.first, &l.second})
+      if (vector->bytes() > 0)  // The coarsest level has two.
+        memory.replace(*vector, vector->bytes() / cases_ * cases);
+  cases_ = cases;
+}
+
 void vulkan_rigid_cycle::update(const hierarchy& h, vulkan_changes& changes) {
   for (std::size_t l = 0; l + 1 < h.levels.size(); ++l) {
     const auto& from = h.levels[l];
@@ -192,7 +206,7 @@ void vulkan_rigid_cycle::update(const hierarchy& h, vulkan_changes& changes) {
   const std::size_t size = std::size_t{6} * h.levels.back().nodes();
   changes.put(dense_, 0, packed_dense(dense_inverse(*h.coarsest, size), size, scale_));
   for (const auto& l : levels_)
-    if (32 * std::uint64_t{l.host->nodes()} > l.right.bytes())
+    if (32 * std::uint64_t{cases_} * l.host->nodes() > l.right.bytes())
       changes.refuse();
 }
 
@@ -275,8 +289,7 @@ vulkan_cycle::vulkan_cycle(vulkan_memory& memory, const row_operator& k, const h
       smoother_(memory, k, h.smoother, filter, scale),
       rigid_(memory, h, settings, scale) {
   std::vector<std::array<std::uint32_t, 4>> arms(nodes_);
-  for (std::uint32_t n = 0; n < nodes_; ++n)
-    arms[n] = arm_of(n);
+  polled_for(nodes_, [&](std::size_t n) { arms[n] = arm_of(static_cast<std::uint32_t>(n)); });
   arms_ = memory.put(arms);
   members_ = vulkan_lists(memory, aggregates(), members_of(h));
 }

@@ -53,6 +53,8 @@ public:
 
   vulkan_rigid_cycle(const vulkan_rigid_cycle&) = delete;
 
+  /// As `vulkan_smoother::widen`.
+  void widen(vulkan_memory& memory, std::uint32_t cases);
   /// Adds z = about A_1^-1 right.
   void add(vulkan_program& program) { solve(program, 0); }
   /// After `update_hierarchy`.
@@ -77,6 +79,7 @@ private:
 
   cycle_settings settings_;
   double scale_;
+  std::uint32_t cases_ = 1;   ///< That the vectors have room for.
   std::deque<level> levels_;  ///< Never moved: levels point into themselves.
   gpu::buffer dense_;
 };
@@ -88,6 +91,11 @@ public:
   vulkan_cycle(vulkan_memory& memory, const row_operator& k, const hierarchy& h, filter_span filter,
                const cycle_settings& settings, double scale);
 
+  /// As `vulkan_smoother::widen`.
+  void widen(vulkan_memory& memory, std::uint32_t cases) {
+    smoother_.widen(memory, cases);
+    rigid_.widen(memory, cases);
+  }
   /// Adds z = about (S K S)^-1 right.
   void add(vulkan_program& program, const gpu::buffer& right, const gpu::buffer& z);
   /// After `update_hierarchy`; `filter` changed at `nodes`, ascending.

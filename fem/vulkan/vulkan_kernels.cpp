@@ -45,8 +45,8 @@ expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
                        std::span<const entry> entries, const cycle_kernels& like) {
   for (const auto& e : entries) {
     check_cancelled();
-    auto made =
-      gpu::kernel::make(layout, e.code, {like.group_size, like.slice_rows, e.third, e.fourth});
+    auto made = gpu::kernel::make(
+      layout, e.code, {like.group_size, like.slice_rows, e.third, e.fourth, like.cases});
     if (!made)
       return fail(made.error());
     *e.kernel = std::move(*made);
@@ -69,6 +69,23 @@ expected<void> choose_sizes(const gpu::device_limits& limits, const vulkan_setti
     "workgroups of " + std::to_string(result.group_size) + " with slices of " +
       std::to_string(result.slice_rows) + " rows do not exist on this device",
     "Take powers of two, at most " + std::to_string(most) + ", and no more rows than invocations");
+}
+
+/// Those that do without quadratic tets.
+std::vector<entry> entries_of_linear_tets(cycle_kernels& to) {
+  std::vector<entry> entries{
+    {&to.node_start, node_start_spirv},   {&to.cluster_rows, cluster_rows_spirv},
+    {&to.rigid_down, rigid_down_spirv},   {&to.rigid_up, rigid_up_spirv},
+    {&to.rigid_start, rigid_start_spirv}, {&to.dense, dense_spirv},
+    {&to.cg_start, cg_start_spirv},       {&to.cg_first, cg_first_spirv},
+    {&to.cg_advance, cg_advance_spirv},   {&to.cg_product, cg_product_spirv},
+    {&to.cg_turn, cg_turn_spirv}};
+  for (std::uint32_t mode = 0; mode < 3; ++mode) {
+    entries.push_back({&to.node_rows[mode], node_rows_spirv, mode});
+    entries.push_back({&to.rigid_rows[mode], rigid_rows_spirv, mode});
+    entries.push_back({&to.cg_scalars[mode], cg_scalars_spirv, mode});
+  }
+  return entries;
 }
 
 }  // namespace
@@ -97,37 +114,40 @@ expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
     result.most_groups = 65535;  // what Vulkan guarantees
     result.sum_groups = 512;
     result.rows_per_part = 1u << 20;
+    result.rows_per_dispatch = 1u << 20;
   }
   if (settings.rows_per_part > 0)
     result.rows_per_part = settings.rows_per_part;
+  if (settings.rows_per_dispatch > 0)
+    result.rows_per_dispatch = settings.rows_per_dispatch;
   auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_CYCLE_BINDINGS, sizeof(cycle_push));
   if (!layout)
     return fail(layout.error());
   result.layout = *layout;
-  std::vector<entry> entries{{&result.quadratic_elements, quadratic_elements_spirv},
-                             {&result.node_start, node_start_spirv},
-                             {&result.cluster_rows, cluster_rows_spirv},
-                             {&result.edge_down, edge_down_spirv},
-                             {&result.edge_up, edge_up_spirv},
-                             {&result.rigid_down, rigid_down_spirv},
-                             {&result.rigid_up, rigid_up_spirv},
-                             {&result.rigid_start, rigid_start_spirv},
-                             {&result.dense, dense_spirv},
-                             {&result.cg_start, cg_start_spirv},
-                             {&result.cg_first, cg_first_spirv},
-                             {&result.cg_advance, cg_advance_spirv},
-                             {&result.cg_product, cg_product_spirv},
-                             {&result.cg_turn, cg_turn_spirv}};
-  for (std::uint32_t mode = 0; mode < 3; ++mode) {
-    entries.push_back({&result.node_rows[mode], node_rows_spirv, mode});
-    entries.push_back({&result.rigid_rows[mode], rigid_rows_spirv, mode});
-    entries.push_back({&result.cg_scalars[mode], cg_scalars_spirv, mode});
-  }
+  auto entries = entries_of_linear_tets(result);
+  entries.push_back({&result.quadratic_elements, quadratic_elements_spirv});
+  entries.push_back({&result.edge_down, edge_down_spirv});
+  entries.push_back({&result.edge_up, edge_up_spirv});
   for (std::uint32_t earlier = 0; earlier < 2; ++earlier)
     for (std::uint32_t mode = 0; mode < 4; ++mode)
       entries.push_back(
         {&result.quadratic_rows[earlier][mode], quadratic_rows_spirv, mode, earlier});
   if (auto ok = compile(result.layout, entries, result); !ok)
+    return fail(ok.error());
+  return result;
+}
+
+expected<cycle_kernels> make_kernels_for_cases(const cycle_kernels& like, std::uint32_t cases) {
+  cycle_kernels result;
+  result.layout = like.layout;
+  result.group_size = like.group_size;
+  result.slice_rows = like.slice_rows;
+  result.most_groups = like.most_groups;
+  result.sum_groups = like.sum_groups;
+  result.rows_per_part = std::max(1u, like.rows_per_part / cases);
+  result.rows_per_dispatch = std::max(1u, like.rows_per_dispatch / cases);
+  result.cases = cases;
+  if (auto ok = compile(result.layout, entries_of_linear_tets(result), result); !ok)
     return fail(ok.error());
   return result;
 }

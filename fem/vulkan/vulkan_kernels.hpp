@@ -31,6 +31,16 @@ struct cycle_kernels {
   std::uint32_t most_groups = 64;  ///< Of a dispatch; kernels stride over their rows.
   std::uint32_t sum_groups = 16;   ///< Of a dispatch that leaves partial sums.
   std::uint32_t rows_per_part = 1u << 16;  ///< A part of a program ends after so many.
+  /// A dispatch of more is cut: one that has begun cannot be stopped. Of quadratic tets, so many
+  /// take about 5 ms on two cores.
+  std::uint32_t rows_per_dispatch = 1u << 15;
+
+  std::uint32_t cases = 1;  ///< Load cases side by side in every vector; see cycle.glsl.
+
+  /// Partial sums that a sum over so many rows leaves at most.
+  [[nodiscard]] std::uint32_t most_sums(std::uint64_t rows) const {
+    return static_cast<std::uint32_t>((rows - 1) / rows_per_dispatch + 1) * sum_groups;
+  }
 };
 
 /// `most_columns` bounds the blocks of one row; `like` gives group size and slices.
@@ -41,5 +51,9 @@ struct cycle_kernels {
 /// Errors: those of the device; `invalid_argument` for sizes that it cannot have.
 [[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
                                                          const vulkan_settings& settings);
+
+/// The same for several load cases at once, without those of quadratic tets.
+[[nodiscard]] expected<cycle_kernels> make_kernels_for_cases(const cycle_kernels& like,
+                                                             std::uint32_t cases);
 
 }  // namespace tedit::fem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_krylov.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/stopwatch.hpp"
@@ -28,11 +29,32 @@ expected<void> renew(std::optional<vulkan_program>& kept, vulkan_program&& now,
 vulkan_krylov::vulkan_krylov(const cycle_kernels& kernels, vulkan_memory& memory,
                              const row_operator& k)
     : kernels_(kernels), memory_(memory), k_(k) {
-  for (auto* vector : {&u_, &r_, &z_, &p_, &q_})
-    *vector = memory.room(16 * with_spare(k.rows()));
-  partials_ = memory.room(4 * std::uint64_t{k.most_partials()});
-  scalars_ = memory.room(4 * TEDIT_CG_SCALARS);
   gates_ = memory.put(vulkan_program::closed_gates());
+  loops_.push_back({&kernels_});
+  make_room(1);
+}
+
+/// Also for what the loops sum up.
+void vulkan_krylov::make_room(std::uint32_t cases) {
+  cases_ = cases;
+  for (auto* vector : {&u_, &r_, &z_, &p_, &q_})
+    memory_.replace(*vector, 16 * cases * with_spare(k_.rows()));
+  std::uint64_t sums = 0;
+  for (const auto& one : loops_)
+    sums = std::max(sums, std::uint64_t{one.kernels->cases} * k_.most_partials(*one.kernels));
+  memory_.replace(partials_, 4 * sums);
+  memory_.replace(scalars_, 4 * std::uint64_t{cases} * TEDIT_CG_SCALARS);
+}
+
+bool vulkan_krylov::has_width(std::uint32_t cases) const {
+  return std::ranges::any_of(loops_,
+                             [&](const recorded_loop& one) { return one.kernels->cases == cases; });
+}
+
+void vulkan_krylov::widen(const cycle_kernels& kernels) {
+  loops_.push_back({&kernels});
+  make_room(std::max(cases_, kernels.cases));
+  product_.reset();
 }
 
 vulkan_program vulkan_krylov::product_steps() const {
@@ -43,8 +65,9 @@ vulkan_program vulkan_krylov::product_steps() const {
 
 expected<void> vulkan_krylov::prepare(const preconditioner& b, const gpu::buffer& filter) {
   smallest_ = usual_smallest;
-  for (auto* program : {&start_, &preconditioned_, &iteration_})
-    program->reset();
+  for (auto& one : loops_)
+    for (auto* program : {&one.start, &one.preconditioned, &one.first, &one.iteration})
+      program->reset();
   return follow(b, filter);
 }
 
@@ -52,91 +75,117 @@ expected<void> vulkan_krylov::follow(const preconditioner& b, const gpu::buffer&
   if (product_)
     if (auto ok = renew(product_, product_steps()); !ok)
       return ok;
-  vulkan_program start(kernels_);
-  cycle_push push{};
-  push.rows = k_.rows();
-  start.add(kernels_.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
-  if (auto ok = renew(start_, std::move(start)); !ok)
-    return ok;
-  vulkan_program once(kernels_);
-  b(once, r_, z_);
-  if (auto ok = renew(preconditioned_, std::move(once)); !ok)
-    return ok;
-  return renew(iteration_, iteration_steps(b, filter), &gates_);
+  for (auto& one : loops_)
+    if (auto ok = record(one, b, filter); !ok)
+      return ok;
+  return {};
 }
 
-vulkan_program vulkan_krylov::iteration_steps(const preconditioner& b,
+expected<void> vulkan_krylov::record(recorded_loop& one, const preconditioner& b,
+                                     const gpu::buffer& filter) {
+  const auto& kernels = *one.kernels;
+  vulkan_program start(kernels);
+  cycle_push push{};
+  push.rows = k_.rows();
+  start.add(kernels.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
+  if (auto ok = renew(one.start, std::move(start)); !ok)
+    return ok;
+  vulkan_program once(kernels);
+  b(once, r_, z_);
+  if (auto ok = renew(one.preconditioned, std::move(once)); !ok)
+    return ok;
+  if (auto ok = renew(one.first, first_steps(kernels)); !ok)
+    return ok;
+  return renew(one.iteration, iteration_steps(kernels, b, filter), &gates_);
+}
+
+/// p = z, and the scalars of the first iteration.
+vulkan_program vulkan_krylov::first_steps(const cycle_kernels& kernels) const {
+  vulkan_program first(kernels);
+  cycle_push push{};
+  push.rows = k_.rows();
+  first.add(kernels.cg_first, {{2, &z_}, {6, &p_}}, push);
+  push.rows = first.add_sum(kernels.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
+  first.add_single(kernels.cg_scalars[TEDIT_CG_BEGIN],
+                   {{7, &partials_}, {8, &scalars_}, {9, &gates_}}, push);
+  return first;
+}
+
+vulkan_program vulkan_krylov::iteration_steps(const cycle_kernels& kernels, const preconditioner& b,
                                               const gpu::buffer& filter) const {
-  vulkan_program loop(kernels_);
+  vulkan_program loop(kernels);
   const auto scalars = [&](std::uint32_t mode, std::uint32_t sums) {
     cycle_push push{};
     push.rows = sums;
-    loop.add_single(kernels_.cg_scalars[mode], {{7, &partials_}, {8, &scalars_}, {9, &gates_}},
+    loop.add_single(kernels.cg_scalars[mode], {{7, &partials_}, {8, &scalars_}, {9, &gates_}},
                     push);
   };
   cycle_push push{};
   scalars(TEDIT_CG_ALPHA,
           k_.add(loop, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, push));
   push.rows = k_.rows();
-  loop.add(kernels_.cg_advance,
+  loop.add(kernels.cg_advance,
            {{0, &u_}, {1, &p_}, {2, &q_}, {3, &r_}, {4, &filter}, {8, &scalars_}}, push);
   b(loop, r_, z_);
   scalars(TEDIT_CG_BETA,
-          loop.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push));
-  loop.add(kernels_.cg_turn, {{2, &z_}, {6, &p_}, {8, &scalars_}}, push);
+          loop.add_sum(kernels.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push));
+  loop.add(kernels.cg_turn, {{2, &z_}, {6, &p_}, {8, &scalars_}}, push);
   return loop;
 }
 
 /// r = S r, u = 0, z = B r, p = z, and the scalars of the first iteration.
-expected<void> vulkan_krylov::begin(const inner_case& goal) {
-  if (auto ok = start_->run(); !ok)
+expected<void> vulkan_krylov::begin(recorded_loop& one, std::span<const inner_case> goals) {
+  std::vector<float> scalars(std::size_t{TEDIT_CG_SCALARS} * one.kernels->cases);
+  for (std::size_t c = 0; c < one.kernels->cases; ++c) {
+    float* of = &scalars[TEDIT_CG_SCALARS * c];
+    of[TEDIT_CG_SMALLEST] = static_cast<float>(smallest_);
+    if (c >= goals.size())
+      continue;
+    of[TEDIT_CG_REDUCTION2] = static_cast<float>(goals[c].reduction * goals[c].reduction);
+    of[TEDIT_CG_ENERGY2] = static_cast<float>(goals[c].energy * goals[c].energy);
+    of[TEDIT_CG_SHARE2] = static_cast<float>(goals[c].share * goals[c].share);
+  }
+  if (auto ok = memory_.upload(scalars_, scalars); !ok)
     return ok;
-  if (auto ok = preconditioned_->run(); !ok)
-    return ok;
-  vulkan_program first(kernels_);
-  cycle_push push{};
-  push.rows = k_.rows();
-  first.add(kernels_.cg_first, {{2, &z_}, {6, &p_}}, push);
-  push.rows = first.add_sum(kernels_.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
-  push.reduction2 = static_cast<float>(goal.reduction * goal.reduction);
-  push.energy2 = static_cast<float>(goal.energy * goal.energy);
-  push.share2 = static_cast<float>(goal.share * goal.share);
-  push.smallest = static_cast<float>(smallest_);
-  first.add_single(kernels_.cg_scalars[TEDIT_CG_BEGIN],
-                   {{7, &partials_}, {8, &scalars_}, {9, &gates_}}, push);
-  if (auto ok = first.record(); !ok)
-    return ok;
-  return first.run();
+  for (auto* program : {&one.start, &one.preconditioned, &one.first})
+    if (auto ok = (*program)->run(); !ok)
+      return ok;
+  return {};
 }
 
-expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& right,
-                                            std::vector<device_float4>& correction,
-                                            const inner_case& goal, int max_iterations,
-                                            const execution& run) {
-  if (auto ok = memory_.upload(r_, right); !ok)
-    return fail(ok.error());
-  if (auto ok = begin(goal); !ok)
-    return fail(ok.error());
-  std::vector<float> scalars(TEDIT_CG_SCALARS);
-  inner_result result;
+/// Until all cases are done; their scalars.
+expected<std::vector<float>> vulkan_krylov::iterate(recorded_loop& one, int max_iterations,
+                                                    const execution& run) {
+  std::vector<float> scalars(std::size_t{TEDIT_CG_SCALARS} * one.kernels->cases);
   int times = 0;
   for (;;) {
     const stopwatch clock;
     if (times > 0)
-      if (auto ok = iteration_->run(times); !ok)
+      if (auto ok = one.iteration->run(times); !ok)
         return fail(ok.error());
     if (auto ok = memory_.download(scalars_, scalars); !ok)
       return fail(ok.error());
-    result.iterations = static_cast<int>(scalars[TEDIT_CG_ITERATIONS]);
-    if (scalars[TEDIT_CG_STATE] != 0 || result.iterations >= max_iterations)
-      break;
+    int iterations = 0;
+    bool running = false;
+    for (std::size_t at = 0; at < scalars.size(); at += TEDIT_CG_SCALARS) {
+      iterations = std::max(iterations, static_cast<int>(scalars[at + TEDIT_CG_ITERATIONS]));
+      running = running || scalars[at + TEDIT_CG_STATE] == 0;
+    }
+    if (!running || iterations >= max_iterations)
+      return scalars;
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the solve was cancelled");
     const double fit =
       times > 0 ? vulkan_program::submission_ms * times / std::max(clock.milliseconds(), 1e-3) : 1;
     times = static_cast<int>(std::clamp(fit, 1.0, double{most_per_batch}));
-    times = std::min(times, max_iterations - result.iterations);
+    times = std::min(times, max_iterations - iterations);
   }
+}
+
+/// What the scalars of one case say at the end.
+inner_result vulkan_krylov::read(std::span<const float> scalars) {
+  inner_result result;
+  result.iterations = static_cast<int>(scalars[TEDIT_CG_ITERATIONS]);
   result.broke_down = scalars[TEDIT_CG_STATE] == 2;
   const auto start = static_cast<double>(scalars[TEDIT_CG_START]);
   const double now = std::max(static_cast<double>(scalars[TEDIT_CG_DELTA]), 0.0);
@@ -149,9 +198,29 @@ expected<inner_result> vulkan_krylov::solve(const std::vector<device_float4>& ri
   smallest_ = sharper_bound(smallest_, bound);
   result.energy = std::sqrt(static_cast<double>(scalars[TEDIT_CG_RADAU]) * now);
   result.gained = static_cast<double>(scalars[TEDIT_CG_GAINED]);
+  return result;
+}
+
+expected<std::vector<inner_result>> vulkan_krylov::solve(const std::vector<device_float4>& right,
+                                                         std::vector<device_float4>& correction,
+                                                         std::span<const inner_case> goals,
+                                                         int max_iterations, const execution& run) {
+  const auto width = right.size() / k_.rows();
+  auto& one = *std::ranges::find_if(
+    loops_, [&](const recorded_loop& l) { return l.kernels->cases == width; });
+  if (auto ok = memory_.upload(r_, right); !ok)
+    return fail(ok.error());
+  if (auto ok = begin(one, goals); !ok)
+    return fail(ok.error());
+  const auto scalars = iterate(one, max_iterations, run);
+  if (!scalars)
+    return fail(scalars.error());
+  std::vector<inner_result> results;
+  for (std::size_t c = 0; c < goals.size(); ++c)
+    results.push_back(read(std::span(*scalars).subspan(TEDIT_CG_SCALARS * c, TEDIT_CG_SCALARS)));
   if (auto ok = memory_.download(u_, correction); !ok)
     return fail(ok.error());
-  return result;
+  return results;
 }
 
 expected<void> vulkan_krylov::multiply(const std::vector<device_float4>& x,
@@ -170,7 +239,7 @@ expected<void> vulkan_krylov::precondition(const std::vector<device_float4>& r,
                                            std::vector<device_float4>& z) {
   if (auto ok = memory_.upload(r_, r); !ok)
     return ok;
-  if (auto ok = preconditioned_->run(); !ok)
+  if (auto ok = loops_.front().preconditioned->run(); !ok)
     return ok;
   return memory_.download(z_, z);
 }

@@ -5,6 +5,7 @@
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -73,8 +74,9 @@ expected<std::unique_ptr<vulkan_matrix>> vulkan_matrix::make(
 expected<void> vulkan_matrix::build(std::shared_ptr<gpu::device> on, const problem& p,
                                     const incidence& corners) {
   std::size_t most_corners = 0;
-  for (std::size_t n = 0; n < p.corner_count; ++n)
+  polled_for(p.corner_count, [&](std::size_t n) {
     most_corners = std::max(most_corners, corners.of_node(n).size());
+  });
   // Around an inner node t tets have t/2 + 2 other corners; t + 3 is safe on a boundary.
   // Rounded up, so that similar parts share compiled kernels.
   most_columns_ = (static_cast<std::uint32_t>(most_corners + 3) + 31) / 32 * 32;
@@ -116,16 +118,18 @@ std::array<float, 2> vulkan_matrix::lame(const problem& p, std::uint32_t element
 expected<void> vulkan_matrix::upload_mesh(const problem& p, const incidence& corners) {
   std::vector<device_float4> high(nodes_);
   std::vector<device_float4> low(nodes_);
-  for (std::uint32_t n = 0; n < nodes_; ++n) {
+  polled_for(nodes_, [&](std::size_t i) {
+    const auto n = static_cast<std::uint32_t>(i);
     high[n] = position(p, n, true);
     low[n] = position(p, n, false);
-  }
+  });
   std::vector<std::array<std::uint32_t, 4>> nodes(elements_);
   std::vector<std::array<float, 2>> constants(elements_);
-  for (std::uint32_t e = 0; e < elements_; ++e) {
+  polled_for(elements_, [&](std::size_t i) {
+    const auto e = static_cast<std::uint32_t>(i);
     nodes[e] = corners_of(p, e);
     constants[e] = lame(p, e);
-  }
+  });
   position_high_ = memory_.put(high);
   position_low_ = memory_.put(low);
   element_nodes_ = memory_.put(nodes, with_spare(elements_));
@@ -313,8 +317,11 @@ std::uint64_t vulkan_matrix::read_bytes() const {
   return bytes;
 }
 
-std::uint32_t vulkan_matrix::most_partials() const {
-  return static_cast<std::uint32_t>(chunks_.size()) * shapes_.sum_groups;
+std::uint32_t vulkan_matrix::most_partials(const cycle_kernels& kernels) const {
+  std::uint32_t sums = 0;
+  for (const auto& part : chunks_)
+    sums += kernels.most_sums(part.rows);
+  return sums;
 }
 
 std::uint32_t vulkan_matrix::add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,

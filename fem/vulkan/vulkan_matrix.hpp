@@ -32,7 +32,7 @@ public:
     const problem& p, const incidence& corners, const device_scale& scale);
 
   std::uint32_t rows() const override { return nodes_; }
-  std::uint32_t most_partials() const override;
+  std::uint32_t most_partials(const cycle_kernels& kernels) const override;
   /// Bytes of the matrix that a product reads.
   [[nodiscard]] std::uint64_t read_bytes() const;
   std::uint32_t add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_memory.hpp"
 
-#include "base/guard.hpp"
+#include "fem/polled.hpp"
 #include "fem/vulkan/vulkan_changes.hpp"
 
 namespace tedit::fem {
@@ -57,16 +57,24 @@ expected<void> vulkan_memory::status() const {
 
 std::vector<device_float4> packed3(std::span<const double> values, double scale) {
   std::vector<device_float4> result(values.size() / 3);
-  for (std::size_t n = 0; n < result.size(); ++n)
-    for (int i = 0; i < 3; ++i)
-      result[n][i] = static_cast<float>(scale * values[3 * n + i]);
+  pack3(values, scale, result, {});
   return result;
 }
 
-void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values) {
-  for (std::size_t n = 0; n < packed.size(); ++n)
+void pack3(std::span<const double> values, double scale, std::span<device_float4> packed,
+           case_place place) {
+  polled_for(values.size() / 3, [&](std::size_t n) {
     for (int i = 0; i < 3; ++i)
-      values[3 * n + i] = scale * static_cast<double>(packed[n][i]);
+      packed[place.of * n + place.number][i] = static_cast<float>(scale * values[3 * n + i]);
+  });
+}
+
+void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values,
+             case_place place) {
+  polled_for(values.size() / 3, [&](std::size_t n) {
+    for (int i = 0; i < 3; ++i)
+      values[3 * n + i] = scale * static_cast<double>(packed[place.of * n + place.number][i]);
+  });
 }
 
 }  // namespace tedit::fem

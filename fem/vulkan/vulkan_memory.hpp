@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fem/polled.hpp"
 #include "fem/vulkan/vulkan_backend.hpp"
 #include "gpu/kernels.hpp"
 
@@ -34,6 +35,11 @@ public:
     return put_bytes(std::as_bytes(std::span(values)), items * sizeof(T));
   }
   void give_back(gpu::buffer& from);
+  /// A buffer of another size in its place; its contents are lost.
+  void replace(gpu::buffer& old, std::uint64_t bytes) {
+    give_back(old);
+    old = room(bytes);
+  }
   /// Takes buffers that are gone off the count.
   void forget(std::uint64_t bytes) { bytes_ -= bytes; }
   [[nodiscard]] expected<void> status() const;
@@ -77,13 +83,21 @@ template <class T>
 [[nodiscard]] std::vector<std::array<float, 8>> packed_symmetric(
   std::span<const std::array<T, 6>> blocks, double scale) {
   std::vector<std::array<float, 8>> result(blocks.size());
-  for (std::size_t n = 0; n < blocks.size(); ++n)
-    result[n] = packed_six(blocks[n].data(), scale);
+  polled_for(blocks.size(),
+             [&](std::size_t n) { result[n] = packed_six(blocks[n].data(), scale); });
   return result;
 }
 
 /// Vectors with three numbers a node, one vec4 each, times `scale`.
 [[nodiscard]] std::vector<device_float4> packed3(std::span<const double> values, double scale);
-void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values);
+/// One of several cases side by side.
+struct case_place {
+  std::size_t number = 0;
+  std::size_t of = 1;
+};
+void pack3(std::span<const double> values, double scale, std::span<device_float4> packed,
+           case_place place);
+void unpack3(std::span<const device_float4> packed, double scale, std::span<double> values,
+             case_place place = {});
 
 }  // namespace tedit::fem

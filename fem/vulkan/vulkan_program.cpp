@@ -16,6 +16,10 @@ std::uint32_t groups_of(std::uint32_t gate) {
   return std::min(1u << gate, 65535u);
 }
 
+std::uint32_t rows_of(const cycle_push& push) {
+  return push.rows - push.from;
+}
+
 /// The gate of the next power of two: kernels stride, so a few groups more do no harm.
 std::uint32_t gate_of(std::uint32_t rows, std::uint32_t group_size, std::uint32_t most) {
   const std::uint32_t groups = std::min((rows - 1) / group_size + 1, most);
@@ -42,17 +46,21 @@ void vulkan_program::add_step(const gpu::kernel& k, std::initializer_list<place>
 
 void vulkan_program::add(const gpu::kernel& k, std::initializer_list<place> places,
                          const cycle_push& push) {
-  if (push.rows > 0)
-    add_step(k, places, push, gate_of(push.rows, kernels_.group_size, kernels_.most_groups));
+  cut(push, [&](const cycle_push& part) {
+    add_step(k, places, part, gate_of(rows_of(part), kernels_.group_size, kernels_.most_groups));
+  });
 }
 
 std::uint32_t vulkan_program::add_sum(const gpu::kernel& k, std::initializer_list<place> places,
                                       const cycle_push& push) {
-  if (push.rows == 0)
-    return 0;
-  const auto gate = gate_of(push.rows, kernels_.group_size, kernels_.sum_groups);
-  add_step(k, places, push, gate);
-  return groups_of(gate);
+  std::uint32_t sums = 0;
+  cut(push, [&](cycle_push part) {
+    const auto gate = gate_of(rows_of(part), kernels_.group_size, kernels_.sum_groups);
+    part.place = push.place + sums;
+    add_step(k, places, part, gate);
+    sums += groups_of(gate);
+  });
+  return sums;
 }
 
 void vulkan_program::add_single(const gpu::kernel& k, std::initializer_list<place> places,
@@ -78,7 +86,7 @@ expected<void> vulkan_program::record(const gpu::buffer* gates) {
   for (std::size_t first = 0, last = 0; first < steps_.size(); first = last) {
     std::uint64_t rows = 0;
     while (last < steps_.size() && rows < kernels_.rows_per_part)
-      rows += steps_[last++].push.rows;
+      rows += rows_of(steps_[last++].push);
     auto part = record_part(std::span(steps_).subspan(first, last - first), sets, gates);
     if (!part)
       return fail(part.error());

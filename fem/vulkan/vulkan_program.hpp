@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -22,9 +23,11 @@ public:
 
   explicit vulkan_program(const cycle_kernels& kernels) : kernels_(kernels) {}
 
-  /// Adds a kernel over `push.rows` rows (none: no dispatch). `places` are bindings.
+  /// Adds a kernel over `push.rows` rows (none: no dispatch), in several dispatches if one would
+  /// take too long for a cancel to wait. `places` are bindings.
   void add(const gpu::kernel& k, std::initializer_list<place> places, const cycle_push& push);
-  /// Adds a kernel that leaves one partial sum per workgroup; returns their number.
+  /// Adds a kernel that leaves one partial sum per workgroup, from `push.place` on; returns their
+  /// number, which does not depend on the device's speed.
   std::uint32_t add_sum(const gpu::kernel& k, std::initializer_list<place> places,
                         const cycle_push& push);
   /// Adds a kernel of one workgroup.
@@ -72,6 +75,15 @@ private:
   [[nodiscard]] expected<void> submit(std::size_t first, std::size_t count);
   void add_step(const gpu::kernel& k, std::initializer_list<place> places, const cycle_push& push,
                 std::uint32_t gate);
+  /// Calls `add(push)` for each dispatch of a kernel over `push.rows` rows.
+  template <class Add>
+  void cut(cycle_push push, const Add& add) const {
+    const auto rows = push.rows;
+    for (push.from = 0; push.from < rows; push.from = push.rows) {
+      push.rows = push.from + std::min(rows - push.from, kernels_.rows_per_dispatch);
+      add(push);
+    }
+  }
 
   const cycle_kernels& kernels_;
   std::vector<step> steps_;

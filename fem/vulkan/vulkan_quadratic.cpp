@@ -5,6 +5,7 @@
 
 #include "fem/element.hpp"
 #include "fem/multilevel/quadratic_level.hpp"
+#include "fem/polled.hpp"
 
 namespace tedit::fem {
 
@@ -75,26 +76,26 @@ void vulkan_quadratic::add_range(const problem& p, std::uint32_t first, std::uin
   part.count.resize(nodes_, 0);
   std::vector<std::array<std::uint32_t, 12>> nodes(count);
   std::vector<std::array<device_float4, 3>> values(count);
-  for (std::uint32_t e = 0; e < count; ++e) {
+  polled_for(count, [&](std::size_t e) {
     nodes[e] = element_nodes(p, first + e);
     values[e] = element_values(p, first + e, scale_);
     for (std::size_t a = 0; a < 10; ++a)
       ++part.count[nodes[e][a]];
-  }
+  });
   std::vector<std::uint32_t> lengths(nodes_);
   std::ranges::transform(part.count, lengths.begin(), fours_of);
   part.places = roomy_places(lengths, 16, memory_.most_per_piece() / sizeof(four));
   std::vector<four> list(part.places.used());
   std::vector<std::uint32_t> done(nodes_, 0);
-  for (std::uint32_t e = 0; e < count; ++e)
+  polled_for(count, [&](std::size_t e) {
     for (std::uint32_t a = 0; a < 10; ++a) {
       const auto node = nodes[e][a];
       const auto k = done[node]++;
-      list[part.places.begin(node) + k / 4][k % 4] = a * room + e;
+      list[part.places.begin(node) + k / 4][k % 4] = a * room + static_cast<std::uint32_t>(e);
     }
+  });
   std::vector<std::array<std::uint32_t, 2>> rows(nodes_);
-  for (std::uint32_t n = 0; n < nodes_; ++n)
-    rows[n] = row_at(part, n);
+  polled_for(nodes_, [&](std::size_t n) { rows[n] = row_at(part, static_cast<std::uint32_t>(n)); });
   part.nodes = memory_.put(nodes, room);
   part.values = memory_.put(values, room);
   part.list = memory_.put(list, part.places.room());

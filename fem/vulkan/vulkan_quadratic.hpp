@@ -18,7 +18,9 @@ public:
     const device_scale& scale);
 
   std::uint32_t rows() const override { return nodes_; }
-  std::uint32_t most_partials() const override { return kernels_.sum_groups; }
+  std::uint32_t most_partials(const cycle_kernels& kernels) const override {
+    return kernels.most_sums(with_spare(nodes_));
+  }
   std::uint32_t add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,
                     cycle_push push) const override;
 

@@ -21,8 +21,8 @@ public:
   virtual ~row_operator() = default;
 
   [[nodiscard]] virtual std::uint32_t rows() const = 0;
-  /// Most partial sums that a product leaves.
-  [[nodiscard]] virtual std::uint32_t most_partials() const = 0;
+  /// Most partial sums that a product with these kernels leaves for each case.
+  [[nodiscard]] virtual std::uint32_t most_partials(const cycle_kernels& kernels) const = 0;
   /// Adds a product and what becomes of its rows: TEDIT_MULTIPLY, _RESIDUAL or _MOVE. Of `push` the
   /// weights count. Returns the number of partial sums (TEDIT_MULTIPLY only).
   virtual std::uint32_t add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,

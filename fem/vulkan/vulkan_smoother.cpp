@@ -42,12 +42,18 @@ vulkan_smoother::vulkan_smoother(vulkan_memory& memory, const row_operator& k,
   upload_clusters(memory);
 }
 
+void vulkan_smoother::widen(vulkan_memory& memory, std::uint32_t cases) {
+  const auto room = inverse_.bytes() / 32;
+  for (auto* vector : {&residual_, &first_, &second_})
+    memory.replace(*vector, 16 * cases * room);
+}
+
 void vulkan_smoother::update(filter_span filter, std::span<const std::uint32_t> nodes,
                              vulkan_changes& changes) {
   changes.items(inverse_, smoother_.changed,
                 [&](std::uint32_t n) { return packed_six(smoother_.inverse[n].data(), scale_); });
   changes.items(filter_, nodes, [&](std::uint32_t n) { return packed_six(filter[n].data(), 1); });
-  if (16 * smoother_.inverse.size() > residual_.bytes())
+  if (32 * smoother_.inverse.size() > inverse_.bytes())
     changes.refuse();
   auto& last = clusters_.back();
   last.count = smoother_.clusters.nodes.owners() - last.first;
@@ -92,6 +98,7 @@ void vulkan_smoother::add_part(vulkan_memory& memory, std::uint32_t first, std::
   std::vector<std::uint32_t> squares;
   std::vector<entry> blocks;
   for (auto c = first; c < last; ++c) {
+    check_cancelled();
     rows.push_back(size_of(c));
     squares.push_back(size_of(c) * size_of(c));
     const auto more =

@@ -20,6 +20,9 @@ public:
 
   vulkan_smoother(const vulkan_smoother&) = delete;  // holds pointers into itself
 
+  /// Makes room for so many cases; what was recorded is to be recorded again.
+  void widen(vulkan_memory& memory, std::uint32_t cases);
+
   /// After the smoother followed an edit: what it changed, and `filter` at `nodes`, ascending.
   void update(filter_span filter, std::span<const std::uint32_t> nodes, vulkan_changes& changes);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_system.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "base/guard.hpp"
@@ -14,6 +15,13 @@ namespace {
 /// A dense inverse of more rows would not be worth its bytes. Only meshes of hundreds of separate
 /// pieces have so coarse a level.
 constexpr std::uint32_t most_coarsest = 800;
+
+constexpr std::size_t most_cases = 8;  ///< At once, as natively.
+
+/// The number of places side by side that so many cases take.
+std::uint32_t width_of(std::size_t cases) {
+  return static_cast<std::uint32_t>(std::bit_ceil(cases));
+}
 
 double norm_of(std::span<const double> x) {
   double sum = 0;
@@ -259,38 +267,106 @@ expected<void> vulkan_system::check_ready() const {
               "Assemble it again, or use --device cpu");
 }
 
+// -- solving -----------------------------------------------------------------------------
+
 expected<inner_result> vulkan_system::solve(const inner_case& one, int max_iterations,
                                             const execution& run) {
-  return guarded(run, [&] { return correct(one, max_iterations, run); });
+  const auto results = guarded(run, [&] { return correct({&one, 1}, max_iterations, run); });
+  if (!results)
+    return fail(results.error());
+  return results->front();
 }
 
-expected<inner_result> vulkan_system::correct(const inner_case& one, int max_iterations,
-                                              const execution& run) {
+expected<std::vector<inner_result>> vulkan_system::solve_many(std::span<const inner_case> cases,
+                                                              int max_iterations,
+                                                              const execution& run) {
+  std::vector<inner_result> results;
+  while (results.size() < cases.size()) {
+    const auto left = cases.subspan(results.size());
+    auto count = is_quadratic() ? 1 : std::min<std::size_t>(most_cases, left.size());
+    while (count > 1 && !fits_on_device(width_of(count)))
+      count /= 2;
+    const auto some = guarded(run, [&] { return correct(left.first(count), max_iterations, run); });
+    if (!some)
+      return fail(some.error());
+    results.insert(results.end(), some->begin(), some->end());
+  }
+  return results;
+}
+
+/// Whether vectors for so many cases would, beside all that is there.
+bool vulkan_system::fits_on_device(std::uint32_t cases) const {
+  constexpr std::uint64_t vectors = 9 * 16;  // of the Krylov method, a smoother and coarser levels
+  const auto more = std::uint64_t{cases} * vectors * with_spare(problem_.corner_count);
+  const auto& limits = device_->limits();
+  return krylov_->has_width(cases) ||
+         (more / 9 <= limits.storage_buffer_range &&
+          (limits.memory_bytes == 0 || memory_->bytes() + more <= limits.memory_bytes));
+}
+
+/// From now on so many cases may be solved at once.
+expected<void> vulkan_system::widen(std::uint32_t cases) {
+  auto kernels = make_kernels_for_cases(kernels_, cases);
+  if (!kernels)
+    return fail(kernels.error());
+  kernels_for_cases_.push_back(std::move(*kernels));
+  // From here on a cancel would leave a system that is good for nothing.
+  const cancel_token never;
+  const cancel_scope scope(never);
+  ready_ = false;
+  const auto before = memory_->bytes();
+  cycle_->widen(*memory_, std::max(cases, krylov_->width()));
+  cycle_bytes_ += memory_->bytes() - before;
+  krylov_->widen(kernels_for_cases_.back());
+  if (auto ok = memory_->status(); !ok)
+    return ok;
+  return record();
+}
+
+/// On the device the residual is r / length and the matrix K / scale.
+expected<std::vector<inner_result>> vulkan_system::correct(std::span<const inner_case> cases,
+                                                           int max_iterations,
+                                                           const execution& run) {
   if (auto ok = check_ready(); !ok)
     return fail(ok.error());
-  const double length = norm_of(one.residual);
-  std::ranges::fill(one.correction, 0.0);
-  if (!(length > 0))
-    return inner_result{.recurrence_reduction = 0, .broke_down = length != 0};
+  const auto width = width_of(cases.size());
+  if (!krylov_->has_width(width))
+    if (auto ok = widen(width); !ok)
+      return fail(ok.error());
   if (std::exchange(distrusted_, false))
     if (auto ok = raise_bounds(); !ok)
       return fail(ok.error());
-  std::vector<device_float4> packed(problem_.node_count());
-  // On the device the residual is r / length and the matrix K / scale.
-  const double energy_scale = length / std::sqrt(scale_.matrix());
-  auto goal = one;
-  goal.energy /= energy_scale;
-  auto result =
-    krylov_->solve(packed3(one.residual, 1 / length), packed, goal, max_iterations, run);
-  if (!result)
-    return result;
-  result->energy *= energy_scale;
-  result->gained *= energy_scale * energy_scale;
-  unpack3(packed, length / scale_.matrix(), one.correction);
-  if (result->broke_down)
+  std::vector<device_float4> packed(width * problem_.node_count());
+  std::vector<inner_case> goals(cases.begin(), cases.end());
+  std::vector<double> lengths;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    lengths.push_back(norm_of(cases[c].residual));
+    if (!(lengths[c] > 0))
+      continue;
+    goals[c].energy /= lengths[c] / std::sqrt(scale_.matrix());
+    pack3(cases[c].residual, 1 / lengths[c], packed, {c, width});
+  }
+  auto results = krylov_->solve(packed, packed, goals, max_iterations, run);
+  if (!results)
+    return results;
+  bool broke_down = false;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    auto& result = (*results)[c];
+    const double energy_scale = lengths[c] / std::sqrt(scale_.matrix());
+    result.energy *= energy_scale;
+    result.gained *= energy_scale * energy_scale;
+    unpack3(packed, lengths[c] / scale_.matrix(), cases[c].correction, {c, width});
+    if (!(lengths[c] > 0)) {
+      std::ranges::fill(cases[c].correction, 0.0);
+      result = {.recurrence_reduction = 0, .broke_down = lengths[c] != 0};
+      continue;
+    }
+    broke_down = broke_down || result.broke_down;
+  }
+  if (broke_down)
     if (auto ok = raise_bounds(); !ok)
       return fail(ok.error());
-  return result;
+  return results;
 }
 
 expected<void> vulkan_system::raise_bounds() {

@@ -20,6 +20,10 @@ public:
 
   expected<inner_result> solve(const inner_case& one, int max_iterations,
                                const execution& run) override;
+  /// Up to eight cases of linear tets share every read of the matrix and the hierarchy. With
+  /// quadratic tets they are solved one after the other: arithmetic is what takes long there.
+  expected<std::vector<inner_result>> solve_many(std::span<const inner_case> cases,
+                                                 int max_iterations, const execution& run) override;
   /// Builds the hierarchy anew; the matrix stays.
   expected<void> set_filter(filter_span filter) override;
   /// Host and device renew the same rows; one submission carries what changed.
@@ -44,9 +48,12 @@ private:
   [[nodiscard]] expected<void> prepare(filter_span filter, const execution& run);
   [[nodiscard]] expected<void> prepare_quadratic(filter_span filter);
   [[nodiscard]] expected<float> largest_eigenvalue();
-  /// `solve` without its guard.
-  [[nodiscard]] expected<inner_result> correct(const inner_case& one, int max_iterations,
-                                               const execution& run);
+  /// Up to `most_cases` without their guard.
+  [[nodiscard]] expected<std::vector<inner_result>> correct(std::span<const inner_case> cases,
+                                                            int max_iterations,
+                                                            const execution& run);
+  [[nodiscard]] expected<void> widen(std::uint32_t cases);
+  [[nodiscard]] bool fits_on_device(std::uint32_t cases) const;
   /// `update` without its guard.
   [[nodiscard]] expected<bool> follow(const problem_change& change, const incidence& corners);
   [[nodiscard]] bool crowded() const;
@@ -79,6 +86,7 @@ private:
 
   // On the device. What is recorded last goes first.
   cycle_kernels kernels_;
+  std::deque<cycle_kernels> kernels_for_cases_;  ///< Made when they are first needed.
   std::unique_ptr<vulkan_memory> memory_;
   std::unique_ptr<vulkan_matrix> matrix_;
   std::unique_ptr<vulkan_quadratic> quadratic_;

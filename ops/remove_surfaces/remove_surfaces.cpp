@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "mesh/level_set.hpp"
+#include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
 #include "ops/remove_surfaces/levels.hpp"
@@ -42,7 +43,7 @@ public:
     return {};
   }
 
-  expected<edit_result> remove() {
+  expected<edit_result> remove(const execution& run) {
     const auto above = tets_above(true);
     std::unordered_set<tet_id> removed(above.begin(), above.end());
     if (auto ok = check_share(removed); !ok)
@@ -57,7 +58,10 @@ public:
     if (const auto done = builder_.apply(change); !done)
       return fail(done.error());
     drop_bare_interfaces(builder_);
+    if (const auto tidied = tidy_cut(builder_, builder_.touched(), {}, run); !tidied)
+      return fail(tidied.error());
     edit_result result;
+    result.quality_floor = 0.1;
     result.candidate = builder_.freeze();
     result.volume_change = boundary_volume_change(mesh_, *result.candidate);
     result.touched = around_cut(*result.candidate);
@@ -202,7 +206,7 @@ expected<edit_result> remove_surfaces(const mesh_version& mesh,
   if (auto ok = work.split(ctx.run); !ok)
     return fail(ok.error());
   ctx.run.report(0.7, "taking off");
-  auto result = work.remove();
+  auto result = work.remove(ctx.run);
   if (!result)
     return fail(result.error());
   result->surfaces_used = feature->surfaces;

@@ -18,11 +18,12 @@ inline load_case held_at_one_end() {
   return loads;
 }
 
-/// Bindings so small that all that can be cut is cut, and three rigid levels.
+/// Bindings and dispatches so small that all that can be cut is cut, and three rigid levels.
 inline vulkan_settings in_pieces() {
   vulkan_settings result;
   result.most_bytes_per_binding = 40'000;
   result.multilevel.coarsest = 2;
+  result.rows_per_dispatch = 300;
   return result;
 }
 

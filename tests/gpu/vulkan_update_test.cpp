@@ -167,6 +167,46 @@ TEST_P(VulkanSession, WithoutRoomForAnEditItIsAssembledAnew) {
   expect_same_answer(tedit::test::split(mesh_, [](tet_id t) { return t % 118 == 3; }), true);
 }
 
+TEST_P(VulkanSession, ACancelAtAnyCheckLeavesTheDeviceUsable) {
+  open({});
+  const auto solve = [&](solve_session& session, const version_ptr& mesh, const execution& run) {
+    return session.solve(mesh, held_at_one_end(), GetParam(), *device_, {}, run);
+  };
+  solve_session first;
+  execution whole;
+  const auto right = solve(first, mesh_, whole);
+  ASSERT_TRUE(right.has_value());
+  const auto last = whole.cancel.polls();
+  ASSERT_GE(last, 100);
+  // Submissions follow measured times, and with them the number of checks.
+  for (std::uint64_t poll = 1; poll <= last / 2; poll += 1 + poll / 3) {
+    solve_session session;
+    execution run;
+    run.cancel = cancel_token::at_poll(poll);
+    const auto result = solve(session, mesh_, run);
+    ASSERT_FALSE(result.has_value()) << poll;
+    ASSERT_EQ(result.error().code, ec::cancelled) << render(result.error());
+  }
+  solve_session again;
+  const auto after = solve(again, mesh_, {});
+  ASSERT_TRUE(after.has_value());
+  EXPECT_EQ(after->solution.displacement, right->solution.displacement);
+}
+
+TEST_P(VulkanSession, ACancelAfterAnEditKeepsTheSystem) {
+  open({});
+  for (std::uint64_t poll = 1; poll < 60; poll += 1 + poll / 2) {
+    const auto next = tedit::test::split(mesh_, [&](tet_id t) { return t % 801 == poll; });
+    ASSERT_TRUE(next);
+    execution run;
+    run.cancel = cancel_token::at_poll(poll);
+    const auto result = session_.solve(next, held_at_one_end(), GetParam(), *device_, {}, run);
+    ASSERT_TRUE(result || result.error().code == ec::cancelled) << render(result.error());
+    EXPECT_TRUE(!result || poll > 5) << poll;
+    ASSERT_NO_FATAL_FAILURE(expect_same_answer(next, false)) << poll;
+  }
+}
+
 /// Some tets cut up in a part that came from CAD. The dense inverse of the coarsest level goes
 /// whole: for linear tets in so coarse a mesh it is most of what is sent.
 TEST_P(VulkanUpdate, ARealPartSendsAFractionOfItself) {

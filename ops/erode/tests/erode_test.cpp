@@ -37,7 +37,7 @@ protected:
     claim.volume_change = result.volume_change;
     finish_settings settings;
     settings.quality_floor = floor;
-    const auto done = finish_edit(base, result.candidate, claim, true, settings, {});
+    const auto done = finish_edit(base, result.candidate, claim, improvement::local, settings, {});
     EXPECT_TRUE(done) << render(done.error());
     if (done) {
       EXPECT_TRUE(check_version(*done->version).ok());

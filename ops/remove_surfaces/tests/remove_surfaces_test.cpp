@@ -54,7 +54,7 @@ removed take_off(const version_ptr& mesh, const std::vector<surface_id>& surface
     edit_claim claim;
     claim.touched = result.edit->touched;
     claim.volume_change = result.edit->volume_change;
-    result.finished = finish_edit(mesh, result.edit->candidate, claim, true, {}, {});
+    result.finished = finish_edit(mesh, result.edit->candidate, claim, improvement::local, {}, {});
   }
   return result;
 }

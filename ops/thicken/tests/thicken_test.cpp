@@ -28,7 +28,7 @@ protected:
     claim.touched = result.touched;
     claim.volume_change = result.volume_change;
     claim.quality_floor = result.quality_floor;
-    const auto done = finish_edit(base, result.candidate, claim, true, {}, {});
+    const auto done = finish_edit(base, result.candidate, claim, improvement::local, {}, {});
     EXPECT_TRUE(done) << render(done.error());
     if (done) {
       EXPECT_TRUE(check_version(*done->version).ok());
