@@ -118,6 +118,10 @@ bool patch_edge::convex() const {
   return angle < std::numbers::pi * 179 / 180;
 }
 
+bool patch_edge::vertical() const {
+  return std::abs(angle - std::numbers::pi / 2) < 1e-6;
+}
+
 expected<surface_patch> find_patch(const mesh_builder& mesh, surface_id surface) {
   surface_patch patch;
   patch.surface = surface;
@@ -140,7 +144,7 @@ expected<surface_patch> find_patch(const mesh_builder& mesh, surface_id surface)
 std::vector<patch_wall> walls_of(const mesh_builder& mesh, const surface_patch& patch) {
   std::vector<patch_wall> walls;
   auto edges = patch.border;
-  std::erase_if(edges, &patch_edge::convex);
+  std::erase_if(edges, [](const patch_edge& e) { return e.convex() && !e.vertical(); });
   const double tolerance = 1e-6 * patch.mean_edge;
   // Edges come in the order of facets: a run may start in its middle, so go on until nothing joins.
   while (!edges.empty()) {
@@ -148,10 +152,12 @@ std::vector<patch_wall> walls_of(const mesh_builder& mesh, const surface_patch& 
     const vec3 a = mesh.position(first.a);
     const vec3 b = mesh.position(first.b);
     const vec3 along = normalized(b - a - dot(b - a, patch.normal) * patch.normal);
-    patch_wall wall{a, along, cross(along, patch.normal), norm(b - a), first.outer};
+    patch_wall wall{a, along, cross(along, patch.normal), norm(b - a), first.outer, first.convex()};
     edges.pop_back();
     for (bool joined = true; joined;) {
       const auto taken = std::erase_if(edges, [&](const patch_edge& edge) {
+        if (edge.convex() != wall.descends)
+          return false;
         const vec3 p = mesh.position(edge.a);
         const vec3 q = mesh.position(edge.b);
         return extend(wall, p, q, normalized(cross(q - p, patch.normal)), tolerance);

@@ -15,6 +15,9 @@ struct patch_edge {
 
   /// The neighbour goes down beside the surface: by more than a degree, else it runs on or rises.
   [[nodiscard]] bool convex() const;
+
+  /// It goes straight down.
+  [[nodiscard]] bool vertical() const;
 };
 
 /// One surface of the current state of an edit, and how it lies in space.
@@ -39,14 +42,16 @@ struct surface_patch {
 /// it does not have one facet on each side. Cost: O(facet slots).
 [[nodiscard]] expected<surface_patch> find_patch(const mesh_builder& mesh, surface_id surface);
 
-/// A straight run of border edges at which the neighbour does not go down: material stands beside
-/// the surface, so what lies below the surface ends at the plane through the run and the normal.
+/// A straight run of border edges at which what lies below the surface ends: at the plane through
+/// the run and the normal. Either the neighbour does not go down, so material stands beside the
+/// surface; or it goes straight down, and what lies behind its lower end is not below the surface.
 struct patch_wall {
   vec3 origin;
   vec3 along;    ///< Unit.
   vec3 outward;  ///< Unit, across the run, away from the surface.
   double length = 0;
   facet_id outer = no_id;  ///< A facet of the neighbour at the run.
+  bool descends = false;   ///< The neighbour goes straight down.
 
   [[nodiscard]] double across(vec3 p) const { return dot(outward, p - origin); }
   [[nodiscard]] double position(vec3 p) const { return dot(along, p - origin); }

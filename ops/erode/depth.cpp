@@ -40,14 +40,17 @@ public:
   }
 
 private:
-  /// The neighbour that a wall continues, when it stands in the wall's plane.
+  /// The neighbour that a wall continues: it stands in the wall's plane and faces the slab.
   surface_id id_of(const patch_wall& wall) {
     const auto& outer = mesh_.facet(wall.outer);
     const bool live = mesh_.is_live_facet(wall.outer);
-    if (live && std::ranges::all_of(outer.v, [&](vertex_id v) {
-          return std::abs(wall.across(mesh_.position(v))) <= 1e-5 * wall.length;
-        }))
-      return outer.surface;
+    if (live) {
+      const auto& v = outer.v;
+      const vec3 n =
+        normalized(area_vector(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])));
+      if (dot(n, wall.outward) < -1 + 1e-9)
+        return outer.surface;
+    }
     const auto neighbour = live ? outer.surface : cut_.patch().surface;
     const auto [row, fresh] = beside_.try_emplace(neighbour, 0);
     if (fresh) {

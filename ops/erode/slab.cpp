@@ -58,20 +58,31 @@ expected<void> slab::cut(const execution& run) {
   return {};
 }
 
-/// By the boxes around both in the wall's own axes: a few tets too many do no harm.
+/// Does the tet's section with the wall's plane overlap the wall, by the box around the section?
 bool slab::meets(const patch_wall& wall, tet_id t) const {
-  double low[3] = {1e300, 1e300, 1e300};
-  double high[3] = {-1e300, -1e300, -1e300};
-  for (const auto v : mesh_.tet_at(t).v) {
-    const vec3 p = mesh_.position(v);
-    const double place[3] = {wall.across(p), wall.position(p), patch_.depth(p)};
-    for (int i = 0; i < 3; ++i) {
+  double low[2] = {1e300, 1e300};
+  double high[2] = {-1e300, -1e300};
+  const auto add = [&](vec3 p) {
+    const double place[2] = {wall.position(p), patch_.depth(p)};
+    for (int i = 0; i < 2; ++i) {
       low[i] = std::min(low[i], place[i]);
       high[i] = std::max(high[i], place[i]);
     }
+  };
+  const auto c = mesh_.corners(t);
+  for (int i = 0; i < 4; ++i) {
+    const double fi = wall.across(c[i]);
+    if (std::abs(fi) <= zero_)
+      add(c[i]);
+    for (int j = i + 1; j < 4; ++j)
+      if (const double fj = wall.across(c[j]);
+          (fi < -zero_ && fj > zero_) || (fi > zero_ && fj < -zero_))
+        add(c[i] + (fi / (fi - fj)) * (c[j] - c[i]));
   }
-  return low[0] <= zero_ && high[0] >= -zero_ && low[1] <= wall.length + zero_ &&
-         high[1] >= -zero_ && low[2] < depth_ - zero_ && high[2] > zero_;
+  // Where the neighbour goes straight down there is nothing to cut beside its ends.
+  const double slack = wall.descends ? -zero_ : zero_;
+  return low[0] <= wall.length + slack && high[0] >= -slack && low[1] < depth_ - zero_ &&
+         high[1] > zero_;
 }
 
 std::vector<tet_id> slab::tets_at(const patch_wall& wall) const {

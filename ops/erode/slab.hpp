@@ -9,8 +9,8 @@ namespace tedit::ops {
 
 /// The material between a flat surface and the plane at a depth below it. Where the surface's
 /// border is convex the slab runs on through the neighbours, which are trimmed; where a neighbour
-/// rises beside it (the wall of a pocket, a rib on a plate) the slab ends below the border, as if
-/// the wall went on downwards.
+/// rises beside it (the wall of a pocket, a rib on a plate) or goes straight down, the slab ends
+/// below the border, as if the wall went on downwards.
 class slab {
 public:
   slab(mesh_builder& mesh, surface_patch patch, double depth);

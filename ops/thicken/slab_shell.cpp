@@ -106,8 +106,8 @@ public:
     shell_.covered = patch_.facets;
     for (const auto f : around_.rising()) {
       const auto& v = mesh_.facet(f).v;
-      const vec3 n = normalized(
-        area_vector(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])));
+      const vec3 n =
+        normalized(area_vector(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])));
       if (dot(n, patch_.normal) < roof)
         return fail(ec::cap_intersects,
                     "the slab would run into surface " + std::to_string(mesh_.facet(f).surface) +

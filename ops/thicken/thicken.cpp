@@ -81,8 +81,12 @@ expected<surface_patch> raise(mesh_builder& mesh, surface_id surface, double hei
   if (auto ok = check_free(mesh, *shell); !ok)
     return fail(ok.error());
   const auto filling = ctx.host->tetrahedralise(shell->surface, ctx.run);
-  if (!filling)
-    return fail(filling.error());
+  if (!filling) {
+    auto e = filling.error();
+    if (e.remedy.empty())
+      e.remedy = "The version is unchanged; take another height";
+    return fail(std::move(e));
+  }
   if (auto ok = slab_merger(mesh, *patch).merge(*shell, *filling); !ok)
     return fail(ok.error());
   return patch;

@@ -322,11 +322,26 @@ TEST(Render, HandsItsOptionsOver) {
 }
 
 TEST(Ops, ListsFillHoleWithItsParameters) {
-  const auto ops = run("ops --json").parsed();
+  const auto ops = run("ops fill_hole --json").parsed();
 
   ASSERT_EQ(ops["operations"].size(), 1u);
   EXPECT_EQ(ops["operations"][0]["id"], "fill_hole");
   EXPECT_EQ(ops["operations"][0]["parameters"].size(), 2u);
+}
+
+TEST(Ops, ALengthSaysThatItTakesMillimetres) {
+  EXPECT_THAT(run("ops erode").out, HasSubstr("depth (real, m; or depth_mm"));
+}
+
+TEST(Edit, ErodeSaysWhatItMeasured) {
+  const auto edit = run("edit --json " + parts + "inch_block/inch_block.coarse.msh --op erode " +
+                        "--surfaces 5 --param depth_mm=2");
+
+  ASSERT_EQ(edit.status, 0) << edit.out;
+  const auto json = edit.parsed();
+  EXPECT_NEAR(json["thickness_change_mm"].get<double>(), 2, 0.02);
+  EXPECT_EQ(json["pieces"], 1);
+  EXPECT_EQ(json["hinges_repaired"], 0);
 }
 
 TEST(Verify, AllFiguresHoldAndThePageIsWritten) {

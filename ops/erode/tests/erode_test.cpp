@@ -203,11 +203,32 @@ TEST_F(Erode, AWallThinnerThanTheDepthIsNamed) {
   EXPECT_THAT(result.error().message, HasSubstr("250 mm thick"));
 }
 
-TEST_F(Erode, ALowerStepInTheWayIsNamed) {
+TEST_F(Erode, GoingBelowALowerStepLeavesAWall) {
   const auto block = test::box_mesh({4, 4, 4}, {4, 4, 4});
   const auto base = named(test::dig(
                             block, [](vec3 p) { return p.x > 2 && p.z > 3; }, 7),
                           [](vec3, vec3 n) { return n.z > 0.5 ? 7 : 8; });
+
+  const auto result = lower(base, {6}, 1.5);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+  EXPECT_NEAR(result->volume_change, -2 * 4 * 1.5, 1e-12);
+  const auto& after = *result->candidate;
+  // The old wall is gone; the new one faces the other way.
+  EXPECT_EQ(after.find_surface(8), nullptr);
+  EXPECT_NEAR(area(after, 9), 8, 1e-12);
+  EXPECT_NEAR(area(after, 10), 4 * 0.5, 1e-12);
+}
+
+TEST_F(Erode, ALowerStepBelowASlopeIsNamed) {
+  const auto block = test::box_mesh({4, 4, 4}, {4, 4, 4});
+  const auto step = named(test::dig(
+                            block, [](vec3 p) { return p.x > 2 && p.z > 3; }, 7),
+                          [](vec3, vec3 n) { return n.z > 0.5 ? 7 : 8; });
+  const auto base = test::move(step, [](vec3 p) {
+    return p.x == 2 && p.z == 4 ? vec3{1.8, p.y, p.z} : p;
+  });
 
   const auto result = lower(base, {6}, 1.5);
 
