@@ -6,33 +6,27 @@
 #include <map>
 
 #include "mesh/level_set_tidy.hpp"
+#include "mesh/shift_patch.hpp"
 #include "ops/erode/slab.hpp"
 
 namespace tedit::ops {
 
 namespace {
 
-/// What was lowered, to measure the result against.
-struct lowered {
-  surface_patch before;
-  surface_id floor = 0;
-};
+/// A surface whose tets would come out worse (q = 3 r_in/R_circ) is cut instead of moved.
+constexpr double least_quality = 0.1;
 
 /// Names the faces that one slab lays bare.
 class slab_surfaces {
 public:
   slab_surfaces(mesh_builder& mesh, const slab& cut, erosion_sum& sum)
-      : mesh_(mesh), cut_(cut), sum_(sum) {
-    floor_ = mesh_.add_surface("floor of " + std::to_string(cut_.patch().surface));
-    sum_.fresh.push_back(floor_);
-  }
-
-  [[nodiscard]] surface_id floor() const { return floor_; }
+      : mesh_(mesh), cut_(cut), sum_(sum) {}
 
   surface_id name(const std::array<vertex_id, 3>& face) {
     const auto* wall = cut_.on_floor(face) ? nullptr : cut_.wall_of(face);
+    // The lowered surface is still the one that was picked: what acts on it goes with it.
     if (!wall)
-      return floor_;
+      return cut_.patch().surface;
     const auto [row, fresh] = walls_.try_emplace(wall, 0);
     if (fresh)
       row->second = id_of(*wall);
@@ -63,13 +57,12 @@ private:
   mesh_builder& mesh_;
   const slab& cut_;
   erosion_sum& sum_;
-  surface_id floor_ = 0;
   std::map<const patch_wall*, surface_id> walls_;
   std::map<surface_id, surface_id> beside_;
 };
 
-expected<lowered> lower_flat(mesh_builder& mesh, surface_patch patch, double depth, context& ctx,
-                             erosion_sum& sum) {
+expected<void> cut_off(mesh_builder& mesh, const surface_patch& patch, double depth, context& ctx,
+                       erosion_sum& sum) {
   slab below(mesh, patch, depth);
   if (auto ok = below.cut(ctx.run); !ok)
     return fail(ok.error());
@@ -84,11 +77,11 @@ expected<lowered> lower_flat(mesh_builder& mesh, surface_patch patch, double dep
   const auto taken = take_off(mesh, *removed, [&](const auto& face) { return names.name(face); });
   if (!taken)
     return fail(taken.error());
-  return lowered{std::move(patch), names.floor()};
+  return {};
 }
 
 /// Distance of the new surfaces from the old planes, as the mesh now has it.
-void measure(const mesh_builder& mesh, const std::vector<lowered>& done, double depth,
+void measure(const mesh_builder& mesh, const std::vector<surface_patch>& done, double depth,
              erosion_sum& sum) {
   double area = 0;
   double mean = 0;
@@ -97,12 +90,12 @@ void measure(const mesh_builder& mesh, const std::vector<lowered>& done, double 
     if (!mesh.is_live_facet(f))
       continue;
     const auto& facet = mesh.facet(f);
-    const auto floor = std::ranges::find(done, facet.surface, &lowered::floor);
-    if (floor == done.end())
+    const auto before = std::ranges::find(done, facet.surface, &surface_patch::surface);
+    if (before == done.end())
       continue;
     std::array<double, 3> depths;
     for (int i = 0; i < 3; ++i) {
-      depths[i] = floor->before.depth(mesh.position(facet.v[i]));
+      depths[i] = before->depth(mesh.position(facet.v[i]));
       if (std::abs(depths[i] - depth) > std::abs(worst - depth))
         worst = depths[i];
     }
@@ -121,7 +114,8 @@ void measure(const mesh_builder& mesh, const std::vector<lowered>& done, double 
 
 expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
                            double depth, context& ctx, erosion_sum& sum) {
-  std::vector<lowered> done;
+  std::vector<surface_patch> done;
+  bool cut = false;
   for (const auto surface : surfaces) {
     ctx.run.report(
       0.1 + 0.7 * static_cast<double>(done.size()) / static_cast<double>(surfaces.size()),
@@ -132,15 +126,20 @@ expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& su
     if (!patch->flat())
       return fail(ec::invalid_argument, "surface " + std::to_string(surface) + " is not flat",
                   "Take off element layers (parameter layers), or select flat surfaces");
-    auto one = lower_flat(mesh, std::move(*patch), depth, ctx, sum);
-    if (!one)
-      return fail(one.error());
-    done.push_back(std::move(*one));
+    // A small depth needs no cut: the surface's own vertices go down.
+    if (!shift_patch(mesh, *patch, -depth, least_quality)) {
+      cut = true;
+      if (auto ok = cut_off(mesh, *patch, depth, ctx, sum); !ok)
+        return fail(ok.error());
+    }
+    done.push_back(std::move(*patch));
   }
-  ctx.run.report(0.85, "mending the cut");
-  const auto tidied = tidy_cut(mesh, mesh.touched(), {}, ctx.run);
-  if (!tidied)
-    return fail(tidied.error());
+  if (cut) {
+    ctx.run.report(0.85, "mending the cut");
+    const auto tidied = tidy_cut(mesh, mesh.touched(), {}, ctx.run);
+    if (!tidied)
+      return fail(tidied.error());
+  }
   measure(mesh, done, depth, sum);
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
+#include "mesh/shift_patch.hpp"
 #include "ops/thicken/slab_shell.hpp"
 
 namespace tedit::ops {
@@ -70,6 +71,10 @@ expected<surface_patch> raise(mesh_builder& mesh, surface_id surface, double hei
   if (!patch->flat())
     return fail(ec::invalid_argument, "surface " + std::to_string(surface) + " is not flat",
                 "Select flat surfaces; curved ones cannot be thickened by this version");
+  // A small height needs no slab: the surface's own vertices go up.
+  constexpr double least_quality = 0.1;
+  if (shift_patch(mesh, *patch, height, least_quality))
+    return patch;
   if (auto ok = split_rising_neighbours(mesh, *patch, height, ctx.run); !ok)
     return fail(ok.error());
   patch = find_patch(mesh, surface);

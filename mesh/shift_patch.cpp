@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/shift_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "mesh/level_set_freedom.hpp"
+#include "mesh/predicates.hpp"
+#include "mesh/quality.hpp"
+
+namespace tedit {
+
+namespace {
+
+/// Unit normals whose planes meet at less than this sine are one plane, or next to parallel.
+constexpr double same_plane = 1e-6;
+constexpr double least_sine = 0.05;
+
+vec3 facet_normal(const mesh_builder& mesh, facet_id f) {
+  const auto& v = mesh.facet(f).v;
+  return normalized(area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
+}
+
+/// The shortest step with normal . step = distance that stays in all planes; nothing when there is
+/// none.
+std::optional<vec3> step_within(vec3 normal, double distance, const std::vector<vec3>& planes) {
+  // The planes' directions one after the other, made orthogonal.
+  std::vector<vec3> basis;
+  for (const auto& m : planes) {
+    vec3 rest = m;
+    for (const auto& b : basis)
+      rest = rest - dot(rest, b) * b;
+    const double size = norm(rest);
+    if (size < same_plane)
+      continue;
+    if (size < least_sine)
+      return std::nullopt;
+    basis.push_back(rest / size);
+    if (basis.size() == 3)
+      return std::nullopt;
+  }
+  vec3 along = normal;
+  for (const auto& b : basis)
+    along = along - dot(along, b) * b;
+  // What is left of the normal in the planes: 0 where a neighbour runs on flush.
+  const double share = dot(along, normal);
+  if (share < least_sine)
+    return std::nullopt;
+  return distance / share * along;
+}
+
+/// A step for each vertex of the patch.
+std::optional<std::map<vertex_id, vec3>> steps_of(const mesh_builder& mesh,
+                                                  const surface_patch& patch, double distance) {
+  std::map<vertex_id, vec3> steps;
+  for (const auto f : patch.facets)
+    for (const auto v : mesh.facet(f).v) {
+      if (steps.contains(v))
+        continue;
+      std::vector<vec3> planes;
+      for (const auto near : facets_at(mesh, v, mesh.star(v)))
+        if (mesh.facet(near).surface != patch.surface)
+          planes.push_back(facet_normal(mesh, near));
+      const auto step = step_within(patch.normal, distance, planes);
+      if (!step)
+        return std::nullopt;
+      steps.emplace(v, *step);
+    }
+  return steps;
+}
+
+/// Interfaces between regions that end at the surface would bend: leave those alone.
+bool one_region(const mesh_builder& mesh, const std::set<tet_id>& tets) {
+  return std::ranges::all_of(
+    tets, [&](tet_id t) { return mesh.region_of(t) == mesh.region_of(*tets.begin()); });
+}
+
+struct box {
+  vec3 low{1e300, 1e300, 1e300};
+  vec3 high{-1e300, -1e300, -1e300};
+
+  void add(vec3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  [[nodiscard]] bool meets(const box& b) const {
+    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
+           low.z <= b.high.z && b.low.z <= high.z;
+  }
+};
+
+using triangle = std::array<vec3, 3>;
+
+triangle triangle_of(const mesh_builder& mesh, facet_id f) {
+  const auto& v = mesh.facet(f).v;
+  return {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+}
+
+/// Does p lie above the triangle, seen along its normal?
+bool over(const triangle& t, vec3 normal, vec3 p) {
+  for (int i = 0; i < 3; ++i)
+    if (dot(cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0)
+      return false;
+  return true;
+}
+
+/// Would the surface on its way out meet another part of the boundary?
+bool runs_into_boundary(const mesh_builder& mesh, const surface_patch& patch,
+                        const std::map<vertex_id, vec3>& steps, double distance) {
+  std::vector<std::pair<triangle, box>> swept;
+  box all;
+  for (const auto f : patch.facets) {
+    triangle top = triangle_of(mesh, f);
+    box extent;
+    for (int i = 0; i < 3; ++i) {
+      extent.add(top[i]);
+      top[i] += steps.at(mesh.facet(f).v[i]);
+      extent.add(top[i]);
+      all.add(top[i]);
+    }
+    swept.emplace_back(top, extent);
+    all.add(extent.low);
+    all.add(extent.high);
+  }
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f) ||
+        std::ranges::any_of(mesh.facet(f).v, [&](vertex_id v) { return steps.contains(v); }))
+      continue;
+    const auto other = triangle_of(mesh, f);
+    box extent;
+    for (const auto& p : other)
+      extent.add(p);
+    if (!extent.meets(all))
+      continue;
+    for (const auto& [top, reach] : swept)
+      if (extent.meets(reach) &&
+          (triangles_intersect(top, other) || std::ranges::any_of(other, [&](vec3 p) {
+             const double depth = patch.depth(p);
+             return depth < 0 && -depth <= distance && over(top, patch.normal, p);
+           })))
+        return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool shift_patch(mesh_builder& mesh, const surface_patch& patch, double distance, double floor) {
+  const auto steps = steps_of(mesh, patch, distance);
+  if (!steps)
+    return false;
+  std::set<tet_id> tets;
+  for (const auto& [v, step] : *steps)
+    for (const auto t : mesh.star(v))
+      tets.insert(t);
+  if (!one_region(mesh, tets))
+    return false;
+  for (const auto t : tets) {
+    auto p = mesh.corners(t);
+    const double before = radius_ratio(p);
+    for (int i = 0; i < 4; ++i)
+      if (const auto found = steps->find(mesh.tet_at(t).v[i]); found != steps->end())
+        p[i] += found->second;
+    if (orient3d(p[0], p[1], p[2], p[3]) <= 0 || radius_ratio(p) < std::min(floor, before))
+      return false;
+  }
+  if (distance > 0 && runs_into_boundary(mesh, patch, *steps, distance))
+    return false;
+  for (const auto& [v, step] : *steps)
+    mesh.set_position(v, mesh.position(v) + step);
+  return true;
+}
+
+}  // namespace tedit
