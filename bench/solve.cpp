@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // bench_solve MESH LOAD_CASE [--device NAME] [--order N] [--tolerance T] [--repeat N] [--cases N]
-// [--cancel-sweep N] [--write-system FILE]: solves cold, several times, and prints one JSON object: accuracy first,
-// then the median of wall and CPU seconds of set-up, solve and recovery together (from the problem
-// to the displacement and stresses), the CPU seconds before the solve and before the recovery, and
-// the memory. With --cases, the file's loads turned and weighted in N ways are solved together.
-// With --cancel-sweep, N solves are cancelled at moments spread over a whole one, and how long each
-// takes to come back is printed (bench/cancel_sweep.hpp). With --write-system nothing is solved: the equations go to a file that other solvers read
-// (bench/peers/system.hpp).
+// [--cancel-sweep N] [--write-system FILE]: solves cold, several times, and prints one JSON object:
+// accuracy first, then the median of wall and CPU seconds of set-up, solve and recovery together
+// (from the problem to the displacement and stresses), the CPU seconds before the solve and before
+// the recovery, and the memory. With --cases, the file's loads turned and weighted in N ways are
+// solved together. With --cancel-sweep, N solves are cancelled at moments spread over a whole one,
+// and how long each takes to come back is printed (bench/cancel_sweep.hpp). With --write-system
+// nothing is solved: the equations go to a file that other solvers read (bench/peers/system.hpp).
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -189,7 +189,8 @@ int main(int argc, char** argv) {
   if (!device)
     return stop(device.error());
   if (moments > 0) {
-    const auto swept = bench::cancel_sweep({*mesh->version, *loads, order, **device, settings}, moments);
+    const auto swept =
+      bench::cancel_sweep({*mesh->version, *loads, order, **device, settings}, moments);
     if (!swept)
       return stop(swept.error());
     std::cout << swept->dump() << '\n';
