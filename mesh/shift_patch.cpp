@@ -65,7 +65,7 @@ std::optional<std::map<vertex_id, vec3>> steps_of(const mesh_builder& mesh,
         if (mesh.facet(near).surface != patch.surface)
           planes.push_back(facet_normal(mesh, near));
       const auto step = step_within(patch.normal, distance, planes);
-      if (!step)
+      if (!step || (distance > 0 && norm(*step - distance * patch.normal) > 1e-9 * distance))
         return std::nullopt;
       steps.emplace(v, *step);
     }

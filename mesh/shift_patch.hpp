@@ -7,7 +7,8 @@ namespace tedit {
 
 /// Moves a flat surface by `distance` (m, outward; negative: into the material) by its vertices
 /// alone, parallel to itself: those on its border stay on every neighbouring facet's plane, so that
-/// neighbours are trimmed or prolonged. Nothing is cut or added, ids and topology stay. True when it
+/// neighbours are trimmed or prolonged. Outward it goes straight up, so neighbours must stand at
+/// right angles. Nothing is cut or added, ids and topology stay. True when it
 /// was done; false, with nothing changed, where a neighbour runs on flush with the surface, where
 /// neighbours leave a vertex no way, where the surface would run into another part of the boundary,
 /// or where a tet would come out worse than min(floor, what it was): a larger change is then to be

@@ -30,7 +30,7 @@ struct edit_report {
   std::vector<surface_change> surface_map;
   std::vector<fem::receipt_line> receipt;
   std::vector<std::string> notices;
-  std::vector<ops::figure> figures;  ///< Numbers of this operation alone.
+  std::vector<ops::figure> figures;            ///< Numbers of this operation alone.
   std::optional<improve_report> optimisation;  ///< Of a thorough one; both figures are there.
   std::uint64_t tets_added = 0;
   std::uint64_t tets_removed = 0;

@@ -8,7 +8,10 @@ namespace tedit::ops {
 
 namespace {
 
+/// Nothing to say where no tet was taken off.
 void add_counts(const removal_report& removal, edit_result& result) {
+  if (removal.pieces == 0)
+    return;
   result.figures.push_back(
     {"pieces", static_cast<double>(removal.pieces), "", "pieces of the body"});
   result.figures.push_back(

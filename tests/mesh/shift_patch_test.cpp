@@ -64,13 +64,13 @@ TEST(ShiftPatch, ItDoesNotGrowIntoWhatStandsOpposite) {
   mesh_builder named(clamp);
   const auto floor = named.add_surface("floor of the slot");
   for (facet_id f = 0; f < clamp->facet_slots(); ++f)
-    if (clamp->facet(f).surface == 7 &&
-        std::ranges::all_of(clamp->facet(f).v,
-                            [&](vertex_id v) { return clamp->position(v).z == 1; }))
+    if (clamp->facet(f).surface == 7 && std::ranges::all_of(clamp->facet(f).v, [&](vertex_id v) {
+          return clamp->position(v).z == 1;
+        }))
       named.set_surface(f, floor);
   const auto slot = named.freeze();
 
-  EXPECT_DOUBLE_EQ(total_volume(*shifted(slot, floor, 0.25, true)), total_volume(*slot) + 1);
+  EXPECT_NEAR(total_volume(*shifted(slot, floor, 0.25, true)), total_volume(*slot) + 1, 1e-12);
   EXPECT_EQ(shifted(slot, floor, 1.25, false)->id(), slot->id());
 }
 

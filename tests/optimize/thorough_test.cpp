@@ -70,7 +70,7 @@ std::map<surface_id, double> areas(const mesh_version& mesh) {
 /// on 2 m, with an apex above and one below.
 version_ptr flat_tet() {
   raw_mesh raw;
-  raw.positions = {{1, 0, 0.001},  {0, 1, -0.001}, {-1, 0, 0.001},
+  raw.positions = {{1, 0, 0.001},   {0, 1, -0.001}, {-1, 0, 0.001},
                    {0, -1, -0.001}, {0, 0, 1},      {0, 0, -1}};
   raw.tets = {{{0, 2, 1, 3}}, {{0, 1, 2, 4}}, {{0, 2, 3, 4}}, {{0, 1, 3, 5}}, {{1, 2, 3, 5}}};
   for (auto& t : raw.tets) {
@@ -264,8 +264,8 @@ class ThoroughOnParts : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ThoroughOnParts, TheRegionAroundASurfaceGetsBetterAndPassesTheChecks) {
   const std::string name = GetParam();
-  const auto imported =
-    import_mesh(std::filesystem::path(TEDIT_TEST_DATA) / "parts" / name / (name + ".coarse.msh"), "mm");
+  const auto imported = import_mesh(
+    std::filesystem::path(TEDIT_TEST_DATA) / "parts" / name / (name + ".coarse.msh"), "mm");
   ASSERT_TRUE(imported.has_value());
   const auto mesh = imported->version;
   for (const double tolerance : {0.0, 1e-3}) {
