@@ -29,9 +29,8 @@ expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_p
   edit_claim claim;
   claim.touched = edit->touched;
   claim.volume_change = edit->volume_change;
-  auto finished =
-    actors::finish_candidate(base, edit->candidate, claim, {edit->improve, edit->thorough},
-                             load_cases, run);
+  auto finished = actors::finish_candidate(base, edit->candidate, claim,
+                                           {edit->improve, edit->thorough}, load_cases, run);
   if (!finished)
     return fail(finished.error());
   edit_outcome outcome{finished->version, std::move(finished->report),

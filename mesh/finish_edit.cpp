@@ -19,9 +19,8 @@ double boundary_growth(const mesh_version& before, const mesh_version& after) {
     if (f >= before.facet_slots() || f >= after.facet_slots() || !before.is_live_facet(f) ||
         !after.is_live_facet(f) || before.facet(f).v != after.facet(f).v)
       return false;
-    return std::ranges::all_of(before.facet(f).v, [&](vertex_id v) {
-      return before.position(v) == after.position(v);
-    });
+    return std::ranges::all_of(
+      before.facet(f).v, [&](vertex_id v) { return before.position(v) == after.position(v); });
   };
   // Any origin will do; one nearby loses fewer digits.
   std::optional<vec3> origin;
@@ -75,7 +74,7 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
     for (const auto t : builder.touched())
       touched.insert(t);
     result.version = builder.freeze();
-    if (wanted.how == improvement::thorough)
+    if (wanted.how == improvement::thorough && wanted.thorough.tolerance.allows_any())
       result.volume_change += boundary_growth(*candidate, *result.version);
   }
   std::erase_if(touched, [&](tet_id t) {

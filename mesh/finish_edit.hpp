@@ -30,11 +30,8 @@ struct finished_edit {
 /// What becomes of an operation's candidate, whoever wrote the operation: the improvement that it
 /// asks for, then the postconditions of an edit. Either all hold or nothing comes out. Errors:
 /// `postcondition_failed` with the numbers, `cancelled`.
-[[nodiscard]] expected<finished_edit> finish_edit(const version_ptr& base,
-                                                  const version_ptr& candidate,
-                                                  const edit_claim& claim,
-                                                  const improve_request& wanted,
-                                                  const finish_settings& settings,
-                                                  const execution& run);
+[[nodiscard]] expected<finished_edit> finish_edit(
+  const version_ptr& base, const version_ptr& candidate, const edit_claim& claim,
+  const improve_request& wanted, const finish_settings& settings, const execution& run);
 
 }  // namespace tedit

@@ -298,11 +298,9 @@ improve_report optimisation_from(const v1::Optimisation& m) {
   report.min_before = report.before->min_ratio;
   report.min_after = report.after->min_ratio;
   report.surface_deviation = m.surface_deviation_m();
-  report.moves = {m.flips(),          m.relocations(),
-                  m.collapses(),      m.insertions(),
-                  m.harmonic_flips(), m.harmonic_relocations(),
-                  m.boundary_flips(), m.boundary_relocations(),
-                  m.boundary_collapses()};
+  report.moves = {m.flips(),          m.relocations(),          m.collapses(),
+                  m.insertions(),     m.harmonic_flips(),       m.harmonic_relocations(),
+                  m.boundary_flips(), m.boundary_relocations(), m.boundary_collapses()};
   return report;
 }
 

@@ -127,9 +127,12 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   const auto* first = reinterpret_cast<const char*>(edit->touched.data());
   result.touched.assign(first, first + edit->touched.size() * sizeof(tet_id));
   result.volume_change = edit->volume_change;
-  result.improve = {static_cast<std::int32_t>(edit->improve), edit->thorough.target,
-                    edit->thorough.insert_below,              edit->thorough.harmonic,
-                    edit->thorough.tolerance.absolute,        edit->thorough.tolerance.relative,
+  result.improve = {static_cast<std::int32_t>(edit->improve),
+                    edit->thorough.target,
+                    edit->thorough.insert_below,
+                    edit->thorough.harmonic,
+                    edit->thorough.tolerance.absolute,
+                    edit->thorough.tolerance.relative,
                     edit->thorough.rounds};
   result.notices = edit->notices;
   result.operation_ms = clock.milliseconds();

@@ -14,10 +14,11 @@ struct finished_candidate {
   edit_report report;  ///< Operation, selection, operation_ms and total_ms are the caller's.
 };
 
-/// What happens to a candidate after its operation: the improvement asked for, the postconditions, the
-/// surface map and the receipt of each load case. Errors: those of `finish_edit`.
+/// What happens to a candidate after its operation: the improvement asked for, the postconditions,
+/// the surface map and the receipt of each load case. Errors: those of `finish_edit`.
 [[nodiscard]] expected<finished_candidate> finish_candidate(
   const version_ptr& base, const version_ptr& candidate, const edit_claim& claim,
-  const improve_request& wanted,  const std::vector<fem::load_case>& load_cases, const execution& run);
+  const improve_request& wanted, const std::vector<fem::load_case>& load_cases,
+  const execution& run);
 
 }  // namespace tedit::actors

@@ -11,8 +11,7 @@ namespace {
 constexpr int rings = 3;
 
 expected<std::vector<tet_id>> near_surfaces(const mesh_version& mesh,
-                                            const std::vector<surface_id>& surfaces,
-                                            context& ctx) {
+                                            const std::vector<surface_id>& surfaces, context& ctx) {
   std::vector<vertex_id> front;
   for (const auto f : facets_of(mesh, surfaces))
     front.insert(front.end(), mesh.facet(f).v.begin(), mesh.facet(f).v.end());

@@ -18,15 +18,34 @@ public:
     d.selection.minimum = 0;
     const thorough_settings defaults;
     d.parameters = {
-      {"surface_tolerance", "Surface tolerance",
-       "How far the boundary may move, to mend tets on thin boundary triangles. 0 keeps it as it is.",
-       real, "m", 0.0, {}, {}, 0.0},
-      {"harmonic", "Smooth the whole mesh",
+      {"surface_tolerance",
+       "Surface tolerance",
+       "How far the boundary may move, to mend tets on thin boundary triangles. 0 keeps it as it "
+       "is.",
+       real,
+       "m",
+       0.0,
+       {},
+       {},
+       0.0},
+      {"harmonic",
+       "Smooth the whole mesh",
        "Also lower the harmonic energy, which evens out all tets; without, only bad ones change.",
-       boolean, "", {}, {}, {}, true},
-      {"target", "Target quality",
-       "Tets with a radius ratio (3 r_in / R_circ) below this are lifted, worst first.", real, "",
-       0.0, 1.0, {}, defaults.target},
+       boolean,
+       "",
+       {},
+       {},
+       {},
+       true},
+      {"target",
+       "Target quality",
+       "Tets with a radius ratio (3 r_in / R_circ) below this are lifted, worst first.",
+       real,
+       "",
+       0.0,
+       1.0,
+       {},
+       defaults.target},
     };
     return d;
   }

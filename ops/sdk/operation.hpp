@@ -117,8 +117,8 @@ struct edit_result {
   double volume_change = 0;  ///< m^3; computed apart from the tets, so that the host can check it.
   improvement improve = improvement::local;  ///< What the host's optimizer does to that region.
   thorough_settings thorough;                ///< For `improvement::thorough`.
-  std::vector<surface_id> surfaces_used;  ///< The selection as completed by the operation.
-  std::vector<std::string> notices;       ///< What a person should know.
+  std::vector<surface_id> surfaces_used;     ///< The selection as completed by the operation.
+  std::vector<std::string> notices;          ///< What a person should know.
 };
 
 /// One editing operation. Instances are stateless: `apply` may run on several threads at once.

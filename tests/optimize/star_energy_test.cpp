@@ -18,8 +18,8 @@ struct bipyramid {
 
   explicit bipyramid(double height) : d{0, 0, height}, e{0, 0, -height} {
     for (int i = 0; i < 3; ++i)
-      rim[i] = {std::cos(2 * M_PI * i / 3) / std::sqrt(3), std::sin(2 * M_PI * i / 3) / std::sqrt(3),
-                0};
+      rim[i] = {std::cos(2 * M_PI * i / 3) / std::sqrt(3),
+                std::sin(2 * M_PI * i / 3) / std::sqrt(3), 0};
   }
 
   [[nodiscard]] double energy_of_two() const {
@@ -41,7 +41,8 @@ TEST(FlipWeight, TwoRegularTetsStayTwo) {
 
   const double weight = flip_weight(regular.rim, regular.d, regular.e, scale);
 
-  // 2 * 9 / sqrt(2) as two; as three each has volume sqrt(2)/18 and squared areas 2 * 2/9 + 2 * 3/16.
+  // 2 * 9 / sqrt(2) as two; as three each has volume sqrt(2)/18 and squared areas 2 * 2/9 + 2 *
+  // 3/16.
   EXPECT_NEAR(regular.energy_of_two(), 12.7279, 1e-4);
   EXPECT_NEAR(regular.energy_of_three(), 31.2894, 1e-4);
   // The rim's dihedral angle is twice acos(1/3), its cotangent -7 / (4 sqrt(2)); three rim edges of
@@ -106,9 +107,11 @@ TEST(StarEnergy, DerivativesAgreeWithDifferences) {
                                   {hessian[3], hessian[1], hessian[4]},
                                   {hessian[5], hessian[4], hessian[2]}}};
   for (int i = 0; i < 3; ++i) {
-    const double slope = (star_energy(star, x + axes[i]) - star_energy(star, x - axes[i])) / (2 * h);
+    const double slope =
+      (star_energy(star, x + axes[i]) - star_energy(star, x - axes[i])) / (2 * h);
     EXPECT_NEAR(slope, g[i], 1e-5 * norm(gradient));
-    const vec3 bend = (star_gradient(star, x + axes[i]) - star_gradient(star, x - axes[i])) / (2 * h);
+    const vec3 bend =
+      (star_gradient(star, x + axes[i]) - star_gradient(star, x - axes[i])) / (2 * h);
     EXPECT_LT(norm(bend - rows[i]), 1e-5 * norm(rows[i]));
   }
 }

@@ -13,6 +13,7 @@
 #include "mesh/finish_edit.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/surface_map.hpp"
+#include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit {
@@ -70,7 +71,7 @@ std::map<surface_id, double> areas(const mesh_version& mesh) {
 /// on 2 m, with an apex above and one below.
 version_ptr flat_tet() {
   raw_mesh raw;
-  raw.positions = {{1, 0, 0.001},  {0, 1, -0.001}, {-1, 0, 0.001},
+  raw.positions = {{1, 0, 0.001},   {0, 1, -0.001}, {-1, 0, 0.001},
                    {0, -1, -0.001}, {0, 0, 1},      {0, 0, -1}};
   raw.tets = {{{0, 2, 1, 3}}, {{0, 1, 2, 4}}, {{0, 2, 3, 4}}, {{0, 1, 3, 5}}, {{1, 2, 3, 5}}};
   for (auto& t : raw.tets) {
@@ -103,18 +104,24 @@ TEST(WorstFirst, AVertexOnAnInteriorEdgeMendsAFlatTetOfFourBoundaryVertices) {
 }
 
 TEST(WorstFirst, AVertexTooManyGoes) {
-  // Two inner vertices a thousandth apart.
-  auto mesh = test::box_mesh({3, 2, 2}, {3, 2, 2}, [](vec3 p) {
-    return p == vec3{2, 1, 1} ? vec3{1.001, 1, 1} : p;
-  });
-  improve_settings settings = thorough();
+  // A regular tet cut into four at its middle: no flip fits and no other place is better.
+  raw_mesh raw;
+  raw.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  raw.tets = {{{0, 2, 1, 3}}};
+  raw.tet_regions = {1};
+  const auto regular = build_version(std::move(raw), 1)->version;
+  const auto mesh = test::split(regular, [](tet_id) { return true; });
+  ASSERT_EQ(mesh->tet_count(), 4u);
+  auto settings = thorough();
+  settings.thorough->target = 0.9;
   settings.thorough->harmonic = false;
 
   const auto [report, after] = improved(mesh, settings);
 
-  EXPECT_LT(report.min_before, 0.01);
-  EXPECT_GT(report.moves.collapses, 0u);
-  EXPECT_GT(report.min_after, 0.2);
+  EXPECT_EQ(report.moves.collapses, 1u);
+  EXPECT_EQ(after->tet_count(), 1u);
+  EXPECT_EQ(after->vertex_count(), 4u);
+  EXPECT_NEAR(report.min_after, 1, 1e-12);
   EXPECT_TRUE(check_version(*after).ok());
 }
 
@@ -264,8 +271,8 @@ class ThoroughOnParts : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ThoroughOnParts, TheRegionAroundASurfaceGetsBetterAndPassesTheChecks) {
   const std::string name = GetParam();
-  const auto imported =
-    import_mesh(std::filesystem::path(TEDIT_TEST_DATA) / "parts" / name / (name + ".coarse.msh"), "mm");
+  const auto imported = import_mesh(
+    std::filesystem::path(TEDIT_TEST_DATA) / "parts" / name / (name + ".coarse.msh"), "mm");
   ASSERT_TRUE(imported.has_value());
   const auto mesh = imported->version;
   for (const double tolerance : {0.0, 1e-3}) {
