@@ -322,7 +322,7 @@ TEST(Render, HandsItsOptionsOver) {
 }
 
 TEST(Ops, ListsFillHoleWithItsParameters) {
-  const auto ops = run("ops --json").parsed();
+  const auto ops = run("ops fill_hole --json").parsed();
 
   ASSERT_EQ(ops["operations"].size(), 1u);
   EXPECT_EQ(ops["operations"][0]["id"], "fill_hole");
