@@ -74,7 +74,7 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
     for (const auto t : builder.touched())
       touched.insert(t);
     result.version = builder.freeze();
-    if (wanted.how == improvement::thorough)
+    if (wanted.how == improvement::thorough && wanted.thorough.tolerance.allows_any())
       result.volume_change += boundary_growth(*candidate, *result.version);
   }
   std::erase_if(touched, [&](tet_id t) {

@@ -26,8 +26,10 @@ public:
       : mesh_(mesh),
         settings_(settings),
         run_(run),
+        kept_(mesh, {}),
         guard_(mesh, settings.tolerance),
-        worst_(mesh, guard_, settings.target, counts_) {}
+        inside_(mesh, kept_, settings.target, counts_),
+        everywhere_(mesh, guard_, settings.target, counts_) {}
 
   const move_counts& run() {
     report(0.05, "lifting the worst tets");
@@ -75,14 +77,21 @@ private:
     return changed;
   }
 
+  /// What can be mended inside is mended there; the boundary is for what is left.
   void lift() {
+    lift(inside_);
+    if (guard_.active())
+      lift(everywhere_);
+  }
+
+  void lift(worst_first& moves) {
     std::vector<std::uint64_t> mended(mesh_.tet_slots(), 0);
     std::vector<std::uint64_t> split(mesh_.tet_slots(), 0);
     for (int n = 0; n < lifting_sweeps; ++n) {
       bool changed =
-        sweep(settings_.target, mended, [&](std::uint32_t t) { return worst_.mend(t); });
+        sweep(settings_.target, mended, [&](std::uint32_t t) { return moves.mend(t); });
       changed |=
-        sweep(settings_.insert_below, split, [&](std::uint32_t t) { return worst_.insert(t); });
+        sweep(settings_.insert_below, split, [&](std::uint32_t t) { return moves.insert(t); });
       if (!changed)
         return;
     }
@@ -104,9 +113,11 @@ private:
   work_mesh& mesh_;
   const thorough_settings& settings_;
   const execution& run_;
+  surface_guard kept_;
   surface_guard guard_;
   move_counts counts_;
-  worst_first worst_;
+  worst_first inside_;
+  worst_first everywhere_;
 };
 
 quality_figures measure(const work_mesh& mesh) {

@@ -13,6 +13,7 @@
 #include "mesh/finish_edit.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/surface_map.hpp"
+#include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit {
@@ -103,18 +104,24 @@ TEST(WorstFirst, AVertexOnAnInteriorEdgeMendsAFlatTetOfFourBoundaryVertices) {
 }
 
 TEST(WorstFirst, AVertexTooManyGoes) {
-  // Two inner vertices a thousandth apart.
-  auto mesh = test::box_mesh({3, 2, 2}, {3, 2, 2}, [](vec3 p) {
-    return p == vec3{2, 1, 1} ? vec3{1.001, 1, 1} : p;
-  });
-  improve_settings settings = thorough();
+  // A regular tet cut into four at its middle: no flip fits and no other place is better.
+  raw_mesh raw;
+  raw.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  raw.tets = {{{0, 2, 1, 3}}};
+  raw.tet_regions = {1};
+  const auto regular = build_version(std::move(raw), 1)->version;
+  const auto mesh = test::split(regular, [](tet_id) { return true; });
+  ASSERT_EQ(mesh->tet_count(), 4u);
+  auto settings = thorough();
+  settings.thorough->target = 0.9;
   settings.thorough->harmonic = false;
 
   const auto [report, after] = improved(mesh, settings);
 
-  EXPECT_LT(report.min_before, 0.01);
-  EXPECT_GT(report.moves.collapses, 0u);
-  EXPECT_GT(report.min_after, 0.2);
+  EXPECT_EQ(report.moves.collapses, 1u);
+  EXPECT_EQ(after->tet_count(), 1u);
+  EXPECT_EQ(after->vertex_count(), 4u);
+  EXPECT_NEAR(report.min_after, 1, 1e-12);
   EXPECT_TRUE(check_version(*after).ok());
 }
 
