@@ -43,6 +43,7 @@ pool_options options_of(const server_options& options, const std::string& role, 
   if (options.safe_mode && role == "modeling")
     result.command.emplace_back("--safe-mode");
   result.quarantine_after = options.quarantine_after;
+  result.operation_limit = options.edit_limit;
   result.workers = workers;
   result.job_limit = limit;
   return result;

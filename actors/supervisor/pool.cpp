@@ -77,7 +77,7 @@ void pool_state::dispatch() {
       return dispatch();
     }
     c.work = std::move(next);
-    c.work->deadline = clock::now() + options.job_limit;
+    c.work->deadline = clock::now() + limit_of(*c.work);
     c.work->send(c.worker, c.work->deaths);
   }
 }
@@ -188,6 +188,11 @@ bool pool_state::enlist(const enlistment& who) {
   return true;
 }
 
+std::chrono::milliseconds pool_state::limit_of(const job& work) const {
+  const bool own = !work.operation.empty() && options.operation_limit.count() > 0;
+  return own ? options.operation_limit : options.job_limit;
+}
+
 void pool_state::blame(const job& work, const std::string& how) {
   if (work.operation.empty() || !off.counts())
     return;
@@ -256,7 +261,7 @@ void pool_state::tick() {
         {ec::timeout,
          (current->work->operation.empty() ? "the work"
                                            : "the operation " + current->work->operation) +
-           " did not end within " + std::to_string(options.job_limit.count() / 1000) + " s",
+           " did not end within " + std::to_string(limit_of(*current->work).count() / 1000) + " s",
          "Take a coarser mesh, or raise the limit in the server's configuration",
          {}});
       blame(*current->work, "hung and was killed");

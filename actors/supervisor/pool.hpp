@@ -22,6 +22,7 @@ struct pool_options {
   std::vector<std::string> command;  ///< Starts a worker; "--join HOST:PORT" is added.
   unsigned workers = 1;
   std::chrono::milliseconds job_limit{2 * 60 * 1000};  ///< A job that takes longer is ended.
+  std::chrono::milliseconds operation_limit{0};  ///< For those that run a plugin; 0: the same.
   std::chrono::milliseconds cancel_grace{5000};  ///< For a cancelled job to notice that it is.
   std::chrono::milliseconds start_limit{20000};  ///< For a process to enlist.
   unsigned restart_budget = 3;                   ///< Restarts within `restart_window`.
@@ -89,6 +90,8 @@ struct pool_state {
   void spawn_child();
   void spawn_missing();
   void dispatch();
+  /// How long this job may take.
+  [[nodiscard]] std::chrono::milliseconds limit_of(const job& work) const;
   /// Counts a death against the operation that ran.
   void blame(const job& work, const std::string& how);
   void bury(std::list<child>::iterator dead, const std::string& how);

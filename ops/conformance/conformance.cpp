@@ -37,6 +37,7 @@ private:
   std::filesystem::path path_;
 };
 
+constexpr auto last_mark = "unloading";
 constexpr std::string_view tag_pass = "pass ";
 constexpr std::string_view tag_fail = "fail ";
 constexpr std::string_view tag_remedy = "remedy ";
@@ -57,7 +58,7 @@ void run_check(const check& c, const plan& p, const child_reporter& reporter) {
     reporter.say(std::string(tag_fail) + "it threw: " + e.what());
     reporter.say(std::string(tag_remedy) + "Report errors as expected<T>; throw nothing");
   }
-  reporter.mark("unloading");
+  reporter.mark(last_mark);
 }
 
 conformance_row row_of(const check& c) {
@@ -78,8 +79,8 @@ void judge_death(const child_outcome& child, conformance_row& row) {
 conformance_row perform(const check& c, const plan& p, std::vector<std::string>& other_lines) {
   auto row = row_of(c);
   const scratch_folder folder;
-  const auto child = run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); },
-                                folder.path(), {p.settings->limit, p.settings->memory_bytes});
+  auto child = run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); },
+                          folder.path(), {p.settings->limit, p.settings->memory_bytes});
   for (const auto& line : child.lines) {
     if (line.starts_with(tag_pass))
       row.outcome = verdict::pass, row.seen = line.substr(tag_pass.size());
@@ -92,6 +93,8 @@ conformance_row perform(const check& c, const plan& p, std::vector<std::string>&
     else
       other_lines.push_back(line);
   }
+  if (child.death.empty() && child.doing != last_mark)
+    child.death = "ended the process";  // By exit(): the check never came to its end.
   if (!child.death.empty())
     judge_death(child, row);
   return row;
@@ -157,30 +160,34 @@ private:
     }
     std::vector<std::string> lines;
     auto row = perform(c, plan_, lines);
-    if (c.needs == need::nothing && row.outcome == verdict::fail)
-      broken_file_ = c.name;
-    if (row.outcome == verdict::fail && breaks_results(c))
-      plan_.faulty = true;
-    if (row.outcome == verdict::fail && std::string_view(c.name) == "deterministic")
-      deterministic_ = false;
     if (!lines.empty())
       plan_.cases = cases_from(lines, plan_);
+    note_obstacles(c, row);
     if (std::string_view(c.name) == "descriptor" && row.outcome == verdict::pass)
       report_.plugin = row.seen.substr(0, row.seen.find(','));
     add(std::move(row));
   }
 
+  /// What later checks need not run into again.
+  void note_obstacles(const check& c, const conformance_row& row) {
+    const std::string_view name = c.name;
+    if (row.outcome != verdict::fail)
+      return;
+    const bool survey = name == "every_surface_alone" && plan_.cases.empty();
+    if (c.needs == need::nothing || name == "defaults" || survey)
+      obstacle_ = c.name;
+    plan_.faulty = plan_.faulty || breaks_results(c);
+    deterministic_ = deterministic_ && name != "deterministic";
+  }
+
   /// Why a check makes no sense any more; empty when it does.
   [[nodiscard]] std::string obstacle(const check& c) const {
-    if (!broken_file_.empty())
-      return "not run: the plugin does not load, see " + broken_file_;
+    if (!obstacle_.empty())
+      return "not run: see " + obstacle_;
     if (c.needs >= need::working_case && plan_.cases.empty())
       return "not run: no selection works, see accepts_something";
     if (c.needs == need::deterministic && !deterministic_)
       return "not run: results differ from call to call, see deterministic";
-    if (std::string_view(c.name) == "accepts_something" && plan_.cases.empty() &&
-        report_.rows.back().outcome == verdict::fail)
-      return "not run: see " + report_.rows.back().check;
     return {};
   }
 
@@ -193,7 +200,7 @@ private:
   const std::function<void(const conformance_row&)>& done_;
   plan plan_;
   conformance_report report_;
-  std::string broken_file_;
+  std::string obstacle_;
   bool deterministic_ = true;
 };
 

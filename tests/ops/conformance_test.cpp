@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::filesystem::path breaker = TEDIT_BAD_PLUGINS "/rule_breaker.so";
+const std::filesystem::path breaker = TEDIT_RULE_BREAKER "/rule_breaker.so";
 
 conformance_report report_of(const std::string& broken, std::chrono::milliseconds limit) {
   setenv("TEDIT_LIBEXEC", TEDIT_BIN, 1);
