@@ -61,7 +61,7 @@ expected<void> check_name(const std::string& name) {
 expected<new_plugin> make_plugin_folder(const std::string& name, const fs::path& parent) {
   if (auto ok = check_name(name); !ok)
     return fail(ok.error());
-  const fs::path folder = parent / name;
+  const fs::path folder = (parent / name).lexically_normal();
   std::error_code code;
   if (fs::exists(fs::symlink_status(folder, code)))
     return fail(ec::io_error, folder.string() + " is there already",

@@ -3,6 +3,8 @@
 # Builds a plugin outside TEdit's tree: the loadable module <NAME>.so; the first source holds TEDIT_PLUGIN. TESTS makes
 # the GoogleTest program <NAME>_tests. The conformance kit is the test conformance.<NAME>; CONFORMANCE gives it further
 # options. "cmake --install build --prefix ~/.local" puts the plugin where every tedit of the user finds it.
+enable_testing() # Here, because inside a function it would end with the function.
+
 function(tedit_add_plugin)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;TESTS;LINK;CONFORMANCE" ${ARGN})
   if(NOT ARG_NAME OR NOT ARG_SOURCES)
@@ -18,7 +20,6 @@ function(tedit_add_plugin)
   set_target_properties(${ARG_NAME} PROPERTIES PREFIX "")
   install(TARGETS ${ARG_NAME} LIBRARY DESTINATION share/tedit/plugins)
 
-  enable_testing()
   if(ARG_TESTS)
     find_package(GTest REQUIRED)
     include(GoogleTest)

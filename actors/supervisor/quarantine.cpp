@@ -14,8 +14,9 @@ bool quarantine::note(const std::string& operation, const std::string& how) {
 
 std::string quarantine::reason(const std::string& operation, const row& r) const {
   return "the operation " + operation +
-         " is switched off: its plugin ended the process that ran it " + std::to_string(r.deaths) +
-         " times, the last one " + r.last;
+         " is switched off: its plugin ended the process that ran it " +
+         (r.deaths == 1 ? "once; it " : std::to_string(r.deaths) + " times; the last time it ") +
+         r.last;
 }
 
 std::optional<error> quarantine::refusal(const std::string& operation) const {

@@ -21,8 +21,8 @@ TEST(Quarantine, SwitchesOffAfterSoManyDeaths) {
   ASSERT_TRUE(off.refusal("bad").has_value());
   EXPECT_EQ(off.refusal("bad")->code, ec::plugin_refused);
   EXPECT_THAT(off.refusal("bad")->message,
-              HasSubstr("bad is switched off: its plugin ended the process that ran it 2 times, "
-                        "the last one was killed by signal 11"));
+              HasSubstr("bad is switched off: its plugin ended the process that ran it 2 times; "
+                        "the last time it was killed by signal 11"));
   EXPECT_FALSE(off.refusal("good").has_value());
 }
 

@@ -23,7 +23,9 @@ cd "$work/probe_offset"
   cmake -B build
   grep "TEdit_DIR:PATH=$work/prefix/lib/cmake/TEdit" build/CMakeCache.txt
   cmake --build build -j2
-  ctest --test-dir build --output-on-failure
+  ctest --test-dir build --output-on-failure --no-tests=error
+  ctest --test-dir build -N | grep "conformance.probe_offset"
+  ctest --test-dir build -N | grep "ProbeOffset.MovingTheEnd"
 } >"$work/log" 2>&1 || { tail -40 "$work/log" >&2; exit 1; }
 if grep -q "$build" build/build.ninja build/Makefile 2>/dev/null; then
   echo "the plugin was built against the build tree, not the installation" >&2
