@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <memory>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -49,11 +50,8 @@ nlohmann::ordered_json to_json(const ops::conformance_row& row) {
   const char* outcome = row.outcome == ops::verdict::pass   ? "pass"
                         : row.outcome == ops::verdict::fail ? "fail"
                                                             : "not_run";
-  return {{"check", row.check},
-          {"rule", row.rule},
-          {"outcome", outcome},
-          {"seen", row.seen},
-          {"remedy", row.remedy}};
+  return {{"check", row.check}, {"rule", row.rule},     {"outcome", outcome},
+          {"seen", row.seen},   {"remedy", row.remedy}, {"operation", row.operation}};
 }
 
 expected<ops::conformance_settings> settings_of(const test_options& options) {
@@ -101,7 +99,10 @@ int run_test(const test_options& options, session& s) {
   const auto settings = settings_of(options);
   if (!settings)
     return print_error(s, settings.error());
+  std::uint32_t operation = 0;
   const auto report = ops::test_plugin(*settings, [&](const ops::conformance_row& row) {
+    if (!s.json && std::exchange(operation, row.operation) != row.operation)
+      print_result(s, {}, "operation " + std::to_string(row.operation) + "\n");
     if (!s.json)
       print_result(s, {}, line_of(row));
   });

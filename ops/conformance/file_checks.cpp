@@ -31,6 +31,7 @@ std::string magic(bench& b) {
   if (!d.plugin_name || !*d.plugin_name || !d.plugin_version || !d.create || !d.destroy ||
       d.operation_count == 0)
     throw failure{"the descriptor is incomplete", "Fill it by the macro TEDIT_PLUGIN"};
+  b.say("operations " + std::to_string(d.operation_count));
   return std::string(d.plugin_name) + " " + d.plugin_version + ", " +
          std::to_string(d.operation_count) + " operation(s)";
 }

@@ -113,6 +113,15 @@ TEST(Conformance, AWrongCodeForACancelIsNamed) {
   EXPECT_THAT(seen_of("cancel_code", "cancelled_at_start"), HasSubstr("code internal"));
 }
 
+TEST(Conformance, EveryOperationOfAPluginIsTested) {
+  const auto report = report_of("second_operation", std::chrono::seconds(30));
+
+  EXPECT_THAT(failures(report), ElementsAre("ids")) << "the second one's id is no snake_case";
+  const auto failed = std::ranges::find(report.rows, verdict::fail, &conformance_row::outcome);
+  EXPECT_EQ(failed->operation, 1u);
+  EXPECT_EQ(std::ranges::count(report.rows, std::string("file_opens"), &conformance_row::check), 1);
+}
+
 TEST(Conformance, WhatIsNoLibraryIsNotRunFurther) {
   conformance_settings settings;
   settings.file = TEDIT_TEST_DATA "/parts/holes_block/features.json";

@@ -196,12 +196,14 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
 
 class rule_breaker final : public ops::operation {
 public:
+  explicit rule_breaker(std::uint32_t index) : index_(index) {}
+
   ops::operation_description describe() const override {
     static int calls = 0;
     if (breaks("makes_operations"))
       throw std::runtime_error("no licence file");
     ops::operation_description d;
-    d.id = breaks("ids") ? "RuleBreaker" : "rule_breaker";
+    d.id = breaks("ids") ? "RuleBreaker" : index_ == 0 ? "rule_breaker" : "Second";
     d.name = "Rule breaker";
     d.summary = breaks("texts") ? "" : "Moves surfaces along their mean normals.";
     d.version = breaks("version") ? "one" : "1.0.0";
@@ -239,8 +241,25 @@ public:
     return move_surfaces(mesh, picked.surfaces, std::get<double>(values.at("distance")),
                          std::get<std::int64_t>(values.at("layers")), ctx);
   }
+
+private:
+  std::uint32_t index_;
 };
 
 }  // namespace
 
-TEDIT_PLUGIN("rule_breaker", "1.0.0", rule_breaker)
+extern "C" __attribute__((visibility("default"))) const ops::plugin_descriptor*
+tedit_plugin_query() {
+  static const ops::plugin_descriptor descriptor{
+    ops::plugin_magic,
+    sizeof(ops::plugin_descriptor),
+    ops::sdk_major,
+    ops::sdk_minor,
+    ops::compiler_tag,
+    "rule_breaker",
+    "1.0.0",
+    breaks("second_operation") ? 2u : 1u,
+    [](std::uint32_t index) -> ops::operation* { return new rule_breaker(index); },
+    [](ops::operation* made) { delete made; }};
+  return &descriptor;
+}
