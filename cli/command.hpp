@@ -30,6 +30,7 @@ using action = std::function<int(session&)>;
 void add_info(CLI::App& app, action& chosen);
 void add_ops(CLI::App& app, action& chosen);
 void add_select(CLI::App& app, action& chosen);
+void add_plugin(CLI::App& app, action& chosen);
 void add_edit(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);
 void add_export(CLI::App& app, action& chosen);

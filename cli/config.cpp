@@ -64,6 +64,16 @@ setter whole(int server_config::*member, int least, int most) {
   };
 }
 
+setter yes_no(bool server_config::*member) {
+  return [=](const toml::node& given, server_config& config) -> std::string {
+    const auto value = given.value_exact<bool>();
+    if (!value)
+      return "must be true or false";
+    config.*member = *value;
+    return {};
+  };
+}
+
 setter seconds(double server_config::*member) {
   constexpr double least = 0.1;
   constexpr double most = 7 * 24 * 3600;
@@ -150,6 +160,8 @@ const std::vector<option>& options() {
     {"work", "modeling_workers", whole(&c::modeling_workers, 1, 64)},
     {"work", "optimizer_workers", whole(&c::optimizer_workers, 1, 64)},
     {"work", "solver_workers", whole(&c::solver_workers, 1, 64)},
+    {"plugins", "safe_mode", yes_no(&c::safe_mode)},
+    {"plugins", "quarantine_after", whole(&c::quarantine_after, 0, 1000)},
     {"limits", "edit_timeout_s", seconds(&c::edit_timeout_s)},
     {"limits", "import_timeout_s", seconds(&c::import_timeout_s)},
     {"limits", "solve_timeout_s", seconds(&c::solve_timeout_s)},

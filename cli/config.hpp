@@ -23,6 +23,9 @@ struct server_config {
   int modeling_workers = 1;
   int optimizer_workers = 1;
   int solver_workers = 1;
+  // [plugins]
+  bool safe_mode = false;
+  int quarantine_after = 3;
   // [limits]
   double edit_timeout_s = 120;
   double import_timeout_s = 600;

@@ -27,6 +27,7 @@ struct serve_options {
   std::optional<std::string> device;
   std::string ready_file;
   bool in_process = false;
+  bool safe_mode = false;
 };
 
 server_options to_server_options(const server_config& config) {
@@ -38,6 +39,8 @@ server_options to_server_options(const server_config& config) {
   options.port = static_cast<std::uint16_t>(config.port);
   options.allowed_origins = config.allowed_origins;
   options.device = config.device;
+  options.safe_mode = config.safe_mode;
+  options.quarantine_after = static_cast<unsigned>(config.quarantine_after);
   options.modeling_workers = static_cast<unsigned>(config.modeling_workers);
   options.optimizer_workers = static_cast<unsigned>(config.optimizer_workers);
   options.solver_workers = static_cast<unsigned>(config.solver_workers);
@@ -61,6 +64,7 @@ expected<server_config> effective_config(const serve_options& given) {
     config->token_file = *given.token_file;
   if (given.device)
     config->device = *given.device;
+  config->safe_mode = config->safe_mode || given.safe_mode;
   return config;
 }
 
@@ -135,6 +139,8 @@ void add_serve(CLI::App& app, action& chosen) {
                       "Write URL and token file here (JSON) when clients can connect");
   command->add_flag("--in-process", options->in_process,
                     "Workers on threads: a crash of one ends the server");
+  command->add_flag("--safe-mode", options->safe_mode,
+                    "Only the operations that came with the program, no other plugins");
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_serve(*options, s); }; });
 }

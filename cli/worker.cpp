@@ -16,6 +16,7 @@ namespace {
 struct worker_command {
   std::string role;
   std::string join;
+  bool safe_mode = false;
 };
 
 int run_worker_command(const worker_command& given, session& s) {
@@ -26,6 +27,7 @@ int run_worker_command(const worker_command& given, session& s) {
   const auto* ticket = std::getenv("TEDIT_TICKET");
   actors::worker_options options;
   options.role = given.role;
+  options.safe_mode = given.safe_mode;
   options.host = given.join.substr(0, colon);
   options.ticket = ticket ? ticket : "";
   unsigned long port = 0;
@@ -48,6 +50,8 @@ void add_worker(CLI::App& app, action& chosen) {
     ->required()
     ->check(CLI::IsMember({"modeling", "optimizer", "solver"}));
   command->add_option("--join", options->join, "HOST:PORT of the server's pool")->required();
+  command->add_flag("--safe-mode", options->safe_mode,
+                    "Only the operations that came with the program");
   command->callback([options, &chosen] {
     chosen = [options](session& s) { return run_worker_command(*options, s); };
   });

@@ -8,11 +8,14 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # One interface target carries include path, warnings and sanitizers to every target of ours.
 add_library(tedit_options INTERFACE)
-target_include_directories(tedit_options INTERFACE "${CMAKE_SOURCE_DIR}" "${CMAKE_BINARY_DIR}/generated")
-target_compile_options(tedit_options INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
-                                               -fvisibility=hidden)
+target_include_directories(
+  tedit_options INTERFACE "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>" "$<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/generated>"
+                          "$<INSTALL_INTERFACE:include/tedit>")
+# Warnings are ours to keep out, not those of who builds a plugin against the installation.
+set(tedit_warnings -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
+target_compile_options(tedit_options INTERFACE "$<BUILD_INTERFACE:${tedit_warnings}>" -fvisibility=hidden)
 if(TEDIT_WERROR)
-  target_compile_options(tedit_options INTERFACE -Werror)
+  target_compile_options(tedit_options INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(TEDIT_SANITIZE)
   target_compile_options(tedit_options INTERFACE -fsanitize=${TEDIT_SANITIZE} -fno-omit-frame-pointer

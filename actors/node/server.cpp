@@ -26,9 +26,10 @@ using namespace actors;
 /// Pages kept beyond what documents hold: what workers are about to ask for.
 constexpr std::size_t cache_bytes = std::size_t{64} << 20;
 
-worker_set start_threads(caf::actor_system& system, const std::shared_ptr<page_cache>& cache,
-                         const page_store_actor& pages) {
-  auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue());
+worker_set start_threads(caf::actor_system& system, const server_options& options,
+                         const std::shared_ptr<page_cache>& cache, const page_store_actor& pages) {
+  const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
+  auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
   return {system.spawn(make_modeling, cache, pages, plugins),
           system.spawn(make_optimizer, cache, pages), system.spawn(make_solver, cache, pages)};
 }
@@ -39,6 +40,10 @@ pool_options options_of(const server_options& options, const std::string& role, 
   pool_options result;
   result.role = role;
   result.command = {program.string(), "worker", "--role", role};
+  if (options.safe_mode && role == "modeling")
+    result.command.emplace_back("--safe-mode");
+  result.quarantine_after = options.quarantine_after;
+  result.operation_limit = options.edit_limit;
   result.workers = workers;
   result.job_limit = limit;
   return result;
@@ -114,8 +119,8 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   auto& system = made->system;
   auto cache = std::make_shared<page_cache>(cache_bytes);
   const auto pages = system.spawn(make_page_store, cache);
-  const auto workers =
-    options.worker_processes ? start_pools(system, options) : start_threads(system, cache, pages);
+  const auto workers = options.worker_processes ? start_pools(system, options)
+                                                : start_threads(system, options, cache, pages);
   const auto hub =
     system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device});
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(workers.modeling),

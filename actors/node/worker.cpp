@@ -39,11 +39,13 @@ expected<caf::actor> connect(caf::actor_system& system, const worker_options& op
                                          caf::to_string(last) + ")");
 }
 
-expected<caf::actor> spawn_role(caf::actor_system& system, const std::string& role) {
+expected<caf::actor> spawn_role(caf::actor_system& system, const worker_options& options) {
+  const auto& role = options.role;
   auto cache = std::make_shared<page_cache>(cache_bytes);
   const auto pages = system.spawn(make_page_store, cache);
   if (role == "modeling") {
-    auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue());
+    const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
+    auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
     for (const auto& refused : plugins->refused())
       spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
     return caf::actor_cast<caf::actor>(system.spawn(make_modeling, cache, pages, plugins));
@@ -61,7 +63,7 @@ expected<caf::actor> spawn_role(caf::actor_system& system, const std::string& ro
 expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
   system_config config(true);
   caf::actor_system system(config);
-  const auto worker = spawn_role(system, options.role);
+  const auto worker = spawn_role(system, options);
   if (!worker)
     return fail(worker.error());
   const auto gate = connect(system, options);

@@ -13,7 +13,8 @@ struct worker_options {
   std::string role;  ///< "modeling", "optimizer" or "solver".
   std::string host;  ///< The pool that it serves.
   std::uint16_t port = 0;
-  std::string ticket;  ///< What the pool gave the process to prove that it started it.
+  std::string ticket;      ///< What the pool gave the process to prove that it started it.
+  bool safe_mode = false;  ///< Modeling: only the plugins that came with the program.
 };
 
 /// Runs a worker until its pool is gone or `stop` is set. Errors: `service_unavailable` when the

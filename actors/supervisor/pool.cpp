@@ -38,6 +38,7 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
   self = owner;
   options = std::move(with);
   budget.emplace(options.restart_budget, options.restart_window);
+  off = quarantine(options.quarantine_after);
 }
 
 void pool_state::stop() {
@@ -52,6 +53,8 @@ void pool_state::stop() {
 // -- jobs --------------------------------------------------------------------------------------
 
 void pool_state::add(job j) {
+  if (const auto why = off.refusal(j.operation))
+    return j.refuse(*why);
   if (degraded && children.empty())
     return j.refuse({ec::service_unavailable,
                      "no " + options.role + " worker runs: " + last_failure,
@@ -67,9 +70,14 @@ void pool_state::dispatch() {
       return;
     if (!c.worker || c.work)
       continue;
-    c.work = std::move(waiting.front());
+    auto next = std::move(waiting.front());
     waiting.pop_front();
-    c.work->deadline = clock::now() + options.job_limit;
+    if (const auto why = off.refusal(next.operation)) {
+      next.refuse(*why);  // Switched off while it waited.
+      return dispatch();
+    }
+    c.work = std::move(next);
+    c.work->deadline = clock::now() + limit_of(*c.work);
     c.work->send(c.worker, c.work->deaths);
   }
 }
@@ -137,7 +145,9 @@ void pool_state::spawn_child() {
 void pool_state::spawn_missing() {
   while (children.size() < options.workers) {
     const bool first = !started_once && restarts + children.size() < options.workers;
-    if (!first && !budget->take(clock::now())) {
+    if (!first && forgiven > 0) {
+      --forgiven;  // An operation's plugin is to blame, which has a count of its own.
+    } else if (!first && !budget->take(clock::now())) {
       if (!degraded)
         spdlog::error("{} worker: died {} times within {} s, giving up for now", options.role,
                       options.restart_budget + 1, options.restart_window.count() / 1000);
@@ -178,6 +188,20 @@ bool pool_state::enlist(const enlistment& who) {
   return true;
 }
 
+std::chrono::milliseconds pool_state::limit_of(const job& work) const {
+  const bool own = !work.operation.empty() && options.operation_limit.count() > 0;
+  return own ? options.operation_limit : options.job_limit;
+}
+
+void pool_state::blame(const job& work, const std::string& how) {
+  if (work.operation.empty() || !off.counts())
+    return;
+  ++forgiven;
+  spdlog::warn("{} worker: the operation {} was running", options.role, work.operation);
+  if (off.note(work.operation, how))
+    spdlog::error("plugin: {}", off.refusal(work.operation)->message);
+}
+
 void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   last_failure = "process " + std::to_string(dead->pid) + " " + how;
   spdlog::warn("{} worker: {}", options.role, last_failure);
@@ -185,12 +209,16 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   children.erase(dead);
   if (work) {
     ++work->deaths;
+    blame(*work, how);
     if (work->cancelled)
       work->refuse({ec::cancelled, "the work was cancelled", {}, {}});
+    else if (const auto why = off.refusal(work->operation))
+      work->refuse(*why);
     else if (work->deaths > options.retries)
       work->refuse({ec::internal,
-                    "the " + options.role + " worker " + how + " while it worked on this, " +
-                      std::to_string(work->deaths) + " times",
+                    "the " + options.role + " worker " + how + " while it worked on this" +
+                      (work->operation.empty() ? "" : " (operation " + work->operation + ")") +
+                      ", " + std::to_string(work->deaths) + " times",
                     "Try other values; if it goes on, report it with the server's log",
                     {}});
     else
@@ -231,9 +259,12 @@ void pool_state::tick() {
     if (late_work && !current->work->cancelled) {
       current->work->refuse(
         {ec::timeout,
-         "the work did not end within " + std::to_string(options.job_limit.count() / 1000) + " s",
+         (current->work->operation.empty() ? "the work"
+                                           : "the operation " + current->work->operation) +
+           " did not end within " + std::to_string(limit_of(*current->work).count() / 1000) + " s",
          "Take a coarser mesh, or raise the limit in the server's configuration",
          {}});
+      blame(*current->work, "hung and was killed");
       current->work.reset();
     }
     return bury(current, late_start ? "did not start in time" : "hung and was killed");

@@ -12,6 +12,7 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/interfaces.hpp"
+#include "actors/supervisor/quarantine.hpp"
 
 namespace tedit::actors {
 
@@ -21,11 +22,13 @@ struct pool_options {
   std::vector<std::string> command;  ///< Starts a worker; "--join HOST:PORT" is added.
   unsigned workers = 1;
   std::chrono::milliseconds job_limit{2 * 60 * 1000};  ///< A job that takes longer is ended.
+  std::chrono::milliseconds operation_limit{0};  ///< For those that run a plugin; 0: the same.
   std::chrono::milliseconds cancel_grace{5000};  ///< For a cancelled job to notice that it is.
   std::chrono::milliseconds start_limit{20000};  ///< For a process to enlist.
   unsigned restart_budget = 3;                   ///< Restarts within `restart_window`.
   std::chrono::milliseconds restart_window{60000};
-  int retries = 2;  ///< A job whose worker dies is given to another this often.
+  int retries = 2;                ///< A job whose worker dies is given to another this often.
+  unsigned quarantine_after = 3;  ///< Deaths of one operation's edits; see `quarantine`.
 };
 
 /// The restarts of the recent past, against a budget.
@@ -50,6 +53,7 @@ struct pool_state {
   /// A job from its order to its answer. Order and result types live in the closures.
   struct job {
     job_id id;
+    std::string operation;  ///< Whose plugin it runs; empty when none.
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
     int deaths = 0;
@@ -86,6 +90,10 @@ struct pool_state {
   void spawn_child();
   void spawn_missing();
   void dispatch();
+  /// How long this job may take.
+  [[nodiscard]] std::chrono::milliseconds limit_of(const job& work) const;
+  /// Counts a death against the operation that ran.
+  void blame(const job& work, const std::string& how);
   void bury(std::list<child>::iterator dead, const std::string& how);
   [[nodiscard]] std::list<child>::iterator child_with(job_id id);
 
@@ -95,6 +103,8 @@ struct pool_state {
   std::string address;  ///< Where workers enlist, host:port.
   std::list<child> children;
   std::deque<job> waiting;
+  quarantine off;
+  unsigned forgiven = 0;  ///< Restarts that the budget need not pay for.
   std::uint32_t restarts = 0;
   bool started_once = false;
   bool degraded = false;

@@ -25,6 +25,8 @@ auto job_handler(pool_pointer<Role> self) {
     auto promise = std::make_shared<promise_type>(self->template make_response_promise<Result>());
     pool_state::job job;
     job.id = id;
+    if constexpr (std::is_same_v<Order, edit_order>)
+      job.operation = order.operation;
     job.refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
     job.send = [=](const caf::actor& worker, int attempt) {
       // The pool's own clock ends what takes too long; this limit is only a net below it.
@@ -97,6 +99,28 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
   caf::delayed_anon_send(own, tick_interval, tick_atom::value);
 }
 
+/// The catalogue of some worker that is there, without the operations that are switched off.
+caf::result<std::string> catalogue_of(pool_pointer<modeling_actor> self) {
+  for (const auto& c : self->state.children) {
+    if (!c.worker)
+      continue;
+    auto promise = self->make_response_promise<std::string>();
+    self
+      ->request(caf::actor_cast<modeling_actor>(c.worker), std::chrono::seconds(30),
+                catalog_atom::value)
+      .then(
+        [=](const std::string& json) mutable { promise.deliver(self->state.off.apply_to(json)); },
+        [=](const caf::error& e) mutable {
+          promise.deliver(to_caf(from_caf(e, "the catalogue")));
+        });
+    return promise;
+  }
+  return to_caf({ec::service_unavailable,
+                 "the modeling worker is still starting",
+                 "Try again in a moment",
+                 {}});
+}
+
 modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
                                             pool_options options) {
   start_pool<modeling_actor>(self, std::move(options));
@@ -104,16 +128,7 @@ modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
           job_handler<modeling_actor, edit_order, edit_candidate>(self),
           job_handler<modeling_actor, export_order, export_result>(self),
           job_handler<modeling_actor, select_order, select_result>(self),
-          [=](catalog_atom) -> caf::result<std::string> {
-            for (const auto& c : self->state.children)
-              if (c.worker)
-                return self->delegate(caf::actor_cast<modeling_actor>(c.worker),
-                                      catalog_atom::value);
-            return to_caf({ec::service_unavailable,
-                           "the modeling worker is still starting",
-                           "Try again in a moment",
-                           {}});
-          },
+          [=](catalog_atom) { return catalogue_of(self); },
           [=](cancel_atom, job_id id) { self->state.cancel(id); },
           [=](status_atom) { return self->state.status(); }};
 }

@@ -42,16 +42,16 @@ expected<void> catalogue::load_file(const std::filesystem::path& file) {
     return fail(ec::plugin_refused, "the plugin " + file.string() + " is not used: " + reason,
                 "Rebuild it against this version, or remove it");
   };
-  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library)
-    return refuse(dlerror());
-  const auto query = reinterpret_cast<query_function>(dlsym(library, "tedit_plugin_query"));
-  if (!query)
-    return refuse("it has no entry tedit_plugin_query");
-  const auto* descriptor = query();
-  if (const auto fault = descriptor_fault(descriptor); !fault.empty())
-    return refuse(fault);
   try {
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library)
+      return refuse(readable_dl_error(dlerror()));
+    const auto query = reinterpret_cast<query_function>(dlsym(library, "tedit_plugin_query"));
+    if (!query)
+      return refuse("it has no entry tedit_plugin_query");
+    const auto* descriptor = query();
+    if (const auto fault = descriptor_fault(descriptor); !fault.empty())
+      return refuse(fault);
     std::vector<entry> fresh;
     for (std::uint32_t i = 0; i < descriptor->operation_count; ++i) {
       auto* made = descriptor->create(i);
@@ -69,19 +69,27 @@ expected<void> catalogue::load_file(const std::filesystem::path& file) {
     std::ranges::move(fresh, std::back_inserter(entries_));
   } catch (const std::exception& e) {
     return refuse(std::string("it failed while it was loaded: ") + e.what());
+  } catch (...) {
+    return refuse("it failed while it was loaded: it threw something that is no std::exception");
   }
   return {};
 }
 
-void catalogue::load_directory(const std::filesystem::path& folder) {
+void catalogue::load_directory(const std::filesystem::path& folder, load_care care) {
   std::error_code code;
   std::vector<std::filesystem::path> files;
   for (const auto& item : std::filesystem::directory_iterator(folder, code))
     if (item.path().extension() == ".so")
       files.push_back(item.path());
   std::ranges::sort(files);
-  for (const auto& file : files)
+  for (const auto& file : files) {
+    if (care == load_care::probe)
+      if (const auto fault = probe_plugin(file); !fault.empty()) {
+        refused_.push_back({file, fault});
+        continue;
+      }
     (void)load_file(file);  // A refusal is noted in refused().
+  }
 }
 
 expected<const catalogue::entry*> catalogue::find(const std::string& id) const {
@@ -97,22 +105,26 @@ expected<const catalogue::entry*> catalogue::find(const std::string& id) const {
                            : "Did you mean " + near + "? \"tedit ops\" lists all");
 }
 
-catalogue load_default_catalogue() {
+catalogue load_default_catalogue(plugin_source which) {
   catalogue result;
+  // First, so that no other plugin takes the id of a built-in one.
+  result.load_directory(executable_folder() / "../lib/tedit/plugins");
+  if (which == plugin_source::built_in)
+    return result;
   if (const char* path = std::getenv("TEDIT_PLUGIN_PATH")) {
     std::string_view left = path;
     while (!left.empty()) {
       const auto end = std::min(left.find(':'), left.size());
       if (end > 0)
-        result.load_directory(left.substr(0, end));
+        result.load_directory(left.substr(0, end), load_care::probe);
       left.remove_prefix(std::min(end + 1, left.size()));
     }
   }
-  result.load_directory(executable_folder() / "../lib/tedit/plugins");
   if (const char* data = std::getenv("XDG_DATA_HOME"))
-    result.load_directory(std::filesystem::path(data) / "tedit/plugins");
+    result.load_directory(std::filesystem::path(data) / "tedit/plugins", load_care::probe);
   else if (const char* home = std::getenv("HOME"))
-    result.load_directory(std::filesystem::path(home) / ".local/share/tedit/plugins");
+    result.load_directory(std::filesystem::path(home) / ".local/share/tedit/plugins",
+                          load_care::probe);
   return result;
 }
 
@@ -146,6 +158,9 @@ expected<edit_result> run_operation(const catalogue& plugins, const std::string&
     return fail(ec::out_of_memory, entry.plugin + " ran out of memory");
   } catch (const std::exception& e) {
     return fail(ec::internal, entry.plugin + " failed: " + e.what(),
+                "The version is unchanged; report this to the plugin's author");
+  } catch (...) {
+    return fail(ec::internal, entry.plugin + " threw something that is no std::exception",
                 "The version is unchanged; report this to the plugin's author");
   }
 }

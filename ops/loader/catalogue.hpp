@@ -16,6 +16,18 @@ struct refused_plugin {
   std::string reason;
 };
 
+/// How a folder's plugins are loaded.
+enum class load_care {
+  direct,  ///< At once: they came with the program.
+  probe,   ///< Each is loaded in a child process first; see `probe_plugin`.
+};
+
+/// Which plugins a program uses.
+enum class plugin_source {
+  all,
+  built_in,  ///< Safe mode: only those that came with the program.
+};
+
 /// The operations that are there. Plugin libraries stay loaded until the program ends: code of
 /// theirs may still be on some thread's stack.
 class catalogue {
@@ -32,7 +44,7 @@ public:
 
   /// Loads every .so in a folder, by name; a refusal is noted and the rest goes on. A folder that
   /// is not there holds none.
-  void load_directory(const std::filesystem::path& folder);
+  void load_directory(const std::filesystem::path& folder, load_care care = load_care::direct);
 
   [[nodiscard]] const std::vector<entry>& entries() const { return entries_; }
   [[nodiscard]] const std::vector<refused_plugin>& refused() const { return refused_; }
@@ -45,10 +57,25 @@ private:
   std::vector<refused_plugin> refused_;
 };
 
-/// The plugins of the installation and of the user: folders in $TEDIT_PLUGIN_PATH
-/// (colon-separated), lib/tedit/plugins beside the executable's folder, and
-/// $XDG_DATA_HOME/tedit/plugins.
-[[nodiscard]] catalogue load_default_catalogue();
+/// The plugins of the installation, lib/tedit/plugins beside the executable's folder, then those of
+/// others: the folders in $TEDIT_PLUGIN_PATH (colon-separated) and $XDG_DATA_HOME/tedit/plugins
+/// (without the variable ~/.local/share/tedit/plugins). What others made is probed first.
+[[nodiscard]] catalogue load_default_catalogue(plugin_source which = plugin_source::all);
+
+// -- loading what may be broken ------------------------------------------------------------------
+
+/// Loads a plugin in a child process (tedit-probe, beside the executable or in $TEDIT_LIBEXEC) and
+/// says why it must not be loaded here: what the child found, or how it crashed or hung. Empty when
+/// it may. That a content loads, crashes or hangs is kept in `probe_cache`, other refusals depend
+/// on what is installed and are found anew. Cost: some ms; then a hash of the file.
+[[nodiscard]] std::string probe_plugin(const std::filesystem::path& file);
+
+/// Where the verdict on a file's content is kept: $XDG_CACHE_HOME/tedit/probes/HASH (~/.cache
+/// without the variable); empty when there is no such place or the file cannot be read.
+[[nodiscard]] std::filesystem::path probe_cache(const std::filesystem::path& file);
+
+/// The dynamic loader's message as a sentence for people: which library or function is missing.
+[[nodiscard]] std::string readable_dl_error(const char* message);
 
 /// Checks types, ranges and names and fills in defaults. Text values are parsed by the parameter's
 /// type; a length may be given in millimetres with the suffix _mm ("depth_mm"). Errors:

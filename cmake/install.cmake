@@ -1,0 +1,27 @@
+# What "cmake --install" puts under a prefix: programs, plugins, and what it takes to build a plugin outside this tree
+# (docs/plugins.md). bin/ finds lib/tedit/plugins beside itself, so the prefix may be moved. The build tree offers the
+# same package in lib/cmake/TEdit.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS tedit tedit-probe tedit-tetgen RUNTIME DESTINATION bin)
+if(TARGET tedit-render)
+  install(TARGETS tedit-render RUNTIME DESTINATION bin)
+endif()
+install(FILES config/tedit.toml DESTINATION share/tedit)
+
+foreach(name IN ITEMS options base mesh io sdk services)
+  set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS tedit_${name} EXPORT TEditTargets ARCHIVE DESTINATION lib/tedit)
+endforeach()
+install(DIRECTORY base mesh DESTINATION include/tedit FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ops/sdk ops/services DESTINATION include/tedit/ops FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY tests/support DESTINATION include/tedit/tests FILES_MATCHING PATTERN "*.hpp")
+
+set(package "${CMAKE_BINARY_DIR}/lib/cmake/TEdit")
+configure_file(cmake/TEditConfig.cmake.in "${package}/TEditConfig.cmake" @ONLY)
+configure_file(cmake/TEditPlugin.cmake "${package}/TEditPlugin.cmake" COPYONLY)
+write_basic_package_version_file("${package}/TEditConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${package}/TEditConfig.cmake" "${package}/TEditConfigVersion.cmake" "${package}/TEditPlugin.cmake"
+        DESTINATION lib/cmake/TEdit)
+install(EXPORT TEditTargets NAMESPACE TEdit:: DESTINATION lib/cmake/TEdit)
+export(EXPORT TEditTargets NAMESPACE TEdit:: FILE "${package}/TEditTargets.cmake")

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/conformance/child.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+namespace tedit::ops {
+
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+/// Sanitizers reserve terabytes of addresses for their shadow memory.
+constexpr bool limit_addresses = false;
+#else
+constexpr bool limit_addresses = true;
+#endif
+
+/// A file without a name that parent and child share.
+class shared_file {
+public:
+  shared_file() : fd_(memfd_create("tedit-conformance", MFD_CLOEXEC)) {}
+  shared_file(const shared_file&) = delete;
+  shared_file& operator=(const shared_file&) = delete;
+  ~shared_file() { close(fd_); }
+
+  [[nodiscard]] int get() const { return fd_; }
+
+  [[nodiscard]] std::size_t size() const {
+    struct stat info {};
+    return fstat(fd_, &info) == 0 ? static_cast<std::size_t>(info.st_size) : 0;
+  }
+
+  [[nodiscard]] std::string content(std::size_t most) const {
+    std::string text(std::min(size(), most), '\0');
+    const auto got = pread(fd_, text.data(), text.size(), 0);
+    text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+    return text;
+  }
+
+private:
+  int fd_;
+};
+
+[[noreturn]] void become_child(const std::function<void(const child_reporter&)>& work,
+                               const std::filesystem::path& folder, const sandbox_limits& limits,
+                               int report, int out, int err) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGABRT})
+    signal(number, SIG_DFL);
+  dup2(out, STDOUT_FILENO);
+  dup2(err, STDERR_FILENO);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  if (limit_addresses && limits.memory_bytes > 0) {
+    const rlimit limit{limits.memory_bytes, limits.memory_bytes};
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  // What a plugin leaves behind shall lie where it is found.
+  for (const char* name : {"HOME", "TMPDIR", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
+    setenv(name, folder.c_str(), 1);
+  if (chdir(folder.c_str()) == 0)
+    work(child_reporter(report));
+  std::cout.flush();
+  std::fflush(nullptr);
+  _exit(0);
+}
+
+/// Waits for the end of the child; kills it when its file has not grown for a step's time.
+std::string wait_for(pid_t child, const shared_file& report, std::chrono::milliseconds step) {
+  auto size = report.size();
+  auto deadline = clock::now() + step;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (const auto now = report.size(); now != size) {
+      size = now;
+      deadline = clock::now() + step;
+    }
+    if (clock::now() > deadline) {
+      kill(-child, SIGKILL);
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      return "did not end within " + std::to_string(step.count()) + " ms";
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill(-child, SIGKILL);  // What the plugin started and left.
+  if (WIFSIGNALED(status))
+    return "crashed with signal " + std::to_string(WTERMSIG(status)) + " (" +
+           strsignal(WTERMSIG(status)) + ")";
+  if (WEXITSTATUS(status) != 0)
+    return "ended the process with status " + std::to_string(WEXITSTATUS(status));
+  return {};
+}
+
+std::string last_line(const std::string& text) {
+  const auto end = text.find_last_not_of("\n ");
+  if (end == std::string::npos)
+    return {};
+  const auto begin = text.rfind('\n', end);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1, 0x100).substr(0, end - begin);
+}
+
+}  // namespace
+
+void child_reporter::write_line(char kind, const std::string& text) const {
+  std::string line = kind + text + "\n";
+  for (std::size_t i = 1; i + 1 < line.size(); ++i)
+    if (line[i] == '\n')
+      line[i] = ' ';
+  // Straight to the kernel: what was said stays said when the process dies.
+  if (write(fd_, line.data(), line.size()) < 0)
+    _exit(125);
+}
+
+child_outcome run_forked(const std::function<void(const child_reporter&)>& work,
+                         const std::filesystem::path& folder, const sandbox_limits& limits) {
+  const shared_file report;
+  const shared_file out;
+  const shared_file err;
+  child_outcome result;
+  std::cout.flush();
+  std::fflush(nullptr);  // Else the child would print it a second time.
+  const pid_t child = fork();
+  if (child == 0)
+    become_child(work, folder, limits, report.get(), out.get(), err.get());
+  if (child < 0) {
+    result.death = std::string("could not be started: ") + std::strerror(errno);
+    return result;
+  }
+  result.death = wait_for(child, report, limits.step);
+  std::istringstream lines(report.content(std::size_t{64} << 20));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('>'))
+      result.doing = line.substr(1);
+    else if (line.starts_with('='))
+      result.lines.push_back(line.substr(1));
+  }
+  result.last_stderr = last_line(err.content(65536));
+  result.out = out.content(4096);
+  return result;
+}
+
+std::size_t bytes_on_stdout() {
+  std::cout.flush();
+  std::fflush(nullptr);
+  struct stat info {};
+  return fstat(STDOUT_FILENO, &info) == 0 ? static_cast<std::size_t>(info.st_size) : 0;
+}
+
+}  // namespace tedit::ops

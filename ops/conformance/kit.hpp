@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "mesh/checks.hpp"
+#include "ops/conformance/child.hpp"
+#include "ops/conformance/conformance.hpp"
+#include "ops/conformance/meshes.hpp"
+
+/// Inside of the kit: what its checks share.
+namespace tedit::ops::kit {
+
+/// A selection that the operation accepts, found by the survey.
+struct working_case {
+  std::size_t sample = 0;
+  std::vector<surface_id> surfaces;
+};
+
+/// What the parent knows when it starts a check.
+struct plan {
+  const conformance_settings* settings = nullptr;
+  std::vector<sample> samples;      ///< The kit's own, then the part.
+  std::vector<working_case> cases;  ///< At most one for each sample, cheapest kinds first.
+  std::uint32_t operation = 0;      ///< Index in the plugin.
+  bool faulty = false;  ///< A rule about results is known to be broken: other checks leave it out.
+};
+
+/// A check ends by throwing its failure: it lives in the child and nothing goes on after it.
+struct failure {
+  std::string seen;
+  std::string remedy;
+};
+
+/// A check that cannot say anything.
+struct not_applicable {
+  std::string why;
+};
+
+/// The plugin as one check sees it, inside the child.
+class bench {
+public:
+  bench(const plan& p, const child_reporter& reporter) : plan_(p), reporter_(reporter) {}
+
+  // -- loading, step by step: each throws `failure` ---------------------------------------------
+
+  void open();        ///< dlopen.
+  void find_entry();  ///< dlsym and the call.
+  /// All of the above and the instance.
+  void load();
+  [[nodiscard]] std::shared_ptr<const operation> make() const;
+  [[nodiscard]] const plugin_descriptor& descriptor() const { return *descriptor_; }
+
+  // -- running ----------------------------------------------------------------------------------
+
+  [[nodiscard]] const plan& the_plan() const { return plan_; }
+  [[nodiscard]] const operation_description& description() const { return description_; }
+  [[nodiscard]] const operation& code() const { return *code_; }
+  [[nodiscard]] const sample& sample_of(const working_case& c) const {
+    return plan_.samples[c.sample];
+  }
+
+  /// Starts a step: the time limit anew.
+  void mark(const std::string& what) const { reporter_.mark(what); }
+  void say(const std::string& line) const { reporter_.say(line); }
+
+  /// The defaults, with the settings' values.
+  [[nodiscard]] parameters values() const;
+
+  /// One call of `apply` as the host makes it. Throws `failure` when the plugin throws.
+  [[nodiscard]] expected<edit_result> apply(const mesh_version& mesh,
+                                            const std::vector<surface_id>& surfaces,
+                                            const parameters& with,
+                                            const execution& run = {}) const {
+    return apply_by(*code_, mesh, surfaces, with, run);
+  }
+  [[nodiscard]] expected<edit_result> apply_by(const operation& code, const mesh_version& mesh,
+                                               const std::vector<surface_id>& surfaces,
+                                               const parameters& with,
+                                               const execution& run = {}) const;
+
+  /// The result on a case that worked before; else throws `failure`.
+  [[nodiscard]] edit_result succeed(const working_case& c, const execution& run = {}) const;
+
+private:
+  const plan& plan_;
+  const child_reporter& reporter_;
+  void* library_ = nullptr;
+  const plugin_descriptor* descriptor_ = nullptr;
+  std::shared_ptr<const operation> code_;
+  operation_description description_;
+};
+
+/// What a check needs before it makes sense.
+enum class need { nothing, plugin, working_case, deterministic };
+
+struct check {
+  const char* name;
+  const char* rule;
+  need needs;
+  /// Returns what was seen. Throws `failure` or `not_applicable`.
+  std::string (*run)(bench&);
+};
+
+// -- the checks by topic, each list in its own file -----------------------------------------------
+
+[[nodiscard]] const std::vector<check>& file_checks();
+[[nodiscard]] const std::vector<check>& description_checks();
+[[nodiscard]] const std::vector<check>& survey_checks();  ///< These find the working cases.
+[[nodiscard]] const std::vector<check>& result_checks();
+[[nodiscard]] const std::vector<check>& running_checks();
+[[nodiscard]] const std::vector<check>& selection_checks();
+[[nodiscard]] const std::vector<check>& parameter_checks();
+[[nodiscard]] const std::vector<check>& residue_checks();
+
+// -- helpers
+// ---------------------------------------------------------------------------------------
+
+/// "11, 12 of the drilled block".
+[[nodiscard]] std::string where(const bench& b, const working_case& c);
+
+/// What a candidate breaks, apart from quality and from what its base broke already.
+[[nodiscard]] std::vector<finding> faults_of(const mesh_version& base, const edit_result& edit);
+
+/// "positive orientation at tet 3 (volume -1e-9 m3)".
+[[nodiscard]] std::string to_text(const finding& f);
+
+/// An answer that the host could use: a candidate without faults, or an error with a message.
+/// Throws `failure` otherwise. Returns true for a candidate.
+bool check_answer(const bench& b, const mesh_version& mesh, const expected<edit_result>& answer,
+                  const std::string& what);
+
+/// An error says what is wrong and what to do; `cancelled` and `out_of_memory` need no remedy.
+void check_refusal(const error& e, const std::string& what);
+
+}  // namespace tedit::ops::kit

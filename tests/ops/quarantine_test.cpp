@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Plugins that crash while they work: one edit is lost, never the session.
+#include "actors/supervisor/quarantine.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "tests/scenarios/fixture.hpp"
+
+namespace tedit::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Quarantine, SwitchesOffAfterSoManyDeaths) {
+  actors::quarantine off(2);
+
+  EXPECT_FALSE(off.note("bad", "hung and was killed"));
+  EXPECT_FALSE(off.refusal("bad").has_value());
+  EXPECT_TRUE(off.note("bad", "was killed by signal 11"));
+
+  ASSERT_TRUE(off.refusal("bad").has_value());
+  EXPECT_EQ(off.refusal("bad")->code, ec::plugin_refused);
+  EXPECT_THAT(off.refusal("bad")->message,
+              HasSubstr("bad is switched off: its plugin ended the process that ran it 2 times; "
+                        "the last time it was killed by signal 11"));
+  EXPECT_FALSE(off.refusal("good").has_value());
+}
+
+TEST(Quarantine, ZeroSwitchesNothingOff) {
+  actors::quarantine off(0);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_FALSE(off.note("bad", "crashed"));
+  EXPECT_FALSE(off.refusal("bad").has_value());
+}
+
+TEST(Quarantine, WhatIsOffStandsAmongTheRefusedOfTheCatalogue) {
+  actors::quarantine off(1);
+  off.note("bad", "crashed");
+
+  const auto json = nlohmann::json::parse(off.apply_to(
+    R"({"operations": [{"id": "bad", "plugin": "bad 1.0"}, {"id": "good", "plugin": "g 2"}]})"));
+
+  ASSERT_EQ(json["operations"].size(), 1u);
+  EXPECT_EQ(json["operations"][0]["id"], "good");
+  ASSERT_EQ(json["refused"].size(), 1u);
+  EXPECT_EQ(json["refused"][0]["file"], "bad 1.0");
+  EXPECT_THAT(json["refused"][0]["reason"].get<std::string>(), HasSubstr("switched off"));
+}
+
+class CrashingPlugin : public ::testing::Test {
+protected:
+  scratch_folder folder;
+
+  void SetUp() override {
+    setenv("TEDIT_PLUGIN_PATH", TEDIT_RULE_BREAKER, 1);
+    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("TEDIT_PLUGIN_PATH");
+    unsetenv("TEDIT_BREAK");
+  }
+};
+
+TEST_F(CrashingPlugin, CostsOneEditAndIsSwitchedOffWhileOthersGoOn) {
+  setenv("TEDIT_BREAK", "every_surface_alone", 1);
+  const auto host = start(options_for(folder, true));
+  const auto user = connect(host->url());
+  value(user->open("plate", true, true));
+  const auto imported = value(user->import_file(plate_mesh, "mm", {}));
+
+  const auto crashed = user->edit("rule_breaker", {1}, {}, {});
+
+  ASSERT_FALSE(crashed.has_value());
+  EXPECT_EQ(crashed.error().code, ec::plugin_refused);
+  EXPECT_THAT(crashed.error().message, HasSubstr("the operation rule_breaker is switched off"));
+  EXPECT_THAT(crashed.error().message, HasSubstr("signal 11"));
+  const auto again = user->edit("rule_breaker", {1}, {}, {});
+  ASSERT_FALSE(again.has_value());
+  EXPECT_EQ(again.error().code, ec::plugin_refused);
+  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
+  EXPECT_EQ(filled.head.parent, imported.head.number);
+  const auto catalogue = nlohmann::json::parse(value(user->catalogue_json()));
+  for (const auto& row : catalogue["operations"])
+    EXPECT_NE(row["id"], "rule_breaker");
+  ASSERT_EQ(catalogue["refused"].size(), 1u);
+  EXPECT_THAT(catalogue["refused"][0]["reason"].get<std::string>(), HasSubstr("switched off"));
+}
+
+TEST_F(CrashingPlugin, AHangIsEndedByTheLimitOfEdits) {
+  setenv("TEDIT_BREAK", "hang", 1);
+  auto options = options_for(folder, true);
+  options.edit_limit = std::chrono::seconds(3);
+  options.quarantine_after = 1;
+  const auto host = start(options);
+  const auto user = connect(host->url());
+  value(user->open("plate", true, true));
+  value(user->import_file(plate_mesh, "mm", {}));
+
+  const auto hung = user->edit("rule_breaker", {1}, {}, {});
+
+  ASSERT_FALSE(hung.has_value());
+  EXPECT_EQ(hung.error().code, ec::timeout);
+  EXPECT_THAT(hung.error().message, HasSubstr("the operation rule_breaker did not end within 3 s"));
+  const auto again = user->edit("rule_breaker", {1}, {}, {});
+  ASSERT_FALSE(again.has_value());
+  EXPECT_THAT(again.error().message, HasSubstr("hung and was killed"));
+  EXPECT_TRUE(user->get_history().has_value()) << "the session goes on";
+}
+
+TEST_F(CrashingPlugin, SafeModeLeavesItOut) {
+  auto options = options_for(folder, true);
+  options.safe_mode = true;
+  const auto host = start(options);
+  const auto user = connect(host->url());
+  value(user->open("plate", true, true));
+  value(user->import_file(plate_mesh, "mm", {}));
+
+  const auto refused = user->edit("rule_breaker", {1}, {}, {});
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::operation_not_found);
+  EXPECT_TRUE(user->edit("fill_hole", {1, 2}, {}, {}).has_value());
+}
+
+}  // namespace
+}  // namespace tedit::test

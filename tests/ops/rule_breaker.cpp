@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A correct operation, which breaks the one rule that $TEDIT_BREAK names: what the conformance kit
+// must find. It moves surfaces along their mean normals.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "mesh/quality.hpp"
+#include "ops/sdk/operation.hpp"
+
+namespace {
+
+using namespace tedit;
+
+bool breaks(const std::string& rule) {
+  const char* chosen = std::getenv("TEDIT_BREAK");
+  return chosen && rule == chosen;
+}
+
+void* volatile lost = nullptr;
+
+void crash() {
+  volatile int* nowhere = nullptr;
+  *nowhere = 1;
+}
+
+struct at_load {
+  at_load() {
+    if (breaks("file_opens"))
+      std::abort();
+  }
+} const loaded;
+
+vec3 mean_normal(const mesh_version& mesh, surface_id id) {
+  vec3 sum{};
+  for (const auto f : facets_of(mesh, std::array{id}))
+    sum += area_vector(mesh, mesh.facet(f));
+  return norm(sum) > 0 ? normalized(sum) : vec3{};
+}
+
+using moves = std::map<vertex_id, vec3>;
+
+moves plan_moves(const mesh_version& mesh, std::vector<surface_id> surfaces, double distance) {
+  std::set<surface_id> done;
+  if (!breaks("selection_order"))
+    std::sort(surfaces.begin(), surfaces.end());
+  moves result;
+  double scale = 1;
+  for (const auto id : surfaces) {
+    if (!done.insert(id).second && !breaks("duplicate_selection"))
+      continue;
+    const auto step = scale * distance * mean_normal(mesh, id);
+    std::set<vertex_id> vertices;
+    for (const auto f : facets_of(mesh, std::array{id}))
+      vertices.insert(mesh.facet(f).v.begin(), mesh.facet(f).v.end());
+    for (const auto v : vertices)
+      result[v] += step;
+    if (breaks("selection_order"))
+      scale *= 0.5;
+  }
+  return result;
+}
+
+/// What only shows in the frozen arrays.
+version_ptr spoiled(const version_ptr& candidate) {
+  auto data = candidate->data();
+  if (breaks("adjacency")) {
+    auto rows = data.neighbours.to_vector();
+    std::swap(rows[0][0], rows[0][1]);
+    data.neighbours = paged_array<adjacency>::from(rows);
+  }
+  if (breaks("surface_ids")) {
+    auto rows = data.facets.to_vector();
+    rows[0].surface = 4711;
+    data.facets = paged_array<boundary_facet>::from(rows);
+  }
+  if (breaks("counts"))
+    ++data.live_tets;
+  if (breaks("regions_kept"))
+    data.regions[0].name += " changed";
+  return mesh_version::create(std::move(data));
+}
+
+/// Takes out one tet that no facet touches: a void.
+void dig_void(mesh_builder& builder, const mesh_version& mesh, ops::edit_result& result) {
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t) {
+    if (!mesh.is_live_tet(t))
+      continue;
+    const auto& v = mesh.tet_at(t).v;
+    bool inside = true;
+    for (const auto i : v)
+      inside = inside && !builder.is_boundary_vertex(i);
+    if (!inside)
+      continue;
+    cavity_change change;
+    change.removed = {t};
+    for (const auto& face : tet_faces)
+      change.facets.push_back({{v[face[0]], v[face[1]], v[face[2]]}, mesh.surfaces()[0].id});
+    result.volume_change -= signed_volume(mesh.corners(t));
+    (void)builder.apply(change);
+    return;
+  }
+}
+
+/// Side effects on the process.
+void misbehave(const mesh_version& mesh, const ops::context& ctx) {
+  static int calls = 0;
+  if (breaks("every_surface_alone"))
+    crash();
+  if (breaks("hang"))
+    while (true)
+      usleep(1000);
+  if (breaks("throws"))
+    throw std::runtime_error("out of luck");
+  if (breaks("exits"))
+    _exit(0);
+  if (breaks("free_slots") && mesh.surfaces().size() > 6)
+    for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+      if (mesh.tet_at(t).v[0] == no_id)
+        crash();
+  if (breaks("input_unchanged"))
+    const_cast<double&>(mesh.position(0).x) = -0.0;
+  if (breaks("quiet"))
+    std::printf("working\n");
+  if (breaks("no_files"))
+    std::ofstream("left.txt") << "mine";
+  if (breaks("no_traces"))
+    setenv("LC_ALL", "C", 1);
+  if (breaks("no_handles"))
+    (void)!open("/dev/null", O_RDONLY);
+  if (breaks("repeats"))
+    lost = std::calloc(1, 3000 + static_cast<std::size_t>(++calls % 3));
+  if (breaks("progress"))
+    ctx.run.report(100, "half");
+}
+
+expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
+                                         const std::vector<surface_id>& given, double distance,
+                                         std::int64_t layers, ops::context& ctx) {
+  misbehave(mesh, ctx);
+  auto surfaces = given;
+  if (surfaces.empty() && breaks("empty_selection"))
+    surfaces = {mesh.surfaces()[0].id};
+  if (surfaces.size() == 1 && !mesh.find_surface(surfaces[0]) && breaks("unknown_surface"))
+    surfaces = {mesh.surfaces()[0].id};
+  if (facets_of(mesh, surfaces).empty())
+    return fail(ec::empty_selection, "there is nothing to move",
+                breaks("refusals_explained") ? "" : "Select a surface of the boundary");
+  if (layers > 1000000 && breaks("hostile_parameters"))
+    crash();
+  if (distance > 0.0039 && breaks("parameters_at_limits"))
+    crash();
+  if (ctx.run.cancel.cancelled() && !breaks("cancelled_at_start"))
+    return fail(breaks("cancel_code") ? ec::internal : ec::cancelled, "the edit was cancelled",
+                "Start it again");
+  if (!breaks("progress"))
+    ctx.run.report(0.5, "moving");
+  static int random = 0;
+  if (breaks("deterministic"))
+    distance *= 1 + 1e-6 * ++random;
+  if (breaks("positive_tets"))
+    distance = -0.03;
+  if (breaks("quality_floor"))
+    distance = -0.0099999;
+  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
+  ops::edit_result result;
+  if (breaks("no_void"))
+    dig_void(builder, mesh, result);
+  for (const auto& [v, step] : plan_moves(mesh, surfaces, distance))
+    if (!breaks("changes_something"))
+      builder.set_position(v, mesh.position(v) + step);
+  result.touched = builder.touched();
+  for (const auto t : result.touched) {
+    const double volume = signed_volume(builder.corners(t));
+    if (volume <= 0 && !breaks("positive_tets"))
+      return fail(ec::inverted_tet, "a tet would be turned inside out", "Take a smaller distance");
+    result.volume_change += volume - signed_volume(mesh.corners(t));
+  }
+  if (breaks("volume_claim"))
+    result.volume_change *= 1.01;
+  if (breaks("untouched_tets"))
+    result.touched.pop_back();
+  if (!breaks("result_complete"))
+    result.surfaces_used = surfaces;
+  result.candidate = spoiled(builder.freeze());
+  return result;
+}
+
+class rule_breaker final : public ops::operation {
+public:
+  explicit rule_breaker(std::uint32_t index) : index_(index) {}
+
+  ops::operation_description describe() const override {
+    static int calls = 0;
+    if (breaks("makes_operations"))
+      throw std::runtime_error("no licence file");
+    ops::operation_description d;
+    d.id = breaks("ids") ? "RuleBreaker" : index_ == 0 ? "rule_breaker" : "Second";
+    d.name = "Rule breaker";
+    d.summary = breaks("texts") ? "" : "Moves surfaces along their mean normals.";
+    d.version = breaks("version") ? "one" : "1.0.0";
+    d.selection.help = "Surfaces to move.";
+    d.parameters = {
+      {"distance",
+       "Distance",
+       "How far.",
+       ops::parameter_type::real,
+       breaks("units") ? "mm" : "m",
+       -0.004,
+       breaks("parameters_guarded") ? std::nullopt : std::optional(0.004),
+       {},
+       breaks("defaults") ? 1.0 : 0.001},
+      {"layers",
+       "Layers",
+       "Nothing depends on it.",
+       ops::parameter_type::integer,
+       "",
+       1,
+       {},
+       {},
+       std::int64_t{1}},
+    };
+    if (breaks("parameters_guarded"))
+      d.parameters[0].min.reset();
+    if (breaks("same_description"))
+      d.summary += std::to_string(++calls);
+    return d;
+  }
+
+  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+                                   const ops::parameters& values,
+                                   ops::context& ctx) const override {
+    return move_surfaces(mesh, picked.surfaces, std::get<double>(values.at("distance")),
+                         std::get<std::int64_t>(values.at("layers")), ctx);
+  }
+
+private:
+  std::uint32_t index_;
+};
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const ops::plugin_descriptor*
+tedit_plugin_query() {
+  static const ops::plugin_descriptor descriptor{
+    ops::plugin_magic,
+    sizeof(ops::plugin_descriptor),
+    ops::sdk_major,
+    ops::sdk_minor,
+    ops::compiler_tag,
+    "rule_breaker",
+    "1.0.0",
+    breaks("second_operation") ? 2u : 1u,
+    [](std::uint32_t index) -> ops::operation* { return new rule_breaker(index); },
+    [](ops::operation* made) { delete made; }};
+  return &descriptor;
+}
