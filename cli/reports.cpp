@@ -53,7 +53,9 @@ std::string force(vec3 f, double scale) {
 class labelled_lines {
 public:
   void add(const std::string& label, const std::string& value) {
-    text_ += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
+    constexpr std::size_t width = 18;
+    const std::size_t gap = label.size() < width ? width - label.size() : 1;
+    text_ += "  " + label + std::string(gap, ' ') + value + "\n";
   }
 
   [[nodiscard]] const std::string& text() const { return text_; }

@@ -88,6 +88,9 @@ void measure(const mesh_builder& mesh, surface_patch& patch) {
   patch.origin = weighted / total;
   patch.normal = normalized(area);
   patch.size = norm(high - low);
+  // Walls around a hole have no direction in common, however near they lie to some plane.
+  if (norm(area) < 0.5 * total)
+    patch.deviation = patch.size;
   for (const auto f : patch.facets)
     for (const auto v : mesh.facet(f).v)
       patch.deviation = std::max(patch.deviation, std::abs(patch.depth(mesh.position(v))));

@@ -52,6 +52,27 @@ std::optional<vec3> step_within(vec3 normal, double distance, const std::vector<
   return distance / share * along;
 }
 
+/// The planes that a vertex must not leave: those of the neighbours' facets and of faces between
+/// regions.
+std::vector<vec3> planes_at(const mesh_builder& mesh, const surface_patch& patch, vertex_id v) {
+  const auto star = mesh.star(v);
+  std::vector<vec3> planes;
+  for (const auto near : facets_at(mesh, v, star))
+    if (mesh.facet(near).surface != patch.surface)
+      planes.push_back(facet_normal(mesh, near));
+  for (const auto t : star)
+    for (int face = 0; face < 4; ++face) {
+      const auto behind = mesh.neighbours(t)[face];
+      if (mesh.tet_at(t).v[face] == v || is_facet(behind) || behind < t ||
+          mesh.region_of(behind) == mesh.region_of(t))
+        continue;
+      const auto p = mesh.corners(t);
+      const auto& [a, b, c] = tet_faces[face];
+      planes.push_back(normalized(area_vector(p[a], p[b], p[c])));
+    }
+  return planes;
+}
+
 /// A step for each vertex of the patch.
 std::optional<std::map<vertex_id, vec3>> steps_of(const mesh_builder& mesh,
                                                   const surface_patch& patch, double distance) {
@@ -60,22 +81,12 @@ std::optional<std::map<vertex_id, vec3>> steps_of(const mesh_builder& mesh,
     for (const auto v : mesh.facet(f).v) {
       if (steps.contains(v))
         continue;
-      std::vector<vec3> planes;
-      for (const auto near : facets_at(mesh, v, mesh.star(v)))
-        if (mesh.facet(near).surface != patch.surface)
-          planes.push_back(facet_normal(mesh, near));
-      const auto step = step_within(patch.normal, distance, planes);
+      const auto step = step_within(patch.normal, distance, planes_at(mesh, patch, v));
       if (!step || (distance > 0 && norm(*step - distance * patch.normal) > 1e-9 * distance))
         return std::nullopt;
       steps.emplace(v, *step);
     }
   return steps;
-}
-
-/// Interfaces between regions that end at the surface would bend: leave those alone.
-bool one_region(const mesh_builder& mesh, const std::set<tet_id>& tets) {
-  return std::ranges::all_of(
-    tets, [&](tet_id t) { return mesh.region_of(t) == mesh.region_of(*tets.begin()); });
 }
 
 struct box {
@@ -156,8 +167,6 @@ bool shift_patch(mesh_builder& mesh, const surface_patch& patch, double distance
   for (const auto& [v, step] : *steps)
     for (const auto t : mesh.star(v))
       tets.insert(t);
-  if (!one_region(mesh, tets))
-    return false;
   for (const auto t : tets) {
     auto p = mesh.corners(t);
     const double before = radius_ratio(p);

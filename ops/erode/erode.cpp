@@ -29,6 +29,10 @@ void add_counts(const removal_report& removal, edit_result& result) {
 
 expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
                             const erode_settings& settings, context& ctx) {
+  if (surfaces.empty())
+    return fail(ec::empty_selection, "no surface was selected", "Select what to take material off");
+  if (ctx.run.cancel.cancelled())
+    return fail(ec::cancelled, "the edit was cancelled");
   ctx.run.report(0.05, "looking at the surfaces");
   // The version outlives the call; the builder only needs a handle without ownership.
   mesh_builder builder(version_ptr(version_ptr{}, &mesh));

@@ -43,7 +43,7 @@ public:
     ops::erode_settings settings;
     settings.layers = static_cast<int>(std::get<std::int64_t>(values.at("layers")));
     settings.depth = std::get<double>(values.at("depth"));
-    return ops::erode(mesh, picked.surfaces, settings, ctx);
+    return ops::erode(mesh, ops::as_set(picked), settings, ctx);
   }
 };
 

@@ -33,6 +33,9 @@ expected<std::vector<tet_id>> near_surfaces(const mesh_version& mesh,
 
 expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& picked,
                                    const thorough_settings& settings, context& ctx) {
+  if (ctx.run.cancel.cancelled())
+    return fail(ec::cancelled, "the edit was cancelled");
+  ctx.run.report(0.1, "finding the region");
   edit_result result;
   if (picked.surfaces.empty()) {
     for (tet_id t = 0; t < mesh.tet_slots(); ++t)
@@ -49,6 +52,7 @@ expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& pi
   result.surfaces_used = picked.surfaces;
   result.improve = improvement::thorough;
   result.thorough = settings;
+  ctx.run.report(1, "found");
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -82,6 +83,13 @@ struct operation_description {
 struct selection {
   std::vector<surface_id> surfaces;  ///< The CAD system's numbers: sparse, signed, never an index.
 };
+
+/// The selected surfaces ascending, each once: for operations that work on one after the other, so
+/// that order and repeats of a selection mean nothing.
+[[nodiscard]] inline std::vector<surface_id> as_set(const selection& picked) {
+  const std::set<surface_id> ids(picked.surfaces.begin(), picked.surfaces.end());
+  return {ids.begin(), ids.end()};
+}
 
 /// Values by parameter id. The host fills in defaults and has checked types and ranges:
 /// `std::get<double>(values.at("distance"))` needs no test.

@@ -29,7 +29,7 @@ public:
   expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    return ops::thicken(mesh, picked.surfaces, std::get<double>(values.at("depth")), ctx);
+    return ops::thicken(mesh, ops::as_set(picked), std::get<double>(values.at("depth")), ctx);
   }
 };
 

@@ -130,6 +130,10 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& before,
 
 expected<edit_result> thicken(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
                               double height, context& ctx) {
+  if (surfaces.empty())
+    return fail(ec::empty_selection, "no surface was selected", "Select what to put material on");
+  if (ctx.run.cancel.cancelled())
+    return fail(ec::cancelled, "the edit was cancelled");
   // The version outlives the call; the builder only needs a handle without ownership.
   mesh_builder builder(version_ptr(version_ptr{}, &mesh));
   std::vector<surface_patch> before;
