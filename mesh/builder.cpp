@@ -410,30 +410,6 @@ std::vector<tet_id> mesh_builder::attach(const cavity_change& change, const link
   return ids;
 }
 
-void mesh_builder::repair_vertices(const std::vector<vertex_id>& suspects,
-                                   std::span<const tet_id> candidates) {
-  std::unordered_set<vertex_id> open(suspects.begin(), suspects.end());
-  const auto claim = [&](tet_id t) {
-    for (const auto v : tets_[t].v) {
-      if (open.erase(v) || loose_vertices_.erase(v))
-        vertex_tet_.write(v) = t;
-    }
-  };
-  for (const auto t : candidates)
-    claim(t);
-  if (open.empty())
-    return;
-  // A vertex whose fan is gone may live on in another fan that only touches it there: rare, so a
-  // scan is allowed.
-  for (tet_id t = 0; t < tets_.size() && !open.empty(); ++t)
-    if (is_live_tet(t))
-      claim(t);
-  std::vector<vertex_id> dead(open.begin(), open.end());
-  std::ranges::sort(dead, std::greater{});
-  for (const auto v : dead)
-    free_vertex_slot(v);
-}
-
 expected<std::vector<tet_id>> mesh_builder::apply(const cavity_change& change) {
   auto links = plan(change);
   if (!links)
@@ -446,6 +422,12 @@ expected<std::vector<tet_id>> mesh_builder::apply(const cavity_change& change) {
     for (const auto v : tets_[t].v)
       if (removed.contains(vertex_tet_[v]))
         suspects.push_back(v);
+  if (!tets_at_.empty()) {
+    for (const auto t : change.removed)
+      count_tets(tets_[t], -1);
+    for (const auto& t : change.added)
+      count_tets(t.corners, 1);
+  }
   detach(change, *links);
   auto ids = attach(change, *links);
   auto candidates = ids;

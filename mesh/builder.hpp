@@ -112,6 +112,8 @@ private:
   void detach(const cavity_change& change, const link_plan& links);
   std::vector<tet_id> attach(const cavity_change& change, const link_plan& links);
   void repair_vertices(const std::vector<vertex_id>& suspects, std::span<const tet_id> candidates);
+  void count_tets(const tet& corners, int change);
+  void count_all_tets();
   tet_id take_tet_slot();
   facet_id take_facet_slot();
   void free_tet_slot(tet_id t);
@@ -129,6 +131,8 @@ private:
   surface_id largest_surface_ = 0;
   std::unordered_set<tet_id> touched_;
   std::unordered_set<vertex_id> loose_vertices_;
+  /// Live tets at each vertex slot, kept up to date from the first time that it is asked for.
+  std::vector<std::uint32_t> tets_at_;
 };
 
 }  // namespace tedit

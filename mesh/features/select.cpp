@@ -58,15 +58,22 @@ public:
       return fail(whole.error());
     found_feature found;
     found.surfaces = whole->surfaces;
+    std::size_t rims = 0;
+    std::size_t round = 0;
     for (const auto& part : whole->shells)
       for (const auto& r : part.rims) {
+        ++rims;
         const double radius = round_radius(mesh_, r);
+        round += radius > 0;
         if (radius > 0 && (found.diameter == 0 || 2 * radius < found.diameter)) {
           found.diameter = 2 * radius;
           found.centre = r.centre;
           found.axis = r.normal;
         }
       }
+    // A pocket with one round mouth among others has no diameter.
+    if (round < rims)
+      found.diameter = 0;
     return found;
   }
 

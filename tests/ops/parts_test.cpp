@@ -74,6 +74,28 @@ TEST_P(RealParts, EveryListedHoleIsFilledOrRefusedByName) {
   }
 }
 
+TEST_P(RealParts, EveryFinComesOffFromOneOfItsFaces) {
+  for (const auto& fin : features_.value("fins", nlohmann::json::array())) {
+    const auto face = fin["faces"][0].get<surface_id>();
+    SCOPED_TRACE(face);
+    context ctx;
+    ctx.host = host_.get();
+    const auto result = run_operation(plugins_, "remove_surfaces", *mesh_, {{face}}, {}, ctx);
+    ASSERT_TRUE(result.has_value()) << render(result.error());
+    edit_claim claim;
+    claim.touched = result->touched;
+    claim.volume_change = result->volume_change;
+    claim.quality_floor = result->quality_floor;
+
+    const auto done = finish_edit(mesh_, result->candidate, claim, result->improve, {}, {});
+
+    ASSERT_TRUE(done.has_value()) << render(done.error());
+    EXPECT_LT(result->volume_change, 0);
+    for (const auto& side : fin["faces"])
+      EXPECT_EQ(done->version->find_surface(side.get<surface_id>()), nullptr);
+  }
+}
+
 TEST_P(RealParts, AnySurfaceAloneGetsAnAnswerAndLeavesTheVersionAlone) {
   const auto id = mesh_->id();
   int answers = 0;
