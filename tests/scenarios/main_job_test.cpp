@@ -190,6 +190,24 @@ TEST_F(MainJob, ExportsWhatWasMade) {
   EXPECT_THAT(std::string(msh.data(), 20), HasSubstr("$MeshFormat"));
 }
 
+TEST_F(MainJob, OnePickFindsTheWholeHole) {
+  import_plate();
+
+  const auto hole = value(user->select({feature_kind::hole, {1}}, {}));
+  ASSERT_EQ(hole.size(), 1U);
+  EXPECT_THAT(hole.front().surfaces, testing::ElementsAre(1, 2));
+  EXPECT_NEAR(hole.front().diameter, 25e-3, 1e-6);
+
+  selection_query holes{feature_kind::holes};
+  holes.min_diameter = 24e-3;
+  holes.max_diameter = 26e-3;
+  EXPECT_EQ(value(user->select(holes, {})).size(), 4U);
+
+  const auto refused = user->select({feature_kind::hole, {123456}}, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::surface_not_found);
+}
+
 TEST_F(MainJob, ABadFileIsRefusedWithItsPlace) {
   value(user->open("bad", false, false));
   const auto refused = user->import_file(TEDIT_TEST_DATA "/bad/coord_nan.msh", "mm", {});

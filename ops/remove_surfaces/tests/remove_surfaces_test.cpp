@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/remove_surfaces/remove_surfaces.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -145,6 +147,24 @@ TEST(RemoveSurfaces, AFinThatSharesItsEndsWithThePlateIsCutOffThem) {
     << render(result.edit ? result.finished.error() : result.edit.error());
   EXPECT_NEAR(total_volume(*result.finished->version), 40, 1e-10);
   EXPECT_NE(result.finished->version->find_surface(3), nullptr);
+}
+
+TEST(RemoveSurfaces, ABossOnACylinderLeavesTheCylinder) {
+  const auto bend = [](vec3 p) -> vec3 {
+    const double angle = (p.x - 2.5) / 20;
+    return {(20 + p.z) * std::sin(angle), p.y, (20 + p.z) * std::cos(angle)};
+  };
+  const auto mesh = plate_with_boss(bend);
+  const auto plain = blocks(
+    {5, 5, 2}, [](int, int, int) { return true; }, bend);
+
+  const auto result = take_off(mesh, {8});
+
+  ASSERT_TRUE(result.finished.has_value())
+    << render(result.edit ? result.finished.error() : result.edit.error());
+  const auto& after = *result.finished->version;
+  EXPECT_NEAR(total_volume(after), total_volume(*plain), 1e-9);
+  EXPECT_EQ(after.surfaces().size(), 6u) << "the cut goes on the plate's top";
 }
 
 TEST(RemoveSurfaces, TheMainBodyIsNoProtrusion) {
