@@ -95,6 +95,10 @@ bool client::connected() const noexcept {
   return impl_->link.connected();
 }
 
+void client::abort() {
+  impl_->link.abort();
+}
+
 expected<std::string> client::catalogue_json() {
   v1::ClientMessage request;
   request.mutable_list_operations();

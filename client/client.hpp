@@ -39,6 +39,9 @@ public:
 
   [[nodiscard]] bool connected() const noexcept;
 
+  /// Ends the connection at once; calls that run fail with `service_unavailable`. Thread-safe.
+  void abort();
+
   /// The operations that the server offers: the message Catalogue as canonical JSON.
   [[nodiscard]] expected<std::string> catalogue_json();
 

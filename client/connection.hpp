@@ -59,6 +59,9 @@ public:
   /// Gives the ids back; the first Error that came for them, or nothing.
   [[nodiscard]] std::optional<error> end_unanswered(std::uint64_t first);
 
+  /// Ends the connection at once; what waits fails with `service_unavailable`.
+  void abort() { socket_.abort({ec::service_unavailable, "the connection was ended", {}, {}}); }
+
   [[nodiscard]] bool connected() const noexcept { return socket_.connected(); }
   [[nodiscard]] bool on_io_thread() const noexcept { return socket_.on_io_thread(); }
   [[nodiscard]] inbox& arrivals() noexcept { return inbox_; }

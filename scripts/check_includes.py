@@ -46,6 +46,10 @@ ROOMS = {
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
     "cli/render": (("base",), ("vtk", "CLI/", "nlohmann/")),
+    "client-qt/net": (("client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
+    "client-qt/model": (("client-qt/net", "client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
+    "client-qt": (("client-qt/net", "client-qt/model", "client", "protocol", "fem", "ops/sdk", "mesh", "base"),
+                  ("vtk",)),
 }
 ANYWHERE = ("tests/", "bench/")  # may include every room
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)')

@@ -15,6 +15,8 @@ packages=(
   vulkan-validationlayers
   # pictures
   libvtk9-dev libgl1-mesa-dri xvfb xauth
+  # the desktop client
+  qt6-base-dev libqt6opengl6-dev libqt6openglwidgets6 qt6-svg-dev qt6-qpa-plugins libgl-dev
   # tests
   libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx
 )

@@ -24,6 +24,8 @@ system_config::system_config(bool networked) {
   add_message_type<solve_result>("solve_result");
   add_message_type<export_order>("export_order");
   add_message_type<export_result>("export_result");
+  add_message_type<select_order>("select_order");
+  add_message_type<select_result>("select_result");
   add_message_type<job_progress>("job_progress");
   add_message_type<job_frame>("job_frame");
   add_message_type<job_preview>("job_preview");

@@ -77,6 +77,15 @@ TEST_F(WorkerDeath, AnEditWhoseOptimizerIsKilledIsDoneAgain) {
   EXPECT_EQ(value(user->get_history()).head, filled.head.number);
 }
 
+TEST_F(WorkerDeath, ASelectionWhoseModelingWorkerIsKilledIsDoneAgain) {
+  const auto holes = value(kill_in_the_middle("modeling", [&] {
+    return user->select({feature_kind::hole, {1}}, {});
+  }));
+
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_EQ(holes.front().surfaces, (std::vector<surface_id>{1, 2}));
+}
+
 TEST_F(WorkerDeath, ASolveWhoseWorkerIsKilledIsDoneAgain) {
   const auto report =
     value(kill_in_the_middle("solver", [&] { return user->solve({.device = "cpu"}, {}); }));

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QJsonObject>
+#include <QSurfaceFormat>
+
+#include <cstdio>
+
+#include "client-qt/view/main_window.hpp"
+#include "client-qt/view/script.hpp"
+#include "client-qt/view/theme.hpp"
+
+namespace {
+
+using namespace tedit;
+using namespace tedit::desktop;
+
+struct wishes {
+  QString mesh;
+  QStringList load_cases;
+  QString document;
+  server_address server;
+  QString steps;
+  QString picture;
+  QString state_folder;
+  QSize size;
+  bool dark = false;
+};
+
+QSize size_from(const QString& text) {
+  const auto parts = text.split('x');
+  return parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
+}
+
+wishes read_command_line(const QApplication& app) {
+  QCommandLineParser line;
+  line.setApplicationDescription(
+    "The desktop client of TEdit: change a part, see its stress at once.\n\n"
+    "Without --server it runs a server of its own on this computer. With --screenshot or --script "
+    "it works unattended and ends with 0 when all was done.");
+  line.addHelpOption();
+  line.addVersionOption();
+  line.addPositionalArgument("mesh", "A mesh to open (as --open).", "[mesh]");
+  line.addOption({"open", "Open a mesh file with surface ids.", "mesh"});
+  line.addOption({"load-case", "A load case for it (JSON); may be given more than once.", "file"});
+  line.addOption({"document", "Open a document that is there.", "name"});
+  line.addOption({"server", "Connect to a server instead of running one.", "ws://host:port/v1"});
+  line.addOption({"token", "The server's token.", "text"});
+  line.addOption({"script", "Carry out the steps of a JSON file, then end.", "steps.json"});
+  line.addOption({"screenshot", "Save a picture when the field is final, then end.", "out.png"});
+  line.addOption({"size", "Size of the window.", "WIDTHxHEIGHT"});
+  line.addOption({"state", "Folder of the local server's documents.", "folder"});
+  line.addOption({"dark", "Dark colours."});
+  line.process(app);
+  wishes result;
+  result.mesh = line.value("open");
+  if (result.mesh.isEmpty() && !line.positionalArguments().isEmpty())
+    result.mesh = line.positionalArguments().first();
+  result.load_cases = line.values("load-case");
+  result.document = line.value("document");
+  result.server = {line.value("server"), line.value("token")};
+  result.steps = line.value("script");
+  result.picture = line.value("screenshot");
+  result.state_folder = line.value("state");
+  result.size = size_from(line.value("size"));
+  result.dark = line.isSet("dark");
+  return result;
+}
+
+/// The steps of the script, then the picture.
+expected<QJsonArray> steps_of(const wishes& wanted) {
+  QJsonArray steps;
+  if (!wanted.steps.isEmpty()) {
+    auto read = read_script(wanted.steps);
+    if (!read)
+      return read;
+    steps = *read;
+  }
+  if (!wanted.picture.isEmpty()) {
+    if (!wanted.load_cases.isEmpty() || !wanted.document.isEmpty())
+      steps.append(QJsonObject{{"wait", "final"}});
+    steps.append(QJsonObject{{"screenshot", wanted.picture}});
+  }
+  return steps;
+}
+
+int complain(const error& reason) {
+  std::fprintf(stderr, "tedit-qt: %s\n", render(reason).c_str());
+  return exit_status(reason.code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setAlphaBufferSize(8);
+  QSurfaceFormat::setDefaultFormat(format);
+  const QApplication app(argc, argv);
+  QApplication::setApplicationName("tedit-qt");
+  QApplication::setApplicationDisplayName("TEdit");
+  QApplication::setApplicationVersion(TEDIT_VERSION);
+  QApplication::setStyle("Fusion");
+  QApplication::setWindowIcon(window_icon());
+  const auto wanted = read_command_line(app);
+  const auto steps = steps_of(wanted);
+  if (!steps)
+    return complain(steps.error());
+
+  main_window window(wanted.state_folder);
+  if (wanted.dark)
+    window.set_dark(true);
+  if (wanted.size.isValid())
+    window.resize(wanted.size);
+  window.show();
+  if (!wanted.server.url.isEmpty())
+    window.connect_to(wanted.server);
+  if (!wanted.mesh.isEmpty())
+    window.open_file(wanted.mesh, wanted.load_cases);
+  else if (!wanted.document.isEmpty())
+    window.open_document(wanted.document);
+
+  int status = 0;
+  script unattended(window, *steps);
+  QObject::connect(&unattended, &script::finished, &app, &QApplication::quit);
+  QObject::connect(&unattended, &script::failed, &app, [&](const error& reason) {
+    status = complain(reason);
+    QApplication::quit();
+  });
+  if (!steps->isEmpty())
+    unattended.start();
+  QApplication::exec();
+  return status;
+}

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/document.hpp"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QSaveFile>
+
+#include <algorithm>
+
+#include "client-qt/model/load_words.hpp"
+#include "protocol/convert.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr std::size_t most_kept_surfaces = 64;  // Versions whose surface and field stay at hand.
+
+/// A name that the server takes and that no other document has.
+QString new_document_name(const QString& mesh) {
+  QString stem = QFileInfo(mesh).completeBaseName().left(40);
+  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+  return stem + "-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss");
+}
+
+}  // namespace
+
+document::document(remote& link, QObject* parent) : QObject(parent), link_(link) {
+  settings_.all_load_cases = true;
+  connect(&link_, &remote::connected, this, &document::reopen);
+  connect(&link_, &remote::state_changed, this, &document::connection_changed);
+  connect(&link_, &remote::surface_arrived, this, &document::take_surface);
+  connect(&link_, &remote::field_arrived, this, &document::take_field);
+  connect(&link_, &remote::committed, this, &document::take_commit);
+  connect(&link_, &remote::solve_status, this, &document::take_status);
+  connect(&link_, &remote::solved, this, &document::take_outcome);
+}
+
+// -- what is known -------------------------------------------------------------------
+
+const version_record* document::head() const {
+  const auto found = head_ ? versions_.find(*head_) : versions_.end();
+  return found == versions_.end() ? nullptr : &found->second;
+}
+
+/// The latest with this content: undo brings the same one back.
+version_record* document::find(const std::string& version_id) {
+  if (head_ && versions_.contains(*head_) && versions_[*head_].info.version_id == version_id)
+    return &versions_[*head_];
+  for (auto at = versions_.rbegin(); at != versions_.rend(); ++at)
+    if (at->second.info.version_id == version_id)
+      return &at->second;
+  return nullptr;
+}
+
+QString document::surface_name(surface_id id) const {
+  const auto* now = head();
+  if (now && now->surface) {
+    const auto& rows = now->surface->surfaces();
+    const auto row = rows.find(id);
+    if (row != rows.end() && !row->second.name.empty())
+      return QString::fromStdString(row->second.name);
+  }
+  return tr("Surface %1").arg(id);
+}
+
+QStringList document::acting_on(const std::vector<surface_id>& surfaces) const {
+  QStringList result;
+  const auto touches = [&](const auto& item) {
+    return std::ranges::any_of(item.surfaces, [&](surface_id id) {
+      return std::ranges::find(surfaces, id) != surfaces.end();
+    });
+  };
+  for (const auto& one : load_cases_) {
+    const QString in = tr(" in %1").arg(QString::fromStdString(one.name));
+    for (const auto& held : one.constraints)
+      if (touches(held))
+        result << words(held) + in;
+    for (const auto& acting : one.loads)
+      if (touches(acting))
+        result << words(acting) + in;
+  }
+  return result;
+}
+
+// -- activities ----------------------------------------------------------------------
+
+void document::begin_activity(const QString& title) {
+  activity_ = activity{title, {}, 0, true};
+  emit activity_changed();
+}
+
+void document::end_activity() {
+  activity_.reset();
+  emit activity_changed();
+}
+
+void document::progressed(double fraction, const QString& stage) {
+  if (!activity_)
+    return;
+  activity_->fraction = fraction;
+  activity_->stage = stage;
+  emit activity_changed();
+}
+
+/// A request that the user waits for; one at a time is shown.
+template <class T>
+ticket document::ask(const QString& title, remote::work<T> call, std::function<void(T&)> done) {
+  begin_activity(title);
+  const int mine = opening_;
+  running_ = link_.run<T>(
+    std::move(call),
+    [this, title, mine, done = std::move(done)](expected<T> result) {
+      end_activity();
+      if (mine != opening_)
+        return;
+      if (result)
+        done(*result);
+      else
+        emit failed(title, result.error());
+    },
+    [this](double fraction, const QString& stage) { progressed(fraction, stage); });
+  return running_;
+}
+
+void document::cancel() {
+  if (!activity_)
+    return;
+  running_.cancel();
+  activity_->stage = tr("cancelling");
+  activity_->can_cancel = false;
+  emit activity_changed();
+}
+
+// -- opening -------------------------------------------------------------------------
+
+void document::forget() {
+  ++opening_;
+  name_.clear();
+  versions_.clear();
+  head_.reset();
+  load_cases_.clear();
+  can_undo_ = can_redo_ = false;
+  solve_status_ = {};
+  solves_ = 0;
+  set_field_state(field_state::none);
+}
+
+void document::close() {
+  forget();
+  emit closed();
+}
+
+void document::open(const QString& name) {
+  forget();
+  name_ = name;
+  reopen();
+}
+
+/// Also when a lost connection is back: the server sends the whole surface again.
+void document::reopen() {
+  load_catalogue();
+  if (name_.isEmpty())
+    return;
+  ask<client::document_state>(
+    tr("Open %1").arg(name_),
+    [name = name_.toStdString()](client::client& c, const execution&) {
+      return c.open(name, true, true);
+    },
+    [this](client::document_state& state) {
+      take_state(state);
+      emit opened();
+      refresh_history();
+      if (state.head && !state.head->load_cases.empty())
+        solve();
+    });
+}
+
+void document::take_state(const client::document_state& state) {
+  name_ = QString::fromStdString(state.document);
+  can_undo_ = state.can_undo;
+  can_redo_ = state.can_redo;
+  if (state.head) {
+    head_ = state.head->number;
+    versions_[*head_].info = *state.head;
+  }
+  emit head_changed();
+}
+
+void document::import(const QString& mesh, const QStringList& load_cases, const QString& unit) {
+  std::vector<fem::load_case> loads;
+  for (const auto& file : load_cases) {
+    auto read = protocol::load_case_from_file(file.toStdString());
+    if (!read) {
+      emit failed(tr("Open %1").arg(file), read.error());
+      return;
+    }
+    loads.push_back(std::move(*read));
+  }
+  forget();
+  name_ = new_document_name(mesh);
+  load_catalogue();
+  ask<client::committed>(
+    tr("Open %1").arg(QFileInfo(mesh).fileName()),
+    [mesh = mesh.toStdString(), unit = unit.toStdString(), name = name_.toStdString()](
+      client::client& c, const execution& run) -> expected<client::committed> {
+      if (auto state = c.open(name, true, true); !state)
+        return fail(std::move(state.error()));
+      return c.import_file(mesh, unit, run);
+    },
+    [this, loads = std::move(loads)](client::committed& what) {
+      emit opened();
+      take_commit(what);
+      send_load_cases(loads);
+    });
+}
+
+/// One after the other, then the solve of them all.
+void document::send_load_cases(std::vector<fem::load_case> loads) {
+  if (loads.empty())
+    return;
+  auto names = std::make_shared<std::vector<fem::load_case>>(std::move(loads));
+  link_.run<bool>(
+    [names](client::client& c, const execution&) -> expected<bool> {
+      for (const auto& one : *names)
+        if (auto ok = c.set_load_case(one); !ok)
+          return fail(std::move(ok.error()));
+      return true;
+    },
+    [this, names](const expected<bool>& ok) {
+      if (!ok) {
+        emit failed(tr("Set the load cases"), ok.error());
+        return;
+      }
+      for (auto& one : *names) {
+        std::erase_if(load_cases_, [&](const auto& held) { return held.name == one.name; });
+        load_cases_.push_back(one);
+      }
+      emit load_cases_changed();
+      solve();
+    });
+}
+
+void document::set_load_case(const fem::load_case& loads) {
+  send_load_cases({loads});
+}
+
+void document::load_catalogue() {
+  link_.run<catalogue>(
+    [](client::client& c, const execution&) -> expected<catalogue> {
+      auto json = c.catalogue_json();
+      if (!json)
+        return fail(std::move(json.error()));
+      return catalogue_from_json(*json);
+    },
+    [this](expected<catalogue> got) {
+      if (got) {
+        operations_ = std::move(*got);
+        emit operations_changed();
+      } else if (got.error().code != ec::service_unavailable) {
+        emit failed(tr("List the operations"), got.error());
+      }
+    });
+}
+
+void document::connection_changed() {
+  if (link_.current() == remote::state::lost && field_state_ == field_state::solving)
+    set_field_state(field_state::waiting);
+}
+
+// -- edits ---------------------------------------------------------------------------
+
+void document::apply(const QString& operation, const std::vector<surface_id>& surfaces,
+                     const ops::parameters& values) {
+  const auto* offered = operations_.find(operation);
+  const QString title = offered ? QString::fromStdString(offered->about.name) : operation;
+  const auto* now = head();
+  const std::string expected_version = now ? now->info.version_id : std::string();
+  ask<client::committed>(
+    title,
+    [=, id = operation.toStdString()](client::client& c, const execution& run) {
+      return c.edit(id, surfaces, values, run, expected_version);
+    },
+    [this](client::committed& what) { take_commit(what); });
+}
+
+void document::undo() {
+  ask<client::committed>(
+    tr("Undo"), [](client::client& c, const execution&) { return c.undo(); },
+    [this](client::committed& what) { take_commit(what); });
+}
+
+void document::redo() {
+  ask<client::committed>(
+    tr("Redo"), [](client::client& c, const execution&) { return c.redo(); },
+    [this](client::committed& what) { take_commit(what); });
+}
+
+void document::take_commit(const client::committed& what) {
+  if (!is_open())
+    return;
+  auto& row = versions_[what.head.number];
+  row.info = what.head;
+  if (what.report)
+    row.report = what.report;
+  head_ = what.head.number;
+  can_undo_ = what.can_undo;
+  can_redo_ = what.can_redo;
+  for (const auto& warning : what.warnings)
+    emit notice(QString::fromStdString(warning));
+  if (what.report)
+    for (const auto& text : what.report->notices)
+      emit notice(QString::fromStdString(text));
+  take_surface();
+  set_field_state(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
+  emit head_changed();
+  emit edited(what);
+  refresh_history();
+}
+
+void document::refresh_history() {
+  const int mine = opening_;
+  link_.run<client::history>([](client::client& c, const execution&) { return c.get_history(); },
+                             [this, mine](const expected<client::history>& got) {
+                               if (got && mine == opening_)
+                                 take_history(*got);
+                             });
+}
+
+void document::take_history(const client::history& history) {
+  for (const auto& info : history.versions)
+    versions_[info.number].info = info;
+  emit history_changed();
+}
+
+// -- surface and fields --------------------------------------------------------------
+
+/// A surface may come before the commit that it belongs to is known; then it is taken with that.
+void document::take_surface() {
+  auto surface = std::make_shared<const client::surface_model>(link_.surface());
+  auto* row = find(surface->version_id());
+  if (!row || (row->surface && row->surface->version_id() == surface->version_id()))
+    return;
+  row->surface = std::move(surface);
+  std::size_t kept = 0;
+  for (auto at = versions_.rbegin(); at != versions_.rend(); ++at)
+    if (at->second.surface && ++kept > most_kept_surfaces && at->first != head_) {
+      at->second.surface.reset();
+      at->second.fields.clear();
+    }
+  if (row == head())
+    emit surface_changed();
+}
+
+void document::take_field(const shared_field& field) {
+  auto* row = find(field->version_id());
+  if (!row)
+    return;
+  const bool next = !row->fields.empty() && row->fields.back()->remaining > 0 &&
+                    row->fields.back()->remaining == field->remaining + 1 &&
+                    row->fields.back()->interim() == field->interim();
+  if (!next)
+    row->fields.clear();
+  row->fields.push_back(field);
+  if (field->remaining > 0)
+    return;
+  if (row == head()) {
+    set_field_state(field->interim() ? field_state::interim : field_state::converged);
+    emit field_changed();
+  }
+}
+
+void document::take_outcome(const solve_outcome& outcome) {
+  if (outcome.cases.empty() || outcome.cases.front().interim)
+    return;
+  if (auto* row = find(outcome.version_id())) {
+    row->outcome = outcome;
+    for (const auto& report : outcome.cases)
+      if (!report.notice.empty())
+        emit notice(QString::fromStdString(report.notice));
+    emit solve_changed();
+    emit history_changed();
+  }
+}
+
+void document::take_status(const client::solve_status& status) {
+  const auto* now = head();
+  if (!now || now->info.version_id != status.version_id)
+    return;
+  solve_status_ = status;
+  using phase = client::solve_phase;
+  if (status.phase == phase::started || status.phase == phase::converging) {
+    if (field_state_ != field_state::interim)
+      set_field_state(field_state::solving);
+  } else if (status.phase == phase::failed) {
+    set_field_state(field_state::failed);
+    if (solves_ == 0)  // Else the answer to the request says it.
+      emit failed(tr("Solve"), {ec::not_converged, status.message, {}, {}});
+  } else if (status.phase == phase::cancelled) {
+    set_field_state(field_state::none);
+  }
+  emit solve_changed();
+}
+
+void document::set_field_state(field_state next) {
+  if (std::exchange(field_state_, next) != next)
+    emit solve_changed();
+}
+
+// -- solving -------------------------------------------------------------------------
+
+void document::set_solve_settings(const client::solve_settings& settings) {
+  settings_ = settings;
+  solve();
+}
+
+void document::solve() {
+  const auto* now = head();
+  if (!now)
+    return;
+  const int mine = opening_;
+  ++solves_;
+  set_field_state(field_state::waiting);
+  solving_ = link_.run<solve_outcome>(
+    [settings = settings_](client::client& c, const execution& run) {
+      return c.solve_cases(settings, run);
+    },
+    [this, mine](const expected<solve_outcome>& got) {
+      if (mine != opening_)
+        return;
+      --solves_;
+      if (got)
+        take_outcome(*got);
+      else if (got.error().code != ec::superseded && got.error().code != ec::cancelled) {
+        set_field_state(field_state::failed);
+        emit failed(tr("Solve"), got.error());
+      }
+    });
+}
+
+void document::cancel_solve() {
+  solving_.cancel();
+}
+
+// -- files and selections ------------------------------------------------------------
+
+void document::export_file(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  const auto format = suffix == "stl"   ? client::file_format::stl
+                      : suffix == "vtu" ? client::file_format::vtu
+                                        : client::file_format::msh;
+  ask<bool>(
+    tr("Export %1").arg(QFileInfo(path).fileName()),
+    [path, format](client::client& c, const execution& run) -> expected<bool> {
+      const auto bytes = c.export_file(format, {}, "mm", run);
+      if (!bytes)
+        return fail(bytes.error());
+      QSaveFile file(path);
+      const auto size = static_cast<qint64>(bytes->size());
+      if (!file.open(QIODevice::WriteOnly) || file.write(bytes->data(), size) != size ||
+          !file.commit())
+        return fail(ec::io_error, "cannot write the file: " + file.errorString().toStdString(), {},
+                    path.toStdString());
+      return true;
+    },
+    [this, path](bool&) { emit exported(path); });
+}
+
+void document::select(const selection_query& query,
+                      remote::reply<std::vector<found_feature>> done) {
+  link_.run<std::vector<found_feature>>(
+    [query](client::client& c, const execution& run) { return c.select(query, run); },
+    std::move(done));
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "client-qt/model/catalogue.hpp"
+#include "client-qt/net/remote.hpp"
+
+namespace tedit::desktop {
+
+using shared_surface = std::shared_ptr<const client::surface_model>;
+using shared_field = std::shared_ptr<const client::field_event>;
+
+/// What is held of one version: always its row, the rest once it was seen.
+struct version_record {
+  client::version_info info;
+  std::optional<edit_report> report;  ///< Of the edit that made it.
+  shared_surface surface;
+  std::vector<shared_field> fields;      ///< One for each load case, then their envelope.
+  std::optional<solve_outcome> outcome;  ///< The converged one.
+};
+
+/// What the user waits for.
+struct activity {
+  QString title;  ///< "Fill hole".
+  QString stage;  ///< As the server says it.
+  double fraction = 0;
+  bool can_cancel = true;
+};
+
+/// How far the field of the head is.
+enum class field_state { none, waiting, solving, interim, converged, failed };
+
+/// The document that is open, as the server has it: its versions, load cases, surface and fields,
+/// and every request about it. Nothing here waits; what happened is told by signals. It survives a
+/// lost connection: the document is opened again when there is one.
+class document : public QObject {
+  Q_OBJECT
+
+public:
+  explicit document(remote& link, QObject* parent = nullptr);
+
+  // -- what is known -------------------------------------------------------------------
+
+  [[nodiscard]] bool is_open() const noexcept { return !name_.isEmpty(); }
+  [[nodiscard]] const QString& name() const noexcept { return name_; }
+  /// The current version; null before the first import.
+  [[nodiscard]] const version_record* head() const;
+  [[nodiscard]] const std::map<std::uint32_t, version_record>& versions() const {
+    return versions_;
+  }
+  [[nodiscard]] bool can_undo() const noexcept { return can_undo_; }
+  [[nodiscard]] bool can_redo() const noexcept { return can_redo_; }
+  [[nodiscard]] const catalogue& operations() const noexcept { return operations_; }
+  [[nodiscard]] const std::optional<activity>& current_activity() const { return activity_; }
+  [[nodiscard]] field_state field_progress() const noexcept { return field_state_; }
+  [[nodiscard]] const client::solve_status& solve_progress() const { return solve_status_; }
+  /// The load cases of the head as far as they are known here.
+  [[nodiscard]] const std::vector<fem::load_case>& load_cases() const { return load_cases_; }
+  /// What holds or loads some of these surfaces: "fixed in ctc01_plate static".
+  [[nodiscard]] QStringList acting_on(const std::vector<surface_id>& surfaces) const;
+  /// A person's name for a surface: its own, or its number.
+  [[nodiscard]] QString surface_name(surface_id id) const;
+
+  // -- what can be asked for; each is told by signals, errors by `failed` ----------------
+
+  /// Opens a document of the server; it is made when it is not there.
+  void open(const QString& name);
+  /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
+  /// it. `unit` is the mesh's length unit, "mm" when empty.
+  void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
+  void close();
+  void set_load_case(const fem::load_case& loads);
+  void apply(const QString& operation, const std::vector<surface_id>& surfaces,
+             const ops::parameters& values);
+  void undo();
+  void redo();
+  /// Solves all load cases of the head; from then on every new head is solved by itself.
+  void solve();
+  void set_solve_settings(const client::solve_settings& settings);
+  [[nodiscard]] const client::solve_settings& solve_settings() const { return settings_; }
+  /// Ends what `current_activity` shows.
+  void cancel();
+  /// Ends the solve that runs.
+  void cancel_solve();
+  /// Writes the head to a file, by its suffix: .msh, .stl or .vtu.
+  void export_file(const QString& path);
+  void refresh_history();
+  /// Which surfaces belong together, or why none do: that is no failure to be told.
+  void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
+
+signals:
+  void opened();
+  void closed();
+  void head_changed();
+  void surface_changed();
+  void field_changed();
+  void solve_changed();
+  void history_changed();
+  void load_cases_changed();
+  void operations_changed();
+  void activity_changed();
+  void edited(const tedit::client::committed& what);
+  void exported(const QString& path);
+  void notice(const QString& text);
+  /// What was tried, and why it did not work.
+  void failed(const QString& what, const tedit::error& reason);
+
+private:
+  template <class T>
+  ticket ask(const QString& title, remote::work<T> call, std::function<void(T&)> done);
+  void begin_activity(const QString& title);
+  void end_activity();
+  void progressed(double fraction, const QString& stage);
+
+  void connection_changed();
+  void reopen();
+  void take_state(const client::document_state& state);
+  void take_commit(const client::committed& what);
+  void take_surface();
+  void take_field(const shared_field& field);
+  void take_outcome(const solve_outcome& outcome);
+  void take_status(const client::solve_status& status);
+  void take_history(const client::history& history);
+  void load_catalogue();
+  void set_field_state(field_state next);
+  [[nodiscard]] version_record* find(const std::string& version_id);
+  void send_load_cases(std::vector<fem::load_case> loads);
+  void forget();
+
+  remote& link_;
+  QString name_;
+  std::map<std::uint32_t, version_record> versions_;
+  std::optional<std::uint32_t> head_;
+  bool can_undo_ = false;
+  bool can_redo_ = false;
+  catalogue operations_;
+  std::vector<fem::load_case> load_cases_;
+  client::solve_settings settings_;
+  std::optional<activity> activity_;
+  ticket running_;
+  ticket solving_;
+  int solves_ = 0;  ///< Solve requests without an answer.
+  field_state field_state_ = field_state::none;
+  client::solve_status solve_status_;
+  int opening_ = 0;  ///< Answers to an earlier opening are not for us.
+};
+
+}  // namespace tedit::desktop

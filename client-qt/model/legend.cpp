@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/legend.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+using table = std::array<rgb, 11>;
+
+// Eleven even steps each. Viridis: Smith and van der Walt 2015 (CC0); cividis: Nunez, Anderton and
+// Renslow 2018; coolwarm: Moreland 2009.
+constexpr table viridis{{{0.267F, 0.005F, 0.329F},
+                         {0.283F, 0.141F, 0.458F},
+                         {0.254F, 0.265F, 0.530F},
+                         {0.207F, 0.372F, 0.553F},
+                         {0.164F, 0.471F, 0.558F},
+                         {0.128F, 0.567F, 0.551F},
+                         {0.135F, 0.659F, 0.518F},
+                         {0.267F, 0.749F, 0.441F},
+                         {0.478F, 0.821F, 0.318F},
+                         {0.741F, 0.873F, 0.150F},
+                         {0.993F, 0.906F, 0.144F}}};
+constexpr table cividis{{{0.000F, 0.135F, 0.305F},
+                         {0.000F, 0.199F, 0.432F},
+                         {0.186F, 0.262F, 0.421F},
+                         {0.295F, 0.327F, 0.421F},
+                         {0.390F, 0.393F, 0.437F},
+                         {0.483F, 0.461F, 0.465F},
+                         {0.580F, 0.533F, 0.469F},
+                         {0.684F, 0.610F, 0.452F},
+                         {0.792F, 0.694F, 0.413F},
+                         {0.906F, 0.785F, 0.347F},
+                         {0.996F, 0.909F, 0.218F}}};
+constexpr table grey{{{0.15F, 0.15F, 0.15F},
+                      {0.23F, 0.23F, 0.23F},
+                      {0.31F, 0.31F, 0.31F},
+                      {0.39F, 0.39F, 0.39F},
+                      {0.47F, 0.47F, 0.47F},
+                      {0.55F, 0.55F, 0.55F},
+                      {0.63F, 0.63F, 0.63F},
+                      {0.71F, 0.71F, 0.71F},
+                      {0.79F, 0.79F, 0.79F},
+                      {0.87F, 0.87F, 0.87F},
+                      {0.95F, 0.95F, 0.95F}}};
+constexpr table coolwarm{{{0.230F, 0.299F, 0.754F},
+                          {0.348F, 0.466F, 0.888F},
+                          {0.484F, 0.622F, 0.975F},
+                          {0.620F, 0.744F, 0.999F},
+                          {0.754F, 0.830F, 0.961F},
+                          {0.865F, 0.865F, 0.865F},
+                          {0.947F, 0.795F, 0.717F},
+                          {0.968F, 0.674F, 0.557F},
+                          {0.932F, 0.519F, 0.406F},
+                          {0.839F, 0.322F, 0.265F},
+                          {0.706F, 0.016F, 0.150F}}};
+
+const table& steps(colour_map map) {
+  switch (map) {
+    case colour_map::cividis:
+      return cividis;
+    case colour_map::grey:
+      return grey;
+    case colour_map::coolwarm:
+      return coolwarm;
+    default:
+      return viridis;
+  }
+}
+
+struct row {
+  shown_field field;
+  const char* id;
+  const char* title;
+  const char* unit;
+};
+
+constexpr std::array<row, 8> rows{{
+  {shown_field::none, "none", QT_TRANSLATE_NOOP("legend", "No field"), ""},
+  {shown_field::surfaces, "surfaces", QT_TRANSLATE_NOOP("legend", "Surfaces"), ""},
+  {shown_field::von_mises, "von_mises", QT_TRANSLATE_NOOP("legend", "von Mises stress"), "Pa"},
+  {shown_field::displacement, "displacement", QT_TRANSLATE_NOOP("legend", "Displacement"), "m"},
+  {shown_field::displacement_x, "displacement_x", QT_TRANSLATE_NOOP("legend", "Displacement x"),
+   "m"},
+  {shown_field::displacement_y, "displacement_y", QT_TRANSLATE_NOOP("legend", "Displacement y"),
+   "m"},
+  {shown_field::displacement_z, "displacement_z", QT_TRANSLATE_NOOP("legend", "Displacement z"),
+   "m"},
+  {shown_field::safety_factor, "safety_factor", QT_TRANSLATE_NOOP("legend", "Safety factor"), ""},
+}};
+
+const row& row_of(shown_field field) {
+  return *std::ranges::find(rows, field, &row::field);
+}
+
+/// 1, 2 or 5 times a power of ten, at least `raw`.
+double round_step(double raw) {
+  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= raw * (1 - 1e-9))
+      return factor * power;
+  return 10 * power;
+}
+
+}  // namespace
+
+QString field_title(shown_field field) {
+  return QCoreApplication::translate("legend", row_of(field).title);
+}
+
+QString field_unit(shown_field field) {
+  return row_of(field).unit;
+}
+
+QString field_id(shown_field field) {
+  return row_of(field).id;
+}
+
+shown_field field_from_id(const QString& id) {
+  const auto found = std::ranges::find_if(rows, [&](const row& r) { return id == r.id; });
+  return found == rows.end() ? shown_field::none : found->field;
+}
+
+rgb colour(colour_map map, double at) {
+  const auto& all = steps(map);
+  const double x = std::isnan(at) ? 0 : 10 * std::clamp(at, 0.0, 1.0);
+  const int i = std::min(9, static_cast<int>(x));
+  const auto t = static_cast<float>(x - i);
+  rgb result{};
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] = all[i][c] + t * (all[i + 1][c] - all[i][c]);
+  return result;
+}
+
+void legend::fit(std::span<const float> values) {
+  if (mode != range_mode::automatic)
+    return;
+  double lowest = INFINITY;
+  double highest = -INFINITY;
+  for (const float value : values)
+    if (std::isfinite(value)) {
+      lowest = std::min<double>(lowest, value);
+      highest = std::max<double>(highest, value);
+    }
+  if (lowest > highest) {
+    lowest = 0;
+    highest = 1;
+  }
+  const double least = 1e-6 * std::max({std::abs(lowest), std::abs(highest), 1e-12});
+  if (highest - lowest < least) {
+    lowest -= least / 2;
+    highest += least / 2;
+  }
+  low = lowest;
+  high = highest;
+}
+
+double legend::place(double value) const {
+  double at = (value - low) / (high - low);
+  if (logarithmic && high > 0) {
+    const double least = low > 0 ? low : high * 1e-4;
+    at = std::log(std::max(value, least) / least) / std::log(high / least);
+  }
+  at = std::clamp(at, 0.0, 1.0);
+  return reversed ? 1 - at : at;
+}
+
+std::vector<double> legend::ticks(int most) const {
+  std::vector<double> result;
+  if (logarithmic && high > 0) {
+    const double least = low > 0 ? low : high * 1e-4;
+    for (double power = std::pow(10.0, std::floor(std::log10(least))); power <= high; power *= 10)
+      for (const double factor : {1.0, 5.0})
+        if (factor * power >= least * (1 - 1e-9) && factor * power <= high * (1 + 1e-9))
+          result.push_back(factor * power);
+    return result;
+  }
+  const double scale = shown_as(field_unit(field)).scale;
+  const double step = round_step((high - low) * scale / std::max(1, most - 1)) / scale;
+  for (double at = std::ceil(low / step - 1e-9) * step; at <= high + 1e-9 * step; at += step)
+    result.push_back(std::abs(at) < 1e-9 * step ? 0 : at);
+  return result;
+}
+
+}  // namespace tedit::desktop

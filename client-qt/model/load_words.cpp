@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/load_words.hpp"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <cmath>
+
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+QString say(const char* text) {
+  return QCoreApplication::translate("loads", text);
+}
+
+/// "along −z" when it is along an axis, else the components.
+QString direction(const vec3& v) {
+  const double size = std::sqrt(dot(v, v));
+  const std::pair<double, const char*> axes[] = {{v.x, "x"}, {v.y, "y"}, {v.z, "z"}};
+  for (const auto& [component, name] : axes)
+    if (size > 0 && std::abs(component) > (1 - 1e-9) * size)
+      return say("along ") + (component < 0 ? QString::fromUtf8("\u2212") : QString("+")) + name;
+  return QString("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
+}
+
+double size_of(const vec3& v) {
+  return std::sqrt(dot(v, v));
+}
+
+struct describe {
+  QString operator()(const fem::fixed&) const { return say("Fixed"); }
+  QString operator()(const fem::roller&) const { return say("Roller: slides, does not lift"); }
+  QString operator()(const fem::prescribed_displacement& d) const {
+    QStringList parts;
+    if (d.x_m)
+      parts << "x " + length(*d.x_m);
+    if (d.y_m)
+      parts << "y " + length(*d.y_m);
+    if (d.z_m)
+      parts << "z " + length(*d.z_m);
+    return say("Displaced by ") + parts.join(", ");
+  }
+  QString operator()(const fem::force& f) const {
+    return say("Force ") + quantity(size_of(f.total_n), "N") + " " + direction(f.total_n);
+  }
+  QString operator()(const fem::traction& t) const {
+    return say("Traction ") + quantity(size_of(t.pa), "Pa") + " " + direction(t.pa);
+  }
+  QString operator()(const fem::pressure& p) const {
+    return say("Pressure ") + quantity(p.pa, "Pa");
+  }
+  QString operator()(const fem::gravity& g) const {
+    return say("Gravity ") + number(size_of(g.m_s2)) + QString::fromUtf8(" m/s\u00b2 ") +
+           direction(g.m_s2);
+  }
+};
+
+}  // namespace
+
+QString words(const fem::constraint& held) {
+  return std::visit(describe{}, held.kind);
+}
+
+QString words(const fem::load& acting) {
+  return std::visit(describe{}, acting.kind);
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+namespace tedit::desktop {
+
+/// How a number in SI units is shown and typed: engineers think in mm, MPa and N.
+struct display_unit {
+  QString name;      ///< "mm"; empty for numbers without one.
+  double scale = 1;  ///< Shown = SI times scale.
+};
+
+/// The unit to show for an SI unit: "m" as "mm", "Pa" as "MPa", "rad" as degrees, "m2" as "mm²",
+/// "m3" as "mm³", "kg" as "g"; others as they are.
+[[nodiscard]] display_unit shown_as(const QString& si_unit);
+
+/// A value with four digits at most and a unit: "12.5 mm", "1.2e-05 mm".
+[[nodiscard]] QString number(double value);
+[[nodiscard]] QString quantity(double si_value, const QString& si_unit);
+/// A length by its size: "0.35 µm", "12.5 mm", "1.2 m".
+[[nodiscard]] QString length(double metres);
+/// "87 ms", "1.3 s", "4 min 10 s".
+[[nodiscard]] QString duration(double ms);
+/// "12", "12 400", "1.02 M".
+[[nodiscard]] QString count(double items);
+/// A change in percent with its sign: "+3.2 %"; nothing when `before` is zero.
+[[nodiscard]] QString change(double before, double after);
+
+}  // namespace tedit::desktop

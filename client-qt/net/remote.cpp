@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/net/remote.hpp"
+
+#include <QElapsedTimer>
+#include <QMetaObject>
+#include <QRunnable>
+
+#include <algorithm>
+
+namespace tedit::desktop {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int watch_ms = 250;
+constexpr int beats_a_status = 12;  // One status request every three seconds.
+constexpr int first_retry_ms = 500;
+constexpr int longest_retry_ms = 8000;
+constexpr int most_requests = 16;  // Threads that wait for answers; more wait in the pool.
+
+}  // namespace
+
+remote::remote(QObject* parent) : QObject(parent) {
+  pool_.setMaxThreadCount(most_requests);
+  watch_.setInterval(watch_ms);
+  connect(&watch_, &QTimer::timeout, this, &remote::watch);
+  retry_.setSingleShot(true);
+  connect(&retry_, &QTimer::timeout, this, &remote::try_connect);
+}
+
+remote::~remote() {
+  all_.cancel();
+  drop_client();
+  pool_.waitForDone();
+}
+
+// -- the connection ------------------------------------------------------------------
+
+void remote::connect_to(const server_address& address) {
+  disconnect_now();
+  address_ = address;
+  retry_ms_ = 0;
+  try_connect();
+}
+
+void remote::disconnect_now() {
+  retry_.stop();
+  drop_client();
+  set_state(state::offline);
+}
+
+/// A client is destroyed where its last call ends; nobody waits for that here.
+void remote::drop_client() {
+  watch_.stop();
+  ++generation_;
+  if (client_) {
+    client_->abort();
+    pool_.start([old = std::exchange(client_, nullptr)]() mutable { old.reset(); });
+  }
+}
+
+void remote::try_connect() {
+  if (state_ != state::lost)
+    set_state(state::connecting);
+  client::connect_options options;
+  options.url = address_.url.toStdString();
+  options.token = address_.token.toStdString();
+  options.client_name = "tedit-qt " TEDIT_VERSION;
+  const int generation = ++generation_;
+  auto handlers = make_events();
+  pool_.start([this, options, generation, handlers = std::move(handlers)] {
+    auto made = client::client::connect(options, handlers);
+    auto shared = made ? expected<shared_client>(shared_client(std::move(*made)))
+                       : expected<shared_client>(fail(std::move(made.error())));
+    QMetaObject::invokeMethod(
+      this, [this, shared = std::move(shared), generation] { connection_made(shared, generation); },
+      Qt::QueuedConnection);
+  });
+}
+
+void remote::connection_made(expected<shared_client> made, int generation) {
+  if (generation != generation_)
+    return;
+  if (made) {
+    client_ = std::move(*made);
+    retry_ms_ = 0;
+    watch_.start();
+    set_state(state::connected);
+    emit connected();
+    measure_latency();
+    return;
+  }
+  if (state_ != state::lost) {
+    set_state(state::offline);
+    emit refused(made.error());
+    return;
+  }
+  retry_ms_ = std::clamp(2 * retry_ms_, first_retry_ms, longest_retry_ms);
+  retry_.start(retry_ms_);
+}
+
+void remote::watch() {
+  if (client_ && !client_->connected()) {
+    drop_client();
+    set_state(state::lost);
+    retry_ms_ = first_retry_ms;
+    retry_.start(retry_ms_);
+  } else if (++beats_ % beats_a_status == 0) {
+    measure_latency();
+  }
+}
+
+void remote::measure_latency() {
+  auto clock = std::make_shared<QElapsedTimer>();
+  run<double>(
+    [clock](client::client& c, const execution&) -> expected<double> {
+      clock->start();
+      if (auto answer = c.status(); !answer)
+        return fail(std::move(answer.error()));
+      return static_cast<double>(clock->nsecsElapsed()) * 1e-6;
+    },
+    [this](const expected<double>& took) {
+      if (took)
+        latency_ms_ = *took;
+      emit state_changed();
+    });
+}
+
+void remote::set_state(state next) {
+  if (std::exchange(state_, next) != next)
+    emit state_changed();
+}
+
+// -- requests ------------------------------------------------------------------------
+
+error remote::not_connected() {
+  return {ec::service_unavailable,
+          "there is no connection to a server",
+          "Wait until it is back, or connect to another one",
+          {}};
+}
+
+ticket remote::start(std::function<void(client::client&, const execution&)> call,
+                     std::function<void()> done, progress advanced) {
+  ticket result;
+  execution run;
+  run.cancel = result.token();
+  if (advanced)
+    run.progress = [this, advanced = std::move(advanced)](double fraction, std::string_view stage) {
+      QMetaObject::invokeMethod(
+        this,
+        [advanced, fraction,
+         text = QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()))] {
+          advanced(fraction, text);
+        },
+        Qt::QueuedConnection);
+    };
+  ++running_;
+  pool_.start([this, client = client_, call = std::move(call), done = std::move(done), run] {
+    if (client)
+      call(*client, run);
+    QMetaObject::invokeMethod(
+      this,
+      [this, done] {
+        --running_;
+        done();
+        emit state_changed();
+      },
+      Qt::QueuedConnection);
+  });
+  return result;
+}
+
+client::surface_model remote::surface() const {
+  return client_ ? client_->surface() : client::surface_model{};
+}
+
+// -- events --------------------------------------------------------------------------
+
+/// The handlers run on the client's I/O thread; each hands its event over and returns.
+client::events remote::make_events() {
+  const int mine = generation_;  // Of the connection that is being made.
+  const auto here = [this, mine](auto emit_it) {
+    QMetaObject::invokeMethod(
+      this,
+      [this, mine, emit_it] {
+        if (mine == generation_)
+          emit_it();
+      },
+      Qt::QueuedConnection);
+  };
+  client::events handlers;
+  handlers.on_surface = [this, here](const client::surface_event& event) {
+    here([this, event] { emit surface_arrived(event); });
+  };
+  handlers.on_field = [this, here](const client::field_event& field) {
+    here([this, kept = std::make_shared<const client::field_event>(field)] {
+      emit field_arrived(kept);
+    });
+  };
+  handlers.on_committed = [this, here](const client::committed& what) {
+    here([this, what] { emit committed(what); });
+  };
+  handlers.on_solve_status = [this, here](const client::solve_status& status) {
+    here([this, status] { emit solve_status(status); });
+  };
+  handlers.on_solved = [this, here](const solve_outcome& outcome) {
+    here([this, outcome] { emit solved(outcome); });
+  };
+  return handlers;
+}
+
+}  // namespace tedit::desktop

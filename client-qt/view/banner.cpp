@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/banner.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr int news_ms = 8000;
+
+/// The surfaces that a sentence names: "surface 12", "surfaces 15, 91".
+QList<qint64> surfaces_in(const QString& text) {
+  static const QRegularExpression named("surfaces?\\s+((?:-?\\d+(?:,\\s*|\\s+and\\s+)?)+)",
+                                        QRegularExpression::CaseInsensitiveOption);
+  static const QRegularExpression number("-?\\d+");
+  QList<qint64> result;
+  for (auto at = named.globalMatch(text); at.hasNext();)
+    for (auto n = number.globalMatch(at.next().captured(1)); n.hasNext();)
+      result << n.next().captured().toLongLong();
+  return result;
+}
+
+QString sentence(const std::string& text) {
+  QString result = QString::fromStdString(text);
+  if (!result.isEmpty())
+    result[0] = result[0].toUpper();
+  if (!result.isEmpty() && !result.endsWith('.'))
+    result += '.';
+  return result;
+}
+
+}  // namespace
+
+banner::banner(QWidget* parent) : QFrame(parent) {
+  setObjectName("banner");
+  setFrameShape(QFrame::NoFrame);
+  auto* row = new QHBoxLayout(this);
+  auto* column = new QVBoxLayout;
+  title_ = new QLabel;
+  title_->setProperty("role", "section");
+  title_->setWordWrap(true);
+  body_ = new QLabel;
+  body_->setWordWrap(true);
+  body_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(title_);
+  column->addWidget(body_);
+  row->addLayout(column, 1);
+  place_ = new QPushButton(tr("Show the place"));
+  connect(place_, &QPushButton::clicked, this, [this] { emit place_wanted(surfaces_); });
+  auto* close = new QPushButton(tr("Close"));
+  connect(close, &QPushButton::clicked, this, &QWidget::hide);
+  row->addWidget(place_, 0, Qt::AlignTop);
+  row->addWidget(close, 0, Qt::AlignTop);
+  away_.setSingleShot(true);
+  connect(&away_, &QTimer::timeout, this, &QWidget::hide);
+  hide();
+}
+
+void banner::set_theme(const theme& look) {
+  look_ = look;
+  paint_bar();
+}
+
+QString banner::text() const {
+  return isHidden() ? QString() : title_->text() + "\n" + body_->text();
+}
+
+void banner::present(const QString& title, const QString& body, const QColor& bar) {
+  title_->setText(title);
+  title_->setVisible(!title.isEmpty());
+  body_->setText(body);
+  body_->setVisible(!body.isEmpty());
+  place_->setVisible(!surfaces_.isEmpty());
+  bar_ = bar;
+  paint_bar();
+  show();
+}
+
+void banner::paint_bar() {
+  const QString ground = look_.palette.color(QPalette::Base).name();
+  setStyleSheet(
+    QString("#banner { background: %1; border: 1px solid %2; border-left: 4px solid %2; "
+            "border-radius: 4px; }")
+      .arg(ground, bar_.isValid() ? bar_.name() : ground));
+}
+
+void banner::show_error(const QString& what, const error& reason) {
+  QString body = sentence(reason.message);
+  if (!reason.where.empty())
+    body += "\n" + tr("Where: %1").arg(QString::fromStdString(reason.where));
+  if (!reason.remedy.empty())
+    body += "\n" + sentence(reason.remedy);
+  surfaces_ = surfaces_in(QString::fromStdString(reason.message + " " + reason.where));
+  away_.stop();
+  standing_ = false;
+  present(tr("%1 did not work").arg(what), body, look_.error);
+}
+
+void banner::show_news(const QString& text) {
+  if (!isHidden() && (standing_ || !away_.isActive()))
+    return;  // An error or a lost connection says more.
+  surfaces_.clear();
+  present({}, text, look_.good);
+  away_.start(news_ms);
+}
+
+void banner::show_standing(const QString& text) {
+  surfaces_.clear();
+  away_.stop();
+  standing_ = true;
+  present(text, {}, look_.warning);
+}
+
+void banner::clear_standing() {
+  if (std::exchange(standing_, false))
+    hide();
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QTimer>
+
+#include "base/error.hpp"
+#include "client-qt/view/theme.hpp"
+
+class QLabel;
+class QPushButton;
+
+namespace tedit::desktop {
+
+/// A message over the view that blocks nothing: what happened, why, and what to do. Errors stay
+/// until they are closed; news goes by itself.
+class banner : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit banner(QWidget* parent = nullptr);
+
+  void set_theme(const theme& look);
+  /// What was tried and why it failed; surfaces that the error names can be shown.
+  void show_error(const QString& what, const error& reason);
+  void show_news(const QString& text);
+  /// Stays until `clear_standing`: a connection that is lost.
+  void show_standing(const QString& text);
+  void clear_standing();
+  [[nodiscard]] QString text() const;
+
+signals:
+  void place_wanted(const QList<qint64>& surfaces);
+
+private:
+  void paint_bar();
+  void present(const QString& title, const QString& body, const QColor& bar);
+
+  QLabel* title_;
+  QLabel* body_;
+  QPushButton* place_;
+  QList<qint64> surfaces_;
+  QColor bar_;
+  QTimer away_;
+  theme look_;
+  bool standing_ = false;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/camera.hpp"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+
+namespace tedit::desktop {
+
+namespace {
+
+vec3 to_vec3(const double* p) {
+  return {p[0], p[1], p[2]};
+}
+
+}  // namespace
+
+camera::camera(vtkRenderer* renderer) : renderer_(renderer) {
+  look_from(direction::isometric);
+}
+
+void camera::rotate(double dx, double dy) {
+  auto* c = renderer_->GetActiveCamera();
+  c->Azimuth(-180 * dx);
+  c->Elevation(180 * dy);
+  c->OrthogonalizeViewUp();
+  adjust_depth();
+}
+
+void camera::pan(double dx, double dy) {
+  auto* c = renderer_->GetActiveCamera();
+  const auto now = get();
+  const auto pixel = to_pixel(now.focus);
+  renderer_->SetDisplayPoint(pixel.x - dx, pixel.y - dy, pixel.z);
+  renderer_->DisplayToWorld();
+  std::array<double, 4> w{};
+  renderer_->GetWorldPoint(w.data());
+  if (w[3] == 0)
+    return;
+  const vec3 moved = vec3{w[0] / w[3], w[1] / w[3], w[2] / w[3]} - now.focus;
+  const vec3 focus = now.focus + moved;
+  const vec3 position = now.position + moved;
+  c->SetFocalPoint(focus.x, focus.y, focus.z);
+  c->SetPosition(position.x, position.y, position.z);
+  adjust_depth();
+}
+
+void camera::zoom(double factor, double x, double y) {
+  auto* c = renderer_->GetActiveCamera();
+  const int* size = renderer_->GetSize();
+  const double dx = x - size[0] / 2.0;
+  const double dy = y - size[1] / 2.0;
+  pan(-dx, -dy);
+  if (c->GetParallelProjection())
+    c->SetParallelScale(c->GetParallelScale() / factor);
+  else
+    c->Dolly(factor);
+  adjust_depth();
+  pan(dx, dy);
+}
+
+void camera::look_from(direction from) {
+  vec3 at{-0.55, -1, 0.75};
+  vec3 up{0, 0, 1};
+  switch (from) {
+    case direction::front:
+      at = {0, -1, 0};
+      break;
+    case direction::back:
+      at = {0, 1, 0};
+      break;
+    case direction::left:
+      at = {-1, 0, 0};
+      break;
+    case direction::right:
+      at = {1, 0, 0};
+      break;
+    case direction::top:
+      at = {0, 0, 1};
+      up = {0, 1, 0};
+      break;
+    case direction::bottom:
+      at = {0, 0, -1};
+      up = {0, 1, 0};
+      break;
+    case direction::isometric:
+      break;
+  }
+  const auto now = get();
+  const vec3 away = now.position - now.focus;
+  const double distance = std::sqrt(dot(away, away)) / std::sqrt(dot(at, at));
+  set({now.focus + distance * at, now.focus, up, now.parallel_scale});
+}
+
+void camera::fit(const std::array<double, 6>& bounds) {
+  if (bounds[0] > bounds[1])
+    return;
+  renderer_->ResetCamera(bounds.data());
+  renderer_->GetActiveCamera()->Zoom(1.25);  // VTK fits the sphere around, which parts seldom fill.
+  if (!renderer_->GetActiveCamera()->GetParallelProjection()) {
+    // Zoom narrows the angle of view: come nearer instead.
+    renderer_->GetActiveCamera()->Zoom(1 / 1.25);
+    renderer_->GetActiveCamera()->Dolly(1.25);
+  }
+  adjust_depth();
+}
+
+void camera::focus_on(const vec3& place) {
+  auto now = get();
+  now.position = now.position + (place - now.focus);
+  now.focus = place;
+  set(now);
+}
+
+void camera::set_parallel(bool on) {
+  renderer_->GetActiveCamera()->SetParallelProjection(on);
+  adjust_depth();
+}
+
+bool camera::is_parallel() const {
+  return renderer_->GetActiveCamera()->GetParallelProjection() != 0;
+}
+
+camera::pose camera::get() const {
+  auto* c = renderer_->GetActiveCamera();
+  return {to_vec3(c->GetPosition()), to_vec3(c->GetFocalPoint()), to_vec3(c->GetViewUp()),
+          c->GetParallelScale()};
+}
+
+void camera::set(const pose& wanted) {
+  auto* c = renderer_->GetActiveCamera();
+  c->SetPosition(wanted.position.x, wanted.position.y, wanted.position.z);
+  c->SetFocalPoint(wanted.focus.x, wanted.focus.y, wanted.focus.z);
+  c->SetViewUp(wanted.up.x, wanted.up.y, wanted.up.z);
+  c->SetParallelScale(wanted.parallel_scale);
+  adjust_depth();
+}
+
+std::array<vec3, 2> camera::ray(double x, double y) const {
+  std::array<vec3, 2> ends{};
+  for (int i = 0; i < 2; ++i) {
+    renderer_->SetDisplayPoint(x, y, i);
+    renderer_->DisplayToWorld();
+    std::array<double, 4> w{};
+    renderer_->GetWorldPoint(w.data());
+    const double scale = w[3] == 0 ? 1 : 1 / w[3];
+    ends[i] = {w[0] * scale, w[1] * scale, w[2] * scale};
+  }
+  return ends;
+}
+
+vec3 camera::to_pixel(const vec3& at) const {
+  renderer_->SetWorldPoint(at.x, at.y, at.z, 1);
+  renderer_->WorldToDisplay();
+  return to_vec3(renderer_->GetDisplayPoint());
+}
+
+void camera::adjust_depth() {
+  renderer_->ResetCameraClippingRange();
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "mesh/vec3.hpp"
+
+class vtkRenderer;
+
+namespace tedit::desktop {
+
+/// The camera of a renderer, moved as a hand would: about the middle of what is seen.
+class camera {
+public:
+  enum class direction { front, back, left, right, top, bottom, isometric };
+
+  /// Position, focus and up vector, m; and the size of what a parallel view shows.
+  struct pose {
+    vec3 position;
+    vec3 focus;
+    vec3 up;
+    double parallel_scale = 1;
+  };
+
+  explicit camera(vtkRenderer* renderer);
+
+  /// By parts of the view's height: a full height turns by 180 degrees.
+  void rotate(double dx, double dy);
+  /// By pixels.
+  void pan(double dx, double dy);
+  /// Above 1 nearer; the point at the pixel (from the lower left) stays where it is.
+  void zoom(double factor, double x, double y);
+  void look_from(direction from);
+  void fit(const std::array<double, 6>& bounds);
+  /// Moves the focus to a place and keeps direction and distance.
+  void focus_on(const vec3& place);
+  void set_parallel(bool on);
+  [[nodiscard]] bool is_parallel() const;
+
+  [[nodiscard]] pose get() const;
+  void set(const pose& wanted);
+
+  /// The ray through a pixel (from the lower left), from the near to the far plane.
+  [[nodiscard]] std::array<vec3, 2> ray(double x, double y) const;
+  /// The pixel of a point, and its depth in [0,1].
+  [[nodiscard]] vec3 to_pixel(const vec3& at) const;
+
+  /// Near and far plane around what is drawn; needed after every change of either.
+  void adjust_depth();
+
+private:
+  vtkRenderer* renderer_;
+};
+
+}  // namespace tedit::desktop

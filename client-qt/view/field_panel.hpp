@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "client-qt/model/document.hpp"
+#include "client-qt/model/legend.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLineEdit;
+
+namespace tedit::desktop {
+
+/// Which field of which load case is drawn, and how: range, colours, deformation.
+class field_panel : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit field_panel(document& part, QWidget* parent = nullptr);
+
+  [[nodiscard]] const legend& wanted() const noexcept { return legend_; }
+  /// The field of the chosen load case of the head; null when there is none yet.
+  [[nodiscard]] shared_field field() const;
+  /// Factor on the displacement; 0: not deformed.
+  [[nodiscard]] double deform() const;
+  void set_field(shown_field field);
+  void set_deform(double factor);
+  /// Shows the range that the view took from the values.
+  void take_range(const legend& shown);
+
+signals:
+  void changed();
+
+private:
+  void list_cases();
+  void read_form();
+
+  document& part_;
+  legend legend_;
+  QComboBox* field_;
+  QComboBox* case_;
+  QComboBox* map_;
+  QComboBox* mode_;
+  QLineEdit* low_;
+  QLineEdit* high_;
+  QCheckBox* log_;
+  QDoubleSpinBox* deform_;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/main_window.hpp"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QToolTip>
+
+#include <algorithm>
+
+#include "client-qt/model/quantities.hpp"
+#include "client-qt/view/banner.hpp"
+#include "client-qt/view/command_palette.hpp"
+#include "client-qt/view/context_panel.hpp"
+#include "client-qt/view/field_panel.hpp"
+#include "client-qt/view/history_strip.hpp"
+#include "client-qt/view/loads_panel.hpp"
+#include "client-qt/view/overlay.hpp"
+#include "client-qt/view/receipt_panel.hpp"
+#include "client-qt/view/truth_line.hpp"
+#include "client-qt/view/view_cube.hpp"
+#include "client-qt/view/viewport.hpp"
+#include "client-qt/view/welcome_page.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr int most_log_lines = 5000;
+constexpr int most_recent = 12;
+constexpr int cube_margin = 12;
+constexpr int widest_banner = 760;
+
+QWidget* scrolled(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidget(content);
+  return area;
+}
+
+}  // namespace
+
+main_window::main_window(const QString& state_folder)
+    : settings_("tedit", "tedit-qt"), local_(state_folder), part_(link_), selection_(part_) {
+  setAcceptDrops(true);
+  resize(1440, 900);
+  pages_ = new QStackedWidget;
+  welcome_ = new welcome_page;
+  view_ = new viewport;
+  overlay_ = new overlay(*view_);
+  cube_ = new view_cube(*view_);
+  pages_->addWidget(welcome_);
+  pages_->addWidget(view_);
+  setCentralWidget(pages_);
+  banner_ = new banner(pages_);
+  palette_ = new command_palette(commands_, this);
+  view_->installEventFilter(this);
+  truth_ = new truth_line(part_, link_);
+  setStatusBar(truth_);
+  build_docks();
+  add_commands();
+  build_toolbars();
+  wire();
+  set_dark(settings_.value("dark", false).toBool());
+  welcome_->set_recent(settings_.value("recent").toStringList());
+  if (settings_.contains("geometry"))
+    restoreGeometry(settings_.value("geometry").toByteArray());
+  show_title();
+}
+
+main_window::~main_window() = default;
+
+// -- layout --------------------------------------------------------------------------
+
+QDockWidget* main_window::add_dock(const QString& name, const QString& title, QWidget* content,
+                                   Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void main_window::build_docks() {
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  context_ = new context_panel(part_, selection_);
+  fields_ = new field_panel(part_);
+  loads_ = new loads_panel(part_);
+  receipt_ = new receipt_panel(part_);
+  history_ = new history_strip(part_);
+  log_ = new QPlainTextEdit;
+  log_->setReadOnly(true);
+  log_->setMaximumBlockCount(most_log_lines);
+  log_->setAccessibleName(tr("Log"));
+  auto* selected =
+    add_dock("context", tr("Selection"), scrolled(context_), Qt::RightDockWidgetArea);
+  auto* field = add_dock("field", tr("Field"), fields_, Qt::RightDockWidgetArea);
+  auto* loads = add_dock("loads", tr("Loads and supports"), loads_, Qt::RightDockWidgetArea);
+  auto* receipt = add_dock("receipt", tr("What this edit did"), receipt_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(loads, receipt);
+  loads->raise();
+  auto* history = add_dock("history", tr("History"), history_, Qt::BottomDockWidgetArea);
+  auto* log = add_dock("log", tr("Log"), log_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(history, log);
+  history->raise();
+  resizeDocks({selected, field, loads}, {320, 240, 240}, Qt::Vertical);
+  resizeDocks({selected}, {330}, Qt::Horizontal);
+  resizeDocks({history}, {170}, Qt::Vertical);
+}
+
+void main_window::build_toolbars() {
+  bar_ = addToolBar(tr("Main"));
+  bar_->setObjectName("main_bar");
+  bar_->setMovable(false);
+  title_ = new QLabel;
+  title_->setObjectName("title");
+  title_->setContentsMargins(8, 0, 16, 0);
+  bar_->addWidget(title_);
+  auto* space = new QWidget;
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar_->addWidget(space);
+  for (const auto* id : {"file.open", "edit.undo", "edit.redo", "view.fit", "view.hide",
+                         "view.isolate", "file.screenshot", "file.export"})
+    bar_->addAction(action(id));
+  auto* search = action("help.palette");
+  bar_->addAction(search);
+  rail_ = new QToolBar(tr("Operations"));
+  rail_->setObjectName("rail");
+  rail_->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  rail_->setMovable(false);
+  addToolBar(Qt::LeftToolBarArea, rail_);
+}
+
+void main_window::place_overlays() {
+  overlay_->setGeometry(view_->rect());
+  cube_->move(view_->width() - cube_->width() - cube_margin, cube_margin);
+  const int room = pages_->width() - 2 * (cube_->width() + 2 * cube_margin);
+  const int width = std::clamp(room, 320, widest_banner);
+  const int height =
+    banner_->hasHeightForWidth() ? banner_->heightForWidth(width) : banner_->sizeHint().height();
+  banner_->setGeometry((pages_->width() - width) / 2, cube_margin, width, height);
+  banner_->raise();
+}
+
+bool main_window::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ && event->type() == QEvent::Resize)
+    place_overlays();
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void main_window::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  place_overlays();
+}
+
+void main_window::set_dark(bool on) {
+  theme_ = make_theme(on);
+  settings_.setValue("dark", on);
+  qApp->setPalette(theme_.palette);
+  qApp->setStyleSheet(theme_.style_sheet);
+  view_->set_colours(theme_.scene);
+  overlay_->set_ink(theme_.ink);
+  cube_->set_colours(theme_.cube, theme_.ink);
+  banner_->set_theme(theme_);
+  truth_->set_theme(theme_);
+  welcome_->set_theme(theme_);
+  for (auto at = actions_.begin(); at != actions_.end(); ++at)
+    if (const auto* what = commands_.find(at.key()); what && !what->icon.isEmpty())
+      at.value()->setIcon(icon(what->icon, theme_.ink));
+}
+
+void main_window::highlight(const QList<qint64>& surfaces) {
+  const std::vector<surface_id> ids(surfaces.begin(), surfaces.end());
+  selection_.set(ids);
+  view_->fit(ids);
+}
+
+// -- opening -------------------------------------------------------------------------
+
+void main_window::when_connected(std::function<void()> then) {
+  if (link_.current() == remote::state::connected) {
+    then();
+    return;
+  }
+  once_connected_ = std::move(then);
+  if (link_.current() == remote::state::offline)
+    local_.start();
+}
+
+void main_window::open_file(const QString& mesh, const QStringList& load_cases) {
+  log(tr("opening %1").arg(mesh));
+  when_connected([=, this] { part_.import(mesh, load_cases); });
+}
+
+void main_window::open_document(const QString& name) {
+  when_connected([=, this] { part_.open(name); });
+}
+
+void main_window::connect_to(const server_address& address) {
+  part_.close();
+  link_.connect_to(address);
+}
+
+void main_window::remember(const QString& document) {
+  auto recent = settings_.value("recent").toStringList();
+  recent.removeAll(document);
+  recent.prepend(document);
+  settings_.setValue("recent", QStringList(recent.mid(0, most_recent)));
+}
+
+void main_window::connection_changed() {
+  if (link_.current() == remote::state::lost)
+    banner_->show_standing(
+      tr("The connection to the server is lost. It is taken up again by itself; nothing that was "
+         "done is lost."));
+  else if (link_.current() == remote::state::connected)
+    banner_->clear_standing();
+  place_overlays();
+}
+
+// -- showing -------------------------------------------------------------------------
+
+void main_window::show_part() {
+  const auto* head = part_.head();
+  if (!head || !head->surface)
+    return;
+  view_->set_legend(fields_->wanted());
+  view_->show_part({head->surface, fields_->field(), fields_->deform()});
+}
+
+void main_window::show_title() {
+  const auto* head = part_.head();
+  const QString version = head ? QString("  v%1").arg(head->info.number) : QString();
+  title_->setText(part_.is_open() ? "<b>" + part_.name().toHtmlEscaped() + "</b>" + version
+                                  : QString("<b>TEdit</b>"));
+  setWindowTitle(part_.is_open() ? part_.name() + " - TEdit" : "TEdit");
+}
+
+void main_window::show_tooltip(const std::optional<picked_point>& at, QPoint global) {
+  if (!at) {
+    QToolTip::hideText();
+    return;
+  }
+  QStringList lines{part_.surface_name(at->surface)};
+  const auto* head = part_.head();
+  if (head && head->surface) {
+    const auto& rows = head->surface->surfaces();
+    if (const auto row = rows.find(at->surface); row != rows.end())
+      lines << tr("area %1").arg(quantity(row->second.area_m2, "m2"));
+  }
+  lines << part_.acting_on({at->surface});
+  const auto& by = view_->current_legend();
+  if (const auto value = view_->value_at(*at))
+    lines << field_title(by.field) + ": " + quantity(*value, field_unit(by.field));
+  QToolTip::showText(global + QPoint(16, 16), lines.join("\n"), view_);
+}
+
+void main_window::show_menu(const std::optional<picked_point>& at, QPoint global) {
+  if (at && !selection_.contains(at->surface))
+    selection_.click(at->surface, false);
+  QMenu menu;
+  for (const auto& what : commands_.all())
+    if (what.group == tr("Operation"))
+      menu.addAction(action(what.id));
+  menu.addSeparator();
+  for (const auto* id : {"view.hide", "view.isolate", "view.show_all", "view.fit"})
+    menu.addAction(action(id));
+  menu.exec(global);
+}
+
+/// The server knows undo and redo only: one step at a time towards the version.
+void main_window::step_to(std::uint32_t version) {
+  const auto* head = part_.head();
+  stepping_to_.reset();
+  if (!head || head->info.number == version || part_.current_activity())
+    return;
+  std::optional<std::uint32_t> at = head->info.number;
+  while (at && *at != version)
+    at = part_.versions().at(*at).info.parent;
+  stepping_to_ = version;
+  if (at && part_.can_undo()) {
+    part_.undo();
+  } else if (!at && part_.can_redo()) {
+    part_.redo();
+  } else {
+    stepping_to_.reset();
+    banner_->show_news(
+      tr("Version %1 is on another branch than undo and redo reach.").arg(version));
+    place_overlays();
+  }
+}
+
+QImage main_window::picture(int width, int height) {
+  return overlay_->picture(width, height);
+}
+
+void main_window::log(const QString& line) {
+  log_->appendPlainText(QDateTime::currentDateTime().toString("HH:mm:ss.zzz  ") + line);
+}
+
+// -- the window ----------------------------------------------------------------------
+
+void main_window::closeEvent(QCloseEvent* event) {
+  settings_.setValue("geometry", saveGeometry());
+  event->accept();
+}
+
+void main_window::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls())
+    event->acceptProposedAction();
+}
+
+/// Meshes are opened with the load cases that were dropped beside them.
+void main_window::dropEvent(QDropEvent* event) {
+  QString mesh;
+  QStringList loads;
+  for (const auto& url : event->mimeData()->urls()) {
+    const QString path = url.toLocalFile();
+    if (path.endsWith(".json"))
+      loads << path;
+    else if (mesh.isEmpty())
+      mesh = path;
+  }
+  if (!mesh.isEmpty())
+    open_file(mesh, loads);
+}
+
+}  // namespace tedit::desktop

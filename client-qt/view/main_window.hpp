@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QHash>
+#include <QMainWindow>
+#include <QSettings>
+
+#include "client-qt/model/commands.hpp"
+#include "client-qt/model/document.hpp"
+#include "client-qt/model/selection.hpp"
+#include "client-qt/net/local_server.hpp"
+#include "client-qt/view/theme.hpp"
+
+class QAction;
+class QDockWidget;
+class QLabel;
+class QPlainTextEdit;
+class QStackedWidget;
+class QToolBar;
+
+namespace tedit::desktop {
+
+class banner;
+class command_palette;
+class context_panel;
+class field_panel;
+class history_strip;
+class loads_panel;
+class overlay;
+class receipt_panel;
+class truth_line;
+class view_cube;
+class viewport;
+class welcome_page;
+struct example;
+struct picked_point;
+
+/// The window: one part, one flow. It wires the models to the views and owns nothing else.
+class main_window : public QMainWindow {
+  Q_OBJECT
+
+public:
+  /// `state_folder`: where the local server keeps its documents; empty: the usual place.
+  explicit main_window(const QString& state_folder = {});
+  ~main_window() override;
+
+  void open_file(const QString& mesh, const QStringList& load_cases);
+  void open_document(const QString& name);
+  void connect_to(const server_address& address);
+  void set_dark(bool on);
+
+  [[nodiscard]] document& part() { return part_; }
+  [[nodiscard]] selection& picked() { return selection_; }
+  [[nodiscard]] remote& link() { return link_; }
+  [[nodiscard]] commands& all_commands() { return commands_; }
+  [[nodiscard]] viewport& view() { return *view_; }
+  [[nodiscard]] overlay& over() { return *overlay_; }
+  [[nodiscard]] context_panel& context() { return *context_; }
+  [[nodiscard]] field_panel& fields() { return *fields_; }
+  [[nodiscard]] banner& messages() { return *banner_; }
+
+  /// The view with legend and marks. Width and height 0: as on the screen.
+  [[nodiscard]] QImage picture(int width = 0, int height = 0);
+
+signals:
+  /// The view shows the head with all that is known of it.
+  void settled();
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  // -- main_window.cpp --
+  void build_docks();
+  void build_toolbars();
+  QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content,
+                        Qt::DockWidgetArea area);
+  void place_overlays();
+  void show_part();
+  void show_title();
+  void show_tooltip(const std::optional<picked_point>& at, QPoint global);
+  void show_menu(const std::optional<picked_point>& at, QPoint global);
+  void connection_changed();
+  void when_connected(std::function<void()> then);
+  void remember(const QString& document);
+  void log(const QString& line);
+  void step_to(std::uint32_t version);
+  void highlight(const QList<qint64>& surfaces);
+
+  // -- main_window_wiring.cpp --
+  void wire();
+  void wire_connection();
+  void wire_document();
+  void wire_messages();
+  void wire_view();
+  void wire_panels();
+
+  // -- main_window_commands.cpp --
+  void add_commands();
+  void add_view_commands();
+  void add_operation_commands();
+  void refresh_actions();
+  QAction* action(const QString& id);
+  void ask_file();
+  void ask_server();
+  void ask_export();
+  void ask_screenshot();
+
+  QSettings settings_;
+  remote link_;
+  local_server local_;
+  document part_;
+  selection selection_;
+  commands commands_;
+  theme theme_;
+  QHash<QString, QAction*> actions_;
+  std::function<void()> once_connected_;
+  std::set<surface_id> hidden_;
+  std::optional<std::uint32_t> stepping_to_;
+
+  QStackedWidget* pages_;
+  welcome_page* welcome_;
+  viewport* view_;
+  overlay* overlay_;
+  view_cube* cube_;
+  banner* banner_;
+  command_palette* palette_;
+  context_panel* context_;
+  field_panel* fields_;
+  loads_panel* loads_;
+  receipt_panel* receipt_;
+  history_strip* history_;
+  truth_line* truth_;
+  QPlainTextEdit* log_;
+  QToolBar* rail_;
+  QToolBar* bar_;
+  QLabel* title_;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/overlay.hpp"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client-qt/model/quantities.hpp"
+#include "client-qt/view/viewport.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr double margin = 16;
+constexpr double bar_width = 16;
+constexpr double legend_height = 240;
+constexpr double legend_width = 128;
+constexpr int most_ticks = 7;
+
+QFont sized(const QFont& font, double pixels, bool bold = false) {
+  QFont result = font;
+  result.setPixelSize(std::max(1, qRound(pixels)));
+  result.setBold(bold);
+  return result;
+}
+
+QColor to_colour(const rgb& c) {
+  return QColor::fromRgbF(c[0], c[1], c[2]);
+}
+
+/// The part of [0,1] at which the legend puts a value, ascending with the value.
+double height_of(const legend& by, double value) {
+  const double at = by.place(value);
+  return by.reversed ? 1 - at : at;
+}
+
+}  // namespace
+
+void paint_legend(QPainter& painter, const QRectF& where, const legend& by, const QString& note,
+                  const QColor& ink, double scale) {
+  const auto unit = shown_as(field_unit(by.field));
+  painter.setPen(ink);
+  painter.setFont(sized(painter.font(), 13 * scale, true));
+  const double line = 18 * scale;
+  painter.drawText(QRectF(where.left(), where.top(), 4 * where.width(), line), Qt::AlignLeft,
+                   field_title(by.field));
+  painter.setFont(sized(painter.font(), 12 * scale));
+  QString second = unit.name;
+  if (by.mode == range_mode::locked)
+    second += QCoreApplication::translate("overlay", " · locked");
+  if (by.logarithmic)
+    second += QCoreApplication::translate("overlay", " · log");
+  painter.drawText(QRectF(where.left(), where.top() + line, 4 * where.width(), line), Qt::AlignLeft,
+                   second.trimmed());
+  const QRectF bar(where.left(), where.top() + 2.4 * line, bar_width * scale,
+                   where.height() - 3.6 * line);
+  constexpr int bands = 128;
+  for (int i = 0; i < bands; ++i) {
+    const double at = (i + 0.5) / bands;
+    painter.fillRect(QRectF(bar.left(), bar.bottom() - (i + 1) * bar.height() / bands, bar.width(),
+                            bar.height() / bands + scale),
+                     to_colour(colour(by.map, by.reversed ? 1 - at : at)));
+  }
+  for (const double tick : by.ticks(most_ticks)) {
+    const double y = bar.bottom() - height_of(by, tick) * bar.height();
+    painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4 * scale, y));
+    painter.drawText(QRectF(bar.right() + 8 * scale, y - line / 2, where.width(), line),
+                     Qt::AlignLeft | Qt::AlignVCenter, number(tick * unit.scale));
+  }
+  if (!note.isEmpty()) {
+    painter.setFont(sized(painter.font(), 12 * scale, true));
+    painter.drawText(QRectF(where.left(), bar.bottom() + 0.4 * line, 4 * where.width(), line),
+                     Qt::AlignLeft, note);
+  }
+}
+
+overlay::overlay(viewport& view) : QWidget(&view), view_(view) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  connect(&view, &viewport::view_changed, this, qOverload<>(&QWidget::update));
+  connect(&view, &viewport::shown, this, qOverload<>(&QWidget::update));
+}
+
+void overlay::set_note(const QString& note) {
+  note_ = note;
+  update();
+}
+
+void overlay::set_ink(const QColor& ink) {
+  ink_ = ink;
+  update();
+}
+
+void overlay::show_extremes(bool on) {
+  extremes_ = on;
+  update();
+}
+
+void overlay::mark(QPainter& painter, const vec3& at, const QString& text, double scale) {
+  const QPointF place = scale * view_.to_widget(at);
+  const QFont font = sized(painter.font(), 12 * scale);
+  painter.setFont(font);
+  const QFontMetricsF metrics(font);
+  const QRectF box(place + scale * QPointF(12, -30),
+                   QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
+  painter.setPen(QPen(ink_, 1.2 * scale));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(place, 4 * scale, 4 * scale);
+  painter.drawLine(place + scale * QPointF(3, -3), box.bottomLeft());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(255, 255, 255, 215));
+  painter.drawRoundedRect(box, 4 * scale, 4 * scale);
+  painter.setPen(QColor(25, 30, 40));
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void overlay::paint(QPainter& painter, double scale) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto& by = view_.current_legend();
+  const auto& ends = view_.value_extremes();
+  if (!ends)
+    return;
+  const double height = std::min(legend_height, view_.height() - 2 * margin);
+  QColor ground = ink_.lightness() > 128 ? QColor(20, 24, 28, 110) : QColor(255, 255, 255, 120);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(
+    QRectF(scale * margin / 2, scale * (view_.height() - height - 1.5 * margin),
+           scale * (legend_width + margin / 2), scale * (height + margin)),
+    6 * scale, 6 * scale);
+  paint_legend(painter,
+               QRectF(scale * margin, scale * (view_.height() - height - margin),
+                      scale * legend_width, scale * height),
+               by, note_, ink_, scale);
+  if (!extremes_)
+    return;
+  const QString unit = field_unit(by.field);
+  mark(painter, ends->low_at, tr("min %1").arg(quantity(ends->low, unit)), scale);
+  mark(painter, ends->high_at, tr("max %1").arg(quantity(ends->high, unit)), scale);
+}
+
+void overlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paint(painter, 1);
+}
+
+QImage overlay::picture(int width, int height) {
+  const QSize before = view_.size();
+  const bool other = width > 0 && height > 0 && QSize(width, height) != before;
+  if (other)
+    view_.resize(width, height);
+  QImage image = view_.grabFramebuffer();
+  const double scale = static_cast<double>(image.width()) / std::max(1, view_.width());
+  image.setDevicePixelRatio(1);
+  {
+    QPainter painter(&image);
+    paint(painter, scale);
+  }
+  if (other)
+    view_.resize(before);
+  return image;
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "client-qt/model/legend.hpp"
+#include "mesh/vec3.hpp"
+
+class QPainter;
+
+namespace tedit::desktop {
+
+class viewport;
+
+/// Paints a legend: title, unit, colour scale with ticks, and a note below ("preview"). Used on the
+/// screen and in pictures. `scale`: 1 for the screen's usual size.
+void paint_legend(QPainter& painter, const QRectF& where, const legend& by, const QString& note,
+                  const QColor& ink, double scale);
+
+/// What lies over the viewport: legend, marks at the smallest and largest value, and a line about
+/// the state of the field. Lets the mouse through.
+class overlay : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit overlay(viewport& view);
+
+  void set_note(const QString& note);
+  void set_ink(const QColor& ink);
+  void show_extremes(bool on);
+  [[nodiscard]] bool shows_extremes() const noexcept { return extremes_; }
+
+  /// The view with all that lies over it, `factor` times as many pixels as on the screen.
+  [[nodiscard]] QImage picture(int width = 0, int height = 0);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void paint(QPainter& painter, double scale);
+  void mark(QPainter& painter, const vec3& at, const QString& text, double scale);
+
+  viewport& view_;
+  QString note_;
+  QColor ink_{32, 38, 48};
+  bool extremes_ = true;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/scene.hpp"
+
+#include <vtkActor.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr int table_steps = 256;
+
+void set(vtkProperty* property, const rgb& c) {
+  property->SetColor(c[0], c[1], c[2]);
+}
+
+void matt(vtkProperty* property) {
+  property->SetAmbient(0.28);
+  property->SetDiffuse(0.8);
+  property->SetSpecular(0.06);
+}
+
+/// Two lights that go with the camera, from above left and below right: a single one at the camera
+/// leaves what is seen at an angle dark.
+void light(vtkRenderer& renderer) {
+  const auto add = [&](double x, double y, double z, double strength) {
+    vtkNew<vtkLight> lamp;
+    lamp->SetLightTypeToCameraLight();
+    lamp->SetPosition(x, y, z);
+    lamp->SetFocalPoint(0, 0, 0);
+    lamp->SetIntensity(strength);
+    renderer.AddLight(lamp);
+  };
+  renderer.AutomaticLightCreationOff();
+  add(-0.35, 0.9, 0.8, 0.75);
+  add(0.6, -0.3, 0.9, 0.35);
+}
+
+/// Well spread hues: steps of the golden angle. Pale, so that selection and edges stand out.
+std::array<unsigned char, 3> surface_colour(std::size_t place) {
+  const double hue = 6 * std::fmod(0.618033988749895 * static_cast<double>(place), 1.0);
+  const auto channel = [&](double shift) {
+    const double t = std::abs(std::fmod(hue + shift, 6.0) - 3) - 1;
+    return static_cast<unsigned char>(255 * (0.58 + 0.30 * std::clamp(t, 0.0, 1.0)));
+  };
+  return {channel(0), channel(4), channel(2)};
+}
+
+}  // namespace
+
+scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
+  renderer_->GradientBackgroundOn();
+  light(*renderer_);
+  face_mapper_->SetInputData(faces_);
+  face_mapper_->SetLookupTable(table_);
+  face_mapper_->SetScalarRange(0, 1);
+  face_mapper_->InterpolateScalarsBeforeMappingOn();
+  // Faces a little back, so that edges and highlights lie on them.
+  face_mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  face_mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+  face_actor_->SetMapper(face_mapper_);
+  matt(face_actor_->GetProperty());
+  edge_mapper_->ScalarVisibilityOff();
+  edge_actor_->SetMapper(edge_mapper_);
+  edge_actor_->GetProperty()->SetLineWidth(1.2F);
+  edge_actor_->GetProperty()->LightingOff();
+  for (auto* highlight : {selected_actor_.Get(), hover_actor_.Get()}) {
+    matt(highlight->GetProperty());
+    highlight->PickableOff();
+    renderer_->AddActor(highlight);
+  }
+  selected_actor_->SetMapper(selected_mapper_);
+  hover_actor_->SetMapper(hover_mapper_);
+  hover_actor_->GetProperty()->SetOpacity(0.75);
+  selected_mapper_->ScalarVisibilityOff();
+  hover_mapper_->ScalarVisibilityOff();
+  selected_mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  selected_mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 0.5);
+  load_actor_->SetMapper(load_mapper_);
+  support_actor_->SetMapper(support_mapper_);
+  for (auto* actor :
+       {face_actor_.Get(), edge_actor_.Get(), load_actor_.Get(), support_actor_.Get()})
+    renderer_->AddActor(actor);
+  for (auto* actor :
+       {selected_actor_.Get(), hover_actor_.Get(), load_actor_.Get(), support_actor_.Get()})
+    actor->VisibilityOff();
+  set_colours({});
+}
+
+scene::~scene() = default;
+
+void scene::set_colours(const scene_colours& colours) {
+  colours_ = colours;
+  renderer_->SetBackground(colours.low[0], colours.low[1], colours.low[2]);
+  renderer_->SetBackground2(colours.high[0], colours.high[1], colours.high[2]);
+  set(face_actor_->GetProperty(), colours.part);
+  set(edge_actor_->GetProperty(), colours.edges);
+  set(selected_actor_->GetProperty(), colours.accent);
+  set(hover_actor_->GetProperty(), colours.hover);
+  load_actor_->GetProperty()->SetColor(0.80, 0.16, 0.42);
+  support_actor_->GetProperty()->SetColor(0.05, 0.45, 0.65);
+  face_actor_->GetProperty()->SetEdgeColor(colours.edges[0], colours.edges[1], colours.edges[2]);
+}
+
+void scene::set_part(std::shared_ptr<const part_geometry> part) {
+  part_ = std::move(part);
+  edge_mapper_->SetInputData(part_->edges);
+  selected_actor_->VisibilityOff();
+  hover_actor_->VisibilityOff();
+  paint_faces();
+  show_plain();
+}
+
+/// The part's own mesh is shared among threads and never changed: ours has its points and cells.
+void scene::paint_faces() {
+  if (hidden_.empty()) {
+    faces_->ShallowCopy(part_->faces);
+    return;
+  }
+  std::vector<surface_id> left;
+  for (const auto& [id, range] : part_->cells)
+    if (!hidden_.contains(id))
+      left.push_back(id);
+  faces_->ShallowCopy(extract(*part_, left));
+}
+
+void scene::show_plain() {
+  face_mapper_->ScalarVisibilityOff();
+}
+
+void scene::show_surfaces() {
+  if (!part_)
+    return;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  std::size_t place = 0;
+  for (const auto& [id, range] : part_->cells) {
+    const auto c = surface_colour(place++);
+    for (auto i = range.first; !hidden_.contains(id) && i < range.second; ++i)
+      colours->InsertNextTypedTuple(c.data());
+  }
+  faces_->GetCellData()->SetScalars(colours);
+  face_mapper_->SetScalarModeToUseCellData();
+  face_mapper_->SetColorModeToDirectScalars();
+  face_mapper_->ScalarVisibilityOn();
+}
+
+void scene::show_values(std::span<const float> values, const legend& by) {
+  if (!part_ || values.size() != part_->vertices.size())
+    return;
+  table_->SetNumberOfTableValues(table_steps);
+  table_->SetRange(0, 1);
+  for (int i = 0; i < table_steps; ++i) {
+    const auto c = colour(by.map, static_cast<double>(i) / (table_steps - 1));
+    table_->SetTableValue(i, c[0], c[1], c[2], 1);
+  }
+  table_->SetNanColor(colours_.part[0], colours_.part[1], colours_.part[2], 1);
+  vtkNew<vtkFloatArray> places;
+  places->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    places->SetValue(static_cast<vtkIdType>(i),
+                     std::isfinite(values[i]) ? static_cast<float>(by.place(values[i])) : NAN);
+  faces_->GetPointData()->SetScalars(places);
+  face_mapper_->SetScalarModeToUsePointData();
+  face_mapper_->SetColorModeToMapScalars();
+  face_mapper_->ScalarVisibilityOn();
+}
+
+void scene::select(const std::vector<surface_id>& picked) {
+  selected_actor_->SetVisibility(part_ && !picked.empty());
+  if (part_ && !picked.empty())
+    selected_mapper_->SetInputData(extract(*part_, picked));
+}
+
+void scene::hover(std::optional<surface_id> under_pointer) {
+  hover_actor_->SetVisibility(part_ && under_pointer);
+  if (part_ && under_pointer)
+    hover_mapper_->SetInputData(extract(*part_, {*under_pointer}));
+}
+
+void scene::hide(const std::set<surface_id>& hidden) {
+  hidden_ = hidden;
+  if (part_)
+    paint_faces();
+}
+
+void scene::show_mesh(bool on) {
+  face_actor_->GetProperty()->SetEdgeVisibility(on);
+}
+
+void scene::show_edges(bool on) {
+  edge_actor_->SetVisibility(on);
+}
+
+void scene::set_glyphs(vtkPolyData* loads, vtkPolyData* supports) {
+  load_actor_->SetVisibility(loads != nullptr);
+  support_actor_->SetVisibility(supports != nullptr);
+  if (loads)
+    load_mapper_->SetInputData(loads);
+  if (supports)
+    support_mapper_->SetInputData(supports);
+}
+
+}  // namespace tedit::desktop

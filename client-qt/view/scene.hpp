@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vtkNew.h>
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "client-qt/model/legend.hpp"
+#include "client-qt/view/part_geometry.hpp"
+
+class vtkActor;
+class vtkLookupTable;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+namespace tedit::desktop {
+
+/// Colours of the view; everything else of the window goes with them.
+struct scene_colours {
+  rgb low{0.80F, 0.83F, 0.87F};    ///< Lower end of the background.
+  rgb high{0.98F, 0.98F, 0.985F};  ///< Upper end.
+  rgb part{0.70F, 0.73F, 0.77F};
+  rgb edges{0.12F, 0.13F, 0.16F};
+  rgb accent{0.93F, 0.45F, 0.10F};  ///< Selection.
+  rgb hover{0.99F, 0.75F, 0.35F};
+};
+
+/// The actors that show a part: faces with a field, feature edges, what is selected and under the
+/// pointer, glyphs. Only for the thread that draws.
+class scene {
+public:
+  explicit scene(vtkRenderer* renderer);
+  ~scene();
+  scene(const scene&) = delete;
+  scene& operator=(const scene&) = delete;
+
+  void set_colours(const scene_colours& colours);
+
+  /// Shows another geometry; field and selection must be given again.
+  void set_part(std::shared_ptr<const part_geometry> part);
+  [[nodiscard]] const std::shared_ptr<const part_geometry>& part() const { return part_; }
+
+  /// Neutral grey.
+  void show_plain();
+  /// A colour for each surface.
+  void show_surfaces();
+  /// One value for each point of the part (not finite: grey) by the legend's colours.
+  void show_values(std::span<const float> values, const legend& by);
+
+  void select(const std::vector<surface_id>& picked);
+  void hover(std::optional<surface_id> under_pointer);
+  /// Surfaces that are not drawn (nor picked, see `is_hidden`).
+  void hide(const std::set<surface_id>& hidden);
+  [[nodiscard]] bool is_hidden(surface_id id) const { return hidden_.contains(id); }
+  void show_mesh(bool on);
+  void show_edges(bool on);
+
+  /// Arrows and support marks, drawn unlit by their own colours; null for none.
+  void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
+
+private:
+  void paint_faces();
+
+  vtkRenderer* renderer_;
+  scene_colours colours_;
+  std::shared_ptr<const part_geometry> part_;
+  std::set<surface_id> hidden_;
+  vtkNew<vtkPolyData> faces_;  ///< The part's, with our scalars and without what is hidden.
+  vtkNew<vtkLookupTable> table_;
+  vtkNew<vtkPolyDataMapper> face_mapper_;
+  vtkNew<vtkActor> face_actor_;
+  vtkNew<vtkPolyDataMapper> edge_mapper_;
+  vtkNew<vtkActor> edge_actor_;
+  vtkNew<vtkPolyDataMapper> selected_mapper_;
+  vtkNew<vtkActor> selected_actor_;
+  vtkNew<vtkPolyDataMapper> hover_mapper_;
+  vtkNew<vtkActor> hover_actor_;
+  vtkNew<vtkPolyDataMapper> load_mapper_;
+  vtkNew<vtkActor> load_actor_;
+  vtkNew<vtkPolyDataMapper> support_mapper_;
+  vtkNew<vtkActor> support_actor_;
+};
+
+}  // namespace tedit::desktop

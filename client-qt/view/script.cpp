@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/script.hpp"
+
+#include <QApplication>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMouseEvent>
+
+#include "client-qt/view/context_panel.hpp"
+#include "client-qt/view/field_panel.hpp"
+#include "client-qt/view/main_window.hpp"
+#include "client-qt/view/overlay.hpp"
+#include "client-qt/view/viewport.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr int poll_ms = 20;
+
+ops::parameters parameters_from(const QJsonObject& values,
+                                const ops::operation_description& about) {
+  ops::parameters result;
+  for (const auto& parameter : about.parameters) {
+    const auto value = values[QString::fromStdString(parameter.id)];
+    if (value.isUndefined())
+      continue;
+    if (parameter.type == ops::parameter_type::boolean)
+      result[parameter.id] = value.toBool();
+    else if (parameter.type == ops::parameter_type::integer)
+      result[parameter.id] = static_cast<std::int64_t>(value.toInteger());
+    else if (parameter.type == ops::parameter_type::real)
+      result[parameter.id] = value.toDouble();
+    else
+      result[parameter.id] = value.toString().toStdString();
+  }
+  return result;
+}
+
+}  // namespace
+
+expected<QJsonArray> read_script(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+    return fail(ec::io_error, "cannot read the script: " + file.errorString().toStdString(), {},
+                path.toStdString());
+  QJsonParseError fault;
+  const auto json = QJsonDocument::fromJson(file.readAll(), &fault);
+  if (fault.error != QJsonParseError::NoError || !json.isArray())
+    return fail(ec::bad_input,
+                "the script is no JSON array of steps: " + fault.errorString().toStdString(),
+                "See \"tedit-qt --help\" for the steps",
+                path.toStdString() + ":" + std::to_string(fault.offset));
+  return json.array();
+}
+
+script::script(main_window& window, QJsonArray steps, QObject* parent)
+    : QObject(parent), window_(window), steps_(std::move(steps)) {
+  poll_.setInterval(poll_ms);
+  connect(&poll_, &QTimer::timeout, this, &script::next);
+  connect(&window_.part(), &document::failed, this,
+          [this](const QString&, const error& reason) { stop(reason); });
+}
+
+void script::start() {
+  poll_.start();
+}
+
+void script::stop(const error& reason) {
+  if (std::exchange(done_, true))
+    return;
+  poll_.stop();
+  emit failed(reason);
+}
+
+void script::next() {
+  if (done_)
+    return;
+  if (at_ == steps_.size()) {
+    done_ = true;
+    poll_.stop();
+    emit finished();
+    return;
+  }
+  const auto step = steps_[at_].toObject();
+  if (!ready_for(step)) {
+    waited_ms_ += poll_ms;
+    if (waited_ms_ > 1000 * patience_s_)
+      stop({ec::timeout,
+            "step " + std::to_string(at_) + " waited longer than " + std::to_string(patience_s_) +
+              " s",
+            {},
+            {}});
+    return;
+  }
+  waited_ms_ = 0;
+  carry_out(step);
+}
+
+bool script::ready_for(const QJsonObject& step) const {
+  const auto& part = window_.part();
+  const auto* head = part.head();
+  const bool shows_head = head && head->surface && window_.view().is_settled() &&
+                          window_.view().current().surface == head->surface;
+  if (!shows_head || part.current_activity())
+    return false;
+  if (step["wait"].toString() != "final")
+    return true;
+  const auto field = window_.view().current().field;
+  return part.field_progress() == field_state::converged && head->outcome && field &&
+         field->version_id() == head->info.version_id;
+}
+
+void script::carry_out(const QJsonObject& step) {
+  if (auto ok = perform(step); !ok) {
+    error reason = ok.error();
+    reason.where = "step " + std::to_string(at_);
+    stop(reason);
+    return;
+  }
+  ++at_;
+}
+
+expected<void> script::perform(const QJsonObject& step) {
+  if (step.contains("click"))
+    return click(step["click"].toInteger());
+  if (step.contains("select")) {
+    std::vector<surface_id> ids;
+    for (const auto& id : step["select"].toArray())
+      ids.push_back(id.toInteger());
+    window_.picked().set(ids);
+  } else if (step.contains("choose")) {
+    window_.context().choose(step["choose"].toString());
+  } else if (step.contains("apply")) {
+    return apply(step);
+  } else if (step.contains("undo")) {
+    window_.part().undo();
+  } else if (step.contains("redo")) {
+    window_.part().redo();
+  } else if (step.contains("field")) {
+    window_.fields().set_field(field_from_id(step["field"].toString()));
+  } else if (step.contains("deform")) {
+    window_.fields().set_deform(step["deform"].toDouble());
+  } else if (step.contains("screenshot")) {
+    return take_picture(step);
+  } else if (!step.contains("wait")) {
+    const QString id =
+      step.contains("view") ? "view." + step["view"].toString() : step["command"].toString();
+    if (!window_.all_commands().trigger(id))
+      return fail(ec::invalid_argument,
+                  "there is no command \"" + id.toStdString() + "\", or it cannot be run now");
+  }
+  return {};
+}
+
+/// As a person would: the mouse is moved there, pressed and released.
+expected<void> script::click(qint64 surface) {
+  auto& view = window_.view();
+  const auto place = view.visible_point(surface);
+  if (!place)
+    return fail(ec::surface_not_found,
+                "surface " + std::to_string(surface) + " cannot be seen from here",
+                "Turn the view first");
+  const QPointF at = view.to_widget(*place);
+  const QPointF global = view.mapToGlobal(at);
+  for (const auto type :
+       {QEvent::MouseMove, QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    const auto held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
+    QMouseEvent event(type, at, global, button, held, Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  }
+  return {};
+}
+
+expected<void> script::apply(const QJsonObject& step) {
+  const QString id = step["apply"].toString();
+  const auto* offered = window_.part().operations().find(id);
+  if (!offered)
+    return fail(ec::operation_not_found, "there is no operation \"" + id.toStdString() + "\"");
+  window_.context().choose(id);
+  if (auto* form = window_.context().form())
+    form->set_values(parameters_from(step["parameters"].toObject(), offered->about));
+  window_.context().apply();
+  return {};
+}
+
+expected<void> script::take_picture(const QJsonObject& step) {
+  const QString path = step["screenshot"].toString();
+  const QImage image = step["window"].toBool()
+                         ? window_.grab().toImage()
+                         : window_.picture(step["width"].toInt(), step["height"].toInt());
+  if (!image.save(path))
+    return fail(ec::io_error, "cannot write the picture " + path.toStdString(),
+                "Check the path and its permissions");
+  return {};
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QJsonArray>
+#include <QObject>
+#include <QTimer>
+
+#include "base/error.hpp"
+
+namespace tedit::desktop {
+
+class main_window;
+
+/// Carries out steps in a window without a person: for pictures, tests and bug reports. Each step
+/// is a JSON object with one of these keys:
+///   "click": id                a real click on the surface where it is visible
+///   "select": [ids]            these surfaces
+///   "choose": operation        opens its form
+///   "apply": operation, "parameters": {...}   in SI units; on the selection
+///   "undo" | "redo": true
+///   "command": id              any command of the palette
+///   "field": id, "deform": factor, "view": front|...|isometric
+///   "wait": "ready" | "final"  until nothing runs; until the field is converged
+///   "screenshot": file, "width", "height"; "window": true takes the whole window
+/// Every step first waits for what runs. The first that fails ends the script.
+class script : public QObject {
+  Q_OBJECT
+
+public:
+  script(main_window& window, QJsonArray steps, QObject* parent = nullptr);
+
+  /// Seconds that one step may wait.
+  void set_patience(int seconds) { patience_s_ = seconds; }
+  void start();
+
+signals:
+  void finished();
+  void failed(const tedit::error& reason);
+
+private:
+  void next();
+  [[nodiscard]] bool ready_for(const QJsonObject& step) const;
+  void carry_out(const QJsonObject& step);
+  [[nodiscard]] expected<void> perform(const QJsonObject& step);
+  [[nodiscard]] expected<void> click(qint64 surface);
+  [[nodiscard]] expected<void> apply(const QJsonObject& step);
+  [[nodiscard]] expected<void> take_picture(const QJsonObject& step);
+  void stop(const error& reason);
+
+  main_window& window_;
+  QJsonArray steps_;
+  int at_ = 0;
+  int patience_s_ = 300;
+  int waited_ms_ = 0;
+  QTimer poll_;
+  bool done_ = false;
+};
+
+/// Reads the steps of a file. Errors: `io_error`, `bad_input` with the place.
+[[nodiscard]] expected<QJsonArray> read_script(const QString& path);
+
+}  // namespace tedit::desktop

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QPalette>
+#include <QString>
+
+#include "client-qt/view/scene.hpp"
+
+namespace tedit::desktop {
+
+/// One look for the whole window: a calm neutral, one accent, red only for errors.
+struct theme {
+  bool dark = false;
+  QPalette palette;
+  QString style_sheet;
+  scene_colours scene;
+  QColor ink;   ///< Text over the view.
+  QColor cube;  ///< Faces of the view cube.
+  QColor good;
+  QColor warning;
+  QColor error;
+};
+
+[[nodiscard]] theme make_theme(bool dark);
+
+/// An icon of our own set in the palette's text colour; an unknown name gives "operation".
+[[nodiscard]] QIcon icon(const QString& name, const QColor& ink);
+
+[[nodiscard]] QIcon window_icon();
+
+/// The icon of an operation: its own when there is one with its id.
+[[nodiscard]] QString operation_icon(const QString& operation);
+
+}  // namespace tedit::desktop

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/viewport.hpp"
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr double drag_threshold = 4;  // Pixels: less is a click.
+constexpr double zoom_step = 1.12;    // For a notch of the wheel.
+
+/// From slots, ascending, to places in the field's arrays.
+std::ptrdiff_t place_of(const std::vector<std::uint32_t>& ascending, std::uint32_t wanted) {
+  const auto at = std::ranges::lower_bound(ascending, wanted);
+  return at != ascending.end() && *at == wanted ? at - ascending.begin() : -1;
+}
+
+float value(const client::field_event& field, std::size_t i, shown_field wanted) {
+  const auto component = [&](int c) {
+    return field.displacement.empty() ? NAN : field.displacement[3 * i + c];
+  };
+  switch (wanted) {
+    case shown_field::von_mises:
+      return field.von_mises[i];
+    case shown_field::displacement:
+      return std::hypot(component(0), component(1), component(2));
+    case shown_field::displacement_x:
+      return component(0);
+    case shown_field::displacement_y:
+      return component(1);
+    case shown_field::displacement_z:
+      return component(2);
+    case shown_field::safety_factor:
+      return field.safety_factor.empty() || field.safety_factor[i] == 0 ? NAN
+                                                                        : field.safety_factor[i];
+    default:
+      return NAN;
+  }
+}
+
+}  // namespace
+
+std::vector<float> values_of(const part_geometry& part, const client::field_event& field,
+                             shown_field wanted) {
+  std::vector<float> result;
+  result.reserve(part.vertices.size());
+  for (const auto slot : part.vertices) {
+    const auto at = place_of(field.vertices, slot);
+    result.push_back(at < 0 ? NAN : value(field, static_cast<std::size_t>(at), wanted));
+  }
+  return result;
+}
+
+viewport::viewport(QWidget* parent) : vtk_view(parent), camera_(renderer()), scene_(renderer()) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(320, 240);
+  setAccessibleName(tr("The part"));
+  builders_.setMaxThreadCount(1);
+}
+
+viewport::~viewport() {
+  builders_.clear();
+  builders_.waitForDone();
+}
+
+// -- what is shown -------------------------------------------------------------------
+
+void viewport::show_part(const shown_part& what) {
+  const bool same_shape = shown_.surface == what.surface && shown_.deform == what.deform &&
+                          (what.deform == 0 || shown_.field == what.field);
+  shown_ = what;
+  if (!shown_.surface)
+    return;
+  if (same_shape && building_ == 0 && scene_.part())
+    paint_values();
+  else if (!same_shape)
+    build();
+}
+
+void viewport::build() {
+  const int mine = ++generation_;
+  ++building_;
+  builders_.clear();  // What has not begun is out of date; it never reports.
+  building_ = 1;
+  builders_.start([this, mine, shown = shown_] {
+    static const std::vector<std::uint32_t> no_slots;
+    static const std::vector<float> no_values;
+    const bool moves =
+      shown.deform != 0 && shown.field && shown.field->version_id() == shown.surface->version_id();
+    auto part = build_part(*shown.surface, moves ? shown.field->vertices : no_slots,
+                           moves ? shown.field->displacement : no_values, shown.deform);
+    QMetaObject::invokeMethod(
+      this, [this, part, mine] { take_geometry(part, mine); }, Qt::QueuedConnection);
+  });
+}
+
+void viewport::take_geometry(std::shared_ptr<const part_geometry> part, int generation) {
+  if (generation != generation_)
+    return;
+  building_ = 0;
+  const bool first = !scene_.part();
+  scene_.set_part(std::move(part));
+  if (first || !fitted_)
+    fit();
+  paint_values();
+  scene_.select(selected_);
+  hovered_.reset();
+  camera_.adjust_depth();
+}
+
+void viewport::set_legend(const legend& by) {
+  legend_ = by;
+  if (scene_.part())
+    paint_values();
+}
+
+void viewport::paint_values() {
+  values_.clear();
+  extremes_.reset();
+  const auto& part = scene_.part();
+  const bool fits = shown_.field && shown_.field->version_id() == part->version_id;
+  if (legend_.field == shown_field::surfaces) {
+    scene_.show_surfaces();
+  } else if (legend_.field == shown_field::none || !fits) {
+    scene_.show_plain();
+  } else {
+    values_ = values_of(*part, *shown_.field, legend_.field);
+    legend_.fit(values_);
+    scene_.show_values(values_, legend_);
+    std::size_t low = values_.size();
+    std::size_t high = values_.size();
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (!std::isfinite(values_[i]))
+        continue;
+      if (low == values_.size() || values_[i] < values_[low])
+        low = i;
+      if (high == values_.size() || values_[i] > values_[high])
+        high = i;
+    }
+    if (low < values_.size()) {
+      const auto at = [&](std::size_t i) {
+        std::array<double, 3> p{};
+        part->faces->GetPoints()->GetPoint(static_cast<vtkIdType>(i), p.data());
+        return vec3{p[0], p[1], p[2]};
+      };
+      extremes_ = extremes{values_[low], values_[high], at(low), at(high)};
+    }
+  }
+  redraw();
+  emit legend_changed();
+  emit shown();
+}
+
+void viewport::set_colours(const scene_colours& colours) {
+  scene_.set_colours(colours);
+  if (scene_.part())
+    paint_values();
+  redraw();
+}
+
+void viewport::select(const std::vector<surface_id>& picked) {
+  selected_ = picked;
+  scene_.select(picked);
+  redraw();
+}
+
+void viewport::hide(const std::set<surface_id>& hidden) {
+  scene_.hide(hidden);
+  if (scene_.part())
+    paint_values();
+}
+
+void viewport::show_mesh(bool on) {
+  scene_.show_mesh(on);
+  redraw();
+}
+
+void viewport::show_edges(bool on) {
+  scene_.show_edges(on);
+  redraw();
+}
+
+void viewport::set_glyphs(vtkPolyData* loads, vtkPolyData* supports) {
+  scene_.set_glyphs(loads, supports);
+  camera_.adjust_depth();
+  redraw();
+}
+
+// -- the camera ----------------------------------------------------------------------
+
+void viewport::fit(const std::vector<surface_id>& around) {
+  const auto& part = scene_.part();
+  if (!part)
+    return;
+  auto bounds = part->bounds;
+  if (!around.empty()) {
+    auto some = extract(*part, around);
+    if (some->GetNumberOfCells() > 0) {
+      some->GetCellsBounds(bounds.data());
+    }
+  }
+  fitted_ = true;
+  camera_.fit(bounds);
+  redraw();
+  emit view_changed();
+}
+
+void viewport::look_from(camera::direction from) {
+  camera_.look_from(from);
+  fit();
+}
+
+void viewport::fly_to(const vec3& place) {
+  camera_.focus_on(place);
+  redraw();
+  emit view_changed();
+}
+
+std::optional<picked_point> viewport::pick_at(QPointF position) const {
+  if (!scene_.part())
+    return std::nullopt;
+  const double ratio = devicePixelRatioF();
+  auto [from, to] = camera_.ray(position.x() * ratio, (height() - position.y()) * ratio);
+  // What is hidden is looked through.
+  for (int tries = 0; tries < 64; ++tries) {
+    auto hit = pick(*scene_.part(), from, to);
+    if (!hit || !scene_.is_hidden(hit->surface))
+      return hit;
+    const vec3 way = to - from;
+    from = hit->at + 1e-6 * way;
+  }
+  return std::nullopt;
+}
+
+QPointF viewport::to_widget(const vec3& at) const {
+  const double ratio = devicePixelRatioF();
+  const vec3 pixel = camera_.to_pixel(at);
+  return {pixel.x / ratio, height() - pixel.y / ratio};
+}
+
+std::optional<vec3> viewport::visible_point(surface_id surface) const {
+  const auto& part = scene_.part();
+  if (!part || !part->cells.contains(surface))
+    return std::nullopt;
+  const auto [first, last] = part->cells.at(surface);
+  for (auto cell = first; cell < last; ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    part->faces->GetCellPoints(cell, count, points);
+    vec3 middle;
+    for (int k = 0; k < 3; ++k) {
+      std::array<double, 3> p{};
+      part->faces->GetPoints()->GetPoint(points[k], p.data());
+      middle += vec3{p[0], p[1], p[2]} / 3;
+    }
+    const auto seen = pick_at(to_widget(middle));
+    if (seen && seen->surface == surface)
+      return middle;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> viewport::value_at(const picked_point& at) const {
+  const auto& part = scene_.part();
+  if (!part || values_.empty())
+    return std::nullopt;
+  vtkIdType count = 0;
+  const vtkIdType* points = nullptr;
+  part->faces->GetCellPoints(at.cell, count, points);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+    sum += at.weights[k] * values_[static_cast<std::size_t>(points[k])];
+  return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
+}
+
+// -- the mouse -----------------------------------------------------------------------
+
+void viewport::mousePressEvent(QMouseEvent* event) {
+  pressed_ = last_ = event->position();
+  dragging_ = false;
+}
+
+void viewport::mouseMoveEvent(QMouseEvent* event) {
+  if (!pressed_) {
+    hover_at(event->position(), event->globalPosition().toPoint());
+    return;
+  }
+  const QPointF moved = event->position() - *pressed_;
+  if (!dragging_ && std::hypot(moved.x(), moved.y()) < drag_threshold)
+    return;
+  if (!dragging_) {
+    scene_.hover(std::nullopt);
+    hovered_.reset();
+    emit hovered(std::nullopt, {});
+  }
+  dragging_ = true;
+  drag(event->position(), event->buttons(), event->modifiers());
+}
+
+void viewport::drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) {
+  const QPointF moved = to - std::exchange(last_, to);
+  const double ratio = devicePixelRatioF();
+  const bool pans = (buttons & Qt::MiddleButton) || (modifiers & Qt::ShiftModifier);
+  if (pans)
+    camera_.pan(moved.x() * ratio, -moved.y() * ratio);
+  else if (buttons & Qt::LeftButton)
+    camera_.rotate(moved.x() / height(), moved.y() / height());
+  else if (buttons & Qt::RightButton)
+    camera_.zoom(std::pow(zoom_step, -moved.y() / 12), width() * ratio / 2, height() * ratio / 2);
+  redraw();
+  emit view_changed();
+}
+
+void viewport::mouseReleaseEvent(QMouseEvent* event) {
+  const bool click = pressed_ && !dragging_;
+  pressed_.reset();
+  dragging_ = false;
+  if (!click)
+    return;
+  const auto hit = pick_at(event->position());
+  if (event->button() == Qt::LeftButton)
+    emit clicked(hit, event->modifiers());
+  else if (event->button() == Qt::RightButton)
+    emit menu_wanted(hit, event->globalPosition().toPoint());
+}
+
+void viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (const auto hit = pick_at(event->position()))
+    fly_to(hit->at);
+}
+
+void viewport::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  const double ratio = devicePixelRatioF();
+  camera_.zoom(std::pow(zoom_step, notches), event->position().x() * ratio,
+               (height() - event->position().y()) * ratio);
+  redraw();
+  emit view_changed();
+}
+
+void viewport::leaveEvent(QEvent*) {
+  scene_.hover(std::nullopt);
+  hovered_.reset();
+  redraw();
+  emit hovered(std::nullopt, {});
+}
+
+void viewport::hover_at(QPointF position, QPoint global) {
+  const auto hit = pick_at(position);
+  const auto under = hit ? std::optional(hit->surface) : std::nullopt;
+  if (under != hovered_) {
+    hovered_ = under;
+    scene_.hover(under);
+    redraw();
+  }
+  emit hovered(hit, global);
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QPoint>
+#include <QThreadPool>
+
+#include <optional>
+
+#include "client-qt/view/camera.hpp"
+#include "client-qt/view/scene.hpp"
+#include "client-qt/view/vtk_view.hpp"
+
+class QLabel;
+
+namespace tedit::desktop {
+
+/// What the viewport shows: all that is needed to make its geometry and colours.
+struct shown_part {
+  std::shared_ptr<const client::surface_model> surface;
+  std::shared_ptr<const client::field_event> field;  ///< May be null, or of another version.
+  double deform = 0;                                 ///< Factor on the displacement.
+};
+
+/// The part with its field under the mouse: left drag turns, middle or Shift drag moves, the wheel
+/// zooms to the pointer. Geometry is made on other threads; the newest wins.
+class viewport : public vtk_view {
+  Q_OBJECT
+
+public:
+  explicit viewport(QWidget* parent = nullptr);
+  ~viewport() override;
+
+  /// Shows a part; the same surface again only changes colours. `shown` follows.
+  void show_part(const shown_part& what);
+  /// How values become colours; its range is taken from the values when it is automatic.
+  void set_legend(const legend& by);
+  [[nodiscard]] const legend& current_legend() const noexcept { return legend_; }
+  [[nodiscard]] const shown_part& current() const noexcept { return shown_; }
+  /// Whether nothing is on its way to the screen any more.
+  [[nodiscard]] bool is_settled() const noexcept { return building_ == 0; }
+
+  void set_colours(const scene_colours& colours);
+  void select(const std::vector<surface_id>& picked);
+  void hide(const std::set<surface_id>& hidden);
+  void show_mesh(bool on);
+  void show_edges(bool on);
+  void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
+
+  [[nodiscard]] camera& view() { return camera_; }
+  /// Puts the whole part, or some surfaces of it, into the view.
+  void fit(const std::vector<surface_id>& around = {});
+  void look_from(camera::direction from);
+  void fly_to(const vec3& place);
+
+  /// The surface point at a widget position, if any.
+  [[nodiscard]] std::optional<picked_point> pick_at(QPointF position) const;
+  /// Where a point of space is in the widget.
+  [[nodiscard]] QPointF to_widget(const vec3& at) const;
+  /// A point of the surface's face that is nearest to the viewer: for tests and labels.
+  [[nodiscard]] std::optional<vec3> visible_point(surface_id surface) const;
+  /// The shown value at a picked point, SI; nothing without a field there.
+  [[nodiscard]] std::optional<double> value_at(const picked_point& at) const;
+  /// Smallest and largest value and where they are; nothing without a field.
+  struct extremes {
+    double low = 0;
+    double high = 0;
+    vec3 low_at;
+    vec3 high_at;
+  };
+  [[nodiscard]] const std::optional<extremes>& value_extremes() const { return extremes_; }
+
+signals:
+  void shown();           ///< New geometry or colours are on the screen.
+  void legend_changed();  ///< Its automatic range followed the values.
+  void hovered(std::optional<tedit::desktop::picked_point> at, QPoint global);
+  void clicked(std::optional<tedit::desktop::picked_point> at, Qt::KeyboardModifiers modifiers);
+  void menu_wanted(std::optional<tedit::desktop::picked_point> at, QPoint global);
+  void view_changed();
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+private:
+  void build();
+  void take_geometry(std::shared_ptr<const part_geometry> part, int generation);
+  void paint_values();
+  void drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
+  void hover_at(QPointF position, QPoint global);
+
+  camera camera_;
+  scene scene_;
+  shown_part shown_;
+  legend legend_;
+  std::vector<surface_id> selected_;
+  std::vector<float> values_;  ///< One for each point of the geometry.
+  std::optional<extremes> extremes_;
+  QThreadPool builders_;
+  int generation_ = 0;
+  int building_ = 0;
+  bool fitted_ = false;
+  std::optional<QPointF> pressed_;
+  QPointF last_;
+  bool dragging_ = false;
+  std::optional<surface_id> hovered_;
+};
+
+/// One value for each point of a part: the field's, SI; NaN where it has none. Cost: O(points).
+[[nodiscard]] std::vector<float> values_of(const part_geometry& part,
+                                           const client::field_event& field, shown_field wanted);
+
+}  // namespace tedit::desktop

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/vtk_view.hpp"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+
+namespace tedit::desktop {
+
+vtk_view::vtk_view(QWidget* parent) : QOpenGLWidget(parent) {
+  window_->SetOwnContext(0);
+  window_->SetMultiSamples(4);
+  window_->AddRenderer(renderer_);
+  vtkNew<vtkCallbackCommand> make_current;
+  make_current->SetClientData(this);
+  make_current->SetCallback(&vtk_view::on_make_current);
+  window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, make_current);
+  vtkNew<vtkCallbackCommand> is_current;
+  is_current->SetClientData(this);
+  is_current->SetCallback(&vtk_view::on_is_current);
+  window_->AddObserver(vtkCommand::WindowIsCurrentEvent, is_current);
+}
+
+vtk_view::~vtk_view() {
+  if (context())  // The base class ends it when we are half gone.
+    disconnect(context(), nullptr, this, nullptr);
+  release();
+  window_->RemoveAllObservers();
+}
+
+void vtk_view::release() {
+  if (!context())
+    return;
+  makeCurrent();
+  window_->Finalize();
+  doneCurrent();
+}
+
+/// QOpenGLWidget::makeCurrent binds its own framebuffer: in the middle of VTK's frame that would
+/// take VTK's away, so it is called only when another context is current.
+void vtk_view::on_make_current(vtkObject*, unsigned long, void* self, void*) {
+  auto* view = static_cast<vtk_view*>(self);
+  if (view->context() && QOpenGLContext::currentContext() != view->context())
+    view->makeCurrent();
+}
+
+void vtk_view::on_is_current(vtkObject*, unsigned long, void* self, void* data) {
+  const auto* view = static_cast<vtk_view*>(self);
+  *static_cast<bool*>(data) = QOpenGLContext::currentContext() == view->context();
+}
+
+void vtk_view::initializeGL() {
+  // The context may be replaced when the widget moves to another window.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &vtk_view::release,
+          Qt::UniqueConnection);
+  window_->SetReadyForRendering(true);
+  window_->SetForceMaximumHardwareLineWidth(1);
+  window_->OpenGLInitContext();
+  window_->SetFrameBlitModeToNoBlit();
+}
+
+void vtk_view::resizeGL(int width, int height) {
+  const double ratio = devicePixelRatioF();
+  window_->SetSize(qRound(width * ratio), qRound(height * ratio));
+  window_->SetDPI(qRound(96 * ratio));
+}
+
+void vtk_view::paintGL() {
+  QElapsedTimer clock;
+  clock.start();
+  auto* state = window_->GetState();
+  state->Reset();
+  state->Push();
+  state->vtkglDepthFunc(GL_LEQUAL);
+  window_->Render();
+  const int* size = window_->GetSize();
+  auto* gl = context()->functions();
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  state->ResetFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  const GLenum target = GL_COLOR_ATTACHMENT0;
+  state->vtkglDrawBuffers(1, const_cast<GLenum*>(&target));
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  window_->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1],
+                                  GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  // What lies behind the window must not shine through.
+  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl->glClearColor(0, 0, 0, 1);
+  gl->glClear(GL_COLOR_BUFFER_BIT);
+  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->Pop();
+  frame_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+  emit drawn();
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/legend.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace tedit::desktop {
+namespace {
+
+TEST(Legend, TakesTheRangeOfFiniteValuesOnly) {
+  legend by;
+  const float values[] = {3e6F, NAN, -1e6F, INFINITY};
+  by.fit(values);
+
+  EXPECT_DOUBLE_EQ(by.low, -1e6);
+  EXPECT_DOUBLE_EQ(by.high, 3e6);
+  EXPECT_DOUBLE_EQ(by.place(1e6), 0.5);
+}
+
+TEST(Legend, AUniformFieldGetsARangeAroundItsValue) {
+  legend by;
+  const float values[] = {5.0F, 5.0F};
+  by.fit(values);
+
+  EXPECT_LT(by.low, 5);
+  EXPECT_GT(by.high, 5);
+  EXPECT_NEAR(by.place(5), 0.5, 1e-6);
+}
+
+TEST(Legend, NoValuesAtAllLeaveAUsableRange) {
+  legend by;
+  by.fit({});
+
+  EXPECT_LT(by.low, by.high);
+}
+
+TEST(Legend, ALockedRangeStaysAndCutsWhatIsOutside) {
+  legend by;
+  by.low = 0;
+  by.high = 10;
+  by.mode = range_mode::locked;
+  const float values[] = {-5.0F, 50.0F};
+  by.fit(values);
+
+  EXPECT_DOUBLE_EQ(by.high, 10);
+  EXPECT_DOUBLE_EQ(by.place(-5), 0);
+  EXPECT_DOUBLE_EQ(by.place(50), 1);
+}
+
+TEST(Legend, LogarithmicPlacesDecadesEvenly) {
+  legend by;
+  by.low = 1;
+  by.high = 100;
+  by.logarithmic = true;
+
+  EXPECT_NEAR(by.place(10), 0.5, 1e-12);
+  EXPECT_EQ(by.ticks(7), (std::vector<double>{1, 5, 10, 50, 100}));
+}
+
+TEST(Legend, ALogarithmOfZeroAndBelowIsTheLowEnd) {
+  legend by;
+  by.low = 0;
+  by.high = 100;
+  by.logarithmic = true;
+
+  EXPECT_DOUBLE_EQ(by.place(0), 0);
+  EXPECT_DOUBLE_EQ(by.place(-3), 0);
+  EXPECT_DOUBLE_EQ(by.place(100), 1);
+}
+
+TEST(Legend, TicksAreRoundInTheUnitThatIsShown) {
+  legend by;  // von Mises: MPa.
+  by.low = 0.1e6;
+  by.high = 13.4e6;
+
+  const auto ticks = by.ticks(4);
+
+  ASSERT_EQ(ticks.size(), 2U);
+  EXPECT_DOUBLE_EQ(ticks[0], 5e6);
+  EXPECT_DOUBLE_EQ(ticks[1], 10e6);
+}
+
+TEST(Colours, ReachBothEndsAndGoNowhereElse) {
+  for (const auto map :
+       {colour_map::viridis, colour_map::cividis, colour_map::grey, colour_map::coolwarm}) {
+    EXPECT_EQ(colour(map, -1), colour(map, 0));
+    EXPECT_EQ(colour(map, 2), colour(map, 1));
+    EXPECT_NE(colour(map, 0), colour(map, 1));
+    EXPECT_EQ(colour(map, NAN), colour(map, 0));
+  }
+}
+
+TEST(Colours, PerceptualMapsGrowLighterAllTheWay) {
+  for (const auto map : {colour_map::viridis, colour_map::cividis, colour_map::grey}) {
+    double before = -1;
+    for (int i = 0; i <= 50; ++i) {
+      const auto c = colour(map, i / 50.0);
+      const double lightness = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+      EXPECT_GT(lightness, before) << i;
+      before = lightness;
+    }
+  }
+}
+
+TEST(Fields, IdsLeadBackToTheField) {
+  for (const auto field : {shown_field::von_mises, shown_field::displacement_z,
+                           shown_field::safety_factor, shown_field::surfaces})
+    EXPECT_EQ(field_from_id(field_id(field)), field);
+  EXPECT_EQ(field_from_id("nonsense"), shown_field::none);
+}
+
+}  // namespace
+}  // namespace tedit::desktop

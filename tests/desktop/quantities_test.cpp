@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/quantities.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace tedit::desktop {
+namespace {
+
+std::string text(const QString& words) {
+  return words.toStdString();
+}
+
+TEST(Quantities, ShowWhatEngineersThinkIn) {
+  EXPECT_EQ(text(quantity(0.0125, "m")), "12.5 mm");
+  EXPECT_EQ(text(quantity(187.04e6, "Pa")), "187 MPa");
+  EXPECT_EQ(text(quantity(2e-4, "m2")), "200 mm²");
+  EXPECT_EQ(text(quantity(500, "N")), "500 N");
+  EXPECT_EQ(text(quantity(0.5, "")), "0.5");
+  EXPECT_EQ(text(quantity(std::acos(-1.0) / 2, "rad")), "90°");
+}
+
+TEST(Quantities, NumbersKeepTheirSizeReadable) {
+  EXPECT_EQ(text(number(0)), "0");
+  EXPECT_EQ(text(number(21992.1)), "21992.1");
+  EXPECT_EQ(text(number(1.234e-5)), "1.23e-05");
+  EXPECT_EQ(text(number(3.2e7)), "3.2e+07");
+  EXPECT_EQ(text(number(NAN)), "none");
+}
+
+TEST(Quantities, LengthsChooseTheirUnit) {
+  EXPECT_EQ(text(length(2.5)), "2.5 m");
+  EXPECT_EQ(text(length(0.0125)), "12.5 mm");
+  EXPECT_EQ(text(length(3.5e-5)), "35 µm");
+  EXPECT_EQ(text(length(2e-8)), "20 nm");
+  EXPECT_EQ(text(length(0)), "0 mm");
+}
+
+TEST(Quantities, Durations) {
+  EXPECT_EQ(text(duration(3.14)), "3.1 ms");
+  EXPECT_EQ(text(duration(87)), "87 ms");
+  EXPECT_EQ(text(duration(1300)), "1.3 s");
+  EXPECT_EQ(text(duration(250'000)), "4 min 10 s");
+}
+
+TEST(Quantities, Counts) {
+  EXPECT_EQ(text(count(12)), "12");
+  EXPECT_EQ(text(count(9999)), "9999");
+  EXPECT_EQ(text(count(21750)), "21.8 k");
+  EXPECT_EQ(text(count(1.02e6)), "1.02 M");
+}
+
+TEST(Quantities, Changes) {
+  EXPECT_EQ(text(change(100, 103.2)), "+3.2 %");
+  EXPECT_EQ(text(change(100, 75)), "−25 %");
+  EXPECT_EQ(text(change(-100, -50)), "+50 %");
+  EXPECT_EQ(text(change(0, 5)), "");
+}
+
+}  // namespace
+}  // namespace tedit::desktop
