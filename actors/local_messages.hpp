@@ -12,6 +12,7 @@
 
 #include "actors/messages.hpp"
 #include "actors/store/document.hpp"
+#include "fem/receipt.hpp"
 #include "mesh/field.hpp"
 
 /// What actors of one process hand each other: values and shared pointers, never serialised.
@@ -67,6 +68,7 @@ struct edit_request {
   std::vector<std::int64_t> surfaces;
   std::string parameters;        ///< JSON.
   std::string expected_version;  ///< Hexadecimal; empty: any.
+  fem::carry_settings loads;
 };
 
 enum class move_kind { undo, redo };

@@ -167,12 +167,14 @@ struct finish_order {
   version_ref before;
   edit_candidate candidate;
   std::vector<std::string> load_cases;  ///< JSON each; carried over by surface ids.
+  int load_policy = 0;                  ///< Number of a `fem::load_policy`.
+  bool keep_traction = false;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, finish_order& x) {
   return f(caf::meta::type_name("finish_order"), x.base.source, x.base.listener, x.before,
-           x.candidate, x.load_cases);
+           x.candidate, x.load_cases, x.load_policy, x.keep_traction);
 }
 
 /// A version that passed every postcondition.

@@ -22,6 +22,7 @@ struct edit_options {
   edit_request request;
   std::vector<std::string> pairs;
   std::string load_case;
+  std::string loads = "drop";
   std::string output;
   std::string length_unit = "mm";
 };
@@ -33,6 +34,10 @@ int run_edit(const edit_options& options, session& s) {
   if (!parameters)
     return print_error(s, parameters.error());
   request.parameters = std::move(*parameters);
+  const auto policy = fem::policy_from_name(options.loads);
+  if (!policy)
+    return print_error(s, policy.error());
+  request.loads.policy = *policy;
   std::vector<fem::load_case> load_cases;
   if (!options.load_case.empty()) {
     auto loads = protocol::load_case_from_file(options.load_case);
@@ -80,6 +85,14 @@ void add_edit(CLI::App& app, action& chosen) {
                       "A parameter as NAME=VALUE, a length also as NAME_mm=VALUE; may be repeated");
   command->add_option("--load-case", options->load_case,
                       "Say what the edit does to this load case (JSON)");
+  command
+    ->add_option("--loads", options->loads,
+                 "What becomes of loads and supports whose surface goes: drop, move (to the "
+                 "surfaces that take its place, with their total) or refuse the edit")
+    ->check(CLI::IsMember({"drop", "move", "refuse"}))
+    ->capture_default_str();
+  command->add_flag("--keep-traction", options->request.loads.keep_traction,
+                    "A traction or pressure that moves keeps its Pa, not its N");
   command->add_option("-o,--output", options->output,
                       "Write the new mesh: .msh (MSH 4.1 binary) or .stl (boundary)");
   command->add_option("--length-unit", options->length_unit, "Unit of coordinates in both files")

@@ -30,8 +30,8 @@ expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_p
   claim.touched = edit->touched;
   claim.volume_change = edit->volume_change;
   claim.quality_floor = edit->quality_floor;
-  auto finished = actors::finish_candidate(base, edit->candidate, claim,
-                                           {edit->improve, edit->thorough}, load_cases, run);
+  auto finished = actors::finish_candidate(
+    base, edit->candidate, claim, {edit->improve, edit->thorough}, load_cases, request.loads, run);
   if (!finished)
     return fail(finished.error());
   edit_outcome outcome{finished->version, std::move(finished->report),

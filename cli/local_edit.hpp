@@ -15,6 +15,7 @@ struct edit_request {
   std::string operation;
   std::vector<surface_id> surfaces;
   ops::parameters parameters;
+  fem::carry_settings loads;  ///< What becomes of loads whose surface goes.
 };
 
 /// An edit that was made.

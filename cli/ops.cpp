@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/server_access.hpp"
+#include "client/client.hpp"
 #include "ops/loader/catalogue.hpp"
 
 namespace tedit::cli {
@@ -71,6 +73,61 @@ std::string describe(const ops::catalogue::entry& entry) {
   return text;
 }
 
+/// "2 crashes".
+std::string times(unsigned crashes) {
+  return std::to_string(crashes) + (crashes == 1 ? " crash" : " crashes");
+}
+
+/// A line for a plugin that is not used; one in quarantine says how to lift it.
+std::string describe_refused(const nlohmann::ordered_json& row) {
+  const auto text = [&](const char* field) { return row.value(field, std::string()); };
+  const auto crashes = row.value("crashes", 0U);
+  if (crashes == 0)
+    return "not used: " + text("file") + ": " + text("reason") + "\n";
+  const auto operation = text("operation");
+  return "quarantined: " +
+         (operation.empty() ? text("file") : operation + " (" + text("file") + ")") + ", " +
+         times(crashes) + ": " + text("reason") + "\n    to lift it: " + text("remedy") + "\n";
+}
+
+struct ops_options {
+  std::string only;
+  std::string server;
+  std::string token_file;
+};
+
+/// What a running server offers, and what it has switched off since it started.
+int run_on_server(const ops_options& options, session& s) {
+  auto how = reach_server(options.server, options.token_file);
+  if (!how)
+    return print_error(s, how.error());
+  how->client_name = "tedit ops " TEDIT_VERSION;
+  auto connected = client::client::connect(*how, {});
+  if (!connected)
+    return print_error(s, connected.error());
+  const auto catalogue = (*connected)->catalogue_json();
+  if (!catalogue)
+    return print_error(s, catalogue.error());
+  using json = nlohmann::ordered_json;
+  const auto sent = json::parse(*catalogue, nullptr, false);
+  json result{{"server", options.server},
+              {"operations", json::array()},
+              {"refused", sent.value("refused", json::array())}};
+  std::string text;
+  for (const auto& row : sent.value("operations", json::array())) {
+    const auto id = row.value("id", std::string());
+    if (!options.only.empty() && id != options.only)
+      continue;
+    result["operations"].push_back(row);
+    text += id + " " + row.value("version", std::string()) + "  " +
+            row.value("summary", std::string()) + "\n";
+  }
+  for (const auto& row : result["refused"])
+    text += describe_refused(row);
+  print_result(s, result, text.empty() ? "There are no operations.\n" : text);
+  return 0;
+}
+
 int run_ops(const std::string& only, session& s) {
   const auto plugins = ops::load_default_catalogue();
   nlohmann::ordered_json json{{"operations", nlohmann::ordered_json::array()},
@@ -87,8 +144,13 @@ int run_ops(const std::string& only, session& s) {
     text += describe(entry);
   }
   for (const auto& refused : plugins.refused()) {
-    json["refused"].push_back({{"file", refused.file.string()}, {"reason", refused.reason}});
-    text += "not used: " + refused.file.string() + ": " + refused.reason + "\n";
+    nlohmann::ordered_json row{{"file", refused.file.string()}, {"reason", refused.reason}};
+    if (refused.crashes > 0) {
+      row["crashes"] = refused.crashes;
+      row["remedy"] = refused.remedy;
+    }
+    text += describe_refused(row);
+    json["refused"].push_back(std::move(row));
   }
   print_result(s, json, text.empty() ? "There are no operations.\n" : text);
   return 0;
@@ -97,10 +159,19 @@ int run_ops(const std::string& only, session& s) {
 }  // namespace
 
 void add_ops(CLI::App& app, action& chosen) {
-  auto only = std::make_shared<std::string>();
+  auto options = std::make_shared<ops_options>();
   auto* command = app.add_subcommand("ops", "List the editing operations and their parameters");
-  command->add_option("operation", *only, "Only this one");
-  command->callback([only, &chosen] { chosen = [only](session& s) { return run_ops(*only, s); }; });
+  command->add_option("operation", options->only, "Only this one");
+  command->add_option(
+    "--server", options->server,
+    "List those of this server (ws://HOST:PORT/v1), and what it put in quarantine");
+  command->add_option("--token-file", options->token_file,
+                      "The server's token; default: where \"tedit serve\" puts it");
+  command->callback([options, &chosen] {
+    chosen = [options](session& s) {
+      return options->server.empty() ? run_ops(options->only, s) : run_on_server(*options, s);
+    };
+  });
 }
 
 }  // namespace tedit::cli

@@ -74,6 +74,20 @@ public:
     return std::pair(given[0].get<double>(), given[1].get<double>());
   }
 
+  fem::carry_settings loads() {
+    fem::carry_settings result;
+    const auto policy = fem::policy_from_name(text("loads", "drop"));
+    if (!policy)
+      throw error{ec::bad_input, where_ + ": " + policy.error().message, policy.error().remedy, {}};
+    result.policy = *policy;
+    known_.insert("keep_traction");
+    const auto keep = body_.value("keep_traction", json(false));
+    if (!keep.is_boolean())
+      throw error{ec::bad_input, where_ + ": \"keep_traction\" must be true or false", {}, {}};
+    result.keep_traction = keep.get<bool>();
+    return result;
+  }
+
   solve_step solve() {
     solve_step result;
     known_.insert("load_cases");
@@ -112,7 +126,7 @@ recipe_step make_step(const std::string& kind, step_reader& in) {
   if (kind == "load_case")
     return load_case_step{in.path("file")};
   if (kind == "edit")
-    return edit_step{{in.text("operation", {}, true), in.surfaces(), in.parameters()}};
+    return edit_step{{in.text("operation", {}, true), in.surfaces(), in.parameters(), in.loads()}};
   if (kind == "undo")
     return undo_step{};
   if (kind == "redo")

@@ -173,7 +173,7 @@ expected<void> recipe_runner::step(const load_case_step& s) {
 expected<void> recipe_runner::step(const edit_step& s) {
   const stopwatch clock;
   const auto done = server_.edit(s.request.operation, s.request.surfaces, s.request.parameters,
-                                 make_execution(session_));
+                                 make_execution(session_), {}, s.request.loads);
   end_progress(session_);
   if (!done)
     return fail(done.error());

@@ -273,6 +273,9 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                        {"surfaces_lost", line.surfaces_lost},
                        {"area_before_m2", line.area_before},
                        {"area_after_m2", line.area_after},
+                       {"moved_to", line.moved_to},
+                       {"total_before_n", line.total_before},
+                       {"total_after_n", line.total_after},
                        {"text", line.text}});
   json result{{"from_version", report.from_version},
               {"to_version", report.to_version},
@@ -287,6 +290,8 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                {{"before_min", report.touched_min_before},
                 {"after_min", report.touched_min_after},
                 {"after_median", report.touched_median_after}}},
+              {"loads", fem::policy_name(report.loads.policy)},
+              {"keep_traction", report.loads.keep_traction},
               {"receipt", receipt},
               {"notices", report.notices},
               {"timings_ms",

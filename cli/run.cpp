@@ -6,9 +6,9 @@
 
 #include "actors/node/server.hpp"
 #include "base/stopwatch.hpp"
-#include "cli/config.hpp"
 #include "cli/logging.hpp"
 #include "cli/recipe_runner.hpp"
+#include "cli/server_access.hpp"
 #include "cli/token.hpp"
 
 namespace tedit::cli {
@@ -66,28 +66,6 @@ private:
   std::unique_ptr<server> server_;
 };
 
-expected<client::connect_options> reach(const run_options& options, embedded_server& own) {
-  if (options.server.empty())
-    return own.start();
-  std::filesystem::path file = options.token_file;
-  if (file.empty()) {
-    const auto config = load_config({});
-    if (!config)
-      return fail(config.error());
-    const auto usual = token_path(*config);
-    if (!usual)
-      return fail(usual.error());
-    file = *usual;
-  }
-  const auto token = read_token(file);
-  if (!token)
-    return fail(token.error());
-  client::connect_options how;
-  how.url = options.server;
-  how.token = *token;
-  return how;
-}
-
 std::string describe(const recipe& steps, const recipe_runner& runner, double ms) {
   std::string text = steps.name + "\n\n" + runner.table() + "\n" + runner.details() + "\n";
   for (const auto& file : runner.files())
@@ -106,7 +84,8 @@ int run_recipe(const run_options& options, session& s) {
   if (!options.device.empty())
     steps->device = options.device;
   embedded_server own;
-  auto how = reach(options, own);
+  auto how =
+    options.server.empty() ? own.start() : reach_server(options.server, options.token_file);
   if (!how)
     return print_error(s, how.error());
   how->client_name = "tedit run " TEDIT_VERSION;

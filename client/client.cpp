@@ -10,6 +10,7 @@
 #include "client/connection.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
+#include "protocol/load_policy_message.hpp"
 #include "protocol/operation_message.hpp"
 #include "protocol/selection_message.hpp"
 
@@ -230,10 +231,16 @@ expected<void> client::set_load_case(const fem::load_case& loads) {
 expected<committed> client::edit(const std::string& operation,
                                  const std::vector<surface_id>& surfaces,
                                  const ops::parameters& values, const execution& run,
-                                 const std::string& expected_version) {
+                                 const std::string& expected_version,
+                                 const fem::carry_settings& loads) {
   auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
+  if (loads.policy != fem::load_policy::drop && impl_->link.server_minor() < 3)
+    return fail(ec::protocol_error,
+                "the server is too old to " + std::string(fem::policy_name(loads.policy)) +
+                  " loads in an edit: it drops those whose surface goes",
+                "Update the server, or let the edit drop them.");
   v1::ClientMessage request;
   auto* edit = request.mutable_apply_edit();
   edit->set_document(*document);
@@ -242,6 +249,7 @@ expected<committed> client::edit(const std::string& operation,
   for (const auto& [id, value] : values)
     protocol::to_message(value, &(*edit->mutable_parameters())[id]);
   edit->set_expected_version(expected_version);
+  protocol::to_message(loads, edit->mutable_loads());
   return convert(impl_->ask(std::move(request), body::kCommitted, run), &body::committed);
 }
 

@@ -11,6 +11,7 @@
 #include "client/surface.hpp"
 #include "client/types.hpp"
 #include "fem/load_case.hpp"
+#include "fem/receipt.hpp"
 #include "mesh/features/select.hpp"
 #include "ops/sdk/operation.hpp"
 
@@ -64,11 +65,14 @@ public:
   [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads);
 
   /// Applies an operation to the head and returns once the new version is durable. When
-  /// `expected_version` is given and not the head, the edit is refused (`conflict`).
+  /// `expected_version` is given and not the head, the edit is refused (`conflict`). `loads` says
+  /// what becomes of loads and supports whose surface goes. Errors: also `protocol_error` when the
+  /// server can only drop them (protocol_minor below 3) and something else is asked for.
   [[nodiscard]] expected<committed> edit(const std::string& operation,
                                          const std::vector<surface_id>& surfaces,
                                          const ops::parameters& values, const execution& run,
-                                         const std::string& expected_version = {});
+                                         const std::string& expected_version = {},
+                                         const fem::carry_settings& loads = {});
 
   [[nodiscard]] expected<committed> undo();
   [[nodiscard]] expected<committed> redo();

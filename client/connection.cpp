@@ -8,7 +8,7 @@ namespace tedit::client {
 namespace {
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 2;
+constexpr std::uint32_t protocol_minor = 3;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.
@@ -57,6 +57,7 @@ expected<void> connection::hello(const connect_options& options) {
                 "Use a client and a server of the same release.");
   if (welcome.max_message_bytes() != 0)
     max_message_ = welcome.max_message_bytes();
+  server_minor_ = welcome.protocol_minor();
   return {};
 }
 

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
+
+#include "fem/receipt_successors.hpp"
 
 namespace tedit::fem {
 
@@ -29,35 +33,56 @@ std::map<surface_id, double> areas_of(const mesh_version& mesh) {
   return areas;
 }
 
+/// What became of the surfaces of one item.
+struct carried {
+  std::vector<surface_id> left;        ///< Still there, changed or merged; areas below are m^2.
+  std::map<surface_id, double> moved;  ///< Successor -> lost area that it stands for.
+  double area_left_before = 0;         ///< Of the surfaces that are not lost.
+  double area_moved = 0;               ///< Sum of `moved`.
+};
+
 class carrier {
 public:
   carrier(const load_case& before, const mesh_version& from, const mesh_version& to,
-          const std::vector<surface_change>& map)
-      : name_(before.name), from_(areas_of(from)), to_(areas_of(to)), map_(map) {}
+          const std::vector<surface_change>& map, const carry_settings& settings)
+      : name_(before.name),
+        from_version_(from),
+        to_version_(to),
+        from_(areas_of(from)),
+        to_(areas_of(to)),
+        map_(map),
+        settings_(settings) {}
 
-  /// The surfaces of one item after the edit; writes its line.
-  std::vector<surface_id> carry(const std::vector<surface_id>& surfaces, const std::string& item,
-                                bool total_kept) {
-    receipt_line line;
-    line.load_case = name_;
-    line.item = item;
-    std::vector<surface_id> after;
-    for (const auto id : surfaces) {
-      line.area_before += area(from_, id);
-      if (to_.contains(id)) {
-        add(after, id);
-        add_parts(id, after);
-      } else if (const auto into = merged_into(id)) {
-        add(after, *into);
-      } else {
-        line.surfaces_lost.push_back(id);
-      }
+  /// Appends what is left of a constraint.
+  void carry(const constraint& before, const std::string& item, std::vector<constraint>& after) {
+    auto line = begin_line(item);
+    const auto now = follow(before.surfaces, line);
+    auto surfaces = now.left;
+    for (const auto& [id, area] : now.moved)
+      add(surfaces, id);
+    finish_line(std::move(line), surfaces, "");
+    if (!surfaces.empty())
+      after.push_back({std::move(surfaces), before.kind});
+  }
+
+  /// Appends what is left of a load: one on the surfaces that are left, one for each successor.
+  void carry(const load& before, const std::string& item, std::vector<load>& after) {
+    auto line = begin_line(item);
+    const auto now = follow(before.surfaces, line);
+    const auto first = after.size();
+    if (const auto* total = std::get_if<force>(&before.kind))
+      share_force(*total, now, after);
+    else
+      share_pressure(before, now, after);
+    line.total_before = newtons(before, from_);
+    std::vector<surface_id> surfaces;
+    for (auto i = first; i < after.size(); ++i) {
+      line.total_after += newtons(after[i], to_);
+      for (const auto id : after[i].surfaces)
+        add(surfaces, id);
     }
-    for (const auto id : after)
-      line.area_after += area(to_, id);
-    describe(line, after, total_kept);
-    lines_.push_back(std::move(line));
-    return after;
+    const auto total = total_of(line, std::holds_alternative<force>(before.kind));
+    finish_line(std::move(line), surfaces, total);
   }
 
   std::vector<receipt_line> take_lines() { return std::move(lines_); }
@@ -66,6 +91,20 @@ private:
   static double area(const std::map<surface_id, double>& areas, surface_id id) {
     const auto found = areas.find(id);
     return found == areas.end() ? 0 : found->second;
+  }
+
+  static double area(const std::map<surface_id, double>& areas,
+                     const std::vector<surface_id>& ids) {
+    return std::accumulate(ids.begin(), ids.end(), 0.0,
+                           [&](double sum, surface_id id) { return sum + area(areas, id); });
+  }
+
+  /// N: see `receipt_line::total_before`.
+  static double newtons(const load& l, const std::map<surface_id, double>& areas) {
+    if (const auto* total = std::get_if<force>(&l.kind))
+      return norm(total->total_n);
+    const auto* t = std::get_if<traction>(&l.kind);
+    return (t ? norm(t->pa) : std::get<pressure>(l.kind).pa) * area(areas, l.surfaces);
   }
 
   static void add(std::vector<surface_id>& list, surface_id id) {
@@ -86,6 +125,89 @@ private:
     return std::nullopt;
   }
 
+  [[nodiscard]] receipt_line begin_line(const std::string& item) const {
+    receipt_line line;
+    line.load_case = name_;
+    line.item = item;
+    return line;
+  }
+
+  carried follow(const std::vector<surface_id>& surfaces, receipt_line& line) {
+    carried now;
+    for (const auto id : surfaces) {
+      const double before = area(from_, id);
+      line.area_before += before;
+      const auto into = to_.contains(id) ? id : merged_into(id).value_or(id);
+      if (to_.contains(into)) {
+        now.area_left_before += before;
+        add(now.left, into);
+        if (into == id)
+          add_parts(id, now.left);
+      } else {
+        line.surfaces_lost.push_back(id);
+        if (settings_.policy == load_policy::move)
+          hand_on(id, before, now);
+      }
+    }
+    for (const auto& [id, share] : now.moved)
+      line.moved_to.push_back(id);
+    return now;
+  }
+
+  /// Shares a lost surface's area among its successors.
+  void hand_on(surface_id lost, double area, carried& now) {
+    if (!successors_)
+      successors_.emplace(from_version_, to_version_);
+    const auto weights = successors_->of(lost);
+    double sum = 0;
+    for (const auto& [id, weight] : weights)
+      sum += weight;
+    if (!(sum > 0))
+      return;
+    for (const auto& [id, weight] : weights)
+      now.moved[id] += area * weight / sum;
+    now.area_moved += area;
+  }
+
+  /// The total goes to what is left and to successors, by the area that they stand for.
+  static void share_force(const force& total, const carried& now, std::vector<load>& after) {
+    const double all = now.area_left_before + now.area_moved;
+    const auto part = [&](double area) {
+      return area == all ? total : force{(area / all) * total.total_n};
+    };
+    if (!now.left.empty())
+      after.push_back({now.left, now.moved.empty() ? total : part(now.area_left_before)});
+    for (const auto& [id, area] : now.moved)
+      after.push_back({{id}, part(area)});
+  }
+
+  /// What is left keeps its Pa; a successor gets the lost newtons on its own area.
+  void share_pressure(const load& before, const carried& now, std::vector<load>& after) const {
+    if (!now.left.empty())
+      after.push_back({now.left, before.kind});
+    for (const auto& [id, lost] : now.moved) {
+      const double factor = settings_.keep_traction ? 1 : lost / area(to_, id);
+      // With its Pa kept, a surface that has the load already needs no second one.
+      if (settings_.keep_traction && std::ranges::find(now.left, id) != now.left.end())
+        continue;
+      auto moved = before;
+      moved.surfaces = {id};
+      if (auto* t = std::get_if<traction>(&moved.kind))
+        t->pa = factor * t->pa;
+      else
+        std::get<pressure>(moved.kind).pa *= factor;
+      after.push_back(std::move(moved));
+    }
+  }
+
+  static std::string total_of(const receipt_line& line, bool is_force) {
+    const double change = std::abs(line.total_after - line.total_before);
+    if (change > 1e-9 * std::abs(line.total_before))
+      return "total changed from " + number(line.total_before) + " to " + number(line.total_after) +
+             " N";
+    return (is_force ? "total force " : "total ") + number(line.total_after) + " N kept";
+  }
+
   static std::string list(const std::vector<surface_id>& ids) {
     std::string text;
     for (const auto id : ids)
@@ -93,17 +215,38 @@ private:
     return text;
   }
 
-  static void describe(receipt_line& line, const std::vector<surface_id>& after, bool total_kept) {
+  /// The surfaces with their names, where they have one.
+  [[nodiscard]] std::string named_list(const std::vector<surface_id>& ids) const {
+    std::string text;
+    for (const auto id : ids) {
+      const auto* row = to_version_.find_surface(id);
+      text += (text.empty() ? "" : ", ") + std::to_string(id);
+      if (row && !row->name.empty())
+        text += " (" + row->name + ")";
+    }
+    return text;
+  }
+
+  /// `total` is a clause about newtons; empty for constraints.
+  void finish_line(receipt_line line, const std::vector<surface_id>& after, std::string total) {
+    line.area_after = area(to_, after);
     const double change = line.area_before > 0 ? 100 * (line.area_after / line.area_before - 1) : 0;
     const auto percent = (change > 0 ? "+" : "") + number(change) + " %";
-    const std::string total = total_kept ? "; its total force is kept" : "";
+    if (!total.empty())
+      total.insert(0, "; ");
+    const auto lost = list(line.surfaces_lost);
     if (after.empty()) {
       line.fate = receipt_fate::dropped;
-      line.text = line.item + " no longer acts: surface " + list(line.surfaces_lost) + " is gone";
+      line.text = line.item + " no longer acts: surface " + lost + " is gone" +
+                  (settings_.policy == load_policy::move ? " and none took its place" : "");
+    } else if (!line.moved_to.empty()) {
+      line.fate = receipt_fate::moved;
+      line.text = line.item + ": surface " + lost + " is gone, its share moved to surface " +
+                  named_list(line.moved_to) + total;
     } else if (!line.surfaces_lost.empty()) {
       line.fate = receipt_fate::reduced;
-      line.text = line.item + " lost surface " + list(line.surfaces_lost) + " and now acts on " +
-                  list(after) + " (area " + percent + ")" + total;
+      line.text = line.item + " lost surface " + lost + " and now acts on " + list(after) +
+                  " (area " + percent + ")" + total;
     } else if (std::abs(change) > 1e-9) {
       line.fate = receipt_fate::area_changed;
       line.text = line.item + ": area of surface " + list(after) + " is now " +
@@ -111,12 +254,17 @@ private:
     } else {
       line.text = line.item + " is as before";
     }
+    lines_.push_back(std::move(line));
   }
 
   std::string name_;
+  const mesh_version& from_version_;
+  const mesh_version& to_version_;
   std::map<surface_id, double> from_;
   std::map<surface_id, double> to_;
   const std::vector<surface_change>& map_;
+  const carry_settings& settings_;
+  std::optional<successors> successors_;  ///< Made when the first surface is lost.
   std::vector<receipt_line> lines_;
 };
 
@@ -132,46 +280,61 @@ std::string load_name(const load& item, std::size_t index) {
 
 }  // namespace
 
+std::string_view policy_name(load_policy policy) noexcept {
+  constexpr std::array names{"drop", "move", "refuse"};
+  return names[static_cast<std::size_t>(policy)];
+}
+
+expected<load_policy> policy_from_name(std::string_view name) {
+  for (const auto policy : {load_policy::drop, load_policy::move, load_policy::refuse})
+    if (policy_name(policy) == name)
+      return policy;
+  return fail(ec::invalid_argument, "there is no policy \"" + std::string(name) + "\" for loads",
+              "Take drop, move or refuse");
+}
+
 std::string_view fate_name(receipt_fate fate) noexcept {
-  switch (fate) {
-    case receipt_fate::kept:
-      return "kept";
-    case receipt_fate::area_changed:
-      return "area_changed";
-    case receipt_fate::reduced:
-      return "reduced";
-    case receipt_fate::dropped:
-      return "dropped";
-  }
-  return "kept";
+  constexpr std::array names{"kept", "area_changed", "reduced", "dropped", "moved"};
+  return names[static_cast<std::size_t>(fate)];
 }
 
 carried_load_case carry_over(const load_case& before, const mesh_version& from,
-                             const mesh_version& to, const std::vector<surface_change>& map) {
-  carrier work(before, from, to, map);
+                             const mesh_version& to, const std::vector<surface_change>& map,
+                             const carry_settings& settings) {
+  carrier work(before, from, to, map, settings);
   carried_load_case result;
-  result.after = before;
-  result.after.constraints.clear();
-  result.after.loads.clear();
-  for (std::size_t i = 0; i < before.constraints.size(); ++i) {
-    auto item = before.constraints[i];
-    item.surfaces = work.carry(item.surfaces, constraint_name(item, i), false);
-    if (!item.surfaces.empty())
-      result.after.constraints.push_back(std::move(item));
-  }
+  result.after.name = before.name;
+  result.after.materials = before.materials;
+  for (std::size_t i = 0; i < before.constraints.size(); ++i)
+    work.carry(before.constraints[i], constraint_name(before.constraints[i], i),
+               result.after.constraints);
   for (std::size_t i = 0; i < before.loads.size(); ++i) {
-    auto item = before.loads[i];
-    if (std::holds_alternative<gravity>(item.kind)) {
-      result.after.loads.push_back(std::move(item));
-      continue;
-    }
-    item.surfaces =
-      work.carry(item.surfaces, load_name(item, i), std::holds_alternative<force>(item.kind));
-    if (!item.surfaces.empty())
-      result.after.loads.push_back(std::move(item));
+    const auto& item = before.loads[i];
+    if (std::holds_alternative<gravity>(item.kind))
+      result.after.loads.push_back(item);
+    else
+      work.carry(item, load_name(item, i), result.after.loads);
   }
   result.lines = work.take_lines();
   return result;
+}
+
+expected<void> refuse_losses(const std::vector<receipt_line>& lines) {
+  std::string losses;
+  for (const auto& line : lines) {
+    if (line.surfaces_lost.empty())
+      continue;
+    losses += losses.empty() ? "" : "; ";
+    losses += (line.load_case.empty() ? "" : "load case " + line.load_case + ": ") + line.item +
+              " acts on surface";
+    for (const auto id : line.surfaces_lost)
+      losses += " " + std::to_string(id);
+  }
+  if (losses.empty())
+    return {};
+  return fail(ec::postcondition_failed,
+              "the edit takes away surfaces that loads or supports need: " + losses,
+              "Put them elsewhere first, or let the edit move or drop them");
 }
 
 }  // namespace tedit::fem

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "protocol/json.hpp"
+#include "protocol/load_policy_message.hpp"
 #include "protocol/optimisation_message.hpp"
 #include "tedit/v1/session.pb.h"
 
@@ -144,15 +145,14 @@ void to_message(vec3 v, v1::Vector3* out) {
   out->set_z(v.z);
 }
 
-// The message's enumerations start with one for "unspecified"; ours with `kept`, which no list of
-// changes holds, and with `kept` for receipts, which they do hold.
+// The message's enumeration starts with one for "unspecified"; ours with `kept`, which no list of
+// changes holds.
 v1::SurfaceChange::Fate fate_to(surface_fate fate) {
   return static_cast<v1::SurfaceChange::Fate>(static_cast<int>(fate));
 }
 
 static_assert(static_cast<int>(surface_fate::changed) == v1::SurfaceChange::CHANGED &&
               static_cast<int>(surface_fate::split_from) == v1::SurfaceChange::SPLIT_FROM);
-static_assert(static_cast<int>(fem::receipt_fate::dropped) + 1 == v1::ReceiptLine::DROPPED);
 
 void to_message(const surface_change& change, v1::SurfaceChange* out) {
   out->set_id(change.id);
@@ -167,26 +167,6 @@ surface_change from_message(const v1::SurfaceChange& m) {
   return {
     m.id(),           static_cast<surface_fate>(m.fate()), m.other(), m.name(), m.area_before_m2(),
     m.area_after_m2()};
-}
-
-void to_message(const fem::receipt_line& line, v1::ReceiptLine* out) {
-  out->set_load_case(line.load_case);
-  out->set_item(line.item);
-  out->set_fate(static_cast<v1::ReceiptLine::Fate>(static_cast<int>(line.fate) + 1));
-  out->mutable_surfaces_lost()->Assign(line.surfaces_lost.begin(), line.surfaces_lost.end());
-  out->set_area_before_m2(line.area_before);
-  out->set_area_after_m2(line.area_after);
-  out->set_text(line.text);
-}
-
-fem::receipt_line from_message(const v1::ReceiptLine& m) {
-  return {m.load_case(),
-          m.item(),
-          static_cast<fem::receipt_fate>(std::max(0, static_cast<int>(m.fate()) - 1)),
-          {m.surfaces_lost().begin(), m.surfaces_lost().end()},
-          m.area_before_m2(),
-          m.area_after_m2(),
-          m.text()};
 }
 
 static_assert(static_cast<int>(fem::singularity::reentrant_edge) + 1 ==
@@ -269,6 +249,7 @@ void to_message(const edit_report& report, v1::EditReport* out) {
   out->set_operation_ms(report.operation_ms);
   if (report.optimisation)
     to_message(*report.optimisation, out->mutable_optimisation());
+  to_message(report.loads, out->mutable_loads());
   out->set_improve_ms(report.improve_ms);
   out->set_check_ms(report.check_ms);
   out->set_total_ms(report.total_ms);
@@ -301,6 +282,7 @@ edit_report from_message(const v1::EditReport& m) {
   report.operation_ms = m.operation_ms();
   if (m.has_optimisation())
     report.optimisation = from_message(m.optimisation());
+  report.loads = from_message(m.loads()).value_or(fem::carry_settings{});
   report.improve_ms = m.improve_ms();
   report.check_ms = m.check_ms();
   report.total_ms = m.total_ms();

@@ -28,6 +28,7 @@ struct edit_report {
   std::string operation;
   std::vector<surface_id> surfaces;
   std::vector<surface_change> surface_map;
+  fem::carry_settings loads;  ///< What was to become of loads whose surface goes.
   std::vector<fem::receipt_line> receipt;
   std::vector<std::string> notices;
   std::vector<ops::figure> figures;            ///< Numbers of this operation alone.

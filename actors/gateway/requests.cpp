@@ -9,6 +9,7 @@
 #include "actors/session/session.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
+#include "protocol/load_policy_message.hpp"
 #include "protocol/operation_message.hpp"
 #include "protocol/selection_message.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 2;
+constexpr std::uint32_t protocol_minor = 3;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Uploaded and not yet imported, per connection.
@@ -308,6 +309,9 @@ void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
   ops::parameters parameters;
   for (const auto& [key, value] : body.parameters())
     parameters[key] = protocol::from_message(value);
+  const auto loads = protocol::from_message(body.loads());
+  if (!loads)
+    return refuse(id, loads.error());
   edit_request request;
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
@@ -315,6 +319,7 @@ void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
   request.surfaces.assign(body.surfaces().begin(), body.surfaces().end());
   request.parameters = protocol::parameters_to_json(parameters);
   request.expected_version = body.expected_version();
+  request.loads = *loads;
   self->request(document->session, answer_limit, std::move(request))
     .then(
       [=, this](const head_moved& moved) {

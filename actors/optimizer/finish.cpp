@@ -30,6 +30,7 @@ expected<finished_candidate> finish_candidate(const version_ptr& base, const ver
                                               const edit_claim& claim,
                                               const improve_request& wanted,
                                               const std::vector<fem::load_case>& load_cases,
+                                              const fem::carry_settings& settings,
                                               const execution& run) {
   run.report(0, "improving and checking");
   const auto finished = finish_edit(base, candidate, claim, wanted, {}, run);
@@ -42,10 +43,14 @@ expected<finished_candidate> finish_candidate(const version_ptr& base, const ver
   report.to_version = to_hex(result.version->id());
   report.surface_map = compare_surfaces(*base, *result.version);
   for (const auto& loads : load_cases) {
-    auto carried = fem::carry_over(loads, *base, *result.version, report.surface_map);
+    auto carried = fem::carry_over(loads, *base, *result.version, report.surface_map, settings);
     report.receipt.insert(report.receipt.end(), carried.lines.begin(), carried.lines.end());
     result.load_cases.push_back(std::move(carried.after));
   }
+  report.loads = settings;
+  if (settings.policy == fem::load_policy::refuse)
+    if (auto nothing_lost = fem::refuse_losses(report.receipt); !nothing_lost)
+      return fail(std::move(nothing_lost.error()));
   count_tets(*base, *result.version, report);
   report.volume_change = finished->volume_change;
   if (finished->improvement.before)

@@ -15,10 +15,11 @@ struct finished_candidate {
 };
 
 /// What happens to a candidate after its operation: the improvement asked for, the postconditions,
-/// the surface map and the receipt of each load case. Errors: those of `finish_edit`.
+/// the surface map and the receipt of each load case. Errors: those of `finish_edit` and, when
+/// losses are to be refused, of `fem::refuse_losses`.
 [[nodiscard]] expected<finished_candidate> finish_candidate(
   const version_ptr& base, const version_ptr& candidate, const edit_claim& claim,
   const improve_request& wanted, const std::vector<fem::load_case>& load_cases,
-  const execution& run);
+  const fem::carry_settings& settings, const execution& run);
 
 }  // namespace tedit::actors

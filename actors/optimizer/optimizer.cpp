@@ -72,6 +72,10 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
   const auto wanted = request_of(order.candidate.improve);
   if (!wanted)
     return fail(wanted.error());
+  if (order.load_policy < 0 || order.load_policy > static_cast<int>(fem::load_policy::refuse))
+    return fail(ec::protocol_error, "there is no such policy for loads");
+  const fem::carry_settings settings{static_cast<fem::load_policy>(order.load_policy),
+                                     order.keep_traction};
   std::vector<fem::load_case> load_cases;
   for (const auto& text : order.load_cases) {
     auto loads = protocol::load_case_from_json(text, "load case");
@@ -79,7 +83,7 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
       return fail(loads.error());
     load_cases.push_back(std::move(*loads));
   }
-  auto done = finish_candidate(*base, *candidate, *claim, *wanted, load_cases, run);
+  auto done = finish_candidate(*base, *candidate, *claim, *wanted, load_cases, settings, run);
   if (!done)
     return fail(done.error());
   done->report.notices = order.candidate.notices;

@@ -160,7 +160,12 @@ void session_state::check_candidate(const std::shared_ptr<edit_run>& run,
   }
   const auto job = new_job(run->request.ticket, run->request.client);
   const auto* head = graph.head();
-  finish_order order{base_order(), make_ref(*head->mesh), candidate, head->load_cases};
+  finish_order order{base_order(),
+                     make_ref(*head->mesh),
+                     candidate,
+                     head->load_cases,
+                     static_cast<int>(run->request.loads.policy),
+                     run->request.loads.keep_traction};
   running->cancel_job = [=, this] {
     caf::anon_send(parts.workers.optimizer, cancel_atom::value, job);
   };
@@ -197,7 +202,9 @@ void session_state::accept_edit(const std::shared_ptr<edit_run>& run, const fini
     node.report = protocol::to_json(full);
     const nlohmann::json details{{"operation", run->request.operation},
                                  {"surfaces", run->request.surfaces},
-                                 {"parameters", run->request.parameters}};
+                                 {"parameters", run->request.parameters},
+                                 {"loads", fem::policy_name(run->request.loads.policy)},
+                                 {"keep_traction", run->request.loads.keep_traction}};
     commit_node(std::move(node), "edit", details.dump(), {}, run->promise);
   };
   pull(result.source, *ids, use, [=, this](const error& e) { retry_edit(run, e); });

@@ -40,8 +40,11 @@ std::string quarantine::apply_to(const std::string& catalogue) const {
     const auto id = operation.value("id", std::string());
     const auto found = rows_.find(id);
     if (found != rows_.end() && is_off(found->second))
-      json["refused"].push_back(
-        {{"file", operation.value("plugin", id)}, {"reason", reason(id, found->second)}});
+      json["refused"].push_back({{"file", operation.value("plugin", id)},
+                                 {"reason", reason(id, found->second)},
+                                 {"operation", id},
+                                 {"crashes", found->second.deaths},
+                                 {"remedy", "start the server anew to have it tried again"}});
     else
       kept.push_back(std::move(operation));
   }

@@ -38,7 +38,7 @@ std::string descriptor_fault(const plugin_descriptor* d) {
 
 expected<void> catalogue::load_file(const std::filesystem::path& file) {
   const auto refuse = [&](const std::string& reason) {
-    refused_.push_back({file, reason});
+    refused_.push_back({file, reason, 0, {}});
     return fail(ec::plugin_refused, "the plugin " + file.string() + " is not used: " + reason,
                 "Rebuild it against this version, or remove it");
   };
@@ -85,7 +85,11 @@ void catalogue::load_directory(const std::filesystem::path& folder, load_care ca
   for (const auto& file : files) {
     if (care == load_care::probe)
       if (const auto fault = probe_plugin(file); !fault.empty()) {
-        refused_.push_back({file, fault});
+        // A verdict that is kept is one on a file that crashed or hung.
+        const auto kept = probe_cache(file);
+        const bool crashed = !kept.empty() && std::filesystem::exists(kept, code);
+        refused_.push_back({file, fault, crashed ? 1U : 0U,
+                            crashed ? "remove " + kept.string() + " to have it tried again" : ""});
         continue;
       }
     (void)load_file(file);  // A refusal is noted in refused().

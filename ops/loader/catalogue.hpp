@@ -14,6 +14,8 @@ namespace tedit::ops {
 struct refused_plugin {
   std::filesystem::path file;
   std::string reason;
+  unsigned crashes = 0;  ///< How often it broke the process that tried it: it is in quarantine.
+  std::string remedy;    ///< How to have such a one tried again.
 };
 
 /// How a folder's plugins are loaded.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 #include "ops/services/host_services.hpp"
@@ -123,9 +124,16 @@ planar_filling fill(const planar_polygon& polygon, const std::vector<point2>& ex
   result.points = polygon.points;
   for (const auto& loop : polygon.loops)
     for (const auto i : loop) {
+      if (handles[i] != nullptr)
+        continue;  // Loops may share a point.
+      const auto known = t.number_of_vertices();
       handles[i] = t.insert({polygon.points[i][0], polygon.points[i][1]});
+      if (t.number_of_vertices() == known)
+        throw std::invalid_argument("two points of a rim coincide");
       handles[i]->info() = i;
     }
+  if (t.dimension() < 2)
+    return result;  // All on one line: there are no faces to mark.
   for (const auto& loop : polygon.loops)
     for (std::size_t i = 0; i < loop.size(); ++i)
       t.insert_constraint(handles[loop[i]], handles[loop[(i + 1) % loop.size()]]);

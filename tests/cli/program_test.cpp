@@ -99,6 +99,29 @@ TEST(Edit, WritesAMeshThatReadsBackAndSolves) {
   EXPECT_LE(solve.parsed()["true_relative_residual"], 1e-6);
 }
 
+TEST(Edit, LoadsOfARemovedSurfaceFollowThePolicy) {
+  const auto loads = scratch("bore.json");
+  std::ifstream in(plate_loads);
+  auto on_bore = json::parse(in);
+  on_bore["loads"][0]["surfaces"] = {1, 2};
+  std::ofstream(loads) << on_bore;
+  const auto edit = "edit --json " + plate + " --op fill_hole --surfaces 1,2 --load-case " +
+                    loads.string() + " --loads ";
+
+  const auto moved = run(edit + "move");
+  const auto refused = run(edit + "refuse");
+
+  ASSERT_EQ(moved.status, 0) << moved.out;
+  const auto report = moved.parsed();
+  EXPECT_EQ(report["loads"], "move");
+  EXPECT_EQ(report["receipt"][1]["fate"], "moved");
+  EXPECT_EQ(report["receipt"][1]["moved_to"], json({3, 98}));
+  EXPECT_NEAR(report["receipt"][1]["total_after_n"], 20000, 1e-6);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.parsed()["error"]["code"], "postcondition_failed");
+  EXPECT_EQ(run(edit + "keep").status, 2);
+}
+
 TEST(Edit, ARefusalNamesTheRimAndWritesNothing) {
   const auto file = scratch("never.msh");
 

@@ -25,6 +25,33 @@ TEST(Run, CarriesOutARecipeWithUndo) {
   EXPECT_TRUE(std::filesystem::exists(scratch("out") / "v0.msh"));
 }
 
+TEST(Run, ARecipeSaysWhatBecomesOfLoads) {
+  const auto file = scratch("recipe.json");
+  const auto loads = scratch("bore.json");
+  std::ifstream in(plate_loads);
+  auto on_bore = json::parse(in);
+  on_bore["loads"][0]["surfaces"] = {1, 2};
+  std::ofstream(loads) << on_bore;
+  const auto with = [&](const json& policy) {
+    json edit{{"operation", "fill_hole"}, {"surfaces", {1, 2}}, {"loads", policy}};
+    std::ofstream(file) << json{{"steps",
+                                 {{{"import", {{"mesh", plate}}}},
+                                  {{"load_case", {{"file", loads}}}},
+                                  {{"edit", std::move(edit)}}}}};
+    return run("run --json " + file.string() + " --out " + scratch("out").string());
+  };
+
+  const auto moved = with("move");
+  const auto misspelt = with("moved");
+
+  ASSERT_EQ(moved.status, 0) << moved.out;
+  EXPECT_EQ(moved.parsed()["steps"][2]["receipt"][1]["fate"], "moved") << moved.out;
+  EXPECT_EQ(with("refuse").status, 1);
+  EXPECT_EQ(misspelt.status, 65);
+  EXPECT_NE(misspelt.parsed()["error"]["message"].get<std::string>().find("policy"),
+            std::string::npos);
+}
+
 /// A recipe on the plate with two load cases, the second with twice the force.
 json two_cases(const std::filesystem::path& doubled, json steps) {
   std::ifstream in(plate_loads);

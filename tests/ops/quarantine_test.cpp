@@ -2,6 +2,10 @@
 // Plugins that crash while they work: one edit is lost, never the session.
 #include "actors/supervisor/quarantine.hpp"
 
+#include <array>
+#include <cstdio>
+#include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/scenarios/fixture.hpp"
@@ -9,7 +13,9 @@
 namespace tedit::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Quarantine, SwitchesOffAfterSoManyDeaths) {
   actors::quarantine off(2);
@@ -45,6 +51,20 @@ TEST(Quarantine, WhatIsOffStandsAmongTheRefusedOfTheCatalogue) {
   ASSERT_EQ(json["refused"].size(), 1u);
   EXPECT_EQ(json["refused"][0]["file"], "bad 1.0");
   EXPECT_THAT(json["refused"][0]["reason"].get<std::string>(), HasSubstr("switched off"));
+  EXPECT_EQ(json["refused"][0]["operation"], "bad");
+  EXPECT_EQ(json["refused"][0]["crashes"], 1);
+  EXPECT_THAT(json["refused"][0]["remedy"].get<std::string>(), HasSubstr("start the server anew"));
+}
+
+/// What "tedit ops" prints, with these arguments.
+std::string listed(const std::string& arguments) {
+  const auto command = std::string(TEDIT_BIN "/tedit ops ") + arguments + " 2>&1";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  std::array<char, 4096> buffer;
+  while (pipe && std::fgets(buffer.data(), buffer.size(), pipe.get()))
+    text += buffer.data();
+  return text;
 }
 
 class CrashingPlugin : public ::testing::Test {
@@ -84,6 +104,25 @@ TEST_F(CrashingPlugin, CostsOneEditAndIsSwitchedOffWhileOthersGoOn) {
     EXPECT_NE(row["id"], "rule_breaker");
   ASSERT_EQ(catalogue["refused"].size(), 1u);
   EXPECT_THAT(catalogue["refused"][0]["reason"].get<std::string>(), HasSubstr("switched off"));
+  const auto token = folder.path() / "token";
+  std::ofstream(token) << "secret-of-the-test";
+  std::filesystem::permissions(token, std::filesystem::perms(0600));
+  EXPECT_THAT(listed("--server " + host->url() + " --token-file " + token.string()),
+              AllOf(HasSubstr("fill_hole 1"), HasSubstr("quarantined: rule_breaker (rule_breaker"),
+                    HasSubstr(", 3 crashes: "), HasSubstr("to lift it: start the server anew")));
+}
+
+TEST_F(CrashingPlugin, ThatCrashesWhenItIsTriedIsListedWithTheWayBack) {
+  setenv("TEDIT_BREAK", "file_opens", 1);
+
+  const auto text = listed("");
+
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("quarantined: " TEDIT_RULE_BREAKER "/rule_breaker.so, 1 crash: "),
+                    HasSubstr("to lift it: remove " + folder.path().string())));
+  unsetenv("TEDIT_BREAK");
+  std::filesystem::remove_all(folder.path() / "tedit/probes");
+  EXPECT_THAT(listed(""), AllOf(HasSubstr("rule_breaker 1"), Not(HasSubstr("quarantined"))));
 }
 
 TEST_F(CrashingPlugin, AHangIsEndedByTheLimitOfEdits) {

@@ -99,5 +99,17 @@ TEST(Tetrahedralise, AnOpenSurfaceIsRefusedAndNothingHangs) {
   EXPECT_TRUE(filling.error().code == ec::mesher_failed || filling.error().code == ec::timeout);
 }
 
+TEST(Triangulate, APolygonWithoutAreaIsRefused) {
+  const planar_polygon line{{{0, 0}, {1, 0}, {2, 0}, {1.5, 0}}, {{0, 1, 2, 3}}};
+  const planar_polygon twice{{{0, 0}, {1, 0}, {1, 1}, {1, 0}}, {{0, 1, 2, 3}}};
+
+  for (const auto& polygon : {line, twice}) {
+    const auto refused = triangulate_polygon(polygon, 0.5);
+
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, ec::mesher_failed);
+  }
+}
+
 }  // namespace
 }  // namespace tedit::ops

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/version.hpp"
+#include "protocol/load_policy_message.hpp"
+#include "tedit/v1/report.pb.h"
 
 namespace tedit::protocol {
 namespace {
@@ -51,6 +53,44 @@ TEST(EditReportJson, FiguresSurviveTheRoundTrip) {
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   EXPECT_EQ(after->figures, before.figures);
+}
+
+TEST(EditReportJson, WhatBecameOfLoadsSurvivesTheRoundTrip) {
+  edit_report before;
+  before.loads = {fem::load_policy::move, true};
+  fem::receipt_line line{"bend", "load 1 (force)", fem::receipt_fate::moved, {7}, 4, 2, "moved"};
+  line.moved_to = {25, 26};
+  line.total_before = 8;
+  line.total_after = 6;
+  before.receipt = {line};
+
+  const auto after = edit_report_from_json(protocol::to_json(before));
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  EXPECT_EQ(after->loads, before.loads);
+  ASSERT_EQ(after->receipt.size(), 1u);
+  EXPECT_EQ(after->receipt[0].fate, fem::receipt_fate::moved);
+  EXPECT_EQ(after->receipt[0].moved_to, line.moved_to);
+  EXPECT_EQ(after->receipt[0].total_before, 8);
+  EXPECT_EQ(after->receipt[0].total_after, 6);
+}
+
+TEST(EditReportJson, OfAnOlderProgramDropsLoads) {
+  const auto after = edit_report_from_json("{}");
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  EXPECT_EQ(after->loads, fem::carry_settings{});
+}
+
+TEST(LoadPolicyMessage, AKindThatIsNotKnownIsRefused) {
+  v1::LoadPolicy message;
+  EXPECT_EQ(protocol::from_message(message).value().policy, fem::load_policy::drop);
+  message.set_kind(static_cast<v1::LoadPolicy::Kind>(9));
+
+  const auto refused = protocol::from_message(message);
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::invalid_argument);
 }
 
 TEST(SolveReportJson, JudgementsSurviveTheRoundTrip) {
