@@ -71,10 +71,11 @@ struct edit_request {
   fem::carry_settings loads;
 };
 
-enum class move_kind { undo, redo };
+enum class move_kind { undo, redo, go_to };
 
 struct move_request {
   move_kind kind = move_kind::undo;
+  std::uint32_t number = 0;  ///< For go_to.
 };
 
 struct load_case_request {
@@ -112,6 +113,7 @@ struct session_snapshot {
   std::string document;
   std::optional<version_info> head;
   version_ptr version;
+  std::vector<std::string> load_cases;  ///< JSON each.
   bool can_undo = false;
   bool can_redo = false;
 };
@@ -121,11 +123,18 @@ struct head_moved {
   version_info head;
   version_ptr version;
   std::string cause;
-  std::string report;  ///< JSON of EditReport; empty unless `cause` is "edit".
+  std::string report;                   ///< JSON of EditReport; empty unless `cause` is "edit".
+  std::vector<std::string> load_cases;  ///< JSON each.
   std::vector<std::string> warnings;
   bool can_undo = false;
   bool can_redo = false;
   double commit_ms = 0;
+};
+
+struct load_cases_changed {
+  std::string document;
+  std::string version;                  ///< Hexadecimal.
+  std::vector<std::string> load_cases;  ///< JSON each.
 };
 
 enum class solve_phase { started, converging, superseded, cancelled, failed };
@@ -216,6 +225,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::select_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_cases_changed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::request_progress)

@@ -271,6 +271,38 @@ expected<committed> client::redo() {
   return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
 }
 
+expected<committed> client::go_to(std::uint32_t number) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_go_to_version()->set_document(*document);
+  request.mutable_go_to_version()->set_number(number);
+  return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
+}
+
+expected<section> client::cut(const vec3& at, const vec3& normal, const std::string& load_case,
+                              const execution& run) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* wanted = request.mutable_cut_section();
+  wanted->set_document(*document);
+  wanted->set_load_case(load_case);
+  const auto set = [](const vec3& from, v1::Vector3* to) {
+    to->set_x(from.x);
+    to->set_y(from.y);
+    to->set_z(from.z);
+  };
+  set(at, wanted->mutable_point_m());
+  set(normal, wanted->mutable_normal());
+  auto got = impl_->ask(std::move(request), body::kSectionReady, run);
+  if (!got)
+    return fail(std::move(got.error()));
+  return read_section(got->message.section_ready(), *got->bulk);
+}
+
 expected<solve_report> client::solve(const solve_settings& settings, const execution& run) {
   return solve_cases(settings, run).map([](const solve_outcome& outcome) {
     return outcome.cases.front();
@@ -316,7 +348,7 @@ expected<std::vector<char>> client::export_file(file_format format, const std::s
   auto got = impl_->ask(std::move(request), body::kFileReady, run);
   if (!got)
     return fail(std::move(got.error()));
-  return std::move(got->file);
+  return got->bulk->bytes("file");
 }
 
 expected<std::vector<found_feature>> client::select(const selection_query& query,

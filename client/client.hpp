@@ -77,6 +77,16 @@ public:
   [[nodiscard]] expected<committed> undo();
   [[nodiscard]] expected<committed> redo();
 
+  /// Makes any version the head, by its number; undo and redo go along its branch from then on.
+  /// Errors: also `not_found`, `protocol_error` from a server with protocol_minor below 4.
+  [[nodiscard]] expected<committed> go_to(std::uint32_t number);
+
+  /// Cuts the head with the plane through `at` (m) across `normal`, with the field of a load case;
+  /// an empty name: the only one, or the envelope of several. Errors: also `superseded` when
+  /// another section was asked for meanwhile, `protocol_error` as above.
+  [[nodiscard]] expected<section> cut(const vec3& at, const vec3& normal,
+                                      const std::string& load_case, const execution& run);
+
   /// Solves on the head, one load case or several together; from then on the server solves every
   /// new head with these settings. Fields that arrived before the call are forgotten.
   /// Errors: also `protocol_error` when the server is too old to solve several.

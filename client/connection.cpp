@@ -8,7 +8,7 @@ namespace tedit::client {
 namespace {
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 3;
+constexpr std::uint32_t protocol_minor = 4;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.
@@ -23,8 +23,8 @@ tl::unexpected<error> too_slow(std::chrono::milliseconds limit) {
 
 connection::connection(events handlers)
     : handlers_(std::move(handlers)),
-      inbox_(handlers_, [this](std::uint64_t id,
-                               std::vector<char> bytes) { file_came(id, std::move(bytes)); }),
+      inbox_(handlers_,
+             [this](std::uint64_t id, incoming_stream data) { bulk_came(id, std::move(data)); }),
       socket_({[this](std::string_view payload) { received(payload); },
                [this](const error& reason) { closed(reason); }}) {}
 
@@ -118,7 +118,7 @@ expected<connection::answer> connection::ask(v1::ClientMessage request,
     status = wait(id, **entry, limit, run);
   remove(id);
   if (!status) {
-    inbox_.drop_file(id);
+    inbox_.drop_bulk(id);
     return fail(std::move(status.error()));
   }
   answer& result = (*entry)->result;
@@ -238,7 +238,9 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       progress_came(message.request_id(), message.progress());
       return {};
     case body::kFileReady:
-      return dispatch_file(message, bytes);
+      return dispatch_bulk(message, message.file_ready().stream(), bytes);
+    case body::kSectionReady:
+      return dispatch_bulk(message, message.section_ready().stream(), bytes);
     case body::kCommitted:
       committed_came(message);
       return {};
@@ -251,6 +253,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       answer_came(message);
       return {};
     case body::kSolveStatus:
+    case body::kLoadCasesChanged:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
     case body::kChunk:
@@ -261,14 +264,15 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
   }
 }
 
-expected<void> connection::dispatch_file(v1::ServerMessage& message, std::size_t bytes) {
+expected<void> connection::dispatch_bulk(v1::ServerMessage& message, const v1::Stream& stream,
+                                         std::size_t bytes) {
   const auto id = message.request_id();
   const auto request = find(id);
   if (request) {
     const std::lock_guard lock(mutex_);
     request->result.message = message;  // Done with the last chunk.
   }
-  return inbox_.take(message.file_ready(), request ? id : 0, bytes);
+  return inbox_.take(stream, request ? id : 0, bytes);
 }
 
 expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_t bytes) {
@@ -278,6 +282,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     return inbox_.take(message.field_update(), bytes);
   if (message.has_chunk())
     return inbox_.take(message.chunk(), bytes);
+  if (message.has_load_cases_changed()) {
+    const auto& what = message.load_cases_changed();
+    if (handlers_.on_load_cases && inbox_.is_open(what.document()))
+      handlers_.on_load_cases(from_message(what));
+    return {};
+  }
   if (handlers_.on_solve_status && inbox_.is_open(message.solve_status().document()))
     handlers_.on_solve_status(from_message(message.solve_status()));
   return {};
@@ -346,11 +356,11 @@ void connection::answer_came(v1::ServerMessage& message) {
   }
 }
 
-void connection::file_came(std::uint64_t id, std::vector<char> bytes) {
+void connection::bulk_came(std::uint64_t id, incoming_stream data) {
   if (const auto request = find(id)) {
     {
       const std::lock_guard lock(mutex_);
-      request->result.file = std::move(bytes);
+      request->result.bulk = std::move(data);
       request->done = true;
     }
     changed_.notify_all();

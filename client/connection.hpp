@@ -24,7 +24,7 @@ public:
   /// What came for one request.
   struct answer {
     v1::ServerMessage message;
-    std::vector<char> file;  ///< For FileReady.
+    std::optional<incoming_stream> bulk;  ///< For FileReady and SectionReady, complete.
   };
 
   explicit connection(events handlers);
@@ -100,14 +100,15 @@ private:
   // -- on the I/O thread --
   void received(std::string_view payload);
   [[nodiscard]] expected<void> dispatch(v1::ServerMessage& message, std::size_t bytes);
-  [[nodiscard]] expected<void> dispatch_file(v1::ServerMessage& message, std::size_t bytes);
+  [[nodiscard]] expected<void> dispatch_bulk(v1::ServerMessage& message, const v1::Stream& stream,
+                                             std::size_t bytes);
   [[nodiscard]] expected<void> dispatch_event(v1::ServerMessage& message, std::size_t bytes);
   void committed_came(v1::ServerMessage& message);
   void solved_came(v1::ServerMessage& message);
   void progress_came(std::uint64_t id, const v1::Progress& progress);
   void error_came(std::uint64_t id, const v1::Error& message);
   void answer_came(v1::ServerMessage& message);
-  void file_came(std::uint64_t id, std::vector<char> bytes);
+  void bulk_came(std::uint64_t id, incoming_stream data);
   void closed(const error& reason);
   [[nodiscard]] shared_pending find(std::uint64_t id);
 

@@ -34,11 +34,11 @@ expected<void> inbox::take(const v1::FieldUpdate& message, std::size_t message_b
   return begin(message.stream(), message_bytes, message);
 }
 
-expected<void> inbox::take(const v1::FileReady& message, std::uint64_t request,
+expected<void> inbox::take(const v1::Stream& stream, std::uint64_t request,
                            std::size_t message_bytes) {
   if (request == 0)
-    return begin(message.stream(), message_bytes, std::monostate{});
-  return begin(message.stream(), message_bytes, file_request{request});
+    return begin(stream, message_bytes, std::monostate{});
+  return begin(stream, message_bytes, bulk_answer{request});
 }
 
 expected<void> inbox::begin(const v1::Stream& stream, std::size_t message_bytes,
@@ -88,13 +88,13 @@ expected<void> inbox::finish(std::uint64_t stream) {
     lock.unlock();
     return finish_surfaces();
   }
-  const arrival done = std::move(found->second);
+  arrival done = std::move(found->second);
   streams_.erase(found);
   lock.unlock();
   if (std::holds_alternative<v1::FieldUpdate>(done.purpose))
     return finish_field(done);
-  if (std::holds_alternative<file_request>(done.purpose))
-    return finish_file(done);
+  if (std::holds_alternative<bulk_answer>(done.purpose))
+    return finish_bulk(std::move(done));
   return {};
 }
 
@@ -170,11 +170,8 @@ void inbox::keep_field(const shared_field& field) {
     fields_in_.pop_front();
 }
 
-expected<void> inbox::finish_file(const arrival& done) {
-  auto bytes = done.data.bytes("file");
-  if (!bytes)
-    return fail(std::move(bytes.error()));
-  on_file_(std::get<file_request>(done.purpose).request, std::move(*bytes));
+expected<void> inbox::finish_bulk(arrival done) {
+  on_bulk_(std::get<bulk_answer>(done.purpose).request, std::move(done.data));
   return {};
 }
 
@@ -189,7 +186,7 @@ void inbox::open(const std::string& document) {
   const std::lock_guard lock(mutex_);
   document_ = document;
   for (auto& [number, stream] : streams_)
-    if (!std::holds_alternative<file_request>(stream.purpose)) {
+    if (!std::holds_alternative<bulk_answer>(stream.purpose)) {
       stream.purpose = std::monostate{};
       stream.data.discard();
     }
@@ -217,11 +214,11 @@ void inbox::head_moved(const std::string& version_id) {
     std::erase_if(surfaces_in_, [&](const auto& e) { return e.version_id == version_id; });
 }
 
-void inbox::drop_file(std::uint64_t request) {
+void inbox::drop_bulk(std::uint64_t request) {
   const std::lock_guard lock(mutex_);
   for (auto& [number, stream] : streams_) {
-    const auto* file = std::get_if<file_request>(&stream.purpose);
-    if (!file || file->request != request)
+    const auto* answer = std::get_if<bulk_answer>(&stream.purpose);
+    if (!answer || answer->request != request)
       continue;
     stream.purpose = std::monostate{};
     stream.data.discard();

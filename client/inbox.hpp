@@ -21,16 +21,16 @@ namespace tedit::client {
 /// fields and files. Fed by the I/O thread, read by all. Internal to the client.
 class inbox {
 public:
-  /// `on_file` gets each complete file with the request that it answers, on the I/O thread.
+  /// `on_bulk` gets each complete file with the request that it answers, on the I/O thread.
   inbox(const events& handlers,
-        std::function<void(std::uint64_t request, std::vector<char> bytes)> on_file)
-      : handlers_(handlers), on_file_(std::move(on_file)) {}
+        std::function<void(std::uint64_t request, incoming_stream data)> on_bulk)
+      : handlers_(handlers), on_bulk_(std::move(on_bulk)) {}
 
   // -- from the I/O thread. Errors: `protocol_error`, after which the server cannot be followed --
 
   [[nodiscard]] expected<void> take(const v1::SurfaceUpdate& message, std::size_t message_bytes);
   [[nodiscard]] expected<void> take(const v1::FieldUpdate& message, std::size_t message_bytes);
-  [[nodiscard]] expected<void> take(const v1::FileReady& message, std::uint64_t request,
+  [[nodiscard]] expected<void> take(const v1::Stream& stream, std::uint64_t request,
                                     std::size_t message_bytes);
   [[nodiscard]] expected<void> take(const v1::Chunk& message, std::size_t message_bytes);
 
@@ -49,7 +49,7 @@ public:
   void opened(const std::string& document);
 
   /// Throws a file's stream away that nobody waits for any more.
-  void drop_file(std::uint64_t request);
+  void drop_bulk(std::uint64_t request);
 
   /// Fields that came earlier do not count for the waits to come.
   void forget_fields();
@@ -66,14 +66,14 @@ public:
                                                     std::chrono::milliseconds patience);
 
 private:
-  struct file_request {
+  struct bulk_answer {
     std::uint64_t request = 0;
   };
 
   /// A stream on its way and what it is for; nothing for what is not for the open document.
   struct arrival {
     incoming_stream data;
-    std::variant<std::monostate, v1::SurfaceUpdate, v1::FieldUpdate, file_request> purpose;
+    std::variant<std::monostate, v1::SurfaceUpdate, v1::FieldUpdate, bulk_answer> purpose;
   };
 
   [[nodiscard]] expected<void> begin(const v1::Stream& stream, std::size_t message_bytes,
@@ -84,11 +84,11 @@ private:
                                                    const traffic& moved);
   [[nodiscard]] expected<void> finish_field(const arrival& done);
   void keep_field(const shared_field& field);
-  [[nodiscard]] expected<void> finish_file(const arrival& done);
+  [[nodiscard]] expected<void> finish_bulk(arrival done);
   [[nodiscard]] std::optional<expected<surface_event>> find_surface(const std::string& version_id);
 
   const events& handlers_;
-  std::function<void(std::uint64_t, std::vector<char>)> on_file_;
+  std::function<void(std::uint64_t, incoming_stream)> on_bulk_;
 
   mutable std::mutex mutex_;  ///< Guards all below.
   std::condition_variable changed_;

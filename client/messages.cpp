@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "protocol/convert.hpp"
+#include "protocol/json.hpp"
+
 namespace tedit::client {
 
 namespace {
@@ -45,6 +48,20 @@ expected<void> check_sizes(const field_event& field) {
 
 }  // namespace
 
+namespace {
+
+/// Those that can be understood: a newer server may have kinds of loads that we do not know.
+std::vector<fem::load_case> load_cases_from(
+  const google::protobuf::RepeatedPtrField<v1::LoadCase>& messages) {
+  std::vector<fem::load_case> result;
+  for (const auto& one : messages)
+    if (auto known = protocol::load_case_from_json(protocol::message_to_json(one), "the server"))
+      result.push_back(std::move(*known));
+  return result;
+}
+
+}  // namespace
+
 error from_message(const v1::Error& message) {
   return {code_from_name(message.code()), message.message(), message.remedy(), message.where()};
 }
@@ -73,6 +90,7 @@ committed from_message(const v1::Committed& message) {
   result.can_undo = message.can_undo();
   result.can_redo = message.can_redo();
   result.commit_ms = message.commit_ms();
+  result.load_cases = load_cases_from(message.load_cases());
   return result;
 }
 
@@ -97,7 +115,12 @@ document_state from_message(const v1::DocumentState& message) {
     result.head = from_message(message.head());
   result.can_undo = message.can_undo();
   result.can_redo = message.can_redo();
+  result.load_cases = load_cases_from(message.load_cases());
   return result;
+}
+
+load_cases_event from_message(const v1::LoadCasesChanged& message) {
+  return {message.version_id(), load_cases_from(message.load_cases())};
 }
 
 history from_message(const v1::History& message) {
@@ -171,6 +194,27 @@ expected<field_event> read_field(const v1::FieldUpdate& message, const incoming_
     status = check_sizes(result);
   if (!status)
     return fail(std::move(status.error()));
+  return result;
+}
+
+expected<section> read_section(const v1::SectionReady& message, const incoming_stream& stream) {
+  section result;
+  result.version_id = message.version_id();
+  expected<void> status;
+  take(stream.f32("positions", 3), result.positions, status);
+  take(stream.u32("triangles", 3), result.triangles, status);
+  take(stream.f32("von_mises_pa", 1), result.von_mises, status);
+  take(stream.f32("displacement_m", 3), result.displacement, status);
+  if (!status)
+    return fail(status.error());
+  const auto points = result.positions.size() / 3;
+  const bool fits =
+    (result.von_mises.empty() || result.von_mises.size() == points) &&
+    (result.displacement.empty() || result.displacement.size() == 3 * points) &&
+    std::ranges::all_of(result.triangles, [&](std::uint32_t p) { return p < points; });
+  if (!fits)
+    return fail(ec::protocol_error,
+                "a section's arrays do not fit to its " + std::to_string(points) + " points");
   return result;
 }
 

@@ -19,6 +19,13 @@ namespace tedit::client {
 [[nodiscard]] server_status from_message(const v1::ServerStatus& message);
 [[nodiscard]] stream_header from_message(const v1::Stream& message);
 
+[[nodiscard]] load_cases_event from_message(const v1::LoadCasesChanged& message);
+
+/// The section with the arrays of its complete stream. Errors: `protocol_error`, also when sizes or
+/// point numbers do not fit.
+[[nodiscard]] expected<section> read_section(const v1::SectionReady& message,
+                                             const incoming_stream& stream);
+
 /// The update with the arrays of its complete stream. Errors: `protocol_error`.
 [[nodiscard]] expected<surface_update> read_surface(const v1::SurfaceUpdate& message,
                                                     const incoming_stream& stream);

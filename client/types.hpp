@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fem/load_case.hpp"
 #include "protocol/report.hpp"
 
 /// What the client hands to its caller: the protocol's messages as plain data.
@@ -79,7 +80,8 @@ struct committed {
   std::vector<std::string> warnings;  ///< For an import.
   bool can_undo = false;
   bool can_redo = false;
-  double commit_ms = 0;  ///< Waiting for the storage.
+  double commit_ms = 0;                    ///< Waiting for the storage.
+  std::vector<fem::load_case> load_cases;  ///< Of the head. Older servers say nothing.
 };
 
 /// The numbers of `tedit.v1.SolveStatus.Phase`.
@@ -107,6 +109,22 @@ struct document_state {
   std::optional<version_info> head;  ///< None before the first import.
   bool can_undo = false;
   bool can_redo = false;
+  std::vector<fem::load_case> load_cases;  ///< Of the head. Older servers say nothing.
+};
+
+/// The load cases of the head were replaced or added to.
+struct load_cases_event {
+  std::string version_id;
+  std::vector<fem::load_case> load_cases;  ///< All of them.
+};
+
+/// A plane through the part (message `tedit.v1.SectionReady`).
+struct section {
+  std::string version_id;
+  std::vector<float> positions;          ///< m, 3 per point.
+  std::vector<std::uint32_t> triangles;  ///< 3 points each, counter-clockwise from the normal.
+  std::vector<float> von_mises;          ///< Pa, 1 per point; empty when it is not solved.
+  std::vector<float> displacement;       ///< m, 3 per point; empty also for an envelope.
 };
 
 struct history {
@@ -155,6 +173,7 @@ struct events {
   std::function<void(const field_event&)> on_field;
   std::function<void(const committed&)> on_committed;  ///< By any client, this one included.
   std::function<void(const solve_status&)> on_solve_status;
+  std::function<void(const load_cases_event&)> on_load_cases;  ///< By any client.
   std::function<void(const solve_outcome&)> on_solved;  ///< Not the answer to `client::solve`.
 };
 

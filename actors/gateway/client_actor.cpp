@@ -107,10 +107,19 @@ void client_state::on_head(const actors::head_moved& event) {
   const auto found = documents.find(event.document);
   if (found == documents.end())
     return;
+  found->second.head = event.version;
   v1::ServerMessage message;
   to_message(event, message.mutable_committed());
   send(*to, message);
   want_surface(event.document, event.version);
+}
+
+void client_state::on_load_cases(const actors::load_cases_changed& event) {
+  if (!documents.contains(event.document))
+    return;
+  v1::ServerMessage message;
+  to_message(event, message.mutable_load_cases_changed());
+  send(*to, message);
 }
 
 void client_state::want_surface(const std::string& document, const version_ptr& mesh) {
@@ -138,6 +147,7 @@ void client_state::on_solved(const actors::solved& event) {
   to_message(event, message.mutable_solved());
   send(*to, message);
   auto& open = found->second;
+  open.last_solved = event;
   if (!open.watch_fields)
     return;
   const bool queued = open.wanted_fields.has_value();
@@ -192,6 +202,8 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
           [&state](closed_atom) { state.on_closed(); },
           [&state](const actors::head_moved& event) { state.on_head(event); },
           [&state](const actors::solved& event) { state.on_solved(event); },
+          [&state](const section_cut& cut) { state.on_section(cut); },
+          [&state](const actors::load_cases_changed& event) { state.on_load_cases(event); },
           [&state](const actors::solve_note& event) { state.on_note(event); },
           [&state](const actors::request_progress& event) { state.on_progress(event); }};
 }

@@ -17,6 +17,13 @@ namespace tedit::gateway {
 using drained_atom = caf::atom_constant<caf::atom("drained")>;
 using closed_atom = caf::atom_constant<caf::atom("closed")>;
 
+/// A section that was made aside, or why it was not.
+struct section_cut {
+  std::uint64_t id = 0;
+  std::string document;
+  std::shared_ptr<const expected<bulk>> result;
+};
+
 struct client_state;
 using client_pointer = caf::stateful_actor<client_state>*;
 
@@ -31,14 +38,23 @@ struct gateway_parts {
 /// One client: what it has open, what runs for it, what is on its way to it. The members are called
 /// by the actor's handlers and by nothing else.
 struct client_state {
+  struct section_request {
+    std::uint64_t id = 0;
+    v1::CutSection body;
+  };
+
   struct open_document {
     actors::session_actor session;
     bool watch_surface = false;
     bool watch_fields = false;
     surface_stream surface;
-    version_ptr wanted_surface;  ///< The newest head, when it was not sent yet.
+    version_ptr head;
+    std::optional<actors::solved> last_solved;  ///< Of the head or an earlier version.
+    version_ptr wanted_surface;                 ///< The newest head, when it was not sent yet.
     std::optional<actors::solved> wanted_fields;
     unsigned next_field = 0;  ///< Of `wanted_fields`; those before it were sent.
+    bool cutting = false;     ///< A section is being made.
+    std::optional<section_request> next_section;  ///< Asked for meanwhile; the newest wins.
   };
 
   struct upload {
@@ -69,16 +85,23 @@ struct client_state {
   void import(std::uint64_t id, const v1::ImportMesh& body);
   void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
   void edit(std::uint64_t id, const v1::ApplyEdit& body);
-  void move(std::uint64_t id, const std::string& document, actors::move_kind kind);
+  void move(std::uint64_t id, const std::string& document, const actors::move_request& request);
   void solve(std::uint64_t id, const v1::Solve& body);
   void export_file(std::uint64_t id, const v1::ExportFile& body);
   void select(std::uint64_t id, const v1::SelectSurfaces& body);
   void history(std::uint64_t id, const v1::GetHistory& body);
 
+  // -- sections (section.cpp) ----------------------------------------------------------------
+
+  void section(std::uint64_t id, const v1::CutSection& body);
+  void begin_section(open_document& document, const section_request& request);
+  void on_section(const section_cut& cut);
+
   // -- events and answers ----------------------------------------------------------------------
 
   void on_head(const actors::head_moved& event);
   void on_solved(const actors::solved& event);
+  void on_load_cases(const actors::load_cases_changed& event);
   void on_note(const actors::solve_note& event);
   void on_progress(const actors::request_progress& event);
   void want_surface(const std::string& document, const version_ptr& mesh);
@@ -106,6 +129,11 @@ struct client_state {
   static inline const char* name = "client";
 };
 
+/// The answer SectionReady for a version with the fields of its solve, if there are any;
+/// `load_case` as in CutSection. Errors: as `cut_by_plane`, and `not_found` for the load case.
+[[nodiscard]] expected<bulk> make_section(const mesh_version& mesh, const actors::solved* fields,
+                                          const v1::CutSection& request);
+
 /// Speaks the protocol `tedit.v1` with one client.
 caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, gateway_parts parts);
 
@@ -114,6 +142,10 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, g
 
 void to_message(const actors::version_info& info, v1::VersionInfo* out);
 void to_message(const actors::head_moved& moved, v1::Committed* out);
+void to_message(const actors::load_cases_changed& event, v1::LoadCasesChanged* out);
+/// Load cases as they travel between actors, JSON each.
+void to_messages(const std::vector<std::string>& load_cases,
+                 google::protobuf::RepeatedPtrField<v1::LoadCase>* out);
 void to_message(const actors::solve_note& note, v1::SolveStatus* out);
 void to_message(const actors::solved& done, v1::Solved* out);
 void to_message(const error& e, v1::Error* out);
@@ -123,3 +155,5 @@ void to_message(const actors::server_status& status, v1::ServerStatus* out);
 
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(std::shared_ptr<tedit::gateway::connection>)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::gateway::gateway_parts)
+
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::gateway::section_cut)

@@ -16,6 +16,19 @@ void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->mutable_load_cases()->Assign(info.load_cases.begin(), info.load_cases.end());
 }
 
+void to_messages(const std::vector<std::string>& load_cases,
+                 google::protobuf::RepeatedPtrField<v1::LoadCase>* out) {
+  for (const auto& json : load_cases)
+    if (auto one = protocol::message_from_json<v1::LoadCase>(json))
+      *out->Add() = std::move(*one);
+}
+
+void to_message(const actors::load_cases_changed& event, v1::LoadCasesChanged* out) {
+  out->set_document(event.document);
+  out->set_version_id(event.version);
+  to_messages(event.load_cases, out->mutable_load_cases());
+}
+
 void to_message(const actors::head_moved& moved, v1::Committed* out) {
   out->set_document(moved.document);
   to_message(moved.head, out->mutable_head());
@@ -27,6 +40,7 @@ void to_message(const actors::head_moved& moved, v1::Committed* out) {
   out->set_can_undo(moved.can_undo);
   out->set_can_redo(moved.can_redo);
   out->set_commit_ms(moved.commit_ms);
+  to_messages(moved.load_cases, out->mutable_load_cases());
 }
 
 void to_message(const actors::solve_note& note, v1::SolveStatus* out) {

@@ -20,7 +20,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 3;
+constexpr std::uint32_t protocol_minor = 4;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Uploaded and not yet imported, per connection.
@@ -128,9 +128,14 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
     case body::kApplyEdit:
       return edit(id, message.apply_edit());
     case body::kUndo:
-      return move(id, message.undo().document(), move_kind::undo);
+      return move(id, message.undo().document(), {move_kind::undo});
     case body::kRedo:
-      return move(id, message.redo().document(), move_kind::redo);
+      return move(id, message.redo().document(), {move_kind::redo});
+    case body::kGoToVersion:
+      return move(id, message.go_to_version().document(),
+                  {move_kind::go_to, message.go_to_version().number()});
+    case body::kCutSection:
+      return section(id, message.cut_section());
     case body::kSolve:
       return solve(id, message.solve());
     case body::kExportFile:
@@ -202,6 +207,8 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
     document.watch_surface = surface;
     document.watch_fields = fields;
     document.surface = {};
+    document.head = snapshot.version;
+    document.last_solved.reset();
     v1::ServerMessage message;
     auto* state = message.mutable_document_state();
     state->set_document(snapshot.document);
@@ -209,6 +216,7 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
       to_message(*snapshot.head, state->mutable_head());
     state->set_can_undo(snapshot.can_undo);
     state->set_can_redo(snapshot.can_redo);
+    to_messages(snapshot.load_cases, state->mutable_load_cases());
     answer(id, std::move(message));
     want_surface(snapshot.document, snapshot.version);
   };
@@ -330,12 +338,13 @@ void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
       [=, this](const caf::error& e) { refuse(id, from_caf(e, "the edit")); });
 }
 
-void client_state::move(std::uint64_t id, const std::string& document_name, move_kind kind) {
+void client_state::move(std::uint64_t id, const std::string& document_name,
+                        const move_request& request) {
   const auto* document = find(id, document_name);
   if (!document)
     return;
   begin(id, {});
-  self->request(document->session, answer_limit, move_request{kind})
+  self->request(document->session, answer_limit, request)
     .then(
       [=, this](const head_moved& moved) {
         v1::ServerMessage message;

@@ -254,6 +254,7 @@ head_moved session_state::describe_head(const std::string& cause) const {
   moved.document = parts.document;
   moved.head = head->info;
   moved.version = head->mesh;
+  moved.load_cases = head->load_cases;
   moved.cause = cause;
   if (cause == "edit")
     moved.report = head->report;
@@ -264,34 +265,31 @@ head_moved session_state::describe_head(const std::string& cause) const {
 
 caf::result<head_moved> session_state::move(const move_request& request) {
   auto promise = self->make_response_promise<head_moved>();
-  const auto kind = request.kind;
-  enqueue({0, [=, this] { begin_move(kind, promise); },
+  enqueue({0, [=, this] { begin_move(request, promise); },
            [=](const error& e) mutable { promise.deliver(to_caf(e)); }});
   return promise;
 }
 
-void session_state::begin_move(move_kind kind, caf::typed_response_promise<head_moved> promise) {
-  const bool undo = kind == move_kind::undo;
-  const auto target = undo ? graph.undo_target() : graph.redo_target();
+void session_state::begin_move(const move_request& request,
+                               caf::typed_response_promise<head_moved> promise) {
+  const auto target = graph.target_of(request);
   if (!target) {
-    promise.deliver(to_caf(
-      {ec::conflict, undo ? "there is nothing to undo" : "there is nothing to redo", {}, {}}));
+    promise.deliver(to_caf(target.error()));
     return finish_command();
   }
-  const std::string cause = undo ? "undo" : "redo";
+  const std::string cause = request.kind == move_kind::undo   ? "undo"
+                            : request.kind == move_kind::redo ? "redo"
+                                                              : "goto";
   store::change change;
-  change.head = target;
+  change.head = target->number;
   change.what = cause;
-  // Undo remembers where it came from, so that redo returns to this branch.
-  const auto from = graph.head()->info.number;
-  if (undo)
-    change.redo.emplace_back(*target, from);
+  change.redo.assign(target->redo.begin(), target->redo.end());
   commit(
     std::move(change),
-    [=, this](double ms) mutable {
-      if (undo)
-        graph.set_redo(*target, from);
-      graph.move_to(*target);
+    [=, this, target = *target](double ms) mutable {
+      for (const auto& [number, child] : target.redo)
+        graph.set_redo(number, child);
+      graph.move_to(target.number);
       auto moved = describe_head(cause);
       moved.commit_ms = ms;
       broadcast(moved);
@@ -333,6 +331,7 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
       std::move(change),
       [=, this](double) {
         graph.set_load_cases(number, texts, names);
+        broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), texts});
         promise->deliver(acknowledged{});
         finish_command();
       },

@@ -25,6 +25,7 @@ session_snapshot session_state::attach(const attach_request& request) {
   if (const auto* head = graph.head()) {
     snapshot.head = head->info;
     snapshot.version = head->mesh;
+    snapshot.load_cases = head->load_cases;
   }
   snapshot.can_undo = graph.can_undo();
   snapshot.can_redo = graph.can_redo();

@@ -115,7 +115,7 @@ struct session_state {
   void commit_node(graph_node node, const std::string& cause, const std::string& details,
                    std::vector<std::string> warnings,
                    caf::typed_response_promise<head_moved> promise);
-  void begin_move(move_kind kind, caf::typed_response_promise<head_moved> promise);
+  void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
   [[nodiscard]] head_moved describe_head(const std::string& cause) const;
 
   // -- solves.cpp -----------------------------------------------------------------------------

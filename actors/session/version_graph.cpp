@@ -11,6 +11,33 @@ std::optional<std::uint32_t> version_graph::redo_target() const {
   return head_ ? nodes_[*head_].redo : std::nullopt;
 }
 
+expected<version_graph::target> version_graph::target_of(const move_request& request) const {
+  if (request.kind == move_kind::go_to)
+    return way_to(request.number);
+  const bool undo = request.kind == move_kind::undo;
+  const auto number = undo ? undo_target() : redo_target();
+  if (!number)
+    return fail(ec::conflict, undo ? "there is nothing to undo" : "there is nothing to redo");
+  target result{*number, {}};
+  if (undo)
+    result.redo.emplace_back(*number, *head_);
+  return result;
+}
+
+expected<version_graph::target> version_graph::way_to(std::uint32_t number) const {
+  if (number >= nodes_.size())
+    return fail(ec::not_found, "there is no version " + std::to_string(number),
+                "The versions are 0 to " + std::to_string(nodes_.size()) + " less one");
+  target result{number, {}};
+  // From below to the target, when it is an ancestor of the head; then from the root to it.
+  for (auto at = head_; at && *at != number; at = nodes_[*at].info.parent)
+    if (nodes_[*at].info.parent == number)
+      result.redo.emplace_back(number, *at);
+  for (std::uint32_t at = number; nodes_[at].info.parent; at = *nodes_[at].info.parent)
+    result.redo.emplace_back(*nodes_[at].info.parent, at);
+  return result;
+}
+
 const graph_node* version_graph::find(const std::string& version) const {
   const auto id = hash_from_hex(version);
   for (auto node = nodes_.rbegin(); id && node != nodes_.rend(); ++node)

@@ -29,6 +29,15 @@ public:
   /// Adds what `draft` began and makes it the head; its parent's redo leads to it.
   void add(graph_node node);
 
+  /// What a move means: the version that becomes the head, and whose redo leads to which child from
+  /// then on. Undo remembers where it came from; going to a version makes undo and redo follow the
+  /// branch that it is on. Errors: `conflict`, `not_found`.
+  struct target {
+    std::uint32_t number = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> redo;
+  };
+  [[nodiscard]] expected<target> target_of(const move_request& request) const;
+
   /// Makes an existing node the head.
   void move_to(std::uint32_t number) { head_ = number; }
 
@@ -38,6 +47,8 @@ public:
                       std::vector<std::string> names);
 
 private:
+  [[nodiscard]] expected<target> way_to(std::uint32_t number) const;
+
   std::vector<graph_node> nodes_;  ///< By number.
   std::optional<std::uint32_t> head_;
 };

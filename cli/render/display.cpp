@@ -28,8 +28,8 @@ expected<display> display::open() {
     dup2(nowhere, STDERR_FILENO);
     const std::string number = std::to_string(ends[1]);
     // The server picks a free display and writes its number to the pipe once it listens.
-    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "64x64x24", "-nolisten",
-           "tcp", nullptr);
+    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1920x1200x24",
+           "-nolisten", "tcp", nullptr);
     _exit(127);
   }
   close(ends[1]);

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSaveFile>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -15,6 +16,7 @@ namespace tedit::desktop {
 
 namespace {
 
+constexpr int catalogue_retry_ms = 1000;
 constexpr std::size_t most_kept_surfaces = 64;  // Versions whose surface and field stay at hand.
 
 /// A name that the server takes and that no other document has.
@@ -33,6 +35,10 @@ document::document(remote& link, QObject* parent) : QObject(parent), link_(link)
   connect(&link_, &remote::surface_arrived, this, &document::take_surface);
   connect(&link_, &remote::field_arrived, this, &document::take_field);
   connect(&link_, &remote::committed, this, &document::take_commit);
+  connect(&link_, &remote::load_cases_changed, this, [this](const client::load_cases_event& event) {
+    if (head() && head()->info.version_id == event.version_id)
+      take_load_cases(event.load_cases);
+  });
   connect(&link_, &remote::solve_status, this, &document::take_status);
   connect(&link_, &remote::solved, this, &document::take_outcome);
 }
@@ -185,6 +191,7 @@ void document::take_state(const client::document_state& state) {
     head_ = state.head->number;
     versions_[*head_].info = *state.head;
   }
+  take_load_cases(state.load_cases);
   emit head_changed();
 }
 
@@ -228,16 +235,11 @@ void document::send_load_cases(std::vector<fem::load_case> loads) {
           return fail(std::move(ok.error()));
       return true;
     },
-    [this, names](const expected<bool>& ok) {
+    [this](const expected<bool>& ok) {
       if (!ok) {
         emit failed(tr("Set the load cases"), ok.error());
         return;
       }
-      for (auto& one : *names) {
-        std::erase_if(load_cases_, [&](const auto& held) { return held.name == one.name; });
-        load_cases_.push_back(one);
-      }
-      emit load_cases_changed();
       solve();
     });
 }
@@ -258,8 +260,11 @@ void document::load_catalogue() {
       if (got) {
         operations_ = std::move(*got);
         emit operations_changed();
-      } else if (got.error().code != ec::service_unavailable) {
-        emit failed(tr("List the operations"), got.error());
+      } else if (link_.current() == remote::state::connected) {
+        if (got.error().code != ec::service_unavailable)  // Else the server still starts.
+          emit notice(tr("The list of operations did not come: %1")
+                        .arg(QString::fromStdString(render(got.error()))));
+        QTimer::singleShot(catalogue_retry_ms, this, &document::load_catalogue);
       }
     });
 }
@@ -297,6 +302,18 @@ void document::redo() {
     [this](client::committed& what) { take_commit(what); });
 }
 
+void document::go_to(std::uint32_t number) {
+  ask<client::committed>(
+    tr("Go to version %1").arg(number),
+    [number](client::client& c, const execution&) { return c.go_to(number); },
+    [this](client::committed& what) { take_commit(what); });
+}
+
+void document::take_load_cases(const std::vector<fem::load_case>& loads) {
+  load_cases_ = loads;
+  emit load_cases_changed();
+}
+
 void document::take_commit(const client::committed& what) {
   if (!is_open())
     return;
@@ -312,6 +329,7 @@ void document::take_commit(const client::committed& what) {
   if (what.report)
     for (const auto& text : what.report->notices)
       emit notice(QString::fromStdString(text));
+  take_load_cases(what.load_cases);
   take_surface();
   set_field_state(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
   emit head_changed();
@@ -353,96 +371,6 @@ void document::take_surface() {
     emit surface_changed();
 }
 
-void document::take_field(const shared_field& field) {
-  auto* row = find(field->version_id());
-  if (!row)
-    return;
-  const bool next = !row->fields.empty() && row->fields.back()->remaining > 0 &&
-                    row->fields.back()->remaining == field->remaining + 1 &&
-                    row->fields.back()->interim() == field->interim();
-  if (!next)
-    row->fields.clear();
-  row->fields.push_back(field);
-  if (field->remaining > 0)
-    return;
-  if (row == head()) {
-    set_field_state(field->interim() ? field_state::interim : field_state::converged);
-    emit field_changed();
-  }
-}
-
-void document::take_outcome(const solve_outcome& outcome) {
-  if (outcome.cases.empty() || outcome.cases.front().interim)
-    return;
-  if (auto* row = find(outcome.version_id())) {
-    row->outcome = outcome;
-    for (const auto& report : outcome.cases)
-      if (!report.notice.empty())
-        emit notice(QString::fromStdString(report.notice));
-    emit solve_changed();
-    emit history_changed();
-  }
-}
-
-void document::take_status(const client::solve_status& status) {
-  const auto* now = head();
-  if (!now || now->info.version_id != status.version_id)
-    return;
-  solve_status_ = status;
-  using phase = client::solve_phase;
-  if (status.phase == phase::started || status.phase == phase::converging) {
-    if (field_state_ != field_state::interim)
-      set_field_state(field_state::solving);
-  } else if (status.phase == phase::failed) {
-    set_field_state(field_state::failed);
-    if (solves_ == 0)  // Else the answer to the request says it.
-      emit failed(tr("Solve"), {ec::not_converged, status.message, {}, {}});
-  } else if (status.phase == phase::cancelled) {
-    set_field_state(field_state::none);
-  }
-  emit solve_changed();
-}
-
-void document::set_field_state(field_state next) {
-  if (std::exchange(field_state_, next) != next)
-    emit solve_changed();
-}
-
-// -- solving -------------------------------------------------------------------------
-
-void document::set_solve_settings(const client::solve_settings& settings) {
-  settings_ = settings;
-  solve();
-}
-
-void document::solve() {
-  const auto* now = head();
-  if (!now)
-    return;
-  const int mine = opening_;
-  ++solves_;
-  set_field_state(field_state::waiting);
-  solving_ = link_.run<solve_outcome>(
-    [settings = settings_](client::client& c, const execution& run) {
-      return c.solve_cases(settings, run);
-    },
-    [this, mine](const expected<solve_outcome>& got) {
-      if (mine != opening_)
-        return;
-      --solves_;
-      if (got)
-        take_outcome(*got);
-      else if (got.error().code != ec::superseded && got.error().code != ec::cancelled) {
-        set_field_state(field_state::failed);
-        emit failed(tr("Solve"), got.error());
-      }
-    });
-}
-
-void document::cancel_solve() {
-  solving_.cancel();
-}
-
 // -- files and selections ------------------------------------------------------------
 
 void document::export_file(const QString& path) {
@@ -471,6 +399,13 @@ void document::select(const selection_query& query,
                       remote::reply<std::vector<found_feature>> done) {
   link_.run<std::vector<found_feature>>(
     [query](client::client& c, const execution& run) { return c.select(query, run); },
+    std::move(done));
+}
+
+void document::cut(const vec3& at, const vec3& normal, const std::string& load_case,
+                   remote::reply<client::section> done) {
+  link_.run<client::section>(
+    [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
     std::move(done));
 }
 

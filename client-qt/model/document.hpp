@@ -60,7 +60,7 @@ public:
   [[nodiscard]] const std::optional<activity>& current_activity() const { return activity_; }
   [[nodiscard]] field_state field_progress() const noexcept { return field_state_; }
   [[nodiscard]] const client::solve_status& solve_progress() const { return solve_status_; }
-  /// The load cases of the head as far as they are known here.
+  /// The load cases of the head.
   [[nodiscard]] const std::vector<fem::load_case>& load_cases() const { return load_cases_; }
   /// What holds or loads some of these surfaces: "fixed in ctc01_plate static".
   [[nodiscard]] QStringList acting_on(const std::vector<surface_id>& surfaces) const;
@@ -80,6 +80,8 @@ public:
              const ops::parameters& values);
   void undo();
   void redo();
+  /// Makes any version the head.
+  void go_to(std::uint32_t number);
   /// Solves all load cases of the head; from then on every new head is solved by itself.
   void solve();
   void set_solve_settings(const client::solve_settings& settings);
@@ -93,6 +95,11 @@ public:
   void refresh_history();
   /// Which surfaces belong together, or why none do: that is no failure to be told.
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
+
+  /// A plane through the head, with the field of a load case as `client::cut` says. A newer
+  /// question makes an older one `superseded`.
+  void cut(const vec3& at, const vec3& normal, const std::string& load_case,
+           remote::reply<client::section> done);
 
 signals:
   void opened();
@@ -126,6 +133,7 @@ private:
   void take_field(const shared_field& field);
   void take_outcome(const solve_outcome& outcome);
   void take_status(const client::solve_status& status);
+  void take_load_cases(const std::vector<fem::load_case>& loads);
   void take_history(const client::history& history);
   void load_catalogue();
   void set_field_state(field_state next);

@@ -202,6 +202,9 @@ client::events remote::make_events() {
   handlers.on_committed = [this, here](const client::committed& what) {
     here([this, what] { emit committed(what); });
   };
+  handlers.on_load_cases = [this, here](const client::load_cases_event& event) {
+    here([this, event] { emit load_cases_changed(event); });
+  };
   handlers.on_solve_status = [this, here](const client::solve_status& status) {
     here([this, status] { emit solve_status(status); });
   };

@@ -4,11 +4,20 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tedit::desktop {
 
 namespace {
+
+constexpr double border = 1.12;  // Of what is seen, when it is made to fit.
+
+vec3 unit(const vec3& v) {
+  const double size = std::sqrt(dot(v, v));
+  return size > 0 ? v / size : vec3{0, 0, 1};
+}
 
 vec3 to_vec3(const double* p) {
   return {p[0], p[1], p[2]};
@@ -93,17 +102,34 @@ void camera::look_from(direction from) {
   set({now.focus + distance * at, now.focus, up, now.parallel_scale});
 }
 
+/// VTK fits the sphere around, which leaves flat parts small: here the box's corners fit.
 void camera::fit(const std::array<double, 6>& bounds) {
   if (bounds[0] > bounds[1])
     return;
-  renderer_->ResetCamera(bounds.data());
-  renderer_->GetActiveCamera()->Zoom(1.25);  // VTK fits the sphere around, which parts seldom fill.
-  if (!renderer_->GetActiveCamera()->GetParallelProjection()) {
-    // Zoom narrows the angle of view: come nearer instead.
-    renderer_->GetActiveCamera()->Zoom(1 / 1.25);
-    renderer_->GetActiveCamera()->Dolly(1.25);
+  auto* c = renderer_->GetActiveCamera();
+  auto now = get();
+  const vec3 back = unit(now.position - now.focus);
+  const vec3 right = unit(cross(now.up, back));
+  const vec3 up = cross(back, right);
+  const int* size = renderer_->GetSize();
+  const double aspect = size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1;
+  const double slope = std::tan(c->GetViewAngle() * std::numbers::pi / 360);
+  now.focus = {(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
+               (bounds[4] + bounds[5]) / 2};
+  double half_height = 0;
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const vec3 p =
+      vec3{bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)]} -
+      now.focus;
+    const double reach = std::max(std::abs(dot(p, up)), std::abs(dot(p, right)) / aspect);
+    half_height = std::max(half_height, reach);
+    distance = std::max(distance, dot(p, back) + border * reach / slope);
   }
-  adjust_depth();
+  now.position = now.focus + std::max(distance, 1e-12) * back;
+  now.up = up;
+  now.parallel_scale = border * half_height;
+  set(now);
 }
 
 void camera::focus_on(const vec3& place) {

@@ -25,6 +25,7 @@
 #include "client-qt/view/loads_panel.hpp"
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/view/receipt_panel.hpp"
+#include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/truth_line.hpp"
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/view/viewport.hpp"
@@ -67,6 +68,7 @@ main_window::main_window(const QString& state_folder)
   truth_ = new truth_line(part_, link_);
   setStatusBar(truth_);
   build_docks();
+  section_ = new section_bar(part_, *view_, *fields_);
   add_commands();
   build_toolbars();
   wire();
@@ -129,7 +131,7 @@ void main_window::build_toolbars() {
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar_->addWidget(space);
   for (const auto* id : {"file.open", "edit.undo", "edit.redo", "view.fit", "view.hide",
-                         "view.isolate", "file.screenshot", "file.export"})
+                         "view.isolate", "view.section", "file.screenshot", "file.export"})
     bar_->addAction(action(id));
   auto* search = action("help.palette");
   bar_->addAction(search);
@@ -143,6 +145,9 @@ void main_window::build_toolbars() {
 void main_window::place_overlays() {
   overlay_->setGeometry(view_->rect());
   cube_->move(view_->width() - cube_->width() - cube_margin, cube_margin);
+  section_->adjustSize();
+  section_->move(view_->width() - section_->width() - cube_margin,
+                 view_->height() - section_->height() - cube_margin);
   const int room = pages_->width() - 2 * (cube_->width() + 2 * cube_margin);
   const int width = std::clamp(room, 320, widest_banner);
   const int height =
@@ -277,26 +282,10 @@ void main_window::show_menu(const std::optional<picked_point>& at, QPoint global
   menu.exec(global);
 }
 
-/// The server knows undo and redo only: one step at a time towards the version.
 void main_window::step_to(std::uint32_t version) {
   const auto* head = part_.head();
-  stepping_to_.reset();
-  if (!head || head->info.number == version || part_.current_activity())
-    return;
-  std::optional<std::uint32_t> at = head->info.number;
-  while (at && *at != version)
-    at = part_.versions().at(*at).info.parent;
-  stepping_to_ = version;
-  if (at && part_.can_undo()) {
-    part_.undo();
-  } else if (!at && part_.can_redo()) {
-    part_.redo();
-  } else {
-    stepping_to_.reset();
-    banner_->show_news(
-      tr("Version %1 is on another branch than undo and redo reach.").arg(version));
-    place_overlays();
-  }
+  if (head && head->info.number != version && !part_.current_activity())
+    part_.go_to(version);
 }
 
 QImage main_window::picture(int width, int height) {

@@ -9,6 +9,7 @@
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/selection.hpp"
 #include "client-qt/net/local_server.hpp"
+#include "client-qt/view/part_geometry.hpp"
 #include "client-qt/view/theme.hpp"
 
 class QAction;
@@ -28,12 +29,12 @@ class history_strip;
 class loads_panel;
 class overlay;
 class receipt_panel;
+class section_bar;
 class truth_line;
 class view_cube;
 class viewport;
 class welcome_page;
 struct example;
-struct picked_point;
 
 /// The window: one part, one flow. It wires the models to the views and owns nothing else.
 class main_window : public QMainWindow {
@@ -52,6 +53,7 @@ public:
   [[nodiscard]] document& part() { return part_; }
   [[nodiscard]] selection& picked() { return selection_; }
   [[nodiscard]] remote& link() { return link_; }
+  [[nodiscard]] local_server& server() { return local_; }
   [[nodiscard]] commands& all_commands() { return commands_; }
   [[nodiscard]] viewport& view() { return *view_; }
   [[nodiscard]] overlay& over() { return *overlay_; }
@@ -120,7 +122,7 @@ private:
   QHash<QString, QAction*> actions_;
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
-  std::optional<std::uint32_t> stepping_to_;
+  std::optional<picked_point> last_click_;
 
   QStackedWidget* pages_;
   welcome_page* welcome_;
@@ -128,6 +130,7 @@ private:
   overlay* overlay_;
   view_cube* cube_;
   banner* banner_;
+  section_bar* section_;
   command_palette* palette_;
   context_panel* context_;
   field_panel* fields_;

@@ -10,6 +10,7 @@
 #include "client-qt/view/field_panel.hpp"
 #include "client-qt/view/main_window.hpp"
 #include "client-qt/view/overlay.hpp"
+#include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/viewport.hpp"
 
 namespace tedit::desktop {
@@ -136,6 +137,15 @@ void main_window::add_view_commands() {
     commands_.add({QString("view.%1").arg(QString(name).toLower()),
                    tr("View from: %1").arg(tr(name)), view, QString::number(key++),
                    [this, from = from] { view_->look_from(from); }, has_part});
+  commands_.add({"view.section", tr("Section plane"), view, "S",
+                 [this] { section_->set_on(!section_->is_on()); }, has_part,
+                 tr("Cuts the part and shows the field inside"), "section"});
+  commands_.add({"view.section_at", tr("Section parallel to the last click"), view, "Shift+S",
+                 [this] {
+                   if (last_click_)
+                     section_->set_plane(last_click_->at, last_click_->normal);
+                 },
+                 [this] { return part_.head() && last_click_; }});
   commands_.add({"view.hide",
                  tr("Hide the selection"),
                  view,

@@ -62,8 +62,6 @@ void main_window::wire_document() {
           .arg(lost_loads(*what.report)));
       place_overlays();
     }
-    if (stepping_to_)
-      step_to(*stepping_to_);
   });
   connect(&part_, &document::head_changed, this, &main_window::show_title);
   connect(&part_, &document::surface_changed, this, &main_window::show_part);
@@ -115,6 +113,7 @@ void main_window::wire_view() {
           [this] { overlay_->set_note(truth_->verdict()); });
   connect(view_, &viewport::clicked, this,
           [this](const std::optional<picked_point>& at, Qt::KeyboardModifiers modifiers) {
+            last_click_ = at;
             if (at)
               selection_.click(at->surface, modifiers & Qt::ShiftModifier);
             else if (!(modifiers & Qt::ShiftModifier))

@@ -102,6 +102,8 @@ void overlay::show_extremes(bool on) {
 }
 
 void overlay::mark(QPainter& painter, const vec3& at, const QString& text, double scale) {
+  if (view_.section() && view_.section()->takes_away(at))
+    return;
   const QPointF place = scale * view_.to_widget(at);
   const QFont font = sized(painter.font(), 12 * scale);
   painter.setFont(font);

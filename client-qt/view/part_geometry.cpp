@@ -192,6 +192,10 @@ std::optional<picked_point> pick(const part_geometry& part, const vec3& from, co
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
   part.faces->GetCellPoints(cell, count, points);
+  auto* corners = part.faces->GetPoints();
+  const vec3 first = point(corners, points[0]);
+  const vec3 n = cross(point(corners, points[1]) - first, point(corners, points[2]) - first);
+  result.normal = n / std::max(1e-300, std::sqrt(dot(n, n)));
   for (int k = 0; k < 3; ++k)
     result.vertices[k] = part.vertices[static_cast<std::size_t>(points[k])];
   return result;
@@ -215,6 +219,31 @@ vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,
   result->SetPoints(part.faces->GetPoints());
   result->SetPolys(triangles);
   result->GetPointData()->SetNormals(part.faces->GetPointData()->GetNormals());
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> make_cap(const client::section& cut, double scale) {
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  const auto count = static_cast<vtkIdType>(cut.positions.size() / 3);
+  points->SetNumberOfPoints(count);
+  const bool moves = scale != 0 && cut.displacement.size() == cut.positions.size();
+  for (vtkIdType i = 0; i < count; ++i) {
+    std::array<double, 3> at{};
+    for (int c = 0; c < 3; ++c) {
+      const auto k = static_cast<std::size_t>(3 * i + c);
+      at[c] = cut.positions[k] + (moves ? scale * cut.displacement[k] : 0);
+    }
+    points->SetPoint(i, at.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t i = 0; i + 2 < cut.triangles.size(); i += 3) {
+    const std::array<vtkIdType, 3> corners{cut.triangles[i], cut.triangles[i + 1],
+                                           cut.triangles[i + 2]};
+    triangles->InsertNextCell(3, corners.data());
+  }
+  result->SetPoints(points);
+  result->SetPolys(triangles);
   return result;
 }
 

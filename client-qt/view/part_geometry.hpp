@@ -34,7 +34,8 @@ struct part_geometry {
 /// A point of the surface under the pointer.
 struct picked_point {
   surface_id surface = 0;
-  vec3 at;  ///< m, as drawn.
+  vec3 at;      ///< m, as drawn.
+  vec3 normal;  ///< Of the triangle, outward, unit.
   std::int64_t cell = 0;
   std::array<std::uint32_t, 3> vertices{};  ///< Of the triangle's vertices.
   std::array<double, 3> weights{};          ///< Barycentric.
@@ -49,6 +50,9 @@ struct picked_point {
 /// The first point on the way from `from` to `to`, m.
 [[nodiscard]] std::optional<picked_point> pick(const part_geometry& part, const vec3& from,
                                                const vec3& to);
+
+/// A section as a mesh, moved by `scale` times its displacement. Cost: O(its points).
+[[nodiscard]] vtkSmartPointer<vtkPolyData> make_cap(const client::section& cut, double scale);
 
 /// The triangles of some surfaces as a mesh of their own. Cost: O(those triangles).
 [[nodiscard]] vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,

@@ -6,6 +6,7 @@
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -29,6 +30,16 @@ void matt(vtkProperty* property) {
   property->SetAmbient(0.28);
   property->SetDiffuse(0.8);
   property->SetSpecular(0.06);
+}
+
+/// Where each value stands on the legend's scale; NaN stays NaN.
+vtkSmartPointer<vtkFloatArray> places_of(std::span<const float> values, const legend& by) {
+  auto places = vtkSmartPointer<vtkFloatArray>::New();
+  places->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    places->SetValue(static_cast<vtkIdType>(i),
+                     std::isfinite(values[i]) ? static_cast<float>(by.place(values[i])) : NAN);
+  return places;
 }
 
 /// Two lights that go with the camera, from above left and below right: a single one at the camera
@@ -87,6 +98,14 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   hover_mapper_->ScalarVisibilityOff();
   selected_mapper_->SetResolveCoincidentTopologyToPolygonOffset();
   selected_mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 0.5);
+  cap_mapper_->SetInputData(cap_);
+  cap_mapper_->SetLookupTable(table_);
+  cap_mapper_->SetScalarRange(0, 1);
+  cap_mapper_->InterpolateScalarsBeforeMappingOn();
+  cap_actor_->SetMapper(cap_mapper_);
+  cap_actor_->GetProperty()->LightingOff();  // Flat: the colours can be compared with the legend.
+  cap_actor_->VisibilityOff();
+  renderer_->AddActor(cap_actor_);
   load_actor_->SetMapper(load_mapper_);
   support_actor_->SetMapper(support_mapper_);
   for (auto* actor :
@@ -105,6 +124,7 @@ void scene::set_colours(const scene_colours& colours) {
   renderer_->SetBackground(colours.low[0], colours.low[1], colours.low[2]);
   renderer_->SetBackground2(colours.high[0], colours.high[1], colours.high[2]);
   set(face_actor_->GetProperty(), colours.part);
+  set(cap_actor_->GetProperty(), colours.part);
   set(edge_actor_->GetProperty(), colours.edges);
   set(selected_actor_->GetProperty(), colours.accent);
   set(hover_actor_->GetProperty(), colours.hover);
@@ -159,6 +179,14 @@ void scene::show_surfaces() {
 void scene::show_values(std::span<const float> values, const legend& by) {
   if (!part_ || values.size() != part_->vertices.size())
     return;
+  fill_table(by);
+  faces_->GetPointData()->SetScalars(places_of(values, by));
+  face_mapper_->SetScalarModeToUsePointData();
+  face_mapper_->SetColorModeToMapScalars();
+  face_mapper_->ScalarVisibilityOn();
+}
+
+void scene::fill_table(const legend& by) {
   table_->SetNumberOfTableValues(table_steps);
   table_->SetRange(0, 1);
   for (int i = 0; i < table_steps; ++i) {
@@ -166,15 +194,33 @@ void scene::show_values(std::span<const float> values, const legend& by) {
     table_->SetTableValue(i, c[0], c[1], c[2], 1);
   }
   table_->SetNanColor(colours_.part[0], colours_.part[1], colours_.part[2], 1);
-  vtkNew<vtkFloatArray> places;
-  places->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    places->SetValue(static_cast<vtkIdType>(i),
-                     std::isfinite(values[i]) ? static_cast<float>(by.place(values[i])) : NAN);
-  faces_->GetPointData()->SetScalars(places);
-  face_mapper_->SetScalarModeToUsePointData();
-  face_mapper_->SetColorModeToMapScalars();
-  face_mapper_->ScalarVisibilityOn();
+}
+
+void scene::clip(const std::optional<section_plane>& plane) {
+  if (plane) {  // VTK keeps what the normal points to.
+    plane_->SetOrigin(plane->at.x, plane->at.y, plane->at.z);
+    plane_->SetNormal(-plane->normal.x, -plane->normal.y, -plane->normal.z);
+  }
+  for (auto* mapper : {face_mapper_.Get(), edge_mapper_.Get(), selected_mapper_.Get(),
+                       hover_mapper_.Get(), load_mapper_.Get(), support_mapper_.Get()}) {
+    mapper->RemoveAllClippingPlanes();
+    if (plane)
+      mapper->AddClippingPlane(plane_);
+  }
+}
+
+void scene::set_cap(vtkPolyData* cap, std::span<const float> values, const legend& by) {
+  cap_actor_->SetVisibility(cap != nullptr);
+  if (!cap)
+    return;
+  cap_->ShallowCopy(cap);
+  const bool coloured =
+    !values.empty() && static_cast<vtkIdType>(values.size()) == cap->GetNumberOfPoints();
+  cap_mapper_->SetScalarVisibility(coloured);
+  if (coloured) {
+    fill_table(by);
+    cap_->GetPointData()->SetScalars(places_of(values, by));
+  }
 }
 
 void scene::select(const std::vector<surface_id>& picked) {

@@ -14,6 +14,7 @@
 
 class vtkActor;
 class vtkLookupTable;
+class vtkPlane;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
@@ -28,6 +29,14 @@ struct scene_colours {
   rgb edges{0.12F, 0.13F, 0.16F};
   rgb accent{0.93F, 0.45F, 0.10F};  ///< Selection.
   rgb hover{0.99F, 0.75F, 0.35F};
+};
+
+/// A plane through the part; the normal points to what is taken away.
+struct section_plane {
+  vec3 at;               ///< m.
+  vec3 normal{0, 0, 1};  ///< Unit.
+
+  [[nodiscard]] bool takes_away(const vec3& p) const { return dot(p - at, normal) > 0; }
 };
 
 /// The actors that show a part: faces with a field, feature edges, what is selected and under the
@@ -60,11 +69,17 @@ public:
   void show_mesh(bool on);
   void show_edges(bool on);
 
+  /// Draws only what lies on the side of the plane that its normal points away from; nothing: all.
+  void clip(const std::optional<section_plane>& plane);
+  /// The cut surface with one value for each of its points (empty: grey); null: none.
+  void set_cap(vtkPolyData* cap, std::span<const float> values, const legend& by);
+
   /// Arrows and support marks, drawn unlit by their own colours; null for none.
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
 
 private:
   void paint_faces();
+  void fill_table(const legend& by);
 
   vtkRenderer* renderer_;
   scene_colours colours_;
@@ -74,6 +89,10 @@ private:
   vtkNew<vtkLookupTable> table_;
   vtkNew<vtkPolyDataMapper> face_mapper_;
   vtkNew<vtkActor> face_actor_;
+  vtkNew<vtkPlane> plane_;
+  vtkNew<vtkPolyData> cap_;
+  vtkNew<vtkPolyDataMapper> cap_mapper_;
+  vtkNew<vtkActor> cap_actor_;
   vtkNew<vtkPolyDataMapper> edge_mapper_;
   vtkNew<vtkActor> edge_actor_;
   vtkNew<vtkPolyDataMapper> selected_mapper_;

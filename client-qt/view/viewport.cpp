@@ -59,6 +59,20 @@ std::vector<float> values_of(const part_geometry& part, const client::field_even
   return result;
 }
 
+std::vector<float> values_of(const client::section& cap, shown_field wanted) {
+  if (wanted == shown_field::von_mises)
+    return cap.von_mises;
+  std::vector<float> result;
+  for (std::size_t i = 0; 3 * i < cap.displacement.size(); ++i) {
+    const float* d = &cap.displacement[3 * i];
+    if (wanted == shown_field::displacement)
+      result.push_back(std::hypot(d[0], d[1], d[2]));
+    else if (wanted >= shown_field::displacement_x && wanted <= shown_field::displacement_z)
+      result.push_back(d[static_cast<int>(wanted) - static_cast<int>(shown_field::displacement_x)]);
+  }
+  return result;
+}
+
 viewport::viewport(QWidget* parent) : vtk_view(parent), camera_(renderer()), scene_(renderer()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -155,9 +169,40 @@ void viewport::paint_values() {
       extremes_ = extremes{values_[low], values_[high], at(low), at(high)};
     }
   }
+  paint_cap();
   redraw();
   emit legend_changed();
   emit shown();
+}
+
+/// A cap of another version than the one that is drawn would lie: it is left out until its own
+/// comes.
+void viewport::paint_cap() {
+  const auto& part = scene_.part();
+  if (!section_ || !cap_ || !part || cap_->version_id != part->version_id) {
+    scene_.set_cap(nullptr, {}, legend_);
+    return;
+  }
+  scene_.set_cap(make_cap(*cap_, shown_.deform), values_of(*cap_, legend_.field), legend_);
+}
+
+void viewport::set_section(const std::optional<section_plane>& plane) {
+  section_ = plane;
+  if (!plane)
+    cap_.reset();
+  scene_.clip(plane);
+  paint_cap();
+  redraw();
+}
+
+void viewport::show_cap(std::shared_ptr<const client::section> cap) {
+  cap_ = std::move(cap);
+  paint_cap();
+  redraw();
+}
+
+std::optional<std::array<double, 6>> viewport::bounds() const {
+  return scene_.part() ? std::optional(scene_.part()->bounds) : std::nullopt;
 }
 
 void viewport::set_colours(const scene_colours& colours) {
@@ -233,7 +278,7 @@ std::optional<picked_point> viewport::pick_at(QPointF position) const {
   // What is hidden is looked through.
   for (int tries = 0; tries < 64; ++tries) {
     auto hit = pick(*scene_.part(), from, to);
-    if (!hit || !scene_.is_hidden(hit->surface))
+    if (!hit || (!scene_.is_hidden(hit->surface) && !(section_ && section_->takes_away(hit->at))))
       return hit;
     const vec3 way = to - from;
     from = hit->at + 1e-6 * way;

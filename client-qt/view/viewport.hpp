@@ -45,6 +45,12 @@ public:
   void show_mesh(bool on);
   void show_edges(bool on);
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
+  /// Takes away one side of a plane; the cap comes by `show_cap`.
+  void set_section(const std::optional<section_plane>& plane);
+  [[nodiscard]] const std::optional<section_plane>& section() const noexcept { return section_; }
+  void show_cap(std::shared_ptr<const client::section> cap);
+  /// m: x low, x high, y low, ...; nothing before a part is shown.
+  [[nodiscard]] std::optional<std::array<double, 6>> bounds() const;
 
   [[nodiscard]] camera& view() { return camera_; }
   /// Puts the whole part, or some surfaces of it, into the view.
@@ -89,6 +95,7 @@ private:
   void build();
   void take_geometry(std::shared_ptr<const part_geometry> part, int generation);
   void paint_values();
+  void paint_cap();
   void drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
   void hover_at(QPointF position, QPoint global);
 
@@ -97,6 +104,8 @@ private:
   shown_part shown_;
   legend legend_;
   std::vector<surface_id> selected_;
+  std::optional<section_plane> section_;
+  std::shared_ptr<const client::section> cap_;
   std::vector<float> values_;  ///< One for each point of the geometry.
   std::optional<extremes> extremes_;
   QThreadPool builders_;
@@ -108,6 +117,9 @@ private:
   bool dragging_ = false;
   std::optional<surface_id> hovered_;
 };
+
+/// One value for each point of a section; none when it has no such field.
+[[nodiscard]] std::vector<float> values_of(const client::section& cap, shown_field wanted);
 
 /// One value for each point of a part: the field's, SI; NaN where it has none. Cost: O(points).
 [[nodiscard]] std::vector<float> values_of(const part_geometry& part,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The main job over a real WebSocket: a server with its workers on threads, a client, a real part.
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -206,6 +207,69 @@ TEST_F(MainJob, OnePickFindsTheWholeHole) {
   const auto refused = user->select({feature_kind::hole, {123456}}, {});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ec::surface_not_found);
+}
+
+TEST_F(MainJob, AnyVersionCanBeGoneToAndRedoFollowsItsBranch) {
+  import_plate();
+  value(user->edit("fill_hole", {1, 2}, {}, {}));  // 1
+  value(user->undo());
+  value(user->edit("fill_hole", {51, 52}, {}, {}));  // 2, another branch.
+
+  const auto there = value(user->go_to(1));
+  EXPECT_EQ(there.head.number, 1U);
+  EXPECT_EQ(there.cause, "goto");
+  EXPECT_FALSE(there.can_redo);
+  EXPECT_EQ(value(user->undo()).head.number, 0U);
+  EXPECT_EQ(value(user->redo()).head.number, 1U);  // Not 2, which was made last.
+  value(user->go_to(2));
+  const auto root = value(user->go_to(0));
+  EXPECT_TRUE(root.can_redo);
+  EXPECT_EQ(value(user->redo()).head.number, 2U);  // Back where it came from.
+
+  const auto refused = user->go_to(3);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::not_found);
+}
+
+TEST_F(MainJob, LoadCasesComeWithTheHeadAndWhenTheyChange) {
+  std::promise<client::load_cases_event> told;
+  client::events handlers;
+  handlers.on_load_cases = [&](const client::load_cases_event& event) { told.set_value(event); };
+  const auto other = connect(host->url(), handlers);
+  value(other->open("plate", false, false));
+  const auto imported = import_plate();
+
+  auto event = told.get_future();
+  ASSERT_EQ(event.wait_for(patience), std::future_status::ready);
+  const auto got = event.get();
+  EXPECT_EQ(got.version_id, imported.head.version_id);
+  ASSERT_EQ(got.load_cases.size(), 1U);
+  EXPECT_EQ(got.load_cases[0].loads.size(), 1U);
+  const auto again = connect(host->url());
+  EXPECT_EQ(value(again->open("plate", false, false)).load_cases.size(), 1U);
+  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
+  ASSERT_EQ(filled.load_cases.size(), 1U);
+  EXPECT_EQ(filled.load_cases[0].name, got.load_cases[0].name);
+}
+
+TEST_F(MainJob, ASectionHasTheFieldOfItsVersion) {
+  const auto imported = import_plate();
+  const auto bare = value(user->cut({0, 0, 0}, {1, 0, 0}, "", {}));
+  EXPECT_EQ(bare.version_id, imported.head.version_id);
+  EXPECT_GT(bare.triangles.size(), 30U);
+  EXPECT_TRUE(bare.von_mises.empty());
+
+  const auto report = value(user->solve({.device = "cpu"}, {}));
+  const auto solved = value(user->cut({0, 0, 0}, {2, 0, 0}, "", {}));
+  ASSERT_EQ(3 * solved.von_mises.size(), solved.positions.size());
+  EXPECT_EQ(solved.displacement.size(), solved.positions.size());
+  for (std::size_t i = 0; i < solved.von_mises.size(); ++i) {
+    EXPECT_NEAR(solved.positions[3 * i], 0, 1e-7);
+    EXPECT_LE(solved.von_mises[i], report.max_von_mises_pa * (1 + 1e-6));
+  }
+  const auto refused = user->cut({0, 0, 0}, {0, 0, 0}, "", {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::invalid_argument);
 }
 
 TEST_F(MainJob, ABadFileIsRefusedWithItsPlace) {

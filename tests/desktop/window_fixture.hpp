@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest/QtTest>
+
+#include <gtest/gtest.h>
+
+#include "client-qt/view/banner.hpp"
+#include "client-qt/view/context_panel.hpp"
+#include "client-qt/view/field_panel.hpp"
+#include "client-qt/view/main_window.hpp"
+#include "client-qt/view/overlay.hpp"
+#include "client-qt/view/viewport.hpp"
+
+namespace tedit::desktop {
+
+/// The real window with a server process of its own, driven as a person would.
+class Window : public ::testing::Test {
+protected:
+  static constexpr int patience_ms = 60'000;
+
+  QTemporaryDir state;
+  std::unique_ptr<main_window> window;
+
+  void SetUp() override {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, state.path());
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, state.path());
+    window = std::make_unique<main_window>(state.path());
+    window->resize(1200, 800);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    QApplication::setActiveWindow(window.get());  // No window manager does it here.
+  }
+
+  void TearDown() override { window.reset(); }
+
+  static QString plate() { return TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh"; }
+  static QString loads() { return TEDIT_EXAMPLES "/ctc01_plate/load_case.json"; }
+
+  [[nodiscard]] document& part() { return window->part(); }
+  [[nodiscard]] viewport& view() { return window->view(); }
+
+  [[nodiscard]] testing::AssertionResult wait(const std::function<bool()>& until) {
+    if (QTest::qWaitFor(until, patience_ms))
+      return testing::AssertionSuccess();
+    return testing::AssertionFailure()
+           << "waited " << patience_ms / 1000
+           << " s; message: " << window->messages().text().toStdString();
+  }
+
+  [[nodiscard]] bool shows_head() {
+    const auto* head = part().head();
+    return head && head->surface && view().is_settled() && !part().current_activity() &&
+           view().current().surface == head->surface;
+  }
+
+  [[nodiscard]] bool is_final() {
+    const auto field = view().current().field;
+    return shows_head() && part().field_progress() == field_state::converged && field &&
+           field->version_id() == part().head()->info.version_id;
+  }
+
+  void open_plate(bool with_loads = true) {
+    window->open_file(plate(), with_loads ? QStringList{loads()} : QStringList{});
+    ASSERT_TRUE(wait([&] {
+      return (with_loads ? is_final() : shows_head()) && !part().operations().operations.empty();
+    }));
+  }
+
+  /// A click where the surface can be seen.
+  void click_surface(surface_id id, Qt::KeyboardModifiers modifiers = {}) {
+    const auto place = view().visible_point(id);
+    ASSERT_TRUE(place.has_value()) << "surface " << id << " is not in sight";
+    QTest::mouseClick(&view(), Qt::LeftButton, modifiers, view().to_widget(*place).toPoint());
+  }
+
+  void press(const char* button) {
+    auto* found = window->findChild<QPushButton*>(button);
+    ASSERT_NE(found, nullptr) << button;
+    ASSERT_TRUE(found->isEnabled()) << button;
+    QTest::mouseClick(found, Qt::LeftButton);
+  }
+
+  [[nodiscard]] std::uint32_t version() { return part().head() ? part().head()->info.number : 99; }
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The main job as a person does it: mouse and keys on the real window, a real server behind it.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QLineEdit>
+
+#include <csignal>
+
+#include "client-qt/view/history_strip.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+TEST_F(Window, ABoreIsPickedByAClickFilledAndBroughtBack) {
+  open_plate();
+  const auto stress_before = view().value_extremes()->high;
+
+  click_surface(1);
+  ASSERT_TRUE(wait([&] { return window->picked().surfaces().size() == 2; }));
+  EXPECT_EQ(window->findChild<QLabel*>("selection_title")->text(), QString("Bore, Ø 25 mm"));
+  press("offer_fill_hole");
+  press("apply");
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+
+  EXPECT_FALSE(part().head()->surface->surfaces().contains(1));
+  EXPECT_TRUE(window->picked().surfaces().empty());
+  ASSERT_TRUE(part().head()->report.has_value());
+  EXPECT_NE(view().value_extremes()->low, 0);
+  EXPECT_NEAR(view().value_extremes()->high, stress_before, 0.05 * stress_before);
+
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait([&] { return version() == 0 && is_final(); }));
+  EXPECT_TRUE(part().head()->surface->surfaces().contains(1));
+  EXPECT_TRUE(part().can_redo());
+}
+
+TEST_F(Window, ASecondClickMeansTheSurfaceAloneAndShiftAdds) {
+  open_plate(false);
+
+  click_surface(1);
+  ASSERT_TRUE(wait([&] { return window->picked().surfaces().size() == 2; }));
+  click_surface(1);
+  EXPECT_EQ(window->picked().surfaces(), (std::vector<surface_id>{1}));
+  click_surface(98, Qt::ShiftModifier);
+  ASSERT_TRUE(wait([&] { return window->picked().contains(98) && window->link().running() == 0; }));
+  EXPECT_TRUE(window->picked().contains(1));
+
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(3, 3));  // Beside the part.
+  EXPECT_TRUE(window->picked().surfaces().empty());
+}
+
+TEST_F(Window, WhatCannotBeDoneIsSaidAndChangesNothing) {
+  open_plate(false);
+
+  window->picked().set({98});
+  window->context().choose("erode");
+  window->context().form()->set_values({{"depth", 0.5}});
+  window->context().apply();
+  ASSERT_TRUE(wait([&] { return !window->messages().text().isEmpty(); }));
+
+  EXPECT_TRUE(window->messages().text().startsWith("Erode did not work"))
+    << window->messages().text().toStdString();
+  EXPECT_EQ(version(), 0U);
+  EXPECT_FALSE(part().current_activity().has_value());
+}
+
+TEST_F(Window, ThePaletteFindsAndRunsByTheKeyboardAlone) {
+  open_plate(false);
+  window->picked().set({1, 2});
+
+  QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier);
+  auto* letters = window->findChild<QLineEdit*>("palette_letters");
+  ASSERT_TRUE(letters->isVisible());
+  QTest::keyClicks(letters, "fillh");
+  QTest::keyClick(letters, Qt::Key_Return);
+
+  EXPECT_EQ(window->context().chosen(), "fill_hole");
+  EXPECT_FALSE(letters->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+}
+
+TEST_F(Window, AKilledServerComesBackWithAllThatWasDone) {
+  open_plate(false);
+  window->picked().set({1, 2});
+  window->context().choose("fill_hole");
+  window->context().apply();
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  const auto id = part().head()->info.version_id;
+
+  const auto pid = window->server().pid();
+  const auto url = window->link().address().url;
+  ASSERT_EQ(::kill(static_cast<pid_t>(pid), SIGKILL), 0);
+  ASSERT_TRUE(wait([&] {
+    return window->server().pid() != pid && window->link().address().url != url &&
+           window->link().current() == remote::state::connected && shows_head();
+  }));
+
+  EXPECT_EQ(part().head()->info.version_id, id);
+  EXPECT_TRUE(window->messages().text().isEmpty());
+  part().undo();
+  ASSERT_TRUE(wait([&] { return version() == 0 && shows_head(); }));
+}
+
+TEST_F(Window, AnyVersionOfTheHistoryCanBeGoneTo) {
+  open_plate(false);
+  for (const auto& hole : {std::vector<surface_id>{1, 2}, std::vector<surface_id>{51, 52}}) {
+    const auto next = version() + 1;
+    part().apply("fill_hole", hole, {});
+    ASSERT_TRUE(wait([&] { return version() == next && shows_head(); }));
+  }
+
+  part().go_to(0);
+  ASSERT_TRUE(wait([&] { return version() == 0 && shows_head(); }));
+  EXPECT_TRUE(part().can_redo());
+  part().redo();
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  part().go_to(2);
+  ASSERT_TRUE(wait([&] { return version() == 2 && shows_head(); }));
+  EXPECT_FALSE(part().can_redo());
+  EXPECT_EQ(window->findChild<history_strip*>()->count(), 3);
+}
+
+TEST_F(Window, ASectionShowsTheFieldInside) {
+  open_plate();
+  const auto before = window->picture();
+
+  ASSERT_TRUE(window->all_commands().trigger("view.section"));
+  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && view().section().has_value(); }));
+  QTest::qWait(50);
+  const auto cut = window->picture();
+
+  ASSERT_EQ(cut.size(), before.size());
+  EXPECT_NE(cut, before);
+  ASSERT_TRUE(window->all_commands().trigger("view.section"));
+  QTest::qWait(50);
+  EXPECT_EQ(window->picture(), before);
+}
+
+TEST_F(Window, LoadCasesAreThoseOfTheServer) {
+  open_plate();
+  ASSERT_EQ(part().load_cases().size(), 1U);
+
+  auto harder = part().load_cases().front();
+  std::get<fem::force>(harder.loads.front().kind).total_n.z *= 2;
+  const auto before = view().value_extremes()->high;
+  part().set_load_case(harder);
+  ASSERT_TRUE(wait([&] { return is_final() && view().value_extremes()->high > 1.5 * before; }));
+
+  EXPECT_NEAR(view().value_extremes()->high, 2 * before, 1e-3 * before);
+  EXPECT_EQ(std::get<fem::force>(part().load_cases().front().loads.front().kind).total_n.z, -40000);
+}
+
+}  // namespace
+}  // namespace tedit::desktop
