@@ -33,7 +33,7 @@ public:
        ops::parameter_type::integer,
        "",
        2.0,
-       32.0,
+       16.0,
        {},
        std::int64_t{4}},
     };

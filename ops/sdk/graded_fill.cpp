@@ -18,6 +18,8 @@ constexpr double growth = 0.5;
 constexpr double largest = 0.8;
 /// Too thin: circumradius over shortest edge (30 degrees and less at 1).
 constexpr double thinnest = 1.2;
+/// Points stay this share of the size apart.
+constexpr double apart = 0.55;
 constexpr std::size_t most_points = 20'000;
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
@@ -52,9 +54,6 @@ class refiner {
 public:
   refiner(const planar_polygon& polygon, planar_filling filling)
       : points_(std::move(filling.points)), fixed_(points_.size()) {
-    for (const auto& loop : polygon.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        edges_.push_back({loop[i], loop[(i + 1) % loop.size()]});
     for (const auto& t : filling.triangles)
       triangles_.push_back({t, {none, none, none}, true});
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sides;
@@ -65,8 +64,16 @@ public:
       for (int i = 0; i < 3; ++i)
         if (const auto other = sides.find({t.v[(i + 1) % 3], t.v[i]}); other != sides.end())
           t.beside[i] = other->second;
-    for (const auto& e : edges_)
-      loop_sides_.insert(std::minmax(e[0], e[1]));
+    sizes_.assign(points_.size(), 1e300);
+    for (const auto& loop : polygon.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto from = loop[i];
+        const auto to = loop[(i + 1) % loop.size()];
+        const double length = distance(points_[from], points_[to]);
+        sizes_[from] = std::min(sizes_[from], length);
+        sizes_[to] = std::min(sizes_[to], length);
+        loop_sides_.insert(std::minmax(from, to));
+      }
   }
 
   planar_filling refine() {
@@ -90,13 +97,12 @@ private:
     bool live = true;
   };
 
-  [[nodiscard]] double size_at(point2 p) const {
+  /// How long edges may be at a point, from what they may be at vertices nearby.
+  template <class Vertices>
+  [[nodiscard]] double size_at(point2 p, const Vertices& around) const {
     double size = 1e300;
-    for (const auto& e : edges_) {
-      const auto& a = points_[e[0]];
-      const auto& b = points_[e[1]];
-      size = std::min(size, distance(a, b) + growth * distance_to_segment(p, a, b));
-    }
+    for (const auto v : around)
+      size = std::min(size, sizes_[v] + growth * distance(points_[v], p));
     return size;
   }
 
@@ -113,27 +119,25 @@ private:
       return;
     const point2 middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
     const double shortest = std::min({distance(a, b), distance(b, c), distance(c, a)});
-    if (radius <= largest * size_at(middle) && radius <= thinnest * shortest)
+    if (radius <= largest * size_at(middle, v) && radius <= thinnest * shortest)
       return;
-    const double size = size_at(centre);
-    for (const auto& e : edges_)
-      if (distance_to_segment(centre, points_[e[0]], points_[e[1]]) <
-          0.5 * std::min(size, distance(points_[e[0]], points_[e[1]])))
-        return;
-    for (const auto& p : points_)
-      if (distance(p, centre) < 0.55 * size)
-        return;
-    if (const auto at = locate(centre); at != none)
+    if (const auto at = locate(t, centre); at != none)
       insert(at, centre);
   }
 
-  [[nodiscard]] std::uint32_t locate(point2 p) const {
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+  /// The triangle that holds a point, by a walk from t; none where a loop lies between.
+  [[nodiscard]] std::uint32_t locate(std::uint32_t t, point2 p) const {
+    for (std::size_t step = 0; t != none && step < triangles_.size(); ++step) {
       const auto& v = triangles_[t].v;
-      if (triangles_[t].live && cross2(points_[v[0]], points_[v[1]], p) > 0 &&
-          cross2(points_[v[1]], points_[v[2]], p) > 0 &&
-          cross2(points_[v[2]], points_[v[0]], p) > 0)
+      int out = -1;
+      for (int i = 0; i < 3; ++i)
+        if (cross2(points_[v[i]], points_[v[(i + 1) % 3]], p) <= 0)
+          out = i;
+      if (out < 0)
         return t;
+      if (is_loop_side(v[out], v[(out + 1) % 3]))
+        return none;
+      t = triangles_[t].beside[out];
     }
     return none;
   }
@@ -168,11 +172,21 @@ private:
         if (gone.beside[i] == none || !inside.contains(gone.beside[i]))
           rim.push_back({gone.v[i], gone.v[(i + 1) % 3], gone.beside[i]});
       }
+    std::vector<std::uint32_t> corners;
     for (const auto& s : rim)
-      if (cross2(points_[s.from], points_[s.to], p) <= 0)
+      corners.push_back(s.from);
+    const double size = size_at(p, corners);
+    for (const auto& s : rim) {
+      const auto& a = points_[s.from];
+      const auto& b = points_[s.to];
+      if (cross2(a, b, p) <= 0 || distance(a, p) < apart * size ||
+          (is_loop_side(s.from, s.to) &&
+           distance_to_segment(p, a, b) < 0.5 * std::min(size, distance(a, b))))
         return;
+    }
     const auto fresh = static_cast<std::uint32_t>(points_.size());
     points_.push_back(p);
+    sizes_.push_back(size);
     for (const auto t : hole)
       triangles_[t].live = false;
     std::map<std::uint32_t, std::uint32_t> starting;
@@ -235,7 +249,7 @@ private:
 
   std::vector<point2> points_;
   std::size_t fixed_;
-  std::vector<std::array<std::uint32_t, 2>> edges_;
+  std::vector<double> sizes_;  ///< Edge length wanted at each point.
   std::vector<piece> triangles_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> loop_sides_;
 };

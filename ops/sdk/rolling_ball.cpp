@@ -211,20 +211,21 @@ std::optional<vec3> rolling_ball::centre(vec3 p) const {
 std::optional<vec3> rolling_ball::centre_where(double share,
                                                const std::function<double(vec3)>& condition,
                                                vec3 start) const {
+  return centre_at([&](vec3 c) { return condition(on_arc(c, share)); }, start, 10 * radius_);
+}
+
+/// The centre at which a function vanishes; its slope is taken by differences.
+std::optional<vec3> rolling_ball::centre_at(const std::function<double(vec3)>& value, vec3 start,
+                                            double reach) const {
   const double step = 1e-6 * radius_;
   const auto system = [&](vec3 c) {
-    const auto value = [&](vec3 at) { return condition(on_arc(at, share)); };
-    const vec3 dx{step, 0, 0};
-    const vec3 dy{0, step, 0};
-    const vec3 dz{0, 0, step};
-    const vec3 slope{(value(c + dx) - value(c - dx)) / (2 * step),
-                     (value(c + dy) - value(c - dy)) / (2 * step),
-                     (value(c + dz) - value(c - dz)) / (2 * step)};
-    return std::array<equation, 3>{{{a_.distance(c) - side_ * radius_, a_.normal(c)},
-                                    {b_.distance(c) - side_ * radius_, b_.normal(c)},
-                                    {value(c), slope}}};
+    const auto slope = [&](vec3 d) { return (value(c + d) - value(c - d)) / (2 * step); };
+    return std::array<equation, 3>{
+      {{a_.distance(c) - side_ * radius_, a_.normal(c)},
+       {b_.distance(c) - side_ * radius_, b_.normal(c)},
+       {value(c), {slope({step, 0, 0}), slope({0, step, 0}), slope({0, 0, step})}}}};
   };
-  return solve(system, start, 10 * radius_);
+  return solve(system, start, reach);
 }
 
 double rolling_ball::arc(vec3 centre) const {
@@ -242,13 +243,8 @@ vec3 rolling_ball::on_arc(vec3 centre, double share) const {
 }
 
 std::optional<double> rolling_ball::distance(vec3 p, vec3 start) const {
-  const auto system = [&](vec3 c) {
-    const vec3 t = along(c);
-    return std::array<equation, 3>{{{a_.distance(c) - side_ * radius_, a_.normal(c)},
-                                    {b_.distance(c) - side_ * radius_, b_.normal(c)},
-                                    {dot(t, c - p), t}}};
-  };
-  const auto c = solve(system, start, 10 * radius_ + 2 * norm(p - start));
+  const auto c = centre_at([&](vec3 at) { return dot(along(at), at - p); }, start,
+                           10 * radius_ + 2 * norm(p - start));
   if (!c)
     return std::nullopt;
   return norm(p - *c) - radius_;

@@ -72,6 +72,9 @@ public:
   [[nodiscard]] std::optional<double> distance(vec3 p, vec3 start) const;
 
 private:
+  [[nodiscard]] std::optional<vec3> centre_at(const std::function<double(vec3)>& value, vec3 start,
+                                              double reach) const;
+
   wall_shape a_, b_;
   double radius_;
   double side_;

@@ -32,6 +32,11 @@ struct round_shell {
   std::unordered_set<facet_id> replaced;  ///< Boundary facets that go.
 };
 
+/// Puts points into the material behind the rounded surface, one behind each pair of its triangles
+/// where there is room: tets there would else have all four corners on it. They join the shell's
+/// points. Cost: O(rounded triangles x shell).
+void add_depth(const round_surface& made, round_shell& shell);
+
 /// Triangulates the walls' parts inside the cavity anew, up to the rounded surface, and closes the
 /// shell. Errors: `invalid_argument` when the rounding leaves a wall (radius too large for it),
 /// those of the triangulation. Cost: O(cavity).

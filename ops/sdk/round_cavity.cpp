@@ -26,15 +26,6 @@ double segments_apart(vec3 a, vec3 b, vec3 c, vec3 d) {
   return norm(r + s * u - t * w);
 }
 
-double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
-  const vec3 n = cross(b - a, c - a);
-  const auto inner = [&](vec3 from, vec3 to) { return dot(cross(to - from, p - from), n) >= 0; };
-  if (inner(a, b) && inner(b, c) && inner(c, a))
-    return std::abs(dot(p - a, normalized(n)));
-  return std::min(
-    {segments_apart(p, p, a, b), segments_apart(p, p, b, c), segments_apart(p, p, c, a)});
-}
-
 bool pierces(vec3 p, vec3 q, vec3 a, vec3 b, vec3 c) {
   const double from = signed_volume(a, b, c, p);
   const double to = signed_volume(a, b, c, q);
@@ -45,6 +36,15 @@ bool pierces(vec3 p, vec3 q, vec3 a, vec3 b, vec3 c) {
 }
 
 }  // namespace
+
+double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
+  const vec3 n = cross(b - a, c - a);
+  const auto inner = [&](vec3 from, vec3 to) { return dot(cross(to - from, p - from), n) >= 0; };
+  if (inner(a, b) && inner(b, c) && inner(c, a))
+    return std::abs(dot(p - a, normalized(n)));
+  return std::min(
+    {segments_apart(p, p, a, b), segments_apart(p, p, b, c), segments_apart(p, p, c, a)});
+}
 
 double segment_to_tet(vec3 a, vec3 b, const std::array<vec3, 4>& corners) {
   double nearest = 1e300;

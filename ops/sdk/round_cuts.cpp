@@ -76,6 +76,11 @@ private:
     return fan.rays[fan.rays[0] == before];
   }
 
+  [[nodiscard]] static double distance_to(vec3 p, vec3 a, vec3 b) {
+    const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+    return norm(p - a - t * (b - a));
+  }
+
   expected<void> cut_ray(const round_corner& corner, vertex_id first, surface_id s1,
                          surface_id s2) {
     const vec3 from = mesh_.position(corner.at);
@@ -87,6 +92,7 @@ private:
       return {};
     }
     double whole = 0;
+    double off = length;
     vertex_id last = corner.at;
     for (auto [before, v] = std::pair(corner.at, first); v != no_id;) {
       const double step = norm(mesh_.position(v) - mesh_.position(before));
@@ -95,20 +101,27 @@ private:
       if (next != no_id && whole + step < length + 0.4 * std::min(step, made_.arc_step))
         taken_.insert(v);
       whole += step;
+      off = std::min(off, distance_to(to, mesh_.position(before), mesh_.position(v)));
       last = v;
       before = std::exchange(v, next);
     }
     auto& used = used_[{std::minmax(s1, s2), std::minmax(corner.at, last)}];
     used += length;
-    if (used < whole - 0.1 * made_.arc_step)
-      return {};
     const auto& chain = plan_.chains[corner.ends.front().chain];
-    return fail(ec::invalid_argument,
-                "rounding " + chain.name(mesh_) + " takes " + length_name(length) +
-                  " of the edge between surfaces " + std::to_string(s1) + " and " +
-                  std::to_string(s2) + ", which is only " + length_name(whole) + " long, at " +
-                  place_name(from),
-                "Take a smaller radius");
+    if (used > whole - 0.1 * made_.arc_step)
+      return fail(ec::invalid_argument,
+                  "rounding " + chain.name(mesh_) + " takes " + length_name(length) +
+                    " of the edge between surfaces " + std::to_string(s1) + " and " +
+                    std::to_string(s2) + ", which is only " + length_name(whole) + " long, at " +
+                    place_name(from),
+                  "Take a smaller radius");
+    if (off > 0.05 * length)
+      return fail(ec::invalid_argument,
+                  "the rounding of " + chain.name(mesh_) + " leaves the edge between surfaces " +
+                    std::to_string(s1) + " and " + std::to_string(s2) + " by " + length_name(off) +
+                    " at " + place_name(to),
+                  "Select other edges");
+    return {};
   }
 
   const mesh_version& mesh_;

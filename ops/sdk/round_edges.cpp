@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/checks.hpp"
+#include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
 #include "ops/sdk/round_boundary.hpp"
@@ -13,24 +15,25 @@ namespace tedit::ops {
 
 namespace {
 
-/// Below this worst quality (q = 3 r_in/R_circ) a larger cavity is tried: what the host's local
-/// improvement lifts well above the floor otherwise.
-constexpr double try_again_below = 0.1;
-
-struct meshed_rounding {
-  round_shell shell;
-  tet_filling filling;
-  std::vector<tet_id> cavity;
-  double worst = 0;
+/// How the cavity around the edge is made: first small and lean, then with more room.
+struct attempt {
+  double margin;  ///< Of the widest contact.
+  bool depth;     ///< Points in the material behind the rounded surface.
 };
+constexpr std::array<attempt, 6> attempts{
+  {{0.5, false}, {0.5, true}, {1.0, false}, {1.0, true}, {2.0, false}, {4.0, true}}};
 
-double worst_quality(const tet_filling& filling) {
-  double worst = 1;
-  const auto& p = filling.points;
-  for (const auto& t : filling.tets)
-    worst = std::min(worst, radius_ratio(p[t[0]], p[t[1]], p[t[2]], p[t[3]]));
-  return worst;
-}
+/// What the host asks of the touched region.
+constexpr double quality_floor = 0.15;
+
+struct rounded {
+  version_ptr version;
+  std::vector<tet_id> touched;
+  double worst = 0;   ///< q = 3 r_in/R_circ of the touched tets after improvement.
+  double wanted = 0;  ///< min(floor, what was there before).
+
+  [[nodiscard]] bool good() const { return worst >= wanted; }
+};
 
 class rounder {
 public:
@@ -45,84 +48,132 @@ public:
     const auto cuts = cut_edges(mesh_, plan_, made_);
     if (!cuts)
       return fail(cuts.error());
-    const auto best = mesh_cavity(*cuts);
+    auto best = best_of_attempts(*cuts);
     if (!best)
       return fail(best.error());
-    ctx_.run.report(0.9, "joining");
-    return merge(*best);
+    edit_result result;
+    result.volume_change = boundary_volume_change(mesh_, *best->version);
+    result.candidate = std::move(best->version);
+    result.touched = std::move(best->touched);
+    result.improve = improvement::none;  // Done, with each attempt.
+    result.figures = {
+      {"edges", static_cast<double>(plan_.chains.size()), "", "runs of edges rounded"},
+      {"segments", static_cast<double>(made_.segments), "", "facets over each arc"}};
+    return result;
   }
 
 private:
-  expected<meshed_rounding> try_margin(const round_cuts& cuts, double margin) {
-    const auto cavity = find_cavity(mesh_, plan_, made_, cuts.dropped, margin);
+  /// The first attempt that is good enough, else the best.
+  expected<rounded> best_of_attempts(const round_cuts& cuts) {
+    std::optional<rounded> best;
+    std::optional<error> first;
+    double fraction = 0.1;
+    for (const auto& how : attempts) {
+      if (ctx_.run.cancel.cancelled())
+        return fail(ec::cancelled, "the edit was cancelled");
+      ctx_.run.report(fraction += 0.15, "meshing around the edge");
+      auto trial = make(cuts, how);
+      if (getenv("RO_DEBUG")) {
+        if (trial)
+          fprintf(stderr,
+                  "DBG margin %.1f depth %d: worst %.3f wanted %.3f touched %zu n %d tri %zu\n",
+                  how.margin, how.depth, trial->worst, trial->wanted, trial->touched.size(),
+                  made_.segments, made_.triangles.size());
+        else
+          fprintf(stderr, "DBG margin %.1f depth %d: %s\n", how.margin, how.depth,
+                  trial.error().message.c_str());
+      }
+      if (!trial) {
+        if (trial.error().code == ec::cancelled)
+          return fail(trial.error());
+        if (!first)
+          first = trial.error();
+        continue;
+      }
+      if (!best || trial->worst - trial->wanted > best->worst - best->wanted)
+        best = std::move(*trial);
+      if (best->good())
+        break;
+    }
+    if (best)
+      return std::move(*best);
+    if (first->remedy.empty())
+      first->remedy = "The version is unchanged; take another radius";
+    return fail(*first);
+  }
+
+  expected<rounded> make(const round_cuts& cuts, const attempt& how) {
+    const auto cavity = find_cavity(mesh_, plan_, made_, cuts.dropped, how.margin * made_.widest);
     if (!cavity)
       return fail(cavity.error());
-    meshed_rounding result;
-    result.cavity.assign(cavity->begin(), cavity->end());
-    std::ranges::sort(result.cavity);
     auto shell = make_shell(mesh_, plan_, made_, cuts, *cavity, *ctx_.host);
     if (!shell)
       return fail(shell.error());
     if (auto ok = check_free(mesh_, plan_, *shell); !ok)
       return fail(ok.error());
-    auto filling = ctx_.host->tetrahedralise(shell->surface, ctx_.run);
+    if (getenv("RO_DEBUG")) {
+      auto& P = shell->surface.points;
+      std::vector<std::pair<double, std::size_t>> w;
+      for (std::size_t i = 0; i < shell->surface.triangles.size(); ++i) {
+        auto& t = shell->surface.triangles[i];
+        vec3 a = P[t[0]], b = P[t[1]], c = P[t[2]];
+        double l = std::max({norm(a - b), norm(b - c), norm(c - a)});
+        w.push_back({2 * norm(area_vector(a, b, c)) / (l * l) / .866, i});
+      }
+      std::sort(w.begin(), w.end());
+      for (int k = 0; k < 4; ++k) {
+        auto i = w[k].second;
+        auto& t = shell->surface.triangles[i];
+        fprintf(stderr, "   tri q %.3f %s", w[k].first,
+                i < shell->kept ? "kept"
+                : shell->names[i - shell->kept]
+                  ? std::to_string(*shell->names[i - shell->kept]).c_str()
+                  : "strip");
+
+        for (auto v : t)
+          fprintf(stderr, " %s(%.5g %.5g %.5g)", shell->vertices[v] == no_id ? "n" : "o",
+                  P[v].x * 1e3, P[v].y * 1e3, P[v].z * 1e3);
+        fprintf(stderr, "\n");
+      }
+    }
+    if (how.depth)
+      add_depth(made_, *shell);
+    const auto filling = ctx_.host->tetrahedralise(shell->surface, ctx_.run);
     if (!filling)
       return fail(filling.error());
-    result.shell = std::move(*shell);
-    result.filling = std::move(*filling);
-    result.worst = worst_quality(result.filling);
+    mesh_builder builder(version_ptr(version_ptr{}, &mesh_));
+    if (auto ok = replace(*cavity, *shell, *filling, builder); !ok)
+      return fail(ok.error());
+    // The host does this, too: it shows here which attempt is worth keeping.
+    if (const auto done = improve(builder, builder.touched(), {}, ctx_.run); !done)
+      return fail(done.error());
+    rounded result;
+    result.version = builder.freeze();
+    result.touched = builder.touched();
+    result.worst = radius_ratios(*result.version, result.touched).min;
+    result.wanted =
+      std::min(quality_floor, worst_quality_before(mesh_, *result.version, result.touched));
     return result;
   }
 
-  /// Cavities that grow, until the mesher fills one well.
-  expected<meshed_rounding> mesh_cavity(const round_cuts& cuts) {
-    std::optional<meshed_rounding> best;
-    std::optional<error> last;
-    double fraction = 0.2;
-    for (const double factor : {0.5, 1.0, 2.0}) {
-      if (ctx_.run.cancel.cancelled())
-        return fail(ec::cancelled, "the edit was cancelled");
-      ctx_.run.report(fraction += 0.2, "meshing around the edge");
-      auto trial = try_margin(cuts, factor * made_.widest);
-      if (trial) {
-        if (!best || trial->worst > best->worst)
-          best = std::move(*trial);
-        if (best->worst >= try_again_below)
-          break;
-      } else if (!last || trial.error().code == ec::cancelled) {
-        last = trial.error();
-      }
-      if (last && last->code == ec::cancelled)
-        return fail(*last);
-    }
-    if (best)
-      return std::move(*best);
-    if (last->remedy.empty())
-      last->remedy = "The version is unchanged; take another radius";
-    return fail(*last);
-  }
-
-  expected<edit_result> merge(const meshed_rounding& meshed) {
-    mesh_builder builder(version_ptr(version_ptr{}, &mesh_));
-    auto vertices = meshed.shell.vertices;
-    vertices.resize(meshed.filling.points.size(), no_id);
+  expected<void> replace(const std::unordered_set<tet_id>& cavity, const round_shell& shell,
+                         const tet_filling& filling, mesh_builder& builder) const {
+    auto vertices = shell.vertices;
+    vertices.resize(filling.points.size(), no_id);
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (vertices[i] == no_id)
-        vertices[i] = builder.add_vertex(meshed.filling.points[i]);
+        vertices[i] = builder.add_vertex(filling.points[i]);
     cavity_change change;
-    change.removed = meshed.cavity;
-    const auto region = mesh_.region_of(meshed.cavity.front());
-    for (const auto& t : meshed.filling.tets)
+    change.removed.assign(cavity.begin(), cavity.end());
+    std::ranges::sort(change.removed);
+    const auto region = mesh_.region_of(change.removed.front());
+    for (const auto& t : filling.tets)
       change.added.push_back(
         {{{vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]}}, region});
-    name_facets(meshed.shell, vertices, builder, change);
+    name_facets(shell, vertices, builder, change);
     if (const auto done = builder.apply(change); !done)
       return fail(done.error());
-    edit_result result;
-    result.candidate = builder.freeze();
-    result.touched = builder.touched();
-    result.volume_change = boundary_volume_change(mesh_, *result.candidate);
-    return result;
+    return {};
   }
 
   /// Chains that go on smoothly in each other are one surface.
@@ -197,8 +248,6 @@ expected<edit_result> round_edges(const mesh_version& mesh, const std::vector<su
       list += (list.empty() ? "" : ", ") + std::to_string(id);
     result->notices.push_back("the rounding went on smoothly onto surface " + list);
   }
-  result->figures.push_back(
-    {"edges", static_cast<double>(plan->chains.size()), "", "edges rounded"});
   ctx.run.report(1, "rounded");
   return result;
 }

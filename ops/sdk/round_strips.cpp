@@ -10,8 +10,10 @@ namespace tedit::ops {
 namespace {
 
 /// More triangles than this are the sign of a radius far below the part's size.
-constexpr std::size_t most_triangles = 60'000;
+constexpr std::size_t most_triangles = 12'000;
 constexpr int most_segments = 48;
+/// Share of the radius by which the arcs of two chains may differ where they meet.
+constexpr double match = 5e-3;
 
 /// Points and centres across the arc at one end of a chain, from wall a to wall b.
 struct end_row {
@@ -110,9 +112,8 @@ private:
       case round_corner::kind::wall:
         return end_at_wall(corner);
       case round_corner::kind::smooth:
-        return join(corner);
       case round_corner::kind::mitre:
-        return mitre(corner);
+        return join(corner);
       default:
         return end_at_ball(corner);
     }
@@ -177,7 +178,7 @@ private:
           row.points[j] = add(p);
         else
           row.points[j] = points[outward];
-        if (i == 1 && norm(made_.points[row.points[j]] - p) > 1e-4 * settings_.radius)
+        if (i == 1 && norm(made_.points[row.points[j]] - p) > match * settings_.radius)
           return too_large(end.chain,
                            "the edges that meet there have different angles, and the corner "
                            "between them stays sharp",
@@ -192,18 +193,6 @@ private:
     return {};
   }
 
-  expected<void> join(const round_corner& corner) {
-    std::array<std::vector<vec3>, 2> centres;
-    for (int i = 0; i < 2; ++i) {
-      const auto c = balls_[corner.ends[i].chain].centre(mesh_.position(corner.at));
-      if (!c)
-        return too_large(corner.ends[i].chain, "the ball does not fit between the walls",
-                         mesh_.position(corner.at));
-      centres[i].assign(static_cast<std::size_t>(made_.segments) + 1, *c);
-    }
-    return share_row(corner, centres);
-  }
-
   [[nodiscard]] std::optional<vec3> corner_centre(const round_corner& corner) const {
     const auto& s = corner.fan.sectors;
     const vec3 p = mesh_.position(corner.at);
@@ -213,15 +202,19 @@ private:
     return ball_in_corner(a, b, c, settings_.radius, plan_.side, p);
   }
 
-  /// Two roundings of the same angle meet in a plane through the corner, the ball that touches all
-  /// three walls, and its contact with the shared one.
-  expected<void> mitre(const round_corner& corner) {
+  /// Two roundings of the same angle meet in the plane that halves the angle between their edges.
+  expected<void> join(const round_corner& corner) {
     const vec3 p = mesh_.position(corner.at);
-    const auto ball = corner_centre(corner);
-    if (!ball)
-      return too_large(corner.ends[0].chain, "no ball touches the three walls", p);
-    const vec3 contact = plan_.shapes.at(shared_wall(corner)).project(*ball);
-    const vec3 across = normalized(cross(*ball - p, contact - p));
+    vec3 across;
+    for (int i = 0; i < 2; ++i) {
+      const auto& end = corner.ends[i];
+      const vec3 t = balls_[end.chain].along(p);
+      const auto& path = plan_.chains[end.chain].path;
+      const vec3 inward = mesh_.position(end.last ? path[path.size() - 2] : path[1]) - p;
+      // Towards the corner on the first chain, away from it on the second.
+      across += (dot(t, inward) < 0 ? 1 : -1) * (i == 0 ? 1 : -1) * t;
+    }
+    across = normalized(across);
     std::array<std::vector<vec3>, 2> centres;
     for (int i = 0; i < 2; ++i) {
       auto found = centres_at(corner.ends[i].chain, p, [&](vec3 q) { return dot(across, q - p); });
@@ -315,14 +308,16 @@ private:
         c, "the edge is " + length_name(length) + " long, which leaves nothing between its ends",
         mesh_.position(chain.path.front()));
     const double wanted = std::max(chain.closed ? 3.0 : 1.0, std::round(mean / spacing));
-    if (wanted * n * 2 > static_cast<double>(most_triangles))
-      return fail(ec::invalid_argument,
-                  "a radius of " + length_name(settings_.radius) + " on " + chain.name(mesh_) +
-                    " would need more than " + std::to_string(most_triangles) +
-                    " facets: the edge is " + length_name(length) + " long, the mesh's edges " +
-                    length_name(chain.mean_edge),
-                  "Take a radius of at least " +
-                    length_name(settings_.radius * 2 * wanted * n / most_triangles));
+    if (static_cast<double>(made_.triangles.size()) + wanted * n * 2 >
+        static_cast<double>(most_triangles))
+      return fail(
+        ec::invalid_argument,
+        "a radius of " + length_name(settings_.radius) + " on " + chain.name(mesh_) +
+          " would need more than " + std::to_string(most_triangles) + " facets: the edge is " +
+          length_name(length) + " long, the mesh's edges " + length_name(chain.mean_edge),
+        "Take fewer segments or edges, or a radius of at least " +
+          length_name(settings_.radius *
+                      std::max(2.0, 2 * wanted * n / static_cast<double>(most_triangles))));
     return fill_rows(c, static_cast<int>(wanted), from, to);
   }
 
