@@ -73,16 +73,6 @@ private:
         return fail(ec::cancelled, "the edit was cancelled");
       ctx_.run.report(fraction += 0.15, "meshing around the edge");
       auto trial = make(cuts, how);
-      if (getenv("RO_DEBUG")) {
-        if (trial)
-          fprintf(stderr,
-                  "DBG margin %.1f depth %d: worst %.3f wanted %.3f touched %zu n %d tri %zu\n",
-                  how.margin, how.depth, trial->worst, trial->wanted, trial->touched.size(),
-                  made_.segments, made_.triangles.size());
-        else
-          fprintf(stderr, "DBG margin %.1f depth %d: %s\n", how.margin, how.depth,
-                  trial.error().message.c_str());
-      }
       if (!trial) {
         if (trial.error().code == ec::cancelled)
           return fail(trial.error());
@@ -111,31 +101,6 @@ private:
       return fail(shell.error());
     if (auto ok = check_free(mesh_, plan_, *shell); !ok)
       return fail(ok.error());
-    if (getenv("RO_DEBUG")) {
-      auto& P = shell->surface.points;
-      std::vector<std::pair<double, std::size_t>> w;
-      for (std::size_t i = 0; i < shell->surface.triangles.size(); ++i) {
-        auto& t = shell->surface.triangles[i];
-        vec3 a = P[t[0]], b = P[t[1]], c = P[t[2]];
-        double l = std::max({norm(a - b), norm(b - c), norm(c - a)});
-        w.push_back({2 * norm(area_vector(a, b, c)) / (l * l) / .866, i});
-      }
-      std::sort(w.begin(), w.end());
-      for (int k = 0; k < 4; ++k) {
-        auto i = w[k].second;
-        auto& t = shell->surface.triangles[i];
-        fprintf(stderr, "   tri q %.3f %s", w[k].first,
-                i < shell->kept ? "kept"
-                : shell->names[i - shell->kept]
-                  ? std::to_string(*shell->names[i - shell->kept]).c_str()
-                  : "strip");
-
-        for (auto v : t)
-          fprintf(stderr, " %s(%.5g %.5g %.5g)", shell->vertices[v] == no_id ? "n" : "o",
-                  P[v].x * 1e3, P[v].y * 1e3, P[v].z * 1e3);
-        fprintf(stderr, "\n");
-      }
-    }
     if (how.depth)
       add_depth(made_, *shell);
     const auto filling = ctx_.host->tetrahedralise(shell->surface, ctx_.run);

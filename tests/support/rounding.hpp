@@ -24,22 +24,28 @@ protected:
     return ops::round_edges(*mesh, surfaces, side, {radius, segments}, ctx_);
   }
 
-  /// The version that the host would keep.
+  /// The version that the host would keep. Errors: those of the postconditions.
+  static expected<version_ptr> try_finish(const version_ptr& base, const ops::edit_result& result) {
+    edit_claim claim;
+    claim.touched = result.touched;
+    claim.volume_change = result.volume_change;
+    claim.quality_floor = result.quality_floor;
+    auto done = finish_edit(base, result.candidate, claim, result.improve, finish_settings{}, {});
+    if (!done)
+      return fail(done.error());
+    return done->version;
+  }
+
   static version_ptr finish(const version_ptr& base, const expected<ops::edit_result>& result) {
     EXPECT_TRUE(result) << render(result.error());
     if (!result)
       return nullptr;
-    edit_claim claim;
-    claim.touched = result->touched;
-    claim.volume_change = result->volume_change;
-    claim.quality_floor = result->quality_floor;
-    const auto done =
-      finish_edit(base, result->candidate, claim, result->improve, finish_settings{}, {});
+    const auto done = try_finish(base, *result);
     EXPECT_TRUE(done) << render(done.error());
     if (!done)
       return nullptr;
-    EXPECT_TRUE(check_version(*done->version).ok());
-    return done->version;
+    EXPECT_TRUE(check_version(**done).ok());
+    return *done;
   }
 
   /// Surfaces that `after` has and `before` has not.
@@ -57,6 +63,13 @@ protected:
       for (const auto v : mesh.facet(f).v)
         result.push_back(mesh.position(v));
     return result;
+  }
+
+  static double area(const mesh_version& mesh, surface_id id) {
+    double sum = 0;
+    for (const auto f : facets_of(mesh, std::vector{id}))
+      sum += norm(area_vector(mesh, mesh.facet(f)));
+    return sum;
   }
 
   /// Cross-section between two walls at right angles and an inscribed arc of n segments, per r^2:
