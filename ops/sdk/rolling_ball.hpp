@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "mesh/version.hpp"
+
+namespace tedit::ops {
+
+/// The exact surface behind a mesh surface: a plane or a round cylinder, with the side on which the
+/// material lies.
+struct wall_shape {
+  enum class kind { plane, cylinder };
+
+  kind type = kind::plane;
+  vec3 point;         ///< On the plane, or on the cylinder's axis.
+  vec3 axis;          ///< Unit: the outward normal, or the cylinder's direction.
+  double radius = 0;  ///< m; of the cylinder.
+  double side = 1;    ///< +1: material inside the cylinder (a boss), -1: outside (a hole).
+
+  /// Signed distance, m: positive off the material.
+  [[nodiscard]] double distance(vec3 p) const;
+
+  /// Unit, outward, at the nearest point of the shape; the gradient of `distance`.
+  [[nodiscard]] vec3 normal(vec3 p) const;
+
+  /// The nearest point of the shape.
+  [[nodiscard]] vec3 project(vec3 p) const { return p - distance(p) * normal(p); }
+};
+
+/// Fits a plane (within 1e-6 of the surface's size) or a cylinder (within 1e-4 of its radius) to
+/// all corners of the facets. Nothing for any other shape. Cost: O(facets).
+[[nodiscard]] std::optional<wall_shape> fit_wall(const mesh_version& mesh,
+                                                 std::span<const facet_id> facets);
+
+/// A ball of radius r that rolls along the edge between two walls: in the open space (`side` +1,
+/// which rounds an inner corner) or inside the material (-1, an outer edge).
+class rolling_ball {
+public:
+  rolling_ball(wall_shape a, wall_shape b, double radius, double side)
+      : a_(a), b_(b), radius_(radius), side_(side) {}
+
+  [[nodiscard]] const wall_shape& a() const { return a_; }
+  [[nodiscard]] const wall_shape& b() const { return b_; }
+  [[nodiscard]] double radius() const { return radius_; }
+  [[nodiscard]] double side() const { return side_; }
+
+  /// The ball's centre where it touches both walls, in the plane through p across the edge; nothing
+  /// where the ball does not fit (Newton's method, to rounding).
+  [[nodiscard]] std::optional<vec3> centre(vec3 p) const;
+
+  /// The centre at which the arc's point at `share` fulfils condition(point) = 0: where the
+  /// rounding ends at another surface. Searched from `start`, a centre.
+  [[nodiscard]] std::optional<vec3> centre_where(double share,
+                                                 const std::function<double(vec3)>& condition,
+                                                 vec3 start) const;
+
+  /// The point of the arc between the two contacts, share 0 at wall a, 1 at wall b: exactly at
+  /// distance r from the centre.
+  [[nodiscard]] vec3 on_arc(vec3 centre, double share) const;
+
+  /// The angle of the arc, rad.
+  [[nodiscard]] double arc(vec3 centre) const;
+
+  /// Direction of the edge, unit: along a x b of the outward normals.
+  [[nodiscard]] vec3 along(vec3 p) const;
+
+  /// Signed distance of a point from the swept ball's surface, m: positive outside the ball.
+  /// Nothing far from the centres near `start`.
+  [[nodiscard]] std::optional<double> distance(vec3 p, vec3 start) const;
+
+private:
+  [[nodiscard]] std::optional<vec3> centre_at(const std::function<double(vec3)>& value, vec3 start,
+                                              double reach) const;
+
+  wall_shape a_, b_;
+  double radius_;
+  double side_;
+};
+
+/// The centre of the ball that touches three walls from `side`; nothing where there is none near p.
+[[nodiscard]] std::optional<vec3> ball_in_corner(const wall_shape& a, const wall_shape& b,
+                                                 const wall_shape& c, double radius, double side,
+                                                 vec3 p);
+
+}  // namespace tedit::ops
