@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <sys/resource.h>
+
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFile>
+#include <QJsonDocument>
 #include <QJsonObject>
 #include <QSurfaceFormat>
 
 #include <cstdio>
 
+#include "client-qt/model/stall_watch.hpp"
 #include "client-qt/view/main_window.hpp"
 #include "client-qt/view/script.hpp"
 #include "client-qt/view/theme.hpp"
+#include "client-qt/view/viewport.hpp"
 
 namespace {
 
@@ -23,6 +29,7 @@ struct wishes {
   QString steps;
   QString picture;
   QString state_folder;
+  QString report;
   QSize size;
   bool dark = false;
 };
@@ -48,6 +55,9 @@ wishes read_command_line(const QApplication& app) {
   line.addOption({"token", "The server's token.", "text"});
   line.addOption({"script", "Carry out the steps of a JSON file, then end.", "steps.json"});
   line.addOption({"screenshot", "Save a picture when the field is final, then end.", "out.png"});
+  line.addOption({"report",
+                  "Write how responsive the window was, frame times and memory to a JSON file.",
+                  "file"});
   line.addOption({"size", "Size of the window.", "WIDTHxHEIGHT"});
   line.addOption({"state", "Folder of the local server's documents.", "folder"});
   line.addOption({"dark", "Dark colours."});
@@ -62,6 +72,7 @@ wishes read_command_line(const QApplication& app) {
   result.steps = line.value("script");
   result.picture = line.value("screenshot");
   result.state_folder = line.value("state");
+  result.report = line.value("report");
   result.size = size_from(line.value("size"));
   result.dark = line.isSet("dark");
   return result;
@@ -82,6 +93,22 @@ expected<QJsonArray> steps_of(const wishes& wanted) {
     steps.append(QJsonObject{{"screenshot", wanted.picture}});
   }
   return steps;
+}
+
+/// Times in ms; memory is the largest resident size of this process.
+void write_report(const QString& path, const stall_watch& watch, const viewport& view) {
+  const auto stalls = watch.take();
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const QJsonObject report{{"events", static_cast<qint64>(stalls.samples)},
+                           {"wait_p50_ms", stalls.p50_ms},
+                           {"wait_p99_ms", stalls.p99_ms},
+                           {"wait_worst_ms", stalls.worst_ms},
+                           {"last_frame_ms", view.frame_ms()},
+                           {"memory_mib", static_cast<double>(used.ru_maxrss) / 1024}};
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(report).toJson()) < 0)
+    std::fprintf(stderr, "tedit-qt: cannot write %s\n", qPrintable(path));
 }
 
 int complain(const error& reason) {
@@ -109,6 +136,7 @@ int main(int argc, char** argv) {
   if (!steps)
     return complain(steps.error());
 
+  const stall_watch watch;
   main_window window(wanted.state_folder);
   if (wanted.dark)
     window.set_dark(true);
@@ -132,5 +160,7 @@ int main(int argc, char** argv) {
   if (!steps->isEmpty())
     unattended.start();
   QApplication::exec();
+  if (!wanted.report.isEmpty())
+    write_report(wanted.report, watch, window.view());
   return status;
 }

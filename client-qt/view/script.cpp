@@ -7,6 +7,8 @@
 #include <QJsonObject>
 #include <QMouseEvent>
 
+#include <cmath>
+
 #include "client-qt/view/context_panel.hpp"
 #include "client-qt/view/field_panel.hpp"
 #include "client-qt/view/main_window.hpp"
@@ -77,6 +79,8 @@ void script::stop(const error& reason) {
 void script::next() {
   if (done_)
     return;
+  if (drags_left_ > 0)
+    return drag_on();
   if (at_ == steps_.size()) {
     done_ = true;
     poll_.stop();
@@ -125,6 +129,10 @@ void script::carry_out(const QJsonObject& step) {
 expected<void> script::perform(const QJsonObject& step) {
   if (step.contains("click"))
     return click(step["click"].toInteger());
+  if (step.contains("drag")) {
+    drags_left_ = step["drag"].toInt();
+    return {};
+  }
   if (step.contains("select")) {
     std::vector<surface_id> ids;
     for (const auto& id : step["select"].toArray())
@@ -172,6 +180,23 @@ expected<void> script::click(qint64 surface) {
     QApplication::sendEvent(&view, &event);
   }
   return {};
+}
+
+/// The left button goes down before the first move and up after the last.
+void script::drag_on() {
+  auto& view = window_.view();
+  const auto send = [&](QEvent::Type type, double x) {
+    const QPointF at(view.width() / 2.0 + x, view.height() / 2.0);
+    const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    const auto held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, view.mapToGlobal(at), button, held, Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  };
+  const double x = 100 * std::sin(0.1 * drags_left_);
+  send(QEvent::MouseButtonPress, x);
+  send(QEvent::MouseMove, x + 8);
+  if (--drags_left_ == 0)
+    send(QEvent::MouseButtonRelease, x + 8);
 }
 
 expected<void> script::apply(const QJsonObject& step) {

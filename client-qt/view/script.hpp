@@ -17,11 +17,11 @@ class main_window;
 ///   "select": [ids]            these surfaces
 ///   "choose": operation        opens its form
 ///   "apply": operation, "parameters": {...}   in SI units; on the selection
-///   "undo" | "redo": true
-///   "command": id              any command of the palette
-///   "field": id, "deform": factor, "view": front|...|isometric
-///   "wait": "ready" | "final"  until nothing runs; until the field is converged
-///   "screenshot": file, "width", "height"; "window": true takes the whole window
+///   "drag": steps              turns the view by as many mouse moves, one each time the loop is
+///   idle "undo" | "redo": true "command": id              any command of the palette "field": id,
+///   "deform": factor, "view": front|...|isometric "wait": "ready" | "final"  until nothing runs;
+///   until the field is converged "screenshot": file, "width", "height"; "window": true takes the
+///   whole window
 /// Every step first waits for what runs. The first that fails ends the script.
 class script : public QObject {
   Q_OBJECT
@@ -43,6 +43,7 @@ private:
   void carry_out(const QJsonObject& step);
   [[nodiscard]] expected<void> perform(const QJsonObject& step);
   [[nodiscard]] expected<void> click(qint64 surface);
+  void drag_on();
   [[nodiscard]] expected<void> apply(const QJsonObject& step);
   [[nodiscard]] expected<void> take_picture(const QJsonObject& step);
   void stop(const error& reason);
@@ -50,6 +51,7 @@ private:
   main_window& window_;
   QJsonArray steps_;
   int at_ = 0;
+  int drags_left_ = 0;
   int patience_s_ = 300;
   int waited_ms_ = 0;
   QTimer poll_;

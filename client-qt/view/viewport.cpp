@@ -273,7 +273,7 @@ void viewport::fly_to(const vec3& place) {
 std::optional<picked_point> viewport::pick_at(QPointF position) const {
   if (!scene_.part())
     return std::nullopt;
-  const double ratio = devicePixelRatioF();
+  const double ratio = pixel_ratio();
   auto [from, to] = camera_.ray(position.x() * ratio, (height() - position.y()) * ratio);
   // What is hidden is looked through.
   for (int tries = 0; tries < 64; ++tries) {
@@ -287,7 +287,7 @@ std::optional<picked_point> viewport::pick_at(QPointF position) const {
 }
 
 QPointF viewport::to_widget(const vec3& at) const {
-  const double ratio = devicePixelRatioF();
+  const double ratio = pixel_ratio();
   const vec3 pixel = camera_.to_pixel(at);
   return {pixel.x / ratio, height() - pixel.y / ratio};
 }
@@ -353,7 +353,8 @@ void viewport::mouseMoveEvent(QMouseEvent* event) {
 
 void viewport::drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) {
   const QPointF moved = to - std::exchange(last_, to);
-  const double ratio = devicePixelRatioF();
+  const double ratio = pixel_ratio();
+  draw_quickly();
   const bool pans = (buttons & Qt::MiddleButton) || (modifiers & Qt::ShiftModifier);
   if (pans)
     camera_.pan(moved.x() * ratio, -moved.y() * ratio);
@@ -384,8 +385,9 @@ void viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void viewport::wheelEvent(QWheelEvent* event) {
+  draw_quickly();
   const double notches = event->angleDelta().y() / 120.0;
-  const double ratio = devicePixelRatioF();
+  const double ratio = pixel_ratio();
   camera_.zoom(std::pow(zoom_step, notches), event->position().x() * ratio,
                (height() - event->position().y()) * ratio);
   redraw();

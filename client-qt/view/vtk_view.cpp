@@ -11,12 +11,27 @@
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 namespace tedit::desktop {
+
+namespace {
+
+constexpr int fine_after_ms = 200;
+
+}  // namespace
 
 vtk_view::vtk_view(QWidget* parent) : QOpenGLWidget(parent) {
   window_->SetOwnContext(0);
-  window_->SetMultiSamples(4);
   window_->AddRenderer(renderer_);
+  fine_again_.setSingleShot(true);
+  connect(&fine_again_, &QTimer::timeout, this, [this] {
+    quick_ = false;
+    set_pixels();
+    update();
+  });
   vtkNew<vtkCallbackCommand> make_current;
   make_current->SetClientData(this);
   make_current->SetCallback(&vtk_view::on_make_current);
@@ -59,16 +74,38 @@ void vtk_view::initializeGL() {
   // The context may be replaced when the widget moves to another window.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &vtk_view::release,
           Qt::UniqueConnection);
+  // Smooth edges cost a processor that draws by itself most of a frame.
+  const auto* renderer =
+    reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
+  const std::string_view name = renderer ? renderer : "";
+  software_ = name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
+  window_->SetMultiSamples(software_ ? 0 : 4);
   window_->SetReadyForRendering(true);
   window_->SetForceMaximumHardwareLineWidth(1);
   window_->OpenGLInitContext();
   window_->SetFrameBlitModeToNoBlit();
 }
 
-void vtk_view::resizeGL(int width, int height) {
-  const double ratio = devicePixelRatioF();
-  window_->SetSize(qRound(width * ratio), qRound(height * ratio));
+void vtk_view::resizeGL(int, int) {
+  set_pixels();
+}
+
+void vtk_view::set_pixels() {
+  const double ratio = devicePixelRatioF() / (quick_ ? 2 : 1);
+  window_->SetSize(std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio)));
   window_->SetDPI(qRound(96 * ratio));
+}
+
+void vtk_view::draw_quickly() {
+  if (!software_)
+    return;
+  if (!std::exchange(quick_, true))
+    set_pixels();
+  fine_again_.start(fine_after_ms);
+}
+
+double vtk_view::pixel_ratio() const {
+  return static_cast<double>(window_->GetSize()[0]) / std::max(1, width());
 }
 
 void vtk_view::paintGL() {
@@ -80,6 +117,8 @@ void vtk_view::paintGL() {
   state->vtkglDepthFunc(GL_LEQUAL);
   window_->Render();
   const int* size = window_->GetSize();
+  const double ratio = devicePixelRatioF();
+  const QSize shown(qRound(width() * ratio), qRound(height() * ratio));
   auto* gl = context()->functions();
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   state->ResetFramebufferBindings();
@@ -87,8 +126,8 @@ void vtk_view::paintGL() {
   const GLenum target = GL_COLOR_ATTACHMENT0;
   state->vtkglDrawBuffers(1, const_cast<GLenum*>(&target));
   state->vtkglDisable(GL_SCISSOR_TEST);
-  window_->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1],
-                                  GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  window_->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, shown.width(), shown.height(),
+                                  GL_COLOR_BUFFER_BIT, quick_ ? GL_LINEAR : GL_NEAREST);
   // What lies behind the window must not shine through.
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   gl->glClearColor(0, 0, 0, 1);
