@@ -7,8 +7,11 @@
 //   --alone OPERATION    every surface of the mesh alone, by default values: a summary
 //   --layers             plates and planes eroded by one layer of tets: a summary
 //   --solve              holes, each solved with the part's load case: a summary
+//   --cost OPERATION IDS [NAME=VALUE]...   one edit five times: a row of its cheapest run, by stage
+//   --paper OPERATION IDS [NAME=VALUE]...  one edit: rows as in the paper's Table 1
 // Ends with status 1 when an invariant broke.
 #include <iostream>
+#include <sstream>
 
 #include "bench/sweep.hpp"
 #include "fem/solver.hpp"
@@ -107,8 +110,67 @@ int run_solves(sweep& s, const part_features& part, const fem::load_case& loads)
   return s.faults() + unsolved;
 }
 
+/// "OPERATION 1,2 NAME=VALUE...".
+planned_feature feature_of(const std::vector<std::string>& words) {
+  planned_feature feature{words.at(0), {}, {}, "", {}};
+  std::stringstream ids(words.at(1));
+  for (std::string id; std::getline(ids, id, ',');)
+    feature.surfaces.push_back(std::stoll(id));
+  if (auto given = cli::parse_parameters({words.begin() + 2, words.end()}))
+    feature.parameters = *given;
+  return feature;
+}
+
+int run_cost(sweep& s, const planned_feature& feature) {
+  std::optional<attempt_result> best;
+  for (int i = 0; i < 5; ++i) {
+    auto tried = s.attempt(s.base(), feature);
+    if (!tried.outcome) {
+      std::cout << "refused: " << render(tried.refusal) << '\n';
+      return 1;
+    }
+    if (!best || tried.cpu_ms < best->cpu_ms)
+      best = std::move(tried);
+  }
+  const auto& r = best->outcome->report;
+  const double rest = r.total_ms - r.operation_ms - r.improve_ms - r.check_ms;
+  std::cout << "| " << feature.operation << " | " << s.base()->tet_count() << " | +" << r.tets_added
+            << " -" << r.tets_removed;
+  for (const double ms : {best->cpu_ms, r.operation_ms, r.improve_ms, r.check_ms, rest})
+    std::cout << " | " << cli::pretty(ms, 3);
+  std::cout << " |\n";
+  return s.faults();
+}
+
+void print_paper_row(const std::string& what, const mesh_version& mesh) {
+  std::vector<double> volumes;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t)) {
+      const auto c = mesh.corners(t);
+      volumes.push_back(signed_volume(c[0], c[1], c[2], c[3]));
+    }
+  const auto volume = summarize(volumes);
+  const auto ratio = radius_ratios(mesh);
+  std::cout << "| " << what;
+  for (const double v : {volume.max, volume.min, volume.median})
+    std::cout << " | " << cli::pretty(v, 2);
+  for (const double q : {ratio.max, ratio.min, ratio.median})
+    std::cout << " | " << cli::pretty(q / 3, 4);
+  std::cout << " |\n";
+}
+
+int run_paper(sweep& s, const planned_feature& feature) {
+  const auto tried = s.attempt(s.base(), feature);
+  print_paper_row("before " + feature.operation, *s.base());
+  if (tried.outcome)
+    print_paper_row("after " + feature.operation, *tried.outcome->version);
+  else
+    std::cout << "refused: " << render(tried.refusal) << '\n';
+  return s.faults();
+}
+
 int run(const std::filesystem::path& folder, const std::string& mesh, const std::string& mode,
-        const std::string& operation) {
+        const std::vector<std::string>& rest) {
   const auto imported = import_mesh(std::filesystem::path(mesh), "mm");
   if (!imported) {
     std::cerr << render(imported.error()) << '\n';
@@ -119,7 +181,9 @@ int run(const std::filesystem::path& folder, const std::string& mesh, const std:
   if (mode == "--sequence")
     return run_sequence(s, part) > 0 ? 1 : 0;
   if (mode == "--alone")
-    return run_alone(s, operation) > 0 ? 1 : 0;
+    return run_alone(s, rest.empty() ? "fill_hole" : rest.front()) > 0 ? 1 : 0;
+  if ((mode == "--cost" || mode == "--paper") && rest.size() >= 2)
+    return (mode == "--cost" ? run_cost : run_paper)(s, feature_of(rest)) > 0 ? 1 : 0;
   if (mode == "--layers")
     return run_layers(s, part) > 0 ? 1 : 0;
   if (mode != "--solve")
@@ -137,8 +201,9 @@ int run(const std::filesystem::path& folder, const std::string& mesh, const std:
 int main(int argc, char** argv) {
   if (argc < 3) {
     std::cerr << "usage: feature_sweep PART_FOLDER MESH [--sequence | --alone OPERATION | --layers "
-                 "| --solve]\n";
+                 "| --solve | --cost OPERATION IDS | --paper OPERATION IDS]\n";
     return 2;
   }
-  return run(argv[1], argv[2], argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "fill_hole");
+  const std::vector<std::string> rest(argv + std::min(argc, 4), argv + argc);
+  return run(argv[1], argv[2], argc > 3 ? argv[3] : "", rest);
 }

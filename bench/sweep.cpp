@@ -198,9 +198,9 @@ std::string row_of(const planned_feature& feature, const attempt_result& tried) 
   const auto& done = tried.outcome->report;
   row += " | done | " + cli::pretty(tried.cpu_ms, 2) + " | +" + std::to_string(done.tets_added) +
          " -" + std::to_string(done.tets_removed) + " | " +
-         cli::pretty(done.touched_min_before, 2) + " -> " +
-         cli::pretty(done.touched_min_after, 2) + " | " + cli::pretty(tried.median_before, 2) +
-         " -> " + cli::pretty(tried.median_after, 2) + " | ";
+         cli::pretty(done.touched_min_before, 2) + " -> " + cli::pretty(done.touched_min_after, 2) +
+         " | " + cli::pretty(tried.median_before, 2) + " -> " + cli::pretty(tried.median_after, 2) +
+         " | ";
   if (feature.exact_volume)
     row += cli::pretty(100 * (done.volume_change / *feature.exact_volume - 1), 2) + " %";
   return row + " | " + map_text(done.surface_map) + " |";

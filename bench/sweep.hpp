@@ -44,11 +44,11 @@ struct part_features {
 /// An edit with what was measured of it.
 struct attempt_result {
   std::optional<cli::edit_outcome> outcome;
-  error refusal;              ///< When there is none.
-  double cpu_ms = 0;          ///< Of this process and the mesher's.
-  double median_before = 0;   ///< q of the base's tets in and around what was touched.
-  double median_after = 0;    ///< q of what was touched.
-  double claimed_error = 0;   ///< |volume change of the tets - claim| / volume.
+  error refusal;             ///< When there is none.
+  double cpu_ms = 0;         ///< Of this process and the mesher's.
+  double median_before = 0;  ///< q of the base's tets in and around what was touched.
+  double median_after = 0;   ///< q of what was touched.
+  double claimed_error = 0;  ///< |volume change of the tets - claim| / volume.
 };
 
 /// One part and what was tried on it.
