@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   tedit::picture::picture_options options;
   std::vector<double> range;
   std::vector<int> size;
+  std::vector<double> focus;
   CLI::App app{"Draw the boundary of a VTU file coloured by a field, as PNG."};
   app.name("tedit render");
   app.add_option("input", options.input, "VTU file, for example from \"tedit solve -o\"")
@@ -39,6 +40,10 @@ int main(int argc, char** argv) {
     ->check(CLI::Range(64, 8192));
   app.add_option("--view", options.view, "iso, x, y, z, -x, -y or -z")
     ->check(CLI::IsMember({"iso", "x", "y", "z", "-x", "-y", "-z"}));
+  app.add_option("--zoom", options.zoom, "Nearer by this factor")->check(CLI::PositiveNumber);
+  app.add_option("--focus", focus, "X,Y,Z in metres: what lies in the middle")
+    ->expected(3)
+    ->delimiter(',');
   app.add_option("--deform", options.deform, "Draw the displacement times this factor");
   app.add_flag("--edges", options.edges, "Draw the mesh edges");
   try {
@@ -49,6 +54,8 @@ int main(int argc, char** argv) {
   }
   if (range.size() == 2)
     options.range = {range[0], range[1]};
+  if (focus.size() == 3)
+    options.focus = {focus[0], focus[1], focus[2]};
   if (size.size() == 2) {
     options.width = size[0];
     options.height = size[1];

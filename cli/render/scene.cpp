@@ -85,7 +85,8 @@ expected<void> add_shown(vtkPolyData* surface, const picture_options& options) {
   return {};
 }
 
-void aim(vtkRenderer* renderer, const std::string& view) {
+void aim(vtkRenderer* renderer, const picture_options& options) {
+  const auto& view = options.view;
   auto* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(0, 0, 0);
   camera->SetViewUp(0, 0, 1);
@@ -100,7 +101,17 @@ void aim(vtkRenderer* renderer, const std::string& view) {
   } else
     camera->SetPosition(-0.55, -1, 0.75);
   renderer->ResetCamera();
-  camera->Zoom(1.35);
+  if (options.focus) {
+    std::array<double, 3> middle{};
+    std::array<double, 3> eye{};
+    camera->GetFocalPoint(middle.data());
+    camera->GetPosition(eye.data());
+    for (std::size_t i = 0; i < 3; ++i)
+      eye[i] += (*options.focus)[i] - middle[i];
+    camera->SetFocalPoint(options.focus->data());
+    camera->SetPosition(eye.data());
+  }
+  camera->Zoom(1.35 * options.zoom);
   renderer->ResetCameraClippingRange();
 }
 
@@ -229,7 +240,7 @@ expected<void> draw_picture(const picture_options& options) {
   add_legend(renderer, table, options);
   add_text(renderer, options.title, 0.025, 0.935, options.height / 32, true);
   add_text(renderer, options.caption, 0.025, 0.03, options.height / 52, false);
-  aim(renderer, options.view);
+  aim(renderer, options);
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,8 +22,11 @@ struct picture_options {
   int width = 1600;
   int height = 1000;
   std::string view = "iso";  ///< iso, x, y, z, -x, -y, -z.
-  double deform = 0;         ///< Factor on the field displacement_m; 0 for none.
-  bool edges = false;        ///< Draw the mesh.
+  double zoom = 1;           ///< Above 1: nearer.
+  std::optional<std::array<double, 3>>
+    focus;             ///< m: what lies in the middle; the part's when empty.
+  double deform = 0;   ///< Factor on the field displacement_m; 0 for none.
+  bool edges = false;  ///< Draw the mesh.
 };
 
 /// Draws the boundary of a VTU file coloured by a field. Vectors are drawn by magnitude.

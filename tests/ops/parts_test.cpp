@@ -100,7 +100,7 @@ TEST_P(RealParts, AnySurfaceAloneGetsAnAnswerAndLeavesTheVersionAlone) {
   const auto id = mesh_->id();
   int answers = 0;
   for (const auto& row : mesh_->surfaces()) {
-    if (row.id % 3 != 0)  // a third of them here; all of them in bench/fill_sweep --alone
+    if (row.id % 3 != 0)  // a third of them here; all of them in bench/feature_sweep --alone
       continue;
     const auto result = fill({row.id});
     EXPECT_TRUE(result.has_value() || !result.error().message.empty());
