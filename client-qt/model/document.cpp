@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/load_words.hpp"
 #include "protocol/convert.hpp"
 
@@ -44,6 +45,12 @@ const version_record* document::head() const {
   return found == versions_.end() ? nullptr : &found->second;
 }
 
+const std::vector<fem::load_case>& document::load_cases() const {
+  static const std::vector<fem::load_case> none;
+  const auto* now = head();
+  return now ? now->load_cases : none;
+}
+
 /// The latest with this content: undo brings the same one back.
 version_record* document::find(const std::string& version_id) {
   if (head_ && versions_.contains(*head_) && versions_[*head_].info.version_id == version_id)
@@ -72,7 +79,7 @@ QStringList document::acting_on(const std::vector<surface_id>& surfaces) const {
       return std::ranges::find(surfaces, id) != surfaces.end();
     });
   };
-  for (const auto& one : load_cases_) {
+  for (const auto& one : load_cases()) {
     const QString in = tr(" in %1").arg(QString::fromStdString(one.name));
     for (const auto& held : one.constraints)
       if (touches(held))
@@ -140,7 +147,6 @@ void document::forget() {
   name_.clear();
   versions_.clear();
   head_.reset();
-  load_cases_.clear();
   can_undo_ = can_redo_ = false;
   solve_status_ = {};
   solves_ = 0;
@@ -233,10 +239,9 @@ void document::send_load_cases(std::vector<fem::load_case> loads) {
         emit failed(tr("Set the load cases"), ok.error());
         return;
       }
-      for (auto& one : *names) {
-        std::erase_if(load_cases_, [&](const auto& held) { return held.name == one.name; });
-        load_cases_.push_back(one);
-      }
+      for (auto& one : *names)
+        if (head_)
+          put(versions_[*head_].load_cases, one);
       emit load_cases_changed();
       solve();
     });
@@ -304,6 +309,7 @@ void document::take_commit(const client::committed& what) {
   row.info = what.head;
   if (what.report)
     row.report = what.report;
+  carry_load_cases(row);
   head_ = what.head.number;
   can_undo_ = what.can_undo;
   can_redo_ = what.can_redo;
@@ -317,6 +323,15 @@ void document::take_commit(const client::committed& what) {
   emit head_changed();
   emit edited(what);
   refresh_history();
+}
+
+/// As the server does it: a new version has its parent's load cases without what is gone.
+void document::carry_load_cases(version_record& row) {
+  const auto parent = row.info.parent ? versions_.find(*row.info.parent) : versions_.end();
+  if (!row.report || !row.load_cases.empty() || parent == versions_.end())
+    return;
+  for (const auto& one : parent->second.load_cases)
+    row.load_cases.push_back(carried(one, row.report->surface_map));
 }
 
 void document::refresh_history() {
