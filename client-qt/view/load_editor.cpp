@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QStackedWidget>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -52,11 +52,11 @@ load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
   title_ = new QLabel;
   title_->setProperty("role", "section");
   column->addWidget(title_);
-  pages_ = new QStackedWidget;
-  column->addWidget(pages_);
   build_material();
   build_support();
   build_load();
+  for (auto* page : pages_)
+    column->addWidget(page);
 
   picked_ = new QLabel;
   picked_->setObjectName("picked");
@@ -106,8 +106,8 @@ QLineEdit* load_editor::number_field(const char* name, const QString& accessible
   auto* field = new QLineEdit;
   field->setObjectName(name);
   field->setAccessibleName(accessible);
-  field->setMinimumWidth(44);
-  connect(field, &QLineEdit::textChanged, this, &load_editor::check);
+  field->setMinimumSize(44, field->sizeHint().height());  // The form is cut off before they are.
+  connect(field, &QLineEdit::textChanged, this, &load_editor::touched);
   connect(field, &QLineEdit::returnPressed, this, [this] { apply_->click(); });
   return field;
 }
@@ -134,16 +134,16 @@ void load_editor::add_row(QFormLayout* form, const QString& title, QWidget* fiel
   form->addRow(label, box);
 }
 
-static QFormLayout* new_page(QStackedWidget* pages) {
+QFormLayout* load_editor::new_page(item_kind kind) {
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
   form->setContentsMargins(0, 0, 0, 0);
-  pages->addWidget(page);
+  pages_[static_cast<std::size_t>(kind)] = page;
   return form;
 }
 
 void load_editor::build_material() {
-  auto* form = new_page(pages_);
+  auto* form = new_page(item_kind::material);
   library_box_ = new QComboBox;
   library_box_->setObjectName("library");
   library_box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -167,7 +167,7 @@ void load_editor::build_material() {
 }
 
 void load_editor::build_support() {
-  auto* form = new_page(pages_);
+  auto* form = new_page(item_kind::support);
   support_kind_ = new QComboBox;
   support_kind_->setObjectName("support_kind");
   support_kind_->addItems({tr("Fixed"), tr("Displaced by ..."), tr("Roller: slides, no lifting")});
@@ -183,18 +183,18 @@ void load_editor::build_support() {
     moved_[i] = number_field((std::string("moved_") + axes[i]).c_str(),
                              tr("Displacement %1 in mm").arg(axes[i]));
     connect(held_[i], &QCheckBox::toggled, moved_[i], &QWidget::setEnabled);
-    connect(held_[i], &QCheckBox::toggled, this, &load_editor::check);
+    connect(held_[i], &QCheckBox::toggled, this, &load_editor::touched);
     rows->addRow(held_[i], row_of({moved_[i], new QLabel("mm")}));
   }
   add_row(form, QString(), displacements_, "components");
   connect(support_kind_, &QComboBox::currentIndexChanged, this, [this](int row) {
-    displacements_->setVisible(row == 1);
+    displacements_->parentWidget()->setVisible(row == 1);
     check();
   });
 }
 
 void load_editor::build_load() {
-  auto* form = new_page(pages_);
+  auto* form = new_page(item_kind::load);
   load_kind_ = new QComboBox;
   load_kind_->setObjectName("load_kind");
   load_kind_->addItems({tr("Force, spread over the surfaces"), tr("Traction, per area"),
@@ -233,14 +233,11 @@ void load_editor::build_load() {
 
 void load_editor::edit(const QString& title, const load_item& item) {
   filling_ = true;
+  touched_ = false;
   title_->setText(title);
   kind_ = kind_of(item);
-  pages_->setCurrentIndex(static_cast<int>(kind_));
-  // Only the page that is shown asks for room.
-  for (int i = 0; i < pages_->count(); ++i)
-    pages_->widget(i)->setSizePolicy(QSizePolicy::Preferred, i == pages_->currentIndex()
-                                                               ? QSizePolicy::Preferred
-                                                               : QSizePolicy::Ignored);
+  for (std::size_t i = 0; i < pages_.size(); ++i)
+    pages_[i]->setVisible(i == static_cast<std::size_t>(kind_));
   surfaces_.clear();
   if (const auto* material = std::get_if<fem::material>(&item))
     show_material(*material);
@@ -279,7 +276,7 @@ void load_editor::take_library(int row) {
 void load_editor::show_support(const fem::constraint& support) {
   surfaces_ = support.surfaces;
   support_kind_->setCurrentIndex(static_cast<int>(support.kind.index()));
-  displacements_->setVisible(support.kind.index() == 1);
+  displacements_->parentWidget()->setVisible(support.kind.index() == 1);
   const auto* given = std::get_if<fem::prescribed_displacement>(&support.kind);
   const std::array<std::optional<double>, 3> parts =
     given ? std::array{given->x_m, given->y_m, given->z_m}
@@ -379,6 +376,12 @@ std::optional<load_item> load_editor::value() const {
   return faults(item).empty() ? std::optional(std::move(item)) : std::nullopt;
 }
 
+void load_editor::touched() {
+  if (!filling_)
+    touched_ = true;
+  check();
+}
+
 void load_editor::check() {
   if (filling_)
     return;
@@ -387,6 +390,9 @@ void load_editor::check() {
     const auto fault = std::ranges::find(found, field, &item_fault::field);
     for (auto* label : labels) {
       label->setText(fault == found.end() ? QString() : fault->words);
+      label->setProperty("role", touched_ ? "fault" : "faint");
+      label->style()->unpolish(label);
+      label->style()->polish(label);
       label->setVisible(fault != found.end() &&
                         (field != "surfaces" || picking_->isVisibleTo(this)));
     }

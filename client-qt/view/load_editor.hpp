@@ -16,7 +16,6 @@ class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QStackedWidget;
 
 namespace tedit::desktop {
 
@@ -48,6 +47,7 @@ private:
   void build_load();
   [[nodiscard]] QLineEdit* number_field(const char* name, const QString& accessible);
   [[nodiscard]] QLabel* fault_label(const char* field);
+  [[nodiscard]] QFormLayout* new_page(item_kind kind);
   void add_row(QFormLayout* form, const QString& title, QWidget* field, const char* fault);
   [[nodiscard]] QWidget* row_of(const std::vector<QWidget*>& parts);
   void show_material(const fem::material& material);
@@ -56,6 +56,7 @@ private:
   void load_kind_changed();
   void take_library(int row);
   void show_surfaces();
+  void touched();
   void check();
   /// The item as typed; what is no number becomes NaN, which is at fault.
   [[nodiscard]] load_item read() const;
@@ -66,10 +67,11 @@ private:
   item_kind kind_ = item_kind::load;
   fem::material material_;  ///< With its regions, which the form leaves as they are.
   bool filling_ = false;
+  bool touched_ = false;  ///< Before, what is missing is a hint and no fault.
   std::map<QString, std::vector<QLabel*>> fault_labels_;
 
   QLabel* title_;
-  QStackedWidget* pages_;
+  std::array<QWidget*, 3> pages_{};  ///< By kind.
   QComboBox* library_box_;
   QLineEdit* name_;
   QLineEdit* young_;

@@ -41,9 +41,9 @@ QList<qint64> surfaces_of(const load_item& item) {
   return {};
 }
 
-load_item empty_item(item_kind kind, const std::vector<surface_id>& picked) {
+load_item first_item(item_kind kind, const std::vector<surface_id>& picked) {
   if (kind == item_kind::material)
-    return fem::material{};
+    return fem::material{"Steel", 210e9, 0.3, 7850, 235e6, {}};
   if (kind == item_kind::support)
     return fem::constraint{picked, fem::fixed{}};
   return fem::load{picked, fem::force{}};
@@ -303,7 +303,7 @@ void loads_panel::add_item(item_kind kind) {
   editor_->set_selection(picked_.surfaces());
   editor_->edit(
     titles[static_cast<int>(kind)] + tr(" in %1").arg(QString::fromStdString(loads->name)),
-    empty_item(kind, picked_.surfaces()));
+    first_item(kind, picked_.surfaces()));
   editor_->show();
 }
 

@@ -132,6 +132,7 @@ private:
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
   std::optional<std::uint32_t> stepping_to_;
+  bool probing_ = false;      ///< A click sets a probe and picks nothing.
   bool system_dark_ = false;  ///< As it was when the program started.
   log_level log_level_ = log_level::everything;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <QAction>
 #include <QDockWidget>
+#include <QSplitter>
 #include <QStackedWidget>
 
 #include "client-qt/view/about_dialog.hpp"
@@ -10,6 +11,8 @@
 #include "client-qt/view/load_glyphs.hpp"
 #include "client-qt/view/loads_panel.hpp"
 #include "client-qt/view/main_window.hpp"
+#include "client-qt/view/plot_panel.hpp"
+#include "client-qt/view/probe_panel.hpp"
 #include "client-qt/view/settings_dialog.hpp"
 #include "client-qt/view/shortcuts_dialog.hpp"
 #include "client-qt/view/viewport.hpp"
@@ -181,6 +184,59 @@ void main_window::take_shortcuts() {
     }
 }
 
-void main_window::add_probes() {}
+// -- probes and plots ----------------------------------------------------------------
+
+void main_window::add_probes() {
+  auto* all = new probes(part_, this);
+  auto* marks = new probe_marks(*view_, part_, *all);
+  auto* list = new probe_panel(part_, *all, *fields_);
+  auto* curves = new plot_panel(part_, *all, *list, *fields_, *view_);
+  auto* both = new QSplitter;
+  both->addWidget(list);
+  both->addWidget(curves);
+  auto* dock = add_dock("probes", tr("Probes and plots"), both, Qt::BottomDockWidgetArea);
+  auto* history = findChild<QDockWidget*>("history");
+  tabifyDockWidget(history, dock);
+  history->raise();
+  connect(this, &main_window::theme_changed, marks, [marks](const theme& look) {
+    marks->set_accent(look.palette.color(QPalette::Highlight));
+  });
+  connect(view_, &viewport::clicked, this, [this, all](const std::optional<picked_point>& at) {
+    if (probing_ && at)
+      all->add(at->surface, at->vertices, at->weights);
+  });
+  const auto has_part = [this] { return part_.head() != nullptr; };
+  const auto set_probing = [this, dock](bool on) {
+    probing_ = on;
+    view_->setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    if (on)
+      dock->raise();
+  };
+  commands_.add({"view.probe", tr("Probe: values at places that are clicked"), tr("View"), "P",
+                 [this, set_probing] { set_probing(!probing_); }, has_part,
+                 tr("Numbered pins that stay over edits; two give a distance and a line"),
+                 "probe"});
+  commands_.add({"view.clear_probes",
+                 tr("Remove all probes"),
+                 tr("View"),
+                 {},
+                 [all] { all->clear(); },
+                 [all] { return !all->all().empty(); }});
+  commands_.add({"view.plots",
+                 tr("Probes and plots"),
+                 tr("View"),
+                 {},
+                 [dock] {
+                   dock->show();
+                   dock->raise();
+                 },
+                 has_part,
+                 tr("The field by area, along a line, and the quality of tets")});
+  auto cancel = *commands_.find("edit.cancel");
+  cancel.run = [this, set_probing, otherwise = cancel.run] {
+    probing_ && pages_->currentWidget() == view_ ? set_probing(false) : otherwise();
+  };
+  commands_.add(std::move(cancel));
+}
 
 }  // namespace tedit::desktop

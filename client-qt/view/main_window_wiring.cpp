@@ -115,6 +115,8 @@ void main_window::wire_view() {
           [this] { overlay_->set_note(truth_->verdict()); });
   connect(view_, &viewport::clicked, this,
           [this](const std::optional<picked_point>& at, Qt::KeyboardModifiers modifiers) {
+            if (probing_)
+              return;
             if (at)
               selection_.click(at->surface, modifiers & Qt::ShiftModifier);
             else if (!(modifiers & Qt::ShiftModifier))

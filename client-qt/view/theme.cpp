@@ -29,7 +29,7 @@ QStatusBar { background: %PANEL%; border-top: 1px solid %LINE%; }
 QStatusBar::item { border: 0; }
 QPushButton { border: 1px solid %LINE%; border-radius: 5px; padding: 5px 14px; background: %BUTTON%; }
 QPushButton:hover { background: %HOVER%; }
-QPushButton:checked { background: %PRESSED%; font-weight: 600; }
+QPushButton:checked { background: %PRESSED%; border-color: %ACCENT%; }
 QPushButton:focus { border-color: %ACCENT%; }
 QPushButton:disabled { color: %FAINT%; }
 QPushButton[role="primary"] { background: %ACCENT%; color: white; border-color: %ACCENT%; font-weight: 600; }
