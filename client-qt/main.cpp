@@ -129,6 +129,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("tedit-qt");
   QApplication::setApplicationDisplayName("TEdit");
   QApplication::setApplicationVersion(TEDIT_VERSION);
+  QApplication::setDesktopFileName("org.tedit.TEdit");
   QApplication::setStyle("Fusion");
   QApplication::setWindowIcon(window_icon());
   const auto wanted = read_command_line(app);

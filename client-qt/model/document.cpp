@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/load_words.hpp"
 #include "protocol/convert.hpp"
 
@@ -50,6 +51,12 @@ const version_record* document::head() const {
   return found == versions_.end() ? nullptr : &found->second;
 }
 
+const std::vector<fem::load_case>& document::load_cases() const {
+  static const std::vector<fem::load_case> none;
+  const auto* now = head();
+  return now ? now->load_cases : none;
+}
+
 /// The latest with this content: undo brings the same one back.
 version_record* document::find(const std::string& version_id) {
   if (head_ && versions_.contains(*head_) && versions_[*head_].info.version_id == version_id)
@@ -78,7 +85,7 @@ QStringList document::acting_on(const std::vector<surface_id>& surfaces) const {
       return std::ranges::find(surfaces, id) != surfaces.end();
     });
   };
-  for (const auto& one : load_cases_) {
+  for (const auto& one : load_cases()) {
     const QString in = tr(" in %1").arg(QString::fromStdString(one.name));
     for (const auto& held : one.constraints)
       if (touches(held))
@@ -146,7 +153,6 @@ void document::forget() {
   name_.clear();
   versions_.clear();
   head_.reset();
-  load_cases_.clear();
   can_undo_ = can_redo_ = false;
   solve_status_ = {};
   solves_ = 0;
@@ -310,7 +316,8 @@ void document::go_to(std::uint32_t number) {
 }
 
 void document::take_load_cases(const std::vector<fem::load_case>& loads) {
-  load_cases_ = loads;
+  if (head_)
+    versions_[*head_].load_cases = loads;
   emit load_cases_changed();
 }
 
@@ -337,6 +344,7 @@ void document::take_commit(const client::committed& what) {
   refresh_history();
 }
 
+/// As the server does it: a new version has its parent's load cases without what is gone.
 void document::refresh_history() {
   const int mine = opening_;
   link_.run<client::history>([](client::client& c, const execution&) { return c.get_history(); },

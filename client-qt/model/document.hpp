@@ -21,8 +21,9 @@ struct version_record {
   client::version_info info;
   std::optional<edit_report> report;  ///< Of the edit that made it.
   shared_surface surface;
-  std::vector<shared_field> fields;      ///< One for each load case, then their envelope.
-  std::optional<solve_outcome> outcome;  ///< The converged one.
+  std::vector<shared_field> fields;        ///< One for each load case, then their envelope.
+  std::vector<fem::load_case> load_cases;  ///< As the server said when it was the head.
+  std::optional<solve_outcome> outcome;    ///< The converged one.
 };
 
 /// What the user waits for.
@@ -61,7 +62,7 @@ public:
   [[nodiscard]] field_state field_progress() const noexcept { return field_state_; }
   [[nodiscard]] const client::solve_status& solve_progress() const { return solve_status_; }
   /// The load cases of the head.
-  [[nodiscard]] const std::vector<fem::load_case>& load_cases() const { return load_cases_; }
+  [[nodiscard]] const std::vector<fem::load_case>& load_cases() const;
   /// What holds or loads some of these surfaces: "fixed in ctc01_plate static".
   [[nodiscard]] QStringList acting_on(const std::vector<surface_id>& surfaces) const;
   /// A person's name for a surface: its own, or its number.
@@ -148,7 +149,6 @@ private:
   bool can_undo_ = false;
   bool can_redo_ = false;
   catalogue operations_;
-  std::vector<fem::load_case> load_cases_;
   client::solve_settings settings_;
   std::optional<activity> activity_;
   ticket running_;

@@ -54,6 +54,7 @@ struct legend {
   bool logarithmic = false;
   colour_map map = colour_map::viridis;
   bool reversed = false;
+  QString title;  ///< Instead of the field's; may be empty.
 
   /// Takes the range of new values when the mode is automatic; a uniform field gets a range around
   /// its value. Values that are not finite do not count.

@@ -52,6 +52,10 @@ QString length(double metres) {
   return number(metres * 1e3) + " mm";
 }
 
+QString mass(double kg) {
+  return kg < 1 ? quantity(kg, "kg") : number(kg) + " kg";
+}
+
 QString duration(double ms) {
   if (ms < 1000)
     return QString::number(ms, 'f', ms < 10 ? 1 : 0) + " ms";

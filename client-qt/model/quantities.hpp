@@ -22,6 +22,8 @@ struct display_unit {
 [[nodiscard]] QString quantity(double si_value, const QString& si_unit);
 /// A length by its size: "0.35 µm", "12.5 mm", "1.2 m".
 [[nodiscard]] QString length(double metres);
+/// A mass by its size: "120 g", "39.7 kg".
+[[nodiscard]] QString mass(double kg);
 /// "87 ms", "1.3 s", "4 min 10 s".
 [[nodiscard]] QString duration(double ms);
 /// "12", "12 400", "1.02 M".

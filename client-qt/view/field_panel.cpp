@@ -110,6 +110,12 @@ void field_panel::set_deform(double factor) {
   deform_->setValue(factor);
 }
 
+void field_panel::set_look(colour_map map, range_mode mode, bool logarithmic) {
+  map_->setCurrentIndex(static_cast<int>(map));
+  mode_->setCurrentIndex(static_cast<int>(mode));
+  log_->setChecked(logarithmic);
+}
+
 void field_panel::read_form() {
   const auto before = legend_.field;
   legend_.field = static_cast<shown_field>(field_->currentData().toInt());

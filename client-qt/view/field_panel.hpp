@@ -27,6 +27,7 @@ public:
   [[nodiscard]] double deform() const;
   void set_field(shown_field field);
   void set_deform(double factor);
+  void set_look(colour_map map, range_mode mode, bool logarithmic);
   /// Shows the range that the view took from the values.
   void take_range(const legend& shown);
 

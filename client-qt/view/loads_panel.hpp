@@ -3,24 +3,77 @@
 
 #include <QTreeWidget>
 
+#include <map>
+#include <optional>
+
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/load_editing.hpp"
+#include "client-qt/model/selection.hpp"
+
+class QLabel;
+class QPushButton;
 
 namespace tedit::desktop {
 
-/// Materials, supports and loads of every load case of the head.
-class loads_panel : public QTreeWidget {
+class load_editor;
+
+/// Materials, supports and loads of every load case of the head, and their editing. A load case is
+/// sent as a whole after each change, once it can be solved; until then it is kept here and the
+/// tree says what it lacks. After an edit of the part, items that it changed carry a mark.
+class loads_panel : public QWidget {
   Q_OBJECT
 
 public:
-  explicit loads_panel(document& part, QWidget* parent = nullptr);
+  loads_panel(document& part, selection& picked, QWidget* parent = nullptr);
+
+  /// The load case that new items go to; a head without any has none.
+  void new_load_case();
+  /// Opens the editor on a new item for the load case that is chosen in the tree.
+  void add_item(item_kind kind);
+  [[nodiscard]] load_editor* editor() const { return editor_; }
+  [[nodiscard]] QTreeWidget* tree() const { return tree_; }
 
 signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
 
 private:
+  /// A row of the tree: the load case, or one of its items.
+  struct row_place {
+    std::string load_case;
+    std::optional<item_kind> kind;  ///< Empty: the load case itself.
+    std::size_t at = 0;
+  };
+
   void refresh();
+  void add_case(const fem::load_case& loads);
+  void add_row(QTreeWidgetItem* parent, const load_item& item, const row_place& place,
+               const std::vector<item_mark>& changed);
+  void add_dropped(QTreeWidgetItem* parent, const std::vector<item_mark>& changed);
+  void show_menu(QPoint at);
+  void edit_row(const row_place& place);
+  void apply_editor();
+  void close_editor();
+  void duplicate(const row_place& place);
+  void drop(const row_place& place);
+  void renamed(QTreeWidgetItem* row);
+  /// Sends it when it is complete, else keeps it as a draft.
+  void change(const fem::load_case& loads);
+  void carry_drafts(const client::committed& what);
+
+  [[nodiscard]] std::optional<row_place> current() const;
+  [[nodiscard]] std::vector<fem::load_case> all() const;
+  [[nodiscard]] const fem::load_case* find(const std::string& name,
+                                           const std::vector<fem::load_case>& in) const;
 
   document& part_;
+  selection& picked_;
+  QTreeWidget* tree_;
+  QWidget* buttons_;
+  load_editor* editor_;
+  QLabel* hint_;
+  std::vector<fem::load_case> drafts_;  ///< Not complete yet, or complete and on their way.
+  std::optional<row_place> editing_;    ///< `at` past the end: a new item.
+  bool filling_ = false;
 };
 
 }  // namespace tedit::desktop

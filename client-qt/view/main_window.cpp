@@ -72,7 +72,8 @@ main_window::main_window(const QString& state_folder)
   add_commands();
   build_toolbars();
   wire();
-  set_dark(settings_.value("dark", false).toBool());
+  system_dark_ = palette().color(QPalette::Window).lightness() < 128;
+  apply_preferences(load_preferences(settings_));
   welcome_->set_recent(settings_.value("recent").toStringList());
   if (settings_.contains("geometry"))
     restoreGeometry(settings_.value("geometry").toByteArray());
@@ -96,7 +97,7 @@ void main_window::build_docks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   context_ = new context_panel(part_, selection_);
   fields_ = new field_panel(part_);
-  loads_ = new loads_panel(part_);
+  loads_ = new loads_panel(part_, selection_);
   receipt_ = new receipt_panel(part_);
   history_ = new history_strip(part_);
   log_ = new QPlainTextEdit;
@@ -169,7 +170,7 @@ void main_window::resizeEvent(QResizeEvent* event) {
 
 void main_window::set_dark(bool on) {
   theme_ = make_theme(on);
-  settings_.setValue("dark", on);
+  settings_.setValue("look", on ? "dark" : "light");
   qApp->setPalette(theme_.palette);
   qApp->setStyleSheet(theme_.style_sheet);
   view_->set_colours(theme_.scene);
@@ -178,6 +179,7 @@ void main_window::set_dark(bool on) {
   banner_->set_theme(theme_);
   truth_->set_theme(theme_);
   welcome_->set_theme(theme_);
+  emit theme_changed(theme_);
   for (auto at = actions_.begin(); at != actions_.end(); ++at)
     if (const auto* what = commands_.find(at.key()); what && !what->icon.isEmpty())
       at.value()->setIcon(icon(what->icon, theme_.ink));
@@ -292,7 +294,9 @@ QImage main_window::picture(int width, int height) {
   return overlay_->picture(width, height);
 }
 
-void main_window::log(const QString& line) {
+void main_window::log(const QString& line, log_level level) {
+  if (level > log_level_)
+    return;
   log_->appendPlainText(QDateTime::currentDateTime().toString("HH:mm:ss.zzz  ") + line);
 }
 

@@ -7,6 +7,7 @@
 
 #include "client-qt/model/commands.hpp"
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/preferences.hpp"
 #include "client-qt/model/selection.hpp"
 #include "client-qt/net/local_server.hpp"
 #include "client-qt/view/part_geometry.hpp"
@@ -67,6 +68,7 @@ public:
 signals:
   /// The view shows the head with all that is known of it.
   void settled();
+  void theme_changed(const tedit::desktop::theme& look);
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -89,7 +91,7 @@ private:
   void connection_changed();
   void when_connected(std::function<void()> then);
   void remember(const QString& document);
-  void log(const QString& line);
+  void log(const QString& line, log_level level = log_level::everything);
   void step_to(std::uint32_t version);
   void highlight(const QList<qint64>& surfaces);
 
@@ -112,6 +114,15 @@ private:
   void ask_export();
   void ask_screenshot();
 
+  // -- main_window_tools.cpp --
+  void add_tools();
+  void add_load_commands();
+  void add_compare();
+  void add_settings();
+  void apply_preferences(const preferences& wanted);
+  void take_shortcuts();
+  void add_probes();
+
   QSettings settings_;
   remote link_;
   local_server local_;
@@ -123,6 +134,9 @@ private:
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
   std::optional<picked_point> last_click_;
+  bool probing_ = false;      ///< A click sets a probe and picks nothing.
+  bool system_dark_ = false;  ///< As it was when the program started.
+  log_level log_level_ = log_level::everything;
 
   QStackedWidget* pages_;
   welcome_page* welcome_;

@@ -105,6 +105,7 @@ void main_window::add_commands() {
                  [this] { part_.cancel_solve(); },
                  has_part});
   add_view_commands();
+  add_tools();
   commands_.add({"help.palette",
                  tr("Search everything"),
                  tr("Help"),

@@ -78,18 +78,18 @@ void main_window::wire_document() {
 /// What has to be said goes over the view and into the log.
 void main_window::wire_messages() {
   connect(&part_, &document::failed, this, [this](const QString& what, const error& reason) {
-    log(tr("%1: %2").arg(what, QString::fromStdString(tedit::render(reason))));
+    log(tr("%1: %2").arg(what, QString::fromStdString(tedit::render(reason))), log_level::errors);
     if (reason.code != ec::cancelled)
       banner_->show_error(what, reason);
     place_overlays();
   });
   connect(&part_, &document::notice, this, [this](const QString& text) {
-    log(text);
+    log(text, log_level::notices);
     banner_->show_news(text);
     place_overlays();
   });
   connect(&part_, &document::exported, this, [this](const QString& path) {
-    log(tr("wrote %1").arg(path));
+    log(tr("wrote %1").arg(path), log_level::notices);
     banner_->show_news(tr("Wrote %1").arg(path));
     place_overlays();
   });
@@ -114,6 +114,8 @@ void main_window::wire_view() {
   connect(view_, &viewport::clicked, this,
           [this](const std::optional<picked_point>& at, Qt::KeyboardModifiers modifiers) {
             last_click_ = at;
+            if (probing_)
+              return;
             if (at)
               selection_.click(at->surface, modifiers & Qt::ShiftModifier);
             else if (!(modifiers & Qt::ShiftModifier))

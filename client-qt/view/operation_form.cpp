@@ -3,11 +3,14 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QWhatsThis>
 
 #include <cmath>
 #include <limits>
@@ -31,6 +34,27 @@ QString text(const std::string& words) {
   return QString::fromStdString(words);
 }
 
+/// Name, help, range and default of a parameter.
+QString what_it_is(const ops::parameter_description& parameter) {
+  QString result = "<b>" + text(parameter.name).toHtmlEscaped() + "</b><br>" +
+                   text(parameter.help).toHtmlEscaped();
+  const auto say = [](const char* words) {
+    return QCoreApplication::translate("operation_form", words);
+  };
+  const QString unit = text(parameter.unit);
+  if (parameter.min && parameter.max)
+    result +=
+      "<br>" +
+      say("From %1 to %2").arg(quantity(*parameter.min, unit), quantity(*parameter.max, unit));
+  else if (parameter.min)
+    result += "<br>" + say("At least %1").arg(quantity(*parameter.min, unit));
+  else if (parameter.max)
+    result += "<br>" + say("At most %1").arg(quantity(*parameter.max, unit));
+  if (const auto* value = std::get_if<double>(&parameter.default_value))
+    result += "<br>" + say("Usually %1").arg(quantity(*value, unit));
+  return result;
+}
+
 }  // namespace
 
 operation_form::operation_form(const ops::operation_description& about, QWidget* parent)
@@ -42,6 +66,7 @@ operation_form::operation_form(const ops::operation_description& about, QWidget*
     auto* widget = make_field(parameter);
     widget->setObjectName(text(parameter.id));
     widget->setToolTip(text(parameter.help));
+    widget->setWhatsThis(what_it_is(parameter));
     widget->setAccessibleName(text(parameter.name));
     widget->setAccessibleDescription(text(parameter.help));
     if (parameter.type == ops::parameter_type::boolean) {
@@ -54,6 +79,21 @@ operation_form::operation_form(const ops::operation_description& about, QWidget*
     }
   }
   reset();
+}
+
+bool operation_form::event(QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+    return QWidget::event(event);
+  auto* field = focusWidget();
+  while (field && field != this && field->whatsThis().isEmpty())
+    field = field->parentWidget();
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() != Qt::Key_F1 || !field || field == this)
+    return QWidget::event(event);
+  event->accept();  // Else it would be the window's shortcut.
+  if (event->type() == QEvent::KeyPress)
+    QWhatsThis::showText(field->mapToGlobal(field->rect().bottomLeft()), field->whatsThis(), field);
+  return true;
 }
 
 QWidget* operation_form::make_field(const ops::parameter_description& parameter) {

@@ -30,6 +30,10 @@ public:
 signals:
   void changed();
 
+protected:
+  /// F1 on a parameter shows its help.
+  bool event(QEvent* event) override;
+
 private:
   struct entry {
     std::function<ops::parameter_value()> get;

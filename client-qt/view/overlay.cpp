@@ -19,7 +19,7 @@ namespace {
 constexpr double margin = 16;
 constexpr double bar_width = 16;
 constexpr double legend_height = 240;
-constexpr double legend_width = 128;
+constexpr double legend_width = 140;
 constexpr int most_ticks = 7;
 
 QFont sized(const QFont& font, double pixels, bool bold = false) {
@@ -48,7 +48,7 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
   painter.setFont(sized(painter.font(), 13 * scale, true));
   const double line = 18 * scale;
   painter.drawText(QRectF(where.left(), where.top(), 4 * where.width(), line), Qt::AlignLeft,
-                   field_title(by.field));
+                   by.title.isEmpty() ? field_title(by.field) : by.title);
   painter.setFont(sized(painter.font(), 12 * scale));
   QString second = unit.name;
   if (by.mode == range_mode::locked)
@@ -101,19 +101,21 @@ void overlay::show_extremes(bool on) {
   update();
 }
 
-void overlay::mark(QPainter& painter, const vec3& at, const QString& text, double scale) {
+void overlay::mark(QPainter& painter, const vec3& at, const QString& text, double scale,
+                   bool below) {
   if (view_.section() && view_.section()->takes_away(at))
     return;
   const QPointF place = scale * view_.to_widget(at);
   const QFont font = sized(painter.font(), 12 * scale);
   painter.setFont(font);
   const QFontMetricsF metrics(font);
-  const QRectF box(place + scale * QPointF(12, -30),
+  const QRectF box(place + scale * QPointF(12, below ? 10 : -30),
                    QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
   painter.setPen(QPen(ink_, 1.2 * scale));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(place, 4 * scale, 4 * scale);
-  painter.drawLine(place + scale * QPointF(3, -3), box.bottomLeft());
+  painter.drawLine(place + scale * QPointF(3, below ? 3 : -3),
+                   below ? box.topLeft() : box.bottomLeft());
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(255, 255, 255, 215));
   painter.drawRoundedRect(box, 4 * scale, 4 * scale);
@@ -142,8 +144,8 @@ void overlay::paint(QPainter& painter, double scale) {
   if (!extremes_)
     return;
   const QString unit = field_unit(by.field);
-  mark(painter, ends->low_at, tr("min %1").arg(quantity(ends->low, unit)), scale);
-  mark(painter, ends->high_at, tr("max %1").arg(quantity(ends->high, unit)), scale);
+  mark(painter, ends->low_at, tr("min %1").arg(quantity(ends->low, unit)), scale, true);
+  mark(painter, ends->high_at, tr("max %1").arg(quantity(ends->high, unit)), scale, false);
 }
 
 void overlay::paintEvent(QPaintEvent*) {

@@ -38,7 +38,8 @@ protected:
 
 private:
   void paint(QPainter& painter, double scale);
-  void mark(QPainter& painter, const vec3& at, const QString& text, double scale);
+  /// `below`: the words stand below the place, so that two near each other stay readable.
+  void mark(QPainter& painter, const vec3& at, const QString& text, double scale, bool below);
 
   viewport& view_;
   QString note_;

@@ -128,7 +128,11 @@ void scene::set_colours(const scene_colours& colours) {
   set(edge_actor_->GetProperty(), colours.edges);
   set(selected_actor_->GetProperty(), colours.accent);
   set(hover_actor_->GetProperty(), colours.hover);
-  load_actor_->GetProperty()->SetColor(0.80, 0.16, 0.42);
+  for (auto* marks : {load_actor_.Get(), support_actor_.Get()}) {
+    marks->GetProperty()->SetAmbient(0.55);  // They are read by their colour, also in the shade.
+    marks->GetProperty()->SetDiffuse(0.5);
+  }
+  load_actor_->GetProperty()->SetColor(0.86, 0.14, 0.44);
   support_actor_->GetProperty()->SetColor(0.05, 0.45, 0.65);
   face_actor_->GetProperty()->SetEdgeColor(colours.edges[0], colours.edges[1], colours.edges[2]);
 }

@@ -29,6 +29,7 @@ QStatusBar { background: %PANEL%; border-top: 1px solid %LINE%; }
 QStatusBar::item { border: 0; }
 QPushButton { border: 1px solid %LINE%; border-radius: 5px; padding: 5px 14px; background: %BUTTON%; }
 QPushButton:hover { background: %HOVER%; }
+QPushButton:checked { background: %PRESSED%; border-color: %ACCENT%; }
 QPushButton:focus { border-color: %ACCENT%; }
 QPushButton:disabled { color: %FAINT%; }
 QPushButton[role="primary"] { background: %ACCENT%; color: white; border-color: %ACCENT%; font-weight: 600; }
@@ -47,17 +48,18 @@ QProgressBar::chunk { background: %ACCENT%; border-radius: 3px; }
 QLabel[role="title"] { font-size: 15px; font-weight: 600; }
 QLabel[role="section"] { font-weight: 600; padding-top: 6px; }
 QLabel[role="faint"] { color: %FAINT%; }
+QLabel[role="fault"] { color: %FAULT%; }
 )";
 
 struct tones {
-  QColor window, panel, field, text, faint, line, hover, pressed, button, accent, link;
+  QColor window, panel, field, text, faint, line, hover, pressed, button, accent, link, fault;
 };
 
 QString filled(QString text, const tones& t) {
   const std::pair<const char*, QColor> marks[] = {
     {"%TEXT%", t.text},       {"%PANEL%", t.panel},   {"%LINE%", t.line},     {"%HOVER%", t.hover},
     {"%PRESSED%", t.pressed}, {"%BUTTON%", t.button}, {"%ACCENT%", t.accent}, {"%FAINT%", t.faint},
-    {"%FIELD%", t.field},     {"%LINK%", t.link}};
+    {"%FIELD%", t.field},     {"%LINK%", t.link},     {"%FAULT%", t.fault}};
   for (const auto& [mark, colour] : marks)
     text.replace(mark, colour.name());
   return text;
@@ -89,9 +91,9 @@ theme make_theme(bool dark) {
   theme result;
   result.dark = dark;
   const tones t = dark ? tones{"#1b1f24", "#23282f", "#1a1e23", "#e6e9ee", "#8f98a5", "#39414b",
-                               "#2f3640", "#3a434f", "#2b313a", "#d9742b", "#6db3f2"}
+                               "#2f3640", "#3a434f", "#2b313a", "#d9742b", "#6db3f2", "#ff6b6b"}
                        : tones{"#ffffff", "#f6f7f9", "#ffffff", "#20262e", "#6a7482", "#d5dae1",
-                               "#e8ecf1", "#dbe2ea", "#ffffff", "#c8641c", "#1f6fb2"};
+                               "#e8ecf1", "#dbe2ea", "#ffffff", "#c8641c", "#1f6fb2", "#c62828"};
   result.palette = palette_of(t);
   result.style_sheet = filled(sheet, t);
   result.ink = t.text;

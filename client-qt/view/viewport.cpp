@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client-qt/model/field_values.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -17,45 +19,14 @@ namespace {
 constexpr double drag_threshold = 4;  // Pixels: less is a click.
 constexpr double zoom_step = 1.12;    // For a notch of the wheel.
 
-/// From slots, ascending, to places in the field's arrays.
-std::ptrdiff_t place_of(const std::vector<std::uint32_t>& ascending, std::uint32_t wanted) {
-  const auto at = std::ranges::lower_bound(ascending, wanted);
-  return at != ascending.end() && *at == wanted ? at - ascending.begin() : -1;
-}
-
-float value(const client::field_event& field, std::size_t i, shown_field wanted) {
-  const auto component = [&](int c) {
-    return field.displacement.empty() ? NAN : field.displacement[3 * i + c];
-  };
-  switch (wanted) {
-    case shown_field::von_mises:
-      return field.von_mises[i];
-    case shown_field::displacement:
-      return std::hypot(component(0), component(1), component(2));
-    case shown_field::displacement_x:
-      return component(0);
-    case shown_field::displacement_y:
-      return component(1);
-    case shown_field::displacement_z:
-      return component(2);
-    case shown_field::safety_factor:
-      return field.safety_factor.empty() || field.safety_factor[i] == 0 ? NAN
-                                                                        : field.safety_factor[i];
-    default:
-      return NAN;
-  }
-}
-
 }  // namespace
 
 std::vector<float> values_of(const part_geometry& part, const client::field_event& field,
                              shown_field wanted) {
   std::vector<float> result;
   result.reserve(part.vertices.size());
-  for (const auto slot : part.vertices) {
-    const auto at = place_of(field.vertices, slot);
-    result.push_back(at < 0 ? NAN : value(field, static_cast<std::size_t>(at), wanted));
-  }
+  for (const auto slot : part.vertices)
+    result.push_back(desktop::value_at(field, slot, wanted));
   return result;
 }
 

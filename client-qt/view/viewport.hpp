@@ -36,6 +36,11 @@ public:
   void set_legend(const legend& by);
   [[nodiscard]] const legend& current_legend() const noexcept { return legend_; }
   [[nodiscard]] const shown_part& current() const noexcept { return shown_; }
+  /// What is drawn, and one value for each of its points; null before the first.
+  [[nodiscard]] const std::shared_ptr<const part_geometry>& geometry() const {
+    return scene_.part();
+  }
+  [[nodiscard]] const std::vector<float>& values() const noexcept { return values_; }
   /// Whether nothing is on its way to the screen any more.
   [[nodiscard]] bool is_settled() const noexcept { return building_ == 0; }
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/compare.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client-qt/model/field_values.hpp"
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+QString say(const char* text) {
+  return QCoreApplication::translate("compare", text);
+}
+
+QString figure(const QString& words, const std::optional<double>& value,
+               const std::optional<double>& before, const QString& unit) {
+  if (!value)
+    return {};
+  QString text = "   " + words.arg(unit == "kg" ? mass(*value) : quantity(*value, unit));
+  if (before)
+    if (const QString by = change(*before, *value); !by.isEmpty())
+      text += " (" + by + ")";
+  return text;
+}
+
+}  // namespace
+
+shown_field difference_field(shown_field wanted) {
+  switch (wanted) {
+    case shown_field::displacement:
+      return shown_field::displacement_x;
+    case shown_field::displacement_x:
+    case shown_field::displacement_y:
+    case shown_field::displacement_z:
+    case shown_field::safety_factor:
+      return wanted;
+    default:
+      return shown_field::von_mises;
+  }
+}
+
+shared_field difference(const version_record& before, const shared_field& before_field,
+                        const version_record& after, const shared_field& after_field,
+                        shown_field wanted) {
+  auto result = std::make_shared<client::field_event>();
+  result->report = after_field->report;
+  result->envelope = after_field->envelope;
+  const shown_field as = difference_field(wanted);
+  if (as == shown_field::von_mises)
+    wanted = shown_field::von_mises;
+  const int component = as == shown_field::displacement_y   ? 1
+                        : as == shown_field::displacement_z ? 2
+                                                            : 0;
+  for (std::size_t i = 0; i < after_field->vertices.size(); ++i) {
+    const auto slot = after_field->vertices[i];
+    const auto* there = before.surface->positions().find(slot);
+    const auto* here = after.surface->positions().find(slot);
+    const float was = value_at(*before_field, slot, wanted);
+    const float is = value_in(*after_field, i, wanted);
+    if (!there || !here || !(*there == *here) || !std::isfinite(was) || !std::isfinite(is))
+      continue;
+    result->vertices.push_back(slot);
+    result->von_mises.push_back(as == shown_field::von_mises ? is - was : 0);
+    std::array<float, 3> moved{};
+    moved[static_cast<std::size_t>(component)] = is - was;
+    result->displacement.insert(result->displacement.end(), moved.begin(), moved.end());
+    if (as == shown_field::safety_factor)
+      result->safety_factor.push_back(is == was ? 1e-30F : is - was);  // 0 means "not known".
+  }
+  return result;
+}
+
+shared_field field_of(const version_record& version, const std::string& load_case) {
+  for (const auto& field : version.fields)
+    if (field->envelope ? load_case.empty() : field->report.load_case == load_case)
+      return field;
+  return load_case.empty() && version.fields.size() == 1 ? version.fields.front() : nullptr;
+}
+
+QString not_held(const version_record& version, const std::string& load_case) {
+  if (!version.surface)
+    return say("The surface of version %1 was not seen since the document was opened.")
+      .arg(version.info.number);
+  const auto field = field_of(version, load_case);
+  if (!field)
+    return say("Version %1 has no field of this load case here yet.").arg(version.info.number);
+  return {};
+}
+
+std::optional<std::pair<double, double>> common_range(const client::field_event& a,
+                                                      const client::field_event& b,
+                                                      shown_field wanted) {
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (const auto* field : {&a, &b})
+    for (std::size_t i = 0; i < field->vertices.size(); ++i)
+      if (const double value = value_in(*field, i, wanted); std::isfinite(value)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  return low <= high ? std::optional(std::pair(low, high)) : std::nullopt;
+}
+
+version_figures figures_of(const version_record& version) {
+  version_figures result;
+  if (!version.outcome)
+    return result;
+  for (const auto& one : version.outcome->cases)
+    result.stress = std::max(result.stress.value_or(0), one.max_von_mises_pa);
+  result.mass = version.outcome->cases.front().mass_kg;
+  return result;
+}
+
+QString title_of(const version_record& version, const version_record* before) {
+  const auto now = figures_of(version);
+  const auto was = before ? figures_of(*before) : version_figures{};
+  return QString("v%1").arg(version.info.number) +
+         figure(say("max %1"), now.stress, was.stress, "Pa") +
+         figure(say("mass %1"), now.mass, was.mass, "kg");
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+#include "client-qt/model/document.hpp"
+#include "client-qt/model/legend.hpp"
+
+/// Two versions of a document beside each other.
+namespace tedit::desktop {
+
+/// The field `after` minus `before`, on the surface of `after`: at vertices that both versions have
+/// in the same slot at the same position; elsewhere it has no value. The quantity `wanted` of the
+/// result is the difference of that quantity (of the displacement's size for `displacement`, which
+/// is then in `displacement_x`: see `difference_field`).
+/// @pre each field is one of its surface's version. Cost: O(vertices log vertices).
+[[nodiscard]] shared_field difference(const version_record& before,
+                                      const shared_field& before_field, const version_record& after,
+                                      const shared_field& after_field, shown_field wanted);
+
+/// The quantity under which `difference` is shown.
+[[nodiscard]] shown_field difference_field(shown_field wanted);
+
+/// The field of a version for a load case by its name; an empty name means the envelope, or the
+/// only one. Null when it is not held.
+[[nodiscard]] shared_field field_of(const version_record& version, const std::string& load_case);
+
+/// Why a version cannot be shown now; empty when its surface and field are held.
+[[nodiscard]] QString not_held(const version_record& version, const std::string& load_case);
+
+/// The smallest and the largest value of a quantity in two fields together; an empty optional when
+/// neither has any.
+[[nodiscard]] std::optional<std::pair<double, double>> common_range(const client::field_event& a,
+                                                                    const client::field_event& b,
+                                                                    shown_field wanted);
+
+/// Figures of a version: the largest stress of all its load cases, Pa, and its mass, kg.
+struct version_figures {
+  std::optional<double> stress;
+  std::optional<double> mass;
+};
+[[nodiscard]] version_figures figures_of(const version_record& version);
+
+/// "v2  max 13.4 MPa (+3.2 %)  mass 120 g (−1.0 %)"; changes against `before` when it is given.
+[[nodiscard]] QString title_of(const version_record& version, const version_record* before);
+
+}  // namespace tedit::desktop

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/compare_view.hpp"
+
+#include <QDropEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client-qt/model/field_values.hpp"
+#include "client-qt/view/overlay.hpp"
+
+namespace tedit::desktop {
+
+compare_view::compare_view(document& part, QWidget* parent) : QWidget(parent), part_(part) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(8, 6, 8, 6);
+  const auto add = [&](const QString& text, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    bar->addWidget(button);
+    return button;
+  };
+  both_ = add(tr("Side by side"), "compare_both");
+  change_button_ = add(tr("Difference"), "compare_difference");
+  for (auto* button : {both_, change_button_})
+    button->setCheckable(true);
+  connect(both_, &QPushButton::clicked, this, [this] { show_difference(false); });
+  connect(change_button_, &QPushButton::clicked, this, [this] { show_difference(true); });
+  bar->addStretch();
+  connect(add(tr("Back (Esc)"), "compare_close"), &QPushButton::clicked, this,
+          &compare_view::closed);
+  column->addLayout(bar);
+
+  panes_ = new QWidget;
+  auto* row = new QHBoxLayout(panes_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  before_ = make_pane("compare_before");
+  after_ = make_pane("compare_after");
+  row->addWidget(before_.box, 1);
+  row->addWidget(after_.box, 1);
+  column->addWidget(panes_, 1);
+  link(before_, after_);
+  link(after_, before_);
+
+  missing_ = new QWidget;
+  auto* middle = new QVBoxLayout(missing_);
+  why_ = new QLabel;
+  why_->setObjectName("compare_why");
+  why_->setAlignment(Qt::AlignCenter);
+  why_->setWordWrap(true);
+  go_ = new QPushButton;
+  go_->setObjectName("compare_go");
+  connect(go_, &QPushButton::clicked, this, [this] { emit version_wanted(wanted_); });
+  middle->addStretch();
+  middle->addWidget(why_);
+  middle->addWidget(go_, 0, Qt::AlignHCenter);
+  middle->addStretch();
+  column->addWidget(missing_, 1);
+
+  for (auto signal : {&document::history_changed, &document::field_changed,
+                      &document::surface_changed, &document::solve_changed})
+    connect(&part_, signal, this, [this] {
+      if (isVisible())
+        refresh();
+    });
+}
+
+compare_view::pane compare_view::make_pane(const char* name) {
+  pane made{};
+  made.box = new QWidget;
+  auto* column = new QVBoxLayout(made.box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  made.title = new QLabel;
+  made.title->setProperty("role", "section");
+  made.title->setContentsMargins(12, 2, 12, 6);
+  made.view = new viewport;
+  made.view->setObjectName(name);
+  made.over = new overlay(*made.view);
+  made.over->show_extremes(true);
+  made.view->installEventFilter(this);
+  column->addWidget(made.title);
+  column->addWidget(made.view, 1);
+  return made;
+}
+
+void compare_view::link(const pane& from, const pane& to) {
+  connect(from.view, &viewport::view_changed, this, [this, from, to] {
+    if (linking_)
+      return;
+    linking_ = true;
+    to.view->view().set(from.view->view().get());
+    to.view->view().adjust_depth();
+    to.view->redraw();
+    to.over->update();
+    linking_ = false;
+  });
+  connect(from.view, &viewport::shown, this, &compare_view::take_start_pose);
+}
+
+bool compare_view::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize)
+    for (const auto* one : {&before_, &after_})
+      if (watched == one->view)
+        one->over->setGeometry(one->view->rect());
+  return QWidget::eventFilter(watched, event);
+}
+
+void compare_view::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void compare_view::set_theme(const theme& look) {
+  for (const auto* one : {&before_, &after_}) {
+    one->view->set_colours(look.scene);
+    one->over->set_ink(look.ink);
+  }
+}
+
+void compare_view::open(const comparison& what) {
+  what_ = what;
+  posed_ = false;
+  change_.reset();
+  refresh();
+}
+
+void compare_view::show_difference(bool on) {
+  difference_ = on;
+  refresh();
+}
+
+/// Both begin where the part was looked at from, once both are drawn.
+void compare_view::take_start_pose() {
+  if (posed_ || !what_ || !before_.view->is_settled() || !after_.view->is_settled() ||
+      !before_.view->geometry() || !after_.view->geometry())
+    return;
+  posed_ = true;
+  // The panes are narrower than the view was: farther away, all that was seen is seen.
+  auto pose = what_->from;
+  const double narrower = what_->aspect * after_.view->height() / std::max(1, after_.view->width());
+  const double back = std::max(1.0, narrower);
+  pose.position = pose.focus + back * (pose.position - pose.focus);
+  pose.parallel_scale *= back;
+  after_.view->view().set(pose);
+  after_.view->view().adjust_depth();
+  after_.view->redraw();
+  emit after_.view->view_changed();
+}
+
+void compare_view::refresh() {
+  both_->setChecked(!difference_);
+  change_button_->setChecked(difference_);
+  if (!what_)
+    return;
+  const auto& all = part_.versions();
+  const auto before = all.find(what_->before);
+  const auto after = all.find(what_->after);
+  if (before == all.end() || after == all.end())
+    return;
+  QString why;
+  for (const auto* one : {&before->second, &after->second})
+    if (why.isEmpty() && !(why = not_held(*one, what_->load_case)).isEmpty())
+      wanted_ = one->info.number;
+  missing_->setVisible(!why.isEmpty());
+  panes_->setVisible(why.isEmpty());
+  why_->setText(why);
+  go_->setText(tr("Go to version %1").arg(wanted_));
+  if (!why.isEmpty())
+    return;
+  before_.box->setVisible(!difference_);
+  before_.title->setText(title_of(before->second, nullptr));
+  after_.title->setText(difference_ ? tr("v%1 minus v%2 on the surface of v%1; grey: not in both")
+                                        .arg(what_->after)
+                                        .arg(what_->before)
+                                    : title_of(after->second, &before->second));
+  show_both(before->second, after->second);
+}
+
+/// The one before is always there: it gives the camera.
+void compare_view::show_both(const version_record& before, const version_record& after) {
+  const auto a = field_of(before, what_->load_case);
+  const auto b = field_of(after, what_->load_case);
+  legend by = what_->by;
+  if (by.mode == range_mode::automatic)
+    if (const auto range = common_range(*a, *b, by.field); range && range->second > range->first) {
+      by.low = range->first;
+      by.high = range->second;
+      by.mode = range_mode::manual;
+    }
+  before_.view->set_legend(by);
+  before_.view->show_part({before.surface, a, what_->deform});
+  before_.over->set_note(a->interim() ? tr("preview") : QString());
+  if (difference_) {
+    show_change(before, after);
+    return;
+  }
+  after_.view->set_legend(by);
+  after_.view->show_part({after.surface, b, what_->deform});
+  after_.over->set_note(b->interim() ? tr("preview") : QString());
+}
+
+void compare_view::show_change(const version_record& before, const version_record& after) {
+  const std::pair fields(field_of(before, what_->load_case), field_of(after, what_->load_case));
+  const shown_field as = difference_field(what_->by.field);
+  if (!change_ || change_of_ != fields) {
+    change_ = difference(before, fields.first, after, fields.second, what_->by.field);
+    change_of_ = fields;
+  }
+  double most = 0;
+  for (std::size_t i = 0; i < change_->vertices.size(); ++i)
+    most = std::max<double>(most, std::abs(value_in(*change_, i, as)));
+  legend by;
+  by.field = as;
+  by.mode = range_mode::manual;
+  by.map = colour_map::coolwarm;
+  by.high = most > 0 ? most : 1;
+  by.low = -by.high;
+  const QString of = as == what_->by.field               ? field_title(as)
+                     : as == shown_field::displacement_x ? field_title(shown_field::displacement)
+                                                         : field_title(as);
+  by.title = QString::fromUtf8("Δ ") + of;
+  after_.view->set_legend(by);
+  after_.view->show_part({after.surface, change_, 0});
+  after_.over->set_note(most > 0 ? QString() : tr("no difference"));
+}
+
+// -- dragging ------------------------------------------------------------------------
+
+version_drag::version_drag(QListWidget& history) : QObject(&history), history_(history) {
+  history_.setDragEnabled(true);
+  history_.setAcceptDrops(true);
+  history_.viewport()->setAcceptDrops(true);
+  history_.setDragDropMode(QAbstractItemView::DragDrop);
+  history_.setDefaultDropAction(Qt::CopyAction);
+  history_.viewport()->installEventFilter(this);
+}
+
+bool version_drag::eventFilter(QObject* watched, QEvent* event) {
+  const auto number = [this](QPointF at) -> std::optional<quint32> {
+    const auto* row = history_.itemAt(at.toPoint());
+    return row ? std::optional(row->data(Qt::UserRole).toUInt()) : std::nullopt;
+  };
+  if (event->type() == QEvent::MouseButtonPress) {
+    if (const auto pressed = number(static_cast<QMouseEvent*>(event)->position()))
+      dragged_ = *pressed;
+  } else if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove ||
+             event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    if (drop->source() != &history_)
+      return QObject::eventFilter(watched, event);
+    const auto onto = number(drop->position());
+    if (event->type() != QEvent::DragEnter && (!onto || *onto == dragged_)) {
+      event->ignore();
+      return true;
+    }
+    drop->setDropAction(Qt::CopyAction);
+    drop->accept();
+    if (event->type() == QEvent::Drop)
+      emit dropped(dragged_, *onto);
+    return true;  // The list would copy the row.
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "client-qt/model/load_editing.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace tedit::desktop {
+
+/// One material, support or load as a form, in mm, N and MPa. It is a panel, no dialog: the view
+/// stays free to pick surfaces. What is wrong stands in words below its field.
+class load_editor : public QWidget {
+  Q_OBJECT
+
+public:
+  /// `library`: materials to choose from besides own values.
+  explicit load_editor(std::vector<fem::material> library, QWidget* parent = nullptr);
+
+  /// Shows an item, also one that is not complete yet.
+  void edit(const QString& title, const load_item& item);
+  /// What "Use the selection" takes.
+  void set_selection(const std::vector<surface_id>& picked);
+  /// As it is typed; nothing while a field is at fault.
+  [[nodiscard]] std::optional<load_item> value() const;
+
+signals:
+  void applied();  ///< `value` is complete.
+  void closed();
+
+private:
+  using vector_form = std::array<QLineEdit*, 3>;
+
+  void build_material();
+  void build_support();
+  void build_load();
+  [[nodiscard]] QLineEdit* number_field(const char* name, const QString& accessible);
+  [[nodiscard]] QLabel* fault_label(const char* field);
+  [[nodiscard]] QFormLayout* new_page(item_kind kind);
+  void add_row(QFormLayout* form, const QString& title, QWidget* field, const char* fault);
+  [[nodiscard]] QWidget* row_of(const std::vector<QWidget*>& parts);
+  void show_material(const fem::material& material);
+  void show_support(const fem::constraint& support);
+  void show_load(const fem::load& load);
+  void load_kind_changed();
+  void take_library(int row);
+  void show_surfaces();
+  void touched();
+  void check();
+  /// The item as typed; what is no number becomes NaN, which is at fault.
+  [[nodiscard]] load_item read() const;
+
+  std::vector<fem::material> library_;
+  std::vector<surface_id> selection_;
+  std::vector<surface_id> surfaces_;
+  item_kind kind_ = item_kind::load;
+  fem::material material_;  ///< With its regions, which the form leaves as they are.
+  bool filling_ = false;
+  bool touched_ = false;  ///< Before, what is missing is a hint and no fault.
+  std::map<QString, std::vector<QLabel*>> fault_labels_;
+
+  QLabel* title_;
+  std::array<QWidget*, 3> pages_{};  ///< By kind.
+  QComboBox* library_box_;
+  QLineEdit* name_;
+  QLineEdit* young_;
+  QLineEdit* poisson_;
+  QLineEdit* density_;
+  QLineEdit* yield_;
+  QComboBox* support_kind_;
+  QWidget* displacements_;
+  std::array<QCheckBox*, 3> held_{};
+  vector_form moved_{};
+  QComboBox* load_kind_;
+  QWidget* vector_;
+  vector_form components_{};
+  QLabel* vector_unit_;
+  QLabel* size_;
+  QWidget* pressure_row_;
+  QLineEdit* pressure_;
+  QWidget* picking_;
+  QLabel* picked_;
+  QPushButton* use_;
+  QPushButton* apply_;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <QAction>
+#include <QDockWidget>
+#include <QSplitter>
+#include <QStackedWidget>
+
+#include "client-qt/view/about_dialog.hpp"
+#include "client-qt/view/compare_view.hpp"
+#include "client-qt/view/field_panel.hpp"
+#include "client-qt/view/history_strip.hpp"
+#include "client-qt/view/load_glyphs.hpp"
+#include "client-qt/view/loads_panel.hpp"
+#include "client-qt/view/main_window.hpp"
+#include "client-qt/view/plot_panel.hpp"
+#include "client-qt/view/probe_panel.hpp"
+#include "client-qt/view/settings_dialog.hpp"
+#include "client-qt/view/shortcuts_dialog.hpp"
+#include "client-qt/view/viewport.hpp"
+
+namespace tedit::desktop {
+
+/// What stands beside the part itself.
+void main_window::add_tools() {
+  add_load_commands();
+  add_compare();
+  add_settings();
+  add_probes();
+}
+
+void main_window::add_load_commands() {
+  const auto has_part = [this] { return part_.head() != nullptr; };
+  auto* glyphs = new load_glyph_layer(part_, *fields_, *view_);
+  glyphs->show(settings_.value("show_loads", true).toBool());
+  commands_.add({"view.loads", tr("Show or hide loads and supports"), tr("View"), "L",
+                 [this, glyphs] {
+                   glyphs->show(!glyphs->is_shown());
+                   settings_.setValue("show_loads", glyphs->is_shown());
+                 },
+                 has_part, tr("Arrows and support marks of the load case that is shown"), "load"});
+  const QString group = tr("Loads");
+  const auto add = [&](const char* id, const QString& title, const char* drawing, item_kind kind) {
+    commands_.add({id,
+                   title,
+                   group,
+                   {},
+                   [this, kind] {
+                     findChild<QDockWidget*>("loads")->raise();
+                     loads_->add_item(kind);
+                   },
+                   has_part,
+                   {},
+                   drawing});
+  };
+  add("loads.add_support", tr("Add a support"), "support", item_kind::support);
+  add("loads.add_load", tr("Add a load"), "load", item_kind::load);
+  add("loads.add_material", tr("Add a material"), "material", item_kind::material);
+  commands_.add({"loads.new_case",
+                 tr("New load case"),
+                 group,
+                 {},
+                 [this] { loads_->new_load_case(); },
+                 has_part});
+}
+
+/// The shown version against its parent, or one that was dragged onto another.
+void main_window::add_compare() {
+  auto* compare = new compare_view(part_);
+  pages_->addWidget(compare);
+  const auto open = [this, compare](quint32 before, quint32 after) {
+    const auto field = fields_->field();
+    compare->open({before, after, fields_->wanted(),
+                   field && !field->envelope ? field->report.load_case : std::string(),
+                   fields_->deform(), view_->view().get(),
+                   static_cast<double>(view_->width()) / std::max(1, view_->height())});
+    pages_->setCurrentWidget(compare);
+  };
+  const auto back = [this, compare] {
+    if (pages_->currentWidget() == compare)
+      pages_->setCurrentWidget(view_);
+  };
+  const auto is_open = [this, compare] { return pages_->currentWidget() == compare; };
+  commands_.add({"view.compare", tr("Compare with the version before"), tr("View"), "C",
+                 [this, open, back, is_open] {
+                   const auto* head = part_.head();
+                   if (is_open())
+                     back();
+                   else
+                     open(*head->info.parent, head->info.number);
+                 },
+                 [this] { return part_.head() && part_.head()->info.parent; },
+                 tr("Side by side with linked cameras, or their difference"), "compare"});
+  commands_.add({"view.compare_difference",
+                 tr("Comparison: difference or side by side"),
+                 tr("View"),
+                 {},
+                 [compare] { compare->show_difference(!compare->shows_difference()); },
+                 is_open});
+  auto* drag = new version_drag(*history_);
+  connect(drag, &version_drag::dropped, this, open);
+  connect(compare, &compare_view::closed, this, back);
+  connect(compare, &compare_view::version_wanted, this, [this, back](quint32 version) {
+    back();
+    step_to(version);
+  });
+  connect(this, &main_window::theme_changed, compare, &compare_view::set_theme);
+  // Esc leaves the comparison before it does anything else.
+  auto cancel = *commands_.find("edit.cancel");
+  cancel.run = [is_open, back, otherwise = cancel.run] { is_open() ? back() : otherwise(); };
+  commands_.add(std::move(cancel));
+}
+
+// -- settings and help ---------------------------------------------------------------
+
+/// One of each kind, not modal: asked for again it comes to the front.
+template <class Dialog, class Make>
+static void show_one(main_window& window, Make make) {
+  auto* dialog = window.findChild<Dialog*>();
+  if (!dialog) {
+    dialog = make();
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+void main_window::apply_preferences(const preferences& wanted) {
+  set_dark(wanted.look == look_wish::dark || (wanted.look == look_wish::system && system_dark_));
+  save(wanted, settings_);
+  fields_->set_look(wanted.map, wanted.range, wanted.logarithmic);
+  log_level_ = wanted.log;
+  if (const auto solve = solve_settings_of(wanted); solve != part_.solve_settings())
+    part_.set_solve_settings(solve);
+}
+
+void main_window::add_settings() {
+  const QString help = tr("Help");
+  commands_.add({"file.settings",
+                 tr("Settings"),
+                 tr("File"),
+                 "Ctrl+,",
+                 [this] {
+                   show_one<settings_dialog>(*this, [this] {
+                     auto* made = new settings_dialog(load_preferences(settings_), this);
+                     connect(made, &settings_dialog::changed, this,
+                             &main_window::apply_preferences);
+                     return made;
+                   });
+                 },
+                 {},
+                 tr("Colours, solver, legend, log"),
+                 "settings"});
+  commands_.add({"help.shortcuts",
+                 tr("Keyboard shortcuts"),
+                 help,
+                 "F1",
+                 [this] {
+                   show_one<shortcuts_dialog>(*this, [this] {
+                     auto* made = new shortcuts_dialog({commands_, settings_}, this);
+                     connect(made, &shortcuts_dialog::changed, this, &main_window::take_shortcuts);
+                     return made;
+                   });
+                 },
+                 {},
+                 tr("All commands with their keys, to look up and to change")});
+  commands_.add(
+    {"help.about",
+     tr("About TEdit"),
+     help,
+     {},
+     [this] { show_one<about_dialog>(*this, [this] { return new about_dialog(this); }); },
+     {},
+     tr("Version, licence, libraries"),
+     "info"});
+}
+
+void main_window::take_shortcuts() {
+  const shortcut_table table(commands_, settings_);
+  for (auto at = actions_.begin(); at != actions_.end(); ++at)
+    if (const auto* what = commands_.find(at.key())) {
+      const QString keys = table.keys(*what);
+      at.value()->setShortcut(QKeySequence(keys));
+      at.value()->setToolTip(keys.isEmpty() ? what->title : what->title + "  (" + keys + ")");
+    }
+}
+
+// -- probes and plots ----------------------------------------------------------------
+
+void main_window::add_probes() {
+  auto* all = new probes(part_, this);
+  auto* marks = new probe_marks(*view_, part_, *all);
+  auto* list = new probe_panel(part_, *all, *fields_);
+  auto* curves = new plot_panel(part_, *all, *list, *fields_, *view_);
+  auto* both = new QSplitter;
+  both->addWidget(list);
+  both->addWidget(curves);
+  auto* dock = add_dock("probes", tr("Probes and plots"), both, Qt::BottomDockWidgetArea);
+  auto* history = findChild<QDockWidget*>("history");
+  tabifyDockWidget(history, dock);
+  history->raise();
+  connect(this, &main_window::theme_changed, marks, [marks](const theme& look) {
+    marks->set_accent(look.palette.color(QPalette::Highlight));
+  });
+  connect(view_, &viewport::clicked, this, [this, all](const std::optional<picked_point>& at) {
+    if (probing_ && at)
+      all->add(at->surface, at->vertices, at->weights);
+  });
+  const auto has_part = [this] { return part_.head() != nullptr; };
+  const auto set_probing = [this, dock](bool on) {
+    probing_ = on;
+    view_->setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    if (on)
+      dock->raise();
+  };
+  commands_.add({"view.probe", tr("Probe: values at places that are clicked"), tr("View"), "P",
+                 [this, set_probing] { set_probing(!probing_); }, has_part,
+                 tr("Numbered pins that stay over edits; two give a distance and a line"),
+                 "probe"});
+  commands_.add({"view.clear_probes",
+                 tr("Remove all probes"),
+                 tr("View"),
+                 {},
+                 [all] { all->clear(); },
+                 [all] { return !all->all().empty(); }});
+  commands_.add({"view.plots",
+                 tr("Probes and plots"),
+                 tr("View"),
+                 {},
+                 [dock] {
+                   dock->show();
+                   dock->raise();
+                 },
+                 has_part,
+                 tr("The field by area, along a line, and the quality of tets")});
+  auto cancel = *commands_.find("edit.cancel");
+  cancel.run = [this, set_probing, otherwise = cancel.run] {
+    probing_ && pages_->currentWidget() == view_ ? set_probing(false) : otherwise();
+  };
+  commands_.add(std::move(cancel));
+}
+
+}  // namespace tedit::desktop

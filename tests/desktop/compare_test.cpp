@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "client-qt/model/field_values.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+/// One triangle on slots 0, 1, 2 and a field of 10, 20 and 30 MPa, and x, 0, 0 as displacement.
+version_record version(double lifted = 0, float stress = 10e6F) {
+  client::surface_update update;
+  update.version_id = "v";
+  update.surfaces = {{1, "top", 1, 0.5}};
+  update.vertices = {0, 1, 2};
+  update.positions = {0, 0, 0, 1, 0, 0, 0, 1, lifted};
+  update.facets = {0};
+  update.facet_vertices = {0, 1, 2};
+  update.facet_surfaces = {1};
+  client::surface_model surface;
+  EXPECT_TRUE(surface.apply(update));
+  auto field = std::make_shared<client::field_event>();
+  field->report.version_id = "v";
+  field->report.load_case = "a";
+  field->vertices = {0, 1, 2};
+  field->von_mises = {stress, 2 * stress, 3 * stress};
+  field->displacement = {1, 0, 0, 2, 0, 0, 3, 4, 0};
+  version_record result;
+  result.surface = std::make_shared<const client::surface_model>(surface);
+  result.fields = {field};
+  return result;
+}
+
+TEST(Difference, IsTakenWhereSlotAndPositionAreTheSame) {
+  const auto before = version();
+  const auto after = version(0.1, 15e6F);
+
+  const auto change =
+    difference(before, before.fields[0], after, after.fields[0], shown_field::von_mises);
+
+  EXPECT_EQ(change->vertices, (std::vector<std::uint32_t>{0, 1}));  // Slot 2 was moved.
+  EXPECT_FLOAT_EQ(change->von_mises[0], 5e6F);
+  EXPECT_FLOAT_EQ(change->von_mises[1], 10e6F);
+}
+
+TEST(Difference, OfASlotWithoutAFieldIsNone) {
+  const auto before = version();
+  auto after = version();
+  auto shorter = std::make_shared<client::field_event>(*before.fields[0]);
+  shorter->vertices = {1, 2};
+  shorter->von_mises = {20e6F, 30e6F};
+
+  const auto change = difference(before, shorter, after, after.fields[0], shown_field::von_mises);
+
+  EXPECT_EQ(change->vertices, (std::vector<std::uint32_t>{1, 2}));
+}
+
+TEST(Difference, OfTheDisplacementIsThatOfItsSize) {
+  const auto before = version();
+  auto after = version();
+  auto moved = std::make_shared<client::field_event>(*after.fields[0]);
+  moved->displacement = {1, 0, 0, 0, 2, 0, 0, 0, 0};
+
+  const auto change = difference(before, before.fields[0], after, moved, shown_field::displacement);
+
+  const auto as = difference_field(shown_field::displacement);
+  EXPECT_FLOAT_EQ(value_at(*change, 1, as), 0);  // Turned, but as long as before.
+  EXPECT_FLOAT_EQ(value_at(*change, 2, as), -5);
+}
+
+TEST(FieldOf, FindsTheLoadCaseOrTheOnlyOne) {
+  const auto one = version();
+
+  EXPECT_EQ(field_of(one, "a"), one.fields[0]);
+  EXPECT_EQ(field_of(one, ""), one.fields[0]);
+  EXPECT_EQ(field_of(one, "b"), nullptr);
+}
+
+TEST(NotHeld, SaysWhatIsMissing) {
+  auto one = version();
+  EXPECT_EQ(not_held(one, "a"), "");
+
+  one.fields.clear();
+  EXPECT_TRUE(not_held(one, "a").contains("no field"));
+  one.surface.reset();
+  EXPECT_TRUE(not_held(one, "a").contains("surface"));
+}
+
+TEST(CommonRange, CoversBothFields) {
+  const auto low = version();
+  const auto high = version(0, 15e6F);
+
+  const auto range = common_range(*low.fields[0], *high.fields[0], shown_field::von_mises);
+
+  ASSERT_TRUE(range);
+  EXPECT_FLOAT_EQ(static_cast<float>(range->first), 10e6F);
+  EXPECT_FLOAT_EQ(static_cast<float>(range->second), 45e6F);
+  EXPECT_FALSE(common_range(*low.fields[0], *low.fields[0], shown_field::safety_factor));
+}
+
+TEST(TitleOf, GivesTheChangeAgainstTheVersionBefore) {
+  auto before = version();
+  auto after = version();
+  solve_report report;
+  report.max_von_mises_pa = 10e6;
+  report.mass_kg = 0.2;
+  before.outcome = solve_outcome{{report}, {}};
+  report.max_von_mises_pa = 12e6;
+  after.outcome = solve_outcome{{report}, {}};
+  after.info.number = 3;
+
+  const QString title = title_of(after, &before);
+
+  EXPECT_TRUE(title.startsWith("v3")) << title.toStdString();
+  EXPECT_TRUE(title.contains("12 MPa (+20 %)")) << title.toStdString();
+  EXPECT_TRUE(title.contains("mass 200 g (+0.0 %)")) << title.toStdString();
+}
+
+}  // namespace
+}  // namespace tedit::desktop

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+#include "client-qt/view/load_glyphs.hpp"
+#include "client-qt/view/plot_panel.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+/// A flat square of 1 m in 2 n^2 triangles on surface 1, its normal along +z.
+shown_part plate(std::uint32_t n) {
+  client::surface_update update;
+  update.version_id = "v";
+  update.surfaces = {{1, "top", 2ULL * n * n, 1.0}};
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      update.vertices.push_back(j * (n + 1) + i);
+      for (const double c : {i / double(n), j / double(n), 0.0})
+        update.positions.push_back(c);
+    }
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i;
+      for (const std::uint32_t v : {a, a + 1, a + n + 2, a, a + n + 2, a + n + 1})
+        update.facet_vertices.push_back(v);
+    }
+  for (std::uint32_t f = 0; f < 2 * n * n; ++f) {
+    update.facets.push_back(f);
+    update.facet_surfaces.push_back(1);
+  }
+  client::surface_model surface;
+  EXPECT_TRUE(surface.apply(update));
+  return {std::make_shared<const client::surface_model>(surface), nullptr, 0};
+}
+
+TEST(Spread, CoversTheSurfaceWithPlacesFarFromEachOther) {
+  const auto places = spread(plate(20), {1}, 24, 0.05);
+
+  ASSERT_EQ(places.size(), 24U);
+  std::array<int, 4> quarters{};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_EQ(places[i].normal, (vec3{0, 0, 1}));
+    ++quarters[(places[i].at.x > 0.5 ? 1 : 0) + (places[i].at.y > 0.5 ? 2 : 0)];
+    for (std::size_t j = 0; j < i; ++j) {
+      const vec3 way = places[i].at - places[j].at;
+      EXPECT_GE(std::sqrt(dot(way, way)), 0.05);
+    }
+  }
+  for (const int count : quarters)
+    EXPECT_GE(count, 4);
+}
+
+TEST(Spread, GivesOnePlaceToASmallSurfaceAndNoneToNone) {
+  EXPECT_EQ(spread(plate(2), {1}, 24, 10).size(), 1U);
+  EXPECT_TRUE(spread(plate(2), {5}, 24, 0.1).empty());
+}
+
+TEST(Glyphs, WhatPushesEndsOnThePartAndWhatPullsBeginsThere) {
+  fem::load_case loads;
+  loads.loads = {{{1}, fem::force{{0, 0, -5}}}};
+  const auto part = plate(4);
+
+  const auto pushed = make_glyphs(part, {loads});
+  loads.loads[0].kind = fem::pressure{-1e6};  // Pulls.
+  const auto pulled = make_glyphs(part, {loads});
+
+  for (const auto& made : {pushed, pulled}) {
+    ASSERT_TRUE(made.loads);
+    EXPECT_FALSE(made.supports);
+    EXPECT_NEAR(made.loads->GetBounds()[4], 0, 1e-3);  // All above the plate.
+    EXPECT_GT(made.loads->GetBounds()[5], 0.05);
+  }
+}
+
+TEST(Glyphs, SupportsStandOutsideThePart) {
+  fem::load_case loads;
+  loads.constraints = {{{1}, fem::fixed{}}};
+
+  const auto made = make_glyphs(plate(4), {loads});
+
+  ASSERT_TRUE(made.supports);
+  EXPECT_FALSE(made.loads);
+  EXPECT_NEAR(made.supports->GetBounds()[4], 0, 1e-9);
+}
+
+TEST(Along, TakesTheFieldOnTheLineAndLeavesGapsBesideThePart) {
+  const auto part = plate(4);
+  const auto drawn = build_part(*part.surface, {}, {}, 0);
+  std::vector<float> values;
+  for (const auto slot : drawn->vertices)
+    values.push_back(static_cast<float>(part.surface->positions().find(slot)->x));
+
+  const auto line = along(*drawn, values, {0.25, 0.3, 0}, {1.25, 0.3, 0}, 5);
+
+  ASSERT_EQ(line.size(), 5U);
+  EXPECT_NEAR(line[0], 0.25, 1e-6);
+  EXPECT_NEAR(line[2], 0.75, 1e-6);
+  EXPECT_NEAR(line[3], 1, 1e-6);
+  EXPECT_TRUE(std::isnan(line[4]));  // 0.25 m beside it.
+}
+
+}  // namespace
+}  // namespace tedit::desktop
