@@ -57,6 +57,14 @@ private:
     return result;
   }
 
+  [[nodiscard]] double lowest() const {
+    double result = 1;
+    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
+      if (mesh_.is_live(t))
+        result = std::min(result, mesh_.quality(t));
+    return result;
+  }
+
   /// Tries every tet below the limit, worst first, unless nothing around it has changed since the
   /// last time; returns whether something did.
   template <class Attempt>
@@ -99,11 +107,13 @@ private:
 
   /// Flips and relocations that lower the sum of eta; true when there is not much left to gain.
   bool smooth() {
-    flip_to_harmonic(mesh_, guard_, settings_.target, counts_);
+    // Where the worst tet is better than the target, that is the floor: no minimum falls.
+    const double floor = std::max(settings_.target, lowest());
+    flip_to_harmonic(mesh_, guard_, floor, counts_);
     double first = 0;
     double last = 0;
     for (int n = 0; n < relocation_sweeps; ++n) {
-      last = relocate_to_harmonic(mesh_, settings_.target, counts_);
+      last = relocate_to_harmonic(mesh_, floor, counts_);
       if (n == 0)
         first = last;
     }

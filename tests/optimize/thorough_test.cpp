@@ -247,6 +247,21 @@ version_ptr random_mesh() {
   return builder.freeze();
 }
 
+/// A mesh whose worst tet (.3705) is above the target (.35): the target is no leave to fall to it.
+TEST(Thorough, AMinimumAboveTheTargetStays) {
+  const auto box = test::box_mesh({2, 2, 2}, {2, 2, 2});
+  mesh_builder builder(box);
+  for (vertex_id v = 0; v < box->vertex_slots(); ++v)
+    if (!builder.is_boundary_vertex(v))
+      builder.set_position(v, builder.position(v) + vec3{-0.656, -0.142, -0.265});
+  const auto mesh = builder.freeze();
+  ASSERT_GT(radius_ratios(*mesh).min, 0.37);
+
+  const auto after = improved(mesh, thorough(0.05)).mesh;
+
+  EXPECT_GE(radius_ratios(*after).min, radius_ratios(*mesh).min * (1 - 1e-12));
+}
+
 RC_GTEST_PROP(ThoroughProperty, NoMinimumFallsAndNothingIsLost, ()) {
   const auto mesh = random_mesh();
   const double tolerance = *rc::gen::element(0.0, 1e-3, 0.05);
