@@ -14,7 +14,8 @@ namespace {
 constexpr double flatness = 1e-6;   ///< Share of a surface's size: rounding of a CAD file.
 constexpr double roundness = 1e-4;  ///< Share of a cylinder's radius.
 constexpr double widest_facet =
-  0.25;  ///< Cosine: a facet of a cylinder is less than 75 degrees wide.
+  0.25;                           ///< Cosine: a facet of a cylinder is less than 75 degrees wide.
+constexpr double steepest = 0.7;  ///< Cosine between a facet of a cylinder and its axis, at most.
 constexpr int newton_steps = 40;
 
 struct equation {
@@ -160,7 +161,7 @@ std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const
     for (int i = 0; i < 3; ++i)
       if (dot(shape.normal(mesh.position(v[i])), shape.normal(mesh.position(v[(i + 1) % 3]))) <
             widest_facet ||
-          std::abs(dot(area, shape.axis)) > 0.2 * norm(area))
+          std::abs(dot(area, shape.axis)) > steepest * norm(area))
         return std::nullopt;
   }
   shape.side = outward > 0 ? 1 : -1;
