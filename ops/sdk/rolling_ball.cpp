@@ -13,6 +13,9 @@ namespace {
 
 constexpr double flatness = 1e-6;   ///< Share of a surface's size: rounding of a CAD file.
 constexpr double roundness = 1e-4;  ///< Share of a cylinder's radius.
+constexpr double widest_facet =
+  0.25;                           ///< Cosine: a facet of a cylinder is less than 75 degrees wide.
+constexpr double steepest = 0.7;  ///< Cosine between a facet of a cylinder and its axis, at most.
 constexpr int newton_steps = 40;
 
 struct equation {
@@ -152,7 +155,14 @@ std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const
   for (const auto f : facets) {
     const auto& v = mesh.facet(f).v;
     const vec3 middle = (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3;
-    outward += dot(area_vector(mesh, mesh.facet(f)), shape.normal(middle));
+    const vec3 area = area_vector(mesh, mesh.facet(f));
+    outward += dot(area, shape.normal(middle));
+    // The corners of a square boss lie on a cylinder, too.
+    for (int i = 0; i < 3; ++i)
+      if (dot(shape.normal(mesh.position(v[i])), shape.normal(mesh.position(v[(i + 1) % 3]))) <
+            widest_facet ||
+          std::abs(dot(area, shape.axis)) > steepest * norm(area))
+        return std::nullopt;
   }
   shape.side = outward > 0 ? 1 : -1;
   for (const auto& p : points.points)

@@ -23,6 +23,9 @@ struct attempt {
 constexpr std::array<attempt, 6> attempts{
   {{0.5, false}, {0.5, true}, {1.0, false}, {1.0, true}, {2.0, false}, {4.0, true}}};
 
+/// No new attempt after this many tets.
+constexpr std::size_t most_tets = 30'000;
+
 /// What the host asks of the touched region.
 constexpr double quality_floor = 0.15;
 
@@ -67,6 +70,7 @@ private:
   expected<rounded> best_of_attempts(const round_cuts& cuts) {
     std::optional<rounded> best;
     std::optional<error> first;
+    std::size_t spent = 0;
     double fraction = 0.1;
     for (const auto& how : attempts) {
       if (ctx_.run.cancel.cancelled())
@@ -82,7 +86,9 @@ private:
       }
       if (!best || trial->worst - trial->wanted > best->worst - best->wanted)
         best = std::move(*trial);
-      if (best->good())
+      // Further attempts at a very long edge would take longer than a person waits.
+      spent += best->touched.size();
+      if (best->good() || spent > most_tets)
         break;
     }
     if (best)

@@ -115,7 +115,7 @@ private:
     return norm(points_[a] - points_[b]) > too_long * size_at(0.5 * (points_[a] + points_[b]));
   }
 
-  /// Walls inside the cavity across edges that are too long.
+  /// Flat walls inside the cavity across edges that are too long.
   void take_in_neighbours(const wall_piece& part) {
     std::vector<facet_id> seeds;
     for (const auto& loop : part.loops)
@@ -132,7 +132,9 @@ private:
       if (replaced_.contains(f))
         continue;
       const auto surface = mesh_.facet(f).surface;
-      if (const auto shape = fit_wall(mesh_, facets_of(mesh_, std::vector{surface})))
+      // A flat wall stays as it is under new triangles; a coarse round one would not.
+      const auto shape = fit_wall(mesh_, facets_of(mesh_, std::vector{surface}));
+      if (shape && shape->type == wall_shape::kind::plane)
         add_piece(f, *shape);
     }
   }

@@ -37,9 +37,9 @@ struct wall_piece {
 
 /// Finds the walls' pieces that change and their new borders: the rounded surface's along the
 /// chains, its arcs where chains end, edges cut or grown at corners. Edges between two pieces get
-/// points where they are long beside fine ones; a neighbouring wall joins the pieces where its edge
-/// is too long for that. `replaced` receives all facets of the pieces. Cost: O(cavity + (points of
-/// the borders)^2).
+/// points where they are long beside fine ones; a flat neighbouring wall joins the pieces where its
+/// edge is too long for that. `replaced` receives all facets of the pieces. Cost: O(cavity +
+/// (points of the borders)^2).
 [[nodiscard]] std::vector<wall_piece> find_pieces(const mesh_version& mesh, const round_plan& plan,
                                                   const round_surface& made, const round_cuts& cuts,
                                                   const std::unordered_set<tet_id>& cavity,
