@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -176,6 +177,8 @@ void compare_view::refresh() {
   panes_->setVisible(why.isEmpty());
   why_->setText(why);
   go_->setText(tr("Go to version %1").arg(wanted_));
+  const auto* head = part_.head();
+  go_->setVisible(!head || head->info.number != wanted_);
   if (!why.isEmpty())
     return;
   before_.box->setVisible(!difference_);
@@ -257,8 +260,8 @@ bool version_drag::eventFilter(QObject* watched, QEvent* event) {
   } else if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove ||
              event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
-    if (drop->source() != &history_)
-      return QObject::eventFilter(watched, event);
+    if (!drop->mimeData()->hasFormat("application/x-qabstractitemmodeldatalist"))
+      return QObject::eventFilter(watched, event);  // No row of a list: a file, maybe.
     const auto onto = number(drop->position());
     if (event->type() != QEvent::DragEnter && (!onto || *onto == dragged_)) {
       event->ignore();

@@ -73,6 +73,7 @@ void main_window::add_compare() {
                    fields_->deform(), view_->view().get(),
                    static_cast<double>(view_->width()) / std::max(1, view_->height())});
     pages_->setCurrentWidget(compare);
+    place_overlays();  // What has to be said stays in front.
   };
   const auto back = [this, compare] {
     if (pages_->currentWidget() == compare)
@@ -97,6 +98,7 @@ void main_window::add_compare() {
                  is_open});
   auto* drag = new version_drag(*history_);
   connect(drag, &version_drag::dropped, this, open);
+  connect(drag, &version_drag::dropped, &part_, &document::refresh_history);
   connect(compare, &compare_view::closed, this, back);
   connect(compare, &compare_view::version_wanted, this, [this, back](quint32 version) {
     back();

@@ -98,6 +98,11 @@ void plot_area::paintEvent(QPaintEvent*) {
     low = std::isfinite(low) ? low - 1 : 0;
     high = low + 2;
   }
+  if (!what_.bars) {
+    const double room = 0.06 * (high - low);
+    low -= room;
+    high += room;
+  }
   const QFontMetricsF font(painter.font());
   const double line = font.height();
   const QRectF box(64, line + 8, width() - 80.0, height() - 3 * line - 14);
