@@ -159,7 +159,9 @@ void loads_panel::refresh() {
   }
   for (const auto& name : head ? head->info.load_cases : std::vector<std::string>{})
     if (!find(name, cases))
-      lines << tr("%1 is solved too; it was set elsewhere, so its items are not known here.")
+      lines << tr(
+                 "%1 is solved too. It was set before this window opened the document, so its "
+                 "items are not known here.")
                  .arg(QString::fromStdString(name));
   if (cases.empty() && lines.isEmpty())
     lines << tr("No loads yet. Pick surfaces of the part, then add a support and a load.");

@@ -45,6 +45,7 @@ public:
   explicit main_window(const QString& state_folder = {});
   ~main_window() override;
 
+  /// A mesh with load cases, or a document file (.tedit).
   void open_file(const QString& mesh, const QStringList& load_cases);
   void open_document(const QString& name);
   void connect_to(const server_address& address);
@@ -114,6 +115,7 @@ private:
 
   // -- main_window_tools.cpp --
   void add_tools();
+  void open_document_file(const QString& path);
   void add_load_commands();
   void add_compare();
   void add_settings();
@@ -132,6 +134,7 @@ private:
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
   std::optional<std::uint32_t> stepping_to_;
+  QString local_url_;         ///< Of this computer's server, once it runs.
   bool probing_ = false;      ///< A click sets a probe and picks nothing.
   bool system_dark_ = false;  ///< As it was when the program started.
   log_level log_level_ = log_level::everything;

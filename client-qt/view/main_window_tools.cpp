@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <QAction>
+#include <QApplication>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
+#include <QPointer>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QThreadPool>
 
 #include "client-qt/view/about_dialog.hpp"
 #include "client-qt/view/compare_view.hpp"
@@ -21,10 +27,49 @@ namespace tedit::desktop {
 
 /// What stands beside the part itself.
 void main_window::add_tools() {
+  connect(&local_, &local_server::ready, this,
+          [this](const server_address& address) { local_url_ = address.url; });
   add_load_commands();
   add_compare();
   add_settings();
   add_probes();
+}
+
+/// A document is served from the local server's folder: one from elsewhere is copied there, aside.
+void main_window::open_document_file(const QString& path) {
+  const QFileInfo file(path);
+  const QDir documents(local_.folder() + "/documents");
+  if (link_.current() == remote::state::connected && link_.address().url != local_url_) {
+    emit part_.failed(tr("Open %1").arg(file.fileName()),
+                      {ec::invalid_argument, "a document file is opened on this computer only",
+                       "Start TEdit anew without --server", path.toStdString()});
+    return;
+  }
+  if (file.absoluteDir() == documents) {
+    open_document(file.completeBaseName());
+    return;
+  }
+  QString stem = file.completeBaseName().left(40);
+  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+  QString name = stem;
+  for (int i = 2; documents.exists(name + ".tedit"); ++i)
+    name = stem + "-" + QString::number(i);
+  const QString to = documents.absoluteFilePath(name + ".tedit");
+  QThreadPool::globalInstance()->start([path, to, name, window = QPointer(this)] {
+    QDir().mkpath(QFileInfo(to).path());
+    if (QFile::exists(path + "-wal"))  // Steps that are not in the main file yet.
+      QFile::copy(path + "-wal", to + "-wal");
+    const bool copied = QFile::copy(path, to);
+    QMetaObject::invokeMethod(qApp, [=] {
+      if (window && copied)
+        window->open_document(name);
+      else if (window)
+        emit window->part_.failed(
+          tr("Open %1").arg(path),
+          {ec::io_error, "cannot copy the document to " + to.toStdString(),
+           "Check that it can be read and that there is room", path.toStdString()});
+    });
+  });
 }
 
 void main_window::add_load_commands() {

@@ -19,7 +19,7 @@ protected:
     part_.open("part");
     client::committed import;
     import.head.version_id = "0";
-    import.head.load_cases = {"from elsewhere"};
+    import.head.load_cases = {"braking"};
     emit link_.committed(import);
   }
 
@@ -33,8 +33,8 @@ protected:
   loads_panel panel_{part_, picked_};
 };
 
-TEST_F(LoadsPanel, NamesTheLoadCasesThatWereSetElsewhere) {
-  EXPECT_TRUE(hint().startsWith("from elsewhere is solved too"));
+TEST_F(LoadsPanel, NamesTheLoadCasesThatItDoesNotKnow) {
+  EXPECT_TRUE(hint().startsWith("braking is solved too"));
 }
 
 TEST_F(LoadsPanel, KeepsALoadCaseUntilItCanBeSolved) {
