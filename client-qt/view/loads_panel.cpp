@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/loads_panel.hpp"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -140,6 +141,12 @@ const fem::load_case* loads_panel::find(const std::string& name,
                                         const std::vector<fem::load_case>& in) const {
   const auto found = std::ranges::find(in, name, &fem::load_case::name);
   return found == in.end() ? nullptr : &*found;
+}
+
+void loads_panel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && editor_)
+    refresh();
 }
 
 void loads_panel::refresh() {

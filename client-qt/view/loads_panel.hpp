@@ -36,6 +36,9 @@ public:
 signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
 
+protected:
+  void changeEvent(QEvent* event) override;  ///< Icons follow the colours of the text.
+
 private:
   /// A row of the tree: the load case, or one of its items.
   struct row_place {
@@ -67,9 +70,9 @@ private:
 
   document& part_;
   selection& picked_;
-  QTreeWidget* tree_;
+  QTreeWidget* tree_ = nullptr;
   QWidget* buttons_;
-  load_editor* editor_;
+  load_editor* editor_ = nullptr;
   QLabel* hint_;
   std::vector<fem::load_case> drafts_;  ///< Not complete yet, or complete and on their way.
   std::optional<row_place> editing_;    ///< `at` past the end: a new item.
