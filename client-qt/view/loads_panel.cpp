@@ -16,6 +16,7 @@
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/view/load_editor.hpp"
 #include "client-qt/view/theme.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -102,8 +103,10 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   for (auto signal : {&document::head_changed, &document::opened})
     connect(&part_, signal, this, &loads_panel::refresh);
   connect(&part_, &document::load_cases_changed, this, [this] {
+    // The same only: a later change may be on its way.
     std::erase_if(drafts_, [this](const fem::load_case& one) {
-      return missing(one).isEmpty() && find(one.name, part_.load_cases());
+      const auto* known = find(one.name, part_.load_cases());
+      return known && protocol::load_case_to_json(*known) == protocol::load_case_to_json(one);
     });
     refresh();
   });
@@ -345,6 +348,12 @@ void loads_panel::apply_editor() {
 void loads_panel::close_editor() {
   editing_.reset();
   editor_->hide();
+}
+
+bool loads_panel::cancel() {
+  const bool was_open = editing_.has_value();
+  close_editor();
+  return was_open;
 }
 
 void loads_panel::duplicate(const row_place& place) {

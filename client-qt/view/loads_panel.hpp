@@ -30,6 +30,8 @@ public:
   void new_load_case();
   /// Opens the editor on a new item for the load case that is chosen in the tree.
   void add_item(item_kind kind);
+  /// Closes the editor; false when it is not open.
+  bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
 

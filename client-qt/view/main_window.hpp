@@ -115,6 +115,7 @@ private:
 
   // -- main_window_tools.cpp --
   void add_tools();
+  void before_cancel(std::function<bool()> then);
   void open_document_file(const QString& path);
   void add_load_commands();
   void add_compare();

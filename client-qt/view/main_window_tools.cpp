@@ -35,6 +35,16 @@ void main_window::add_tools() {
   add_probes();
 }
 
+/// Esc first tries `then`; when that had nothing to end, it does what it did before.
+void main_window::before_cancel(std::function<bool()> then) {
+  auto cancel = *commands_.find("edit.cancel");
+  cancel.run = [then = std::move(then), otherwise = cancel.run] {
+    if (!then())
+      otherwise();
+  };
+  commands_.add(std::move(cancel));
+}
+
 /// A document is served from the local server's folder: one from elsewhere is copied there, aside.
 void main_window::open_document_file(const QString& path) {
   const QFileInfo file(path);
@@ -150,10 +160,11 @@ void main_window::add_compare() {
     step_to(version);
   });
   connect(this, &main_window::theme_changed, compare, &compare_view::set_theme);
-  // Esc leaves the comparison before it does anything else.
-  auto cancel = *commands_.find("edit.cancel");
-  cancel.run = [is_open, back, otherwise = cancel.run] { is_open() ? back() : otherwise(); };
-  commands_.add(std::move(cancel));
+  before_cancel([is_open, back] {
+    const bool was_open = is_open();
+    back();
+    return was_open;
+  });
 }
 
 // -- settings and help ---------------------------------------------------------------
@@ -174,7 +185,7 @@ static void show_one(main_window& window, Make make) {
 void main_window::apply_preferences(const preferences& wanted) {
   set_dark(wanted.look == look_wish::dark || (wanted.look == look_wish::system && system_dark_));
   save(wanted, settings_);
-  fields_->set_look(wanted.map, wanted.range, wanted.logarithmic);
+  fields_->set_look(wanted.map, wanted.locked, wanted.logarithmic);
   log_level_ = wanted.log;
   if (const auto solve = solve_settings_of(wanted); solve != part_.solve_settings())
     part_.set_solve_settings(solve);
@@ -279,11 +290,12 @@ void main_window::add_probes() {
                  },
                  has_part,
                  tr("The field by area, along a line, and the quality of tets")});
-  auto cancel = *commands_.find("edit.cancel");
-  cancel.run = [this, set_probing, otherwise = cancel.run] {
-    probing_ && pages_->currentWidget() == view_ ? set_probing(false) : otherwise();
-  };
-  commands_.add(std::move(cancel));
+  before_cancel([this, set_probing] {
+    const bool ends = probing_ && pages_->currentWidget() == view_;
+    if (ends)
+      set_probing(false);
+    return ends;
+  });
 }
 
 }  // namespace tedit::desktop

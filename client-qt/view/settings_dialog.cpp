@@ -119,14 +119,16 @@ void settings_dialog::build_solver(const preferences& now) {
 void settings_dialog::build_legend(const preferences& now) {
   map_ = choice("map", {tr("Viridis"), tr("Cividis"), tr("Grey"), tr("Cool to warm")},
                 static_cast<int>(now.map));
-  range_ = choice("range", {tr("Automatic"), tr("As typed"), tr("Locked across versions")},
-                  static_cast<int>(now.range));
+  range_ = choice("range",
+                  {tr("Automatic, anew with each field"), tr("Locked to that of the first field")},
+                  now.locked ? 1 : 0);
   logarithmic_ = new QCheckBox;
   logarithmic_->setObjectName("logarithmic");
   logarithmic_->setChecked(now.logarithmic);
   auto* form = section(tr("Legend"));
   add(form, tr("Colours"), map_, tr("The scale that a field is drawn with"));
-  add(form, tr("Range"), range_, tr("From where to where the colours go"));
+  add(form, tr("Range"), range_,
+      tr("From where to where the colours go; locked, versions can be compared by colour"));
   add(form, tr("Logarithmic"), logarithmic_, tr("Equal factors get equal room on the scale"));
 }
 
@@ -138,7 +140,7 @@ preferences settings_dialog::values() const {
   result.element_order = order_->currentIndex() + 1;
   result.energy_tolerance = tolerance_->value() / 100;
   result.map = static_cast<colour_map>(map_->currentIndex());
-  result.range = static_cast<range_mode>(range_->currentIndex());
+  result.locked = range_->currentIndex() == 1;
   result.logarithmic = logarithmic_->isChecked();
   result.log = static_cast<log_level>(log_->currentIndex());
   return result;

@@ -92,6 +92,14 @@ TEST_F(LoadsPanel, ADraftTakesAnotherNameWhereItStands) {
   EXPECT_EQ(load_case()->text(0), "Braking");
 }
 
+TEST_F(LoadsPanel, CancelClosesTheEditorOnce) {
+  panel_.add_item(item_kind::load);
+
+  EXPECT_TRUE(panel_.cancel());
+  EXPECT_FALSE(panel_.editor()->isVisibleTo(&panel_));
+  EXPECT_FALSE(panel_.cancel());
+}
+
 TEST_F(LoadsPanel, IsEmptyWhenThePartIsClosed) {
   panel_.new_load_case();
 
