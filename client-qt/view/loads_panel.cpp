@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/loads_panel.hpp"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -58,6 +59,32 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  build_buttons();
+  column->addWidget(buttons_);
+  tree_ = new QTreeWidget;
+  tree_->setHeaderHidden(true);
+  tree_->setAccessibleName(tr("Load cases"));
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  column->addWidget(tree_, 1);
+  hint_ = new QLabel;
+  hint_->setObjectName("draft_hint");
+  hint_->setProperty("role", "faint");
+  hint_->setWordWrap(true);
+  hint_->setContentsMargins(12, 4, 12, 4);
+  column->addWidget(hint_);
+  const auto library = shipped_materials();
+  editor_ = new load_editor(library ? *library : std::vector<fem::material>{});
+  if (!library)
+    editor_->findChild<QComboBox*>("library")->setToolTip(
+      QString::fromStdString(tedit::render(library.error())));
+  editor_->hide();
+  column->addWidget(editor_);
+  wire();
+  refresh();
+}
+
+void loads_panel::build_buttons() {
   buttons_ = new QWidget;
   auto* row = new QHBoxLayout(buttons_);
   row->setContentsMargins(8, 4, 8, 4);
@@ -78,24 +105,9 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   add(tr("+ Load case"), "add_case", tr("Another set of materials, supports and loads"),
       [this] { new_load_case(); });
   row->addStretch();
-  column->addWidget(buttons_);
-  tree_ = new QTreeWidget;
-  tree_->setHeaderHidden(true);
-  tree_->setAccessibleName(tr("Load cases"));
-  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
-  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  column->addWidget(tree_, 1);
-  hint_ = new QLabel;
-  hint_->setObjectName("draft_hint");
-  hint_->setProperty("role", "faint");
-  hint_->setWordWrap(true);
-  hint_->setContentsMargins(12, 4, 12, 4);
-  column->addWidget(hint_);
-  auto library = shipped_materials();
-  editor_ = new load_editor(library ? std::move(*library) : std::vector<fem::material>{});
-  editor_->hide();
-  column->addWidget(editor_);
+}
 
+void loads_panel::wire() {
   connect(editor_, &load_editor::applied, this, &loads_panel::apply_editor);
   connect(editor_, &load_editor::closed, this, &loads_panel::close_editor);
   connect(&picked_, &selection::changed, this,
@@ -127,7 +139,6 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   });
   connect(tree_, &QTreeWidget::customContextMenuRequested, this, &loads_panel::show_menu);
   connect(tree_, &QTreeWidget::itemChanged, this, &loads_panel::renamed);
-  refresh();
 }
 
 // -- the tree ------------------------------------------------------------------------

@@ -49,6 +49,8 @@ private:
     std::size_t at = 0;
   };
 
+  void build_buttons();
+  void wire();
   void refresh();
   void add_case(const fem::load_case& loads);
   void add_row(QTreeWidgetItem* parent, const load_item& item, const row_place& place,
