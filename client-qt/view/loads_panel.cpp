@@ -283,7 +283,8 @@ void loads_panel::show_menu(QPoint at) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (place->kind) {
     menu->addAction(tr("Change ..."), this, [this, place] { edit_row(*place); });
-    menu->addAction(tr("Duplicate"), this, [this, place] { duplicate(*place); });
+    if (place->kind != item_kind::material)  // Two of one name for the same regions mean nothing.
+      menu->addAction(tr("Duplicate"), this, [this, place] { duplicate(*place); });
     menu->addAction(tr("Remove"), this, [this, place] { drop(*place); });
   } else {
     menu->addAction(tr("Add a support"), this, [this] { add_item(item_kind::support); });
@@ -351,7 +352,11 @@ void loads_panel::apply_editor() {
   if (!loads)
     return;
   auto changed = *loads;
-  put(changed, *item, editing_->at);
+  auto at = std::optional(editing_->at);
+  const auto* material = std::get_if<fem::material>(&*item);
+  if (material && *at >= loads->materials.size())
+    at = place_for(*loads, *material);
+  put(changed, *item, at);
   close_editor();
   change(changed);
 }

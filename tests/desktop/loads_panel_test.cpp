@@ -92,6 +92,17 @@ TEST_F(LoadsPanel, ADraftTakesAnotherNameWhereItStands) {
   EXPECT_EQ(load_case()->text(0), "Braking");
 }
 
+TEST_F(LoadsPanel, ANewMaterialForThePartReplacesTheOneItHas) {
+  for (const auto* name : {"first", "second"}) {
+    panel_.add_item(item_kind::material);
+    panel_.editor()->findChild<QLineEdit*>("name")->setText(name);
+    apply();
+  }
+
+  ASSERT_EQ(load_case()->childCount(), 1);
+  EXPECT_TRUE(load_case()->child(0)->text(0).startsWith("second"));
+}
+
 TEST_F(LoadsPanel, CancelClosesTheEditorOnce) {
   panel_.add_item(item_kind::load);
 
