@@ -25,6 +25,7 @@ namespace {
 
 enum role { surfaces_role = Qt::UserRole, case_role, kind_role, at_role };
 
+constexpr int roomy_window = 850;  // Pixels: below, the editor takes the place of the tree.
 constexpr const char* drawings[] = {"material", "support", "load"};
 
 QString words_of(const load_item& item) {
@@ -324,11 +325,9 @@ void loads_panel::add_item(item_kind kind) {
     loads = &cases.front();
   editing_ = row_place{loads->name, kind, count_of(*loads, kind)};
   const QString titles[] = {tr("New material"), tr("New support"), tr("New load")};
-  editor_->set_selection(picked_.surfaces());
-  editor_->edit(
+  open_editor(
     titles[static_cast<int>(kind)] + tr(" in %1").arg(QString::fromStdString(loads->name)),
     first_item(kind, picked_.surfaces()));
-  editor_->show();
 }
 
 void loads_panel::edit_row(const row_place& place) {
@@ -338,8 +337,13 @@ void loads_panel::edit_row(const row_place& place) {
     return;
   editing_ = place;
   const auto item = item_at(*loads, *place.kind, place.at);
+  open_editor(words_of(item), item);
+}
+
+void loads_panel::open_editor(const QString& title, const load_item& item) {
   editor_->set_selection(picked_.surfaces());
-  editor_->edit(words_of(item), item);
+  editor_->edit(title, item);
+  tree_->setVisible(window()->height() >= roomy_window);
   editor_->show();
 }
 
@@ -364,6 +368,7 @@ void loads_panel::apply_editor() {
 void loads_panel::close_editor() {
   editing_.reset();
   editor_->hide();
+  tree_->show();
 }
 
 bool loads_panel::cancel() {

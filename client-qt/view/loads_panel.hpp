@@ -58,6 +58,7 @@ private:
   void add_dropped(QTreeWidgetItem* parent, const std::vector<item_mark>& changed);
   void show_menu(QPoint at);
   void edit_row(const row_place& place);
+  void open_editor(const QString& title, const load_item& item);
   void apply_editor();
   void close_editor();
   void duplicate(const row_place& place);
