@@ -56,11 +56,16 @@ shared_field difference(const version_record& before, const shared_field& before
   const int component = as == shown_field::displacement_y   ? 1
                         : as == shown_field::displacement_z ? 2
                                                             : 0;
+  const auto& slots_before = before_field->vertices;
+  std::size_t k = 0;  // Both lists ascend.
   for (std::size_t i = 0; i < after_field->vertices.size(); ++i) {
     const auto slot = after_field->vertices[i];
     const auto* there = before.surface->positions().find(slot);
     const auto* here = after.surface->positions().find(slot);
-    const float was = value_at(*before_field, slot, wanted);
+    while (k < slots_before.size() && slots_before[k] < slot)
+      ++k;
+    const bool both = k < slots_before.size() && slots_before[k] == slot;
+    const float was = both ? value_in(*before_field, k, wanted) : NAN;
     const float is = value_in(*after_field, i, wanted);
     if (!there || !here || !(*there == *here) || !std::isfinite(was) || !std::isfinite(is))
       continue;

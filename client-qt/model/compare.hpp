@@ -15,7 +15,7 @@ namespace tedit::desktop {
 /// in the same slot at the same position; elsewhere it has no value. The quantity `wanted` of the
 /// result is the difference of that quantity (of the displacement's size for `displacement`, which
 /// is then in `displacement_x`: see `difference_field`).
-/// @pre each field is one of its surface's version. Cost: O(vertices log vertices).
+/// @pre each field is one of its surface's version. Cost: O(vertices).
 [[nodiscard]] shared_field difference(const version_record& before,
                                       const shared_field& before_field, const version_record& after,
                                       const shared_field& after_field, shown_field wanted);

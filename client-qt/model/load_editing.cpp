@@ -190,6 +190,26 @@ std::optional<double> read_number(const QString& text) {
   return good && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+std::optional<std::vector<region_id>> read_regions(const QString& text) {
+  static const QRegularExpression between("[,;\\s]+");
+  std::vector<region_id> result;
+  for (const auto& word : text.split(between, Qt::SkipEmptyParts)) {
+    bool good = false;
+    result.push_back(static_cast<region_id>(word.toInt(&good)));
+    if (!good)
+      return std::nullopt;
+  }
+  return result;
+}
+
+std::optional<std::size_t> place_for(const fem::load_case& loads, const fem::material& added) {
+  const auto other = std::ranges::find_if(
+    loads.materials, [](const fem::material& one) { return one.regions.empty(); });
+  if (!added.regions.empty() || other == loads.materials.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(other - loads.materials.begin());
+}
+
 // -- edits of the part ---------------------------------------------------------------
 
 fem::load_case carried(const fem::load_case& before, const std::vector<surface_change>& map) {

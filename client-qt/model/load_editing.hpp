@@ -50,6 +50,14 @@ struct item_fault {
 /// finite.
 [[nodiscard]] std::optional<double> read_number(const QString& text);
 
+/// Ids of regions, with commas or spaces between; nothing when something else stands there.
+[[nodiscard]] std::optional<std::vector<region_id>> read_regions(const QString& text);
+
+/// Where a material goes: one for all remaining regions replaces the other such one, because a part
+/// can have only one of them; others are added. Nothing: added.
+[[nodiscard]] std::optional<std::size_t> place_for(const fem::load_case& loads,
+                                                   const fem::material& added);
+
 /// The load case after an edit with this surface map, as `fem::carry_over` does it on the server:
 /// surfaces that are gone leave the lists, merged ones are replaced, split ones gain their parts,
 /// items without surfaces are dropped.

@@ -11,7 +11,6 @@ namespace {
 
 const QStringList looks{"system", "light", "dark"};
 const QStringList maps{"viridis", "cividis", "grey", "coolwarm"};
-const QStringList ranges{"automatic", "manual", "locked"};
 const QStringList levels{"errors", "notices", "everything"};
 
 template <class Choice>
@@ -36,7 +35,7 @@ preferences load_preferences(const QSettings& settings) {
   const double tolerance = settings.value("solve/energy_tolerance", 0).toDouble();
   result.energy_tolerance = tolerance > 0 && tolerance < 1 ? tolerance : 0;
   result.map = read(settings, "legend/map", maps, result.map);
-  result.range = read(settings, "legend/range", ranges, result.range);
+  result.locked = settings.value("legend/locked", false).toBool();
   result.logarithmic = settings.value("legend/logarithmic", false).toBool();
   result.log = read(settings, "log_level", levels, result.log);
   return result;
@@ -48,7 +47,7 @@ void save(const preferences& wanted, QSettings& settings) {
   settings.setValue("solve/element_order", wanted.element_order);
   settings.setValue("solve/energy_tolerance", wanted.energy_tolerance);
   settings.setValue("legend/map", maps[static_cast<int>(wanted.map)]);
-  settings.setValue("legend/range", ranges[static_cast<int>(wanted.range)]);
+  settings.setValue("legend/locked", wanted.locked);
   settings.setValue("legend/logarithmic", wanted.logarithmic);
   settings.setValue("log_level", levels[static_cast<int>(wanted.log)]);
 }

@@ -24,7 +24,7 @@ struct preferences {
   int element_order = 2;
   double energy_tolerance = 0;  ///< A preview at this estimated relative error; 0: none.
   colour_map map = colour_map::viridis;
-  range_mode range = range_mode::automatic;
+  bool locked = false;  ///< The range of the first field holds for all that follow.
   bool logarithmic = false;
   log_level log = log_level::everything;
 

@@ -171,12 +171,15 @@ histogram histogram_of(const client::surface_model& surface, const client::field
   result.low = INFINITY;
   result.high = -INFINITY;
   double total = 0;
+  std::vector<float> by_slot(field.vertices.empty() ? 0 : field.vertices.back() + 1, NAN);
+  for (std::size_t i = 0; i < field.vertices.size(); ++i)
+    by_slot[field.vertices[i]] = value_in(field, i, wanted);
   surface.facets().for_each([&](std::uint32_t, const client::surface_facet& f) {
     std::array<vec3, 3> corners{};
     double value = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i] = *surface.positions().find(f.v[i]);
-      value += value_at(field, f.v[i], wanted) / 3.0;
+      value += (f.v[i] < by_slot.size() ? by_slot[f.v[i]] : NAN) / 3.0;
     }
     if (!std::isfinite(value))
       return;

@@ -82,7 +82,7 @@ struct histogram {
 };
 
 /// The values of a field on the boundary by area; a triangle counts with the mean of its corners.
-/// Empty without any value. Cost: O(facets).
+/// Empty without any value. Cost: O(facets + vertices).
 [[nodiscard]] histogram histogram_of(const client::surface_model& surface,
                                      const client::field_event& field, shown_field wanted,
                                      std::size_t steps);

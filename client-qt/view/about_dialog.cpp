@@ -38,7 +38,7 @@ std::vector<used_library> used_libraries() {
 
 about_dialog::about_dialog(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("About TEdit"));
-  resize(640, 560);
+  resize(740, 560);
   auto* column = new QVBoxLayout(this);
   auto* mark = new QLabel;
   mark->setPixmap(window_icon().pixmap(64, 64));

@@ -5,8 +5,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -109,11 +111,33 @@ void compare_view::link(const pane& from, const pane& to) {
 }
 
 bool compare_view::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize)
+  if (event->type() == QEvent::Resize) {
     for (const auto* one : {&before_, &after_})
       if (watched == one->view)
         one->over->setGeometry(one->view->rect());
+    const auto* change = static_cast<QResizeEvent*>(event);
+    if (watched == after_.view && posed_ && change->oldSize().isValid())
+      step_back(distance_for(change->size()) / distance_for(change->oldSize()));
+  }
   return QWidget::eventFilter(watched, event);
+}
+
+/// How many times farther away than in the view that the part came from, so that all that was seen
+/// there is seen in a narrower pane.
+double compare_view::distance_for(const QSize& size) const {
+  return std::max(1.0, what_->aspect * size.height() / std::max(1, size.width()));
+}
+
+void compare_view::step_back(double factor) {
+  if (factor == 1)
+    return;
+  auto pose = after_.view->view().get();
+  pose.position = pose.focus + factor * (pose.position - pose.focus);
+  pose.parallel_scale *= factor;
+  after_.view->view().set(pose);
+  after_.view->view().adjust_depth();
+  after_.view->redraw();
+  emit after_.view->view_changed();
 }
 
 void compare_view::showEvent(QShowEvent* event) {
@@ -122,10 +146,13 @@ void compare_view::showEvent(QShowEvent* event) {
 }
 
 void compare_view::set_theme(const theme& look) {
+  look_ = look;
   for (const auto* one : {&before_, &after_}) {
     one->view->set_colours(look.scene);
     one->over->set_ink(look.ink);
   }
+  if (isVisible())
+    refresh();
 }
 
 void compare_view::open(const comparison& what) {
@@ -146,16 +173,11 @@ void compare_view::take_start_pose() {
       !before_.view->geometry() || !after_.view->geometry())
     return;
   posed_ = true;
-  // The panes are narrower than the view was: farther away, all that was seen is seen.
-  auto pose = what_->from;
-  const double narrower = what_->aspect * after_.view->height() / std::max(1, after_.view->width());
-  const double back = std::max(1.0, narrower);
-  pose.position = pose.focus + back * (pose.position - pose.focus);
-  pose.parallel_scale *= back;
-  after_.view->view().set(pose);
+  after_.view->view().set(what_->from);
   after_.view->view().adjust_depth();
   after_.view->redraw();
   emit after_.view->view_changed();
+  step_back(distance_for(after_.view->size()));
 }
 
 void compare_view::refresh() {
@@ -176,14 +198,17 @@ void compare_view::refresh() {
   panes_->setVisible(why.isEmpty());
   why_->setText(why);
   go_->setText(tr("Go to version %1").arg(wanted_));
+  const auto* head = part_.head();
+  go_->setVisible(!head || head->info.number != wanted_);
   if (!why.isEmpty())
     return;
   before_.box->setVisible(!difference_);
   before_.title->setText(title_of(before->second, nullptr));
-  after_.title->setText(difference_ ? tr("v%1 minus v%2 on the surface of v%1; grey: not in both")
-                                        .arg(what_->after)
-                                        .arg(what_->before)
-                                    : title_of(after->second, &before->second));
+  after_.title->setText(difference_
+                          ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")
+                              .arg(what_->after)
+                              .arg(what_->before)
+                          : title_of(after->second, &before->second));
   show_both(before->second, after->second);
 }
 
@@ -201,6 +226,11 @@ void compare_view::show_both(const version_record& before, const version_record&
   before_.view->set_legend(by);
   before_.view->show_part({before.surface, a, what_->deform});
   before_.over->set_note(a->interim() ? tr("preview") : QString());
+  // The middle of the diverging map is grey as well: what has no value must be darker.
+  auto colours = look_.scene;
+  if (difference_)
+    colours.part = {0.33F, 0.35F, 0.38F};
+  after_.view->set_colours(colours);
   if (difference_) {
     show_change(before, after);
     return;
@@ -257,8 +287,8 @@ bool version_drag::eventFilter(QObject* watched, QEvent* event) {
   } else if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove ||
              event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
-    if (drop->source() != &history_)
-      return QObject::eventFilter(watched, event);
+    if (!drop->mimeData()->hasFormat("application/x-qabstractitemmodeldatalist"))
+      return QObject::eventFilter(watched, event);  // No row of a list: a file, maybe.
     const auto onto = number(drop->position());
     if (event->type() != QEvent::DragEnter && (!onto || *onto == dragged_)) {
       event->ignore();

@@ -64,9 +64,12 @@ private:
   void show_both(const version_record& before, const version_record& after);
   void show_change(const version_record& before, const version_record& after);
   void take_start_pose();
+  void step_back(double factor);
+  [[nodiscard]] double distance_for(const QSize& size) const;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   document& part_;
+  theme look_;
   std::optional<comparison> what_;
   bool difference_ = false;
   bool linking_ = false;

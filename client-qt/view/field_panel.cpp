@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <utility>
 
 #include "client-qt/model/quantities.hpp"
 
@@ -69,6 +70,11 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
   connect(deform_, &QDoubleSpinBox::valueChanged, this, &field_panel::read_form);
   connect(&part_, &document::field_changed, this, &field_panel::list_cases);
   connect(&part_, &document::head_changed, this, &field_panel::list_cases);
+  connect(&part_, &document::opened, this, [this] {
+    to_lock_ = locks_;
+    if (locks_)
+      mode_->setCurrentIndex(static_cast<int>(range_mode::automatic));
+  });
   read_form();
 }
 
@@ -110,10 +116,12 @@ void field_panel::set_deform(double factor) {
   deform_->setValue(factor);
 }
 
-void field_panel::set_look(colour_map map, range_mode mode, bool logarithmic) {
+void field_panel::set_look(colour_map map, bool locked, bool logarithmic) {
   map_->setCurrentIndex(static_cast<int>(map));
-  mode_->setCurrentIndex(static_cast<int>(mode));
   log_->setChecked(logarithmic);
+  if (std::exchange(locks_, locked) != locked)
+    mode_->setCurrentIndex(static_cast<int>(range_mode::automatic));
+  to_lock_ = locked && legend_.mode == range_mode::automatic;
 }
 
 void field_panel::read_form() {
@@ -149,6 +157,13 @@ void field_panel::take_range(const legend& shown) {
   const double scale = shown_as(field_unit(shown.field)).scale;
   low_->setText(number(shown.low * scale));
   high_->setText(number(shown.high * scale));
+  const auto now = field();
+  if (to_lock_ && now && !now->interim()) {
+    to_lock_ = false;  // Later: the view is in the middle of painting.
+    QMetaObject::invokeMethod(
+      this, [this] { mode_->setCurrentIndex(static_cast<int>(range_mode::locked)); },
+      Qt::QueuedConnection);
+  }
 }
 
 }  // namespace tedit::desktop

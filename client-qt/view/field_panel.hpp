@@ -27,7 +27,9 @@ public:
   [[nodiscard]] double deform() const;
   void set_field(shown_field field);
   void set_deform(double factor);
-  void set_look(colour_map map, range_mode mode, bool logarithmic);
+  /// How fields are drawn unless something else is chosen. `locked`: to the range of the first
+  /// converged field of a document.
+  void set_look(colour_map map, bool locked, bool logarithmic);
   /// Shows the range that the view took from the values.
   void take_range(const legend& shown);
 
@@ -40,6 +42,8 @@ private:
 
   document& part_;
   legend legend_;
+  bool locks_ = false;
+  bool to_lock_ = false;  ///< With the next field.
   QComboBox* field_;
   QComboBox* case_;
   QComboBox* map_;

@@ -93,6 +93,8 @@ void history_strip::refresh() {
     auto* row = new QListWidgetItem(describe(version));
     row->setData(Qt::UserRole, number);
     row->setToolTip(details(version));
+    row->setSizeHint(gridSize() -
+                     QSize(12, 20));  // Else all get the first one's, which may have fewer lines.
     row->setTextAlignment(Qt::AlignHCenter);
     const auto picture = pictures_.find(version.info.version_id);
     QPixmap empty(thumbnail);

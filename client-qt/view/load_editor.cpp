@@ -164,6 +164,9 @@ void load_editor::build_material() {
           "density");
   yield_ = number_field("yield_strength", tr("Yield strength in MPa"));
   add_row(form, tr("Yield"), row_of({yield_, new QLabel("MPa")}), "yield_strength");
+  regions_ = number_field("regions", tr("Regions of the mesh"));
+  regions_->setPlaceholderText(tr("all that no other material names"));
+  add_row(form, tr("Regions"), regions_, "regions");
 }
 
 void load_editor::build_support() {
@@ -251,7 +254,6 @@ void load_editor::edit(const QString& title, const load_item& item) {
 }
 
 void load_editor::show_material(const fem::material& material) {
-  material_ = material;
   const auto same = std::ranges::find(library_, material.name, &fem::material::name);
   library_box_->setCurrentIndex(
     same == library_.end() ? 0 : 1 + static_cast<int>(same - library_.begin()));
@@ -260,13 +262,17 @@ void load_editor::show_material(const fem::material& material) {
   poisson_->setText(plain(material.poisson_ratio));
   density_->setText(plain(material.density_kg_m3));
   yield_->setText(plain(material.yield_strength_pa / mega));
+  QStringList regions;
+  for (const auto region : material.regions)
+    regions << QString::number(region);
+  regions_->setText(regions.join(", "));
 }
 
 void load_editor::take_library(int row) {
   if (filling_ || row <= 0)
     return;
   auto chosen = library_[static_cast<std::size_t>(row - 1)];
-  chosen.regions = material_.regions;
+  chosen.regions = read_regions(regions_->text()).value_or(std::vector<region_id>{});
   filling_ = true;
   show_material(chosen);
   filling_ = false;
@@ -340,12 +346,13 @@ void load_editor::show_surfaces() {
 
 load_item load_editor::read() const {
   if (kind_ == item_kind::material) {
-    auto result = material_;
+    fem::material result;
     result.name = name_->text().trimmed().toStdString();
     result.young_modulus_pa = mega * typed(young_);
     result.poisson_ratio = typed(poisson_);
     result.density_kg_m3 = typed(density_);
     result.yield_strength_pa = mega * typed(yield_);
+    result.regions = read_regions(regions_->text()).value_or(std::vector<region_id>{});
     return result;
   }
   if (kind_ == item_kind::support) {
@@ -371,9 +378,15 @@ load_item load_editor::read() const {
   }
 }
 
+std::vector<item_fault> load_editor::faults_now() const {
+  auto found = faults(read());
+  if (kind_ == item_kind::material && !read_regions(regions_->text()))
+    found.push_back({"regions", tr("Give numbers of regions, with commas between")});
+  return found;
+}
+
 std::optional<load_item> load_editor::value() const {
-  auto item = read();
-  return faults(item).empty() ? std::optional(std::move(item)) : std::nullopt;
+  return faults_now().empty() ? std::optional(read()) : std::nullopt;
 }
 
 void load_editor::touched() {
@@ -385,7 +398,7 @@ void load_editor::touched() {
 void load_editor::check() {
   if (filling_)
     return;
-  const auto found = faults(read());
+  const auto found = faults_now();
   for (const auto& [field, labels] : fault_labels_) {
     const auto fault = std::ranges::find(found, field, &item_fault::field);
     for (auto* label : labels) {

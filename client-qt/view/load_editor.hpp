@@ -60,12 +60,12 @@ private:
   void check();
   /// The item as typed; what is no number becomes NaN, which is at fault.
   [[nodiscard]] load_item read() const;
+  [[nodiscard]] std::vector<item_fault> faults_now() const;
 
   std::vector<fem::material> library_;
   std::vector<surface_id> selection_;
   std::vector<surface_id> surfaces_;
   item_kind kind_ = item_kind::load;
-  fem::material material_;  ///< With its regions, which the form leaves as they are.
   bool filling_ = false;
   bool touched_ = false;  ///< Before, what is missing is a hint and no fault.
   std::map<QString, std::vector<QLabel*>> fault_labels_;
@@ -78,6 +78,7 @@ private:
   QLineEdit* poisson_;
   QLineEdit* density_;
   QLineEdit* yield_;
+  QLineEdit* regions_;
   QComboBox* support_kind_;
   QWidget* displacements_;
   std::array<QCheckBox*, 3> held_{};
@@ -90,7 +91,7 @@ private:
   QWidget* pressure_row_;
   QLineEdit* pressure_;
   QWidget* picking_;
-  QLabel* picked_;
+  QLabel* picked_ = nullptr;
   QPushButton* use_;
   QPushButton* apply_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/loads_panel.hpp"
 
+#include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -15,6 +17,7 @@
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/view/load_editor.hpp"
 #include "client-qt/view/theme.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -22,6 +25,7 @@ namespace {
 
 enum role { surfaces_role = Qt::UserRole, case_role, kind_role, at_role };
 
+constexpr int roomy_window = 850;  // Pixels: below, the editor takes the place of the tree.
 constexpr const char* drawings[] = {"material", "support", "load"};
 
 QString words_of(const load_item& item) {
@@ -56,6 +60,32 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  build_buttons();
+  column->addWidget(buttons_);
+  tree_ = new QTreeWidget;
+  tree_->setHeaderHidden(true);
+  tree_->setAccessibleName(tr("Load cases"));
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  column->addWidget(tree_, 1);
+  hint_ = new QLabel;
+  hint_->setObjectName("draft_hint");
+  hint_->setProperty("role", "faint");
+  hint_->setWordWrap(true);
+  hint_->setContentsMargins(12, 4, 12, 4);
+  column->addWidget(hint_);
+  const auto library = shipped_materials();
+  editor_ = new load_editor(library ? *library : std::vector<fem::material>{});
+  if (!library)
+    editor_->findChild<QComboBox*>("library")->setToolTip(
+      QString::fromStdString(tedit::render(library.error())));
+  editor_->hide();
+  column->addWidget(editor_);
+  wire();
+  refresh();
+}
+
+void loads_panel::build_buttons() {
   buttons_ = new QWidget;
   auto* row = new QHBoxLayout(buttons_);
   row->setContentsMargins(8, 4, 8, 4);
@@ -76,24 +106,9 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   add(tr("+ Load case"), "add_case", tr("Another set of materials, supports and loads"),
       [this] { new_load_case(); });
   row->addStretch();
-  column->addWidget(buttons_);
-  tree_ = new QTreeWidget;
-  tree_->setHeaderHidden(true);
-  tree_->setAccessibleName(tr("Load cases"));
-  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
-  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  column->addWidget(tree_, 1);
-  hint_ = new QLabel;
-  hint_->setObjectName("draft_hint");
-  hint_->setProperty("role", "faint");
-  hint_->setWordWrap(true);
-  hint_->setContentsMargins(12, 4, 12, 4);
-  column->addWidget(hint_);
-  auto library = shipped_materials();
-  editor_ = new load_editor(library ? std::move(*library) : std::vector<fem::material>{});
-  editor_->hide();
-  column->addWidget(editor_);
+}
 
+void loads_panel::wire() {
   connect(editor_, &load_editor::applied, this, &loads_panel::apply_editor);
   connect(editor_, &load_editor::closed, this, &loads_panel::close_editor);
   connect(&picked_, &selection::changed, this,
@@ -101,8 +116,10 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   for (auto signal : {&document::head_changed, &document::opened})
     connect(&part_, signal, this, &loads_panel::refresh);
   connect(&part_, &document::load_cases_changed, this, [this] {
+    // The same only: a later change may be on its way.
     std::erase_if(drafts_, [this](const fem::load_case& one) {
-      return missing(one).isEmpty() && find(one.name, part_.load_cases());
+      const auto* known = find(one.name, part_.load_cases());
+      return known && protocol::load_case_to_json(*known) == protocol::load_case_to_json(one);
     });
     refresh();
   });
@@ -123,7 +140,6 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   });
   connect(tree_, &QTreeWidget::customContextMenuRequested, this, &loads_panel::show_menu);
   connect(tree_, &QTreeWidget::itemChanged, this, &loads_panel::renamed);
-  refresh();
 }
 
 // -- the tree ------------------------------------------------------------------------
@@ -140,6 +156,12 @@ const fem::load_case* loads_panel::find(const std::string& name,
                                         const std::vector<fem::load_case>& in) const {
   const auto found = std::ranges::find(in, name, &fem::load_case::name);
   return found == in.end() ? nullptr : &*found;
+}
+
+void loads_panel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && editor_)
+    refresh();
 }
 
 void loads_panel::refresh() {
@@ -159,7 +181,9 @@ void loads_panel::refresh() {
   }
   for (const auto& name : head ? head->info.load_cases : std::vector<std::string>{})
     if (!find(name, cases))
-      lines << tr("%1 is solved too; it was set elsewhere, so its items are not known here.")
+      lines << tr(
+                 "%1 is solved too. It was set before this window opened the document, so its "
+                 "items are not known here.")
                  .arg(QString::fromStdString(name));
   if (cases.empty() && lines.isEmpty())
     lines << tr("No loads yet. Pick surfaces of the part, then add a support and a load.");
@@ -260,7 +284,8 @@ void loads_panel::show_menu(QPoint at) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (place->kind) {
     menu->addAction(tr("Change ..."), this, [this, place] { edit_row(*place); });
-    menu->addAction(tr("Duplicate"), this, [this, place] { duplicate(*place); });
+    if (place->kind != item_kind::material)  // Two of one name for the same regions mean nothing.
+      menu->addAction(tr("Duplicate"), this, [this, place] { duplicate(*place); });
     menu->addAction(tr("Remove"), this, [this, place] { drop(*place); });
   } else {
     menu->addAction(tr("Add a support"), this, [this] { add_item(item_kind::support); });
@@ -300,11 +325,9 @@ void loads_panel::add_item(item_kind kind) {
     loads = &cases.front();
   editing_ = row_place{loads->name, kind, count_of(*loads, kind)};
   const QString titles[] = {tr("New material"), tr("New support"), tr("New load")};
-  editor_->set_selection(picked_.surfaces());
-  editor_->edit(
+  open_editor(
     titles[static_cast<int>(kind)] + tr(" in %1").arg(QString::fromStdString(loads->name)),
     first_item(kind, picked_.surfaces()));
-  editor_->show();
 }
 
 void loads_panel::edit_row(const row_place& place) {
@@ -314,8 +337,13 @@ void loads_panel::edit_row(const row_place& place) {
     return;
   editing_ = place;
   const auto item = item_at(*loads, *place.kind, place.at);
+  open_editor(words_of(item), item);
+}
+
+void loads_panel::open_editor(const QString& title, const load_item& item) {
   editor_->set_selection(picked_.surfaces());
-  editor_->edit(words_of(item), item);
+  editor_->edit(title, item);
+  tree_->setVisible(window()->height() >= roomy_window);
   editor_->show();
 }
 
@@ -328,7 +356,11 @@ void loads_panel::apply_editor() {
   if (!loads)
     return;
   auto changed = *loads;
-  put(changed, *item, editing_->at);
+  auto at = std::optional(editing_->at);
+  const auto* material = std::get_if<fem::material>(&*item);
+  if (material && *at >= loads->materials.size())
+    at = place_for(*loads, *material);
+  put(changed, *item, at);
   close_editor();
   change(changed);
 }
@@ -336,6 +368,13 @@ void loads_panel::apply_editor() {
 void loads_panel::close_editor() {
   editing_.reset();
   editor_->hide();
+  tree_->show();
+}
+
+bool loads_panel::cancel() {
+  const bool was_open = editing_.has_value();
+  close_editor();
+  return was_open;
 }
 
 void loads_panel::duplicate(const row_place& place) {

@@ -30,11 +30,16 @@ public:
   void new_load_case();
   /// Opens the editor on a new item for the load case that is chosen in the tree.
   void add_item(item_kind kind);
+  /// Closes the editor; false when it is not open.
+  bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
 
 signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
+
+protected:
+  void changeEvent(QEvent* event) override;  ///< Icons follow the colours of the text.
 
 private:
   /// A row of the tree: the load case, or one of its items.
@@ -44,6 +49,8 @@ private:
     std::size_t at = 0;
   };
 
+  void build_buttons();
+  void wire();
   void refresh();
   void add_case(const fem::load_case& loads);
   void add_row(QTreeWidgetItem* parent, const load_item& item, const row_place& place,
@@ -51,6 +58,7 @@ private:
   void add_dropped(QTreeWidgetItem* parent, const std::vector<item_mark>& changed);
   void show_menu(QPoint at);
   void edit_row(const row_place& place);
+  void open_editor(const QString& title, const load_item& item);
   void apply_editor();
   void close_editor();
   void duplicate(const row_place& place);
@@ -67,9 +75,9 @@ private:
 
   document& part_;
   selection& picked_;
-  QTreeWidget* tree_;
+  QTreeWidget* tree_ = nullptr;
   QWidget* buttons_;
-  load_editor* editor_;
+  load_editor* editor_ = nullptr;
   QLabel* hint_;
   std::vector<fem::load_case> drafts_;  ///< Not complete yet, or complete and on their way.
   std::optional<row_place> editing_;    ///< `at` past the end: a new item.

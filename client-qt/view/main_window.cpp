@@ -74,6 +74,7 @@ main_window::main_window(const QString& state_folder)
   wire();
   system_dark_ = palette().color(QPalette::Window).lightness() < 128;
   apply_preferences(load_preferences(settings_));
+  take_shortcuts();
   welcome_->set_recent(settings_.value("recent").toStringList());
   if (settings_.contains("geometry"))
     restoreGeometry(settings_.value("geometry").toByteArray());
@@ -205,6 +206,10 @@ void main_window::when_connected(std::function<void()> then) {
 
 void main_window::open_file(const QString& mesh, const QStringList& load_cases) {
   log(tr("opening %1").arg(mesh));
+  if (mesh.endsWith(".tedit")) {
+    open_document_file(mesh);
+    return;
+  }
   when_connected([=, this] { part_.import(mesh, load_cases); });
 }
 

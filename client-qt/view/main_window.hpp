@@ -46,6 +46,7 @@ public:
   explicit main_window(const QString& state_folder = {});
   ~main_window() override;
 
+  /// A mesh with load cases, or a document file (.tedit).
   void open_file(const QString& mesh, const QStringList& load_cases);
   void open_document(const QString& name);
   void connect_to(const server_address& address);
@@ -116,6 +117,8 @@ private:
 
   // -- main_window_tools.cpp --
   void add_tools();
+  void before_cancel(std::function<bool()> then);
+  void open_document_file(const QString& path);
   void add_load_commands();
   void add_compare();
   void add_settings();
@@ -134,6 +137,7 @@ private:
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
   std::optional<picked_point> last_click_;
+  QString local_url_;         ///< Of this computer's server, once it runs.
   bool probing_ = false;      ///< A click sets a probe and picks nothing.
   bool system_dark_ = false;  ///< As it was when the program started.
   log_level log_level_ = log_level::everything;

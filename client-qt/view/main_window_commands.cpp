@@ -236,7 +236,8 @@ void main_window::ask_file() {
   auto* dialog = new QFileDialog(this, tr("Open a mesh and its load cases"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
-  dialog->setNameFilters({tr("Meshes and load cases (*.msh *.json)"), tr("All files (*)")});
+  dialog->setNameFilters(
+    {tr("Meshes, load cases, documents (*.msh *.json *.tedit)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
     QString mesh;
     QStringList loads;

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <QAction>
+#include <QApplication>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
+#include <QPointer>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QThreadPool>
 
 #include "client-qt/view/about_dialog.hpp"
 #include "client-qt/view/compare_view.hpp"
@@ -21,10 +27,59 @@ namespace tedit::desktop {
 
 /// What stands beside the part itself.
 void main_window::add_tools() {
+  connect(&local_, &local_server::ready, this,
+          [this](const server_address& address) { local_url_ = address.url; });
   add_load_commands();
   add_compare();
   add_settings();
   add_probes();
+}
+
+/// Esc first tries `then`; when that had nothing to end, it does what it did before.
+void main_window::before_cancel(std::function<bool()> then) {
+  auto cancel = *commands_.find("edit.cancel");
+  cancel.run = [then = std::move(then), otherwise = cancel.run] {
+    if (!then())
+      otherwise();
+  };
+  commands_.add(std::move(cancel));
+}
+
+/// A document is served from the local server's folder: one from elsewhere is copied there, aside.
+void main_window::open_document_file(const QString& path) {
+  const QFileInfo file(path);
+  const QDir documents(local_.folder() + "/documents");
+  if (link_.current() == remote::state::connected && link_.address().url != local_url_) {
+    emit part_.failed(tr("Open %1").arg(file.fileName()),
+                      {ec::invalid_argument, "a document file is opened on this computer only",
+                       "Start TEdit anew without --server", path.toStdString()});
+    return;
+  }
+  if (file.absoluteDir() == documents) {
+    open_document(file.completeBaseName());
+    return;
+  }
+  QString stem = file.completeBaseName().left(40);
+  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+  QString name = stem;
+  for (int i = 2; documents.exists(name + ".tedit"); ++i)
+    name = stem + "-" + QString::number(i);
+  const QString to = documents.absoluteFilePath(name + ".tedit");
+  QThreadPool::globalInstance()->start([path, to, name, window = QPointer(this)] {
+    QDir().mkpath(QFileInfo(to).path());
+    if (QFile::exists(path + "-wal"))  // Steps that are not in the main file yet.
+      QFile::copy(path + "-wal", to + "-wal");
+    const bool copied = QFile::copy(path, to);
+    QMetaObject::invokeMethod(qApp, [=] {
+      if (window && copied)
+        window->open_document(name);
+      else if (window)
+        emit window->part_.failed(
+          tr("Open %1").arg(path),
+          {ec::io_error, "cannot copy the document to " + to.toStdString(),
+           "Check that it can be read and that there is room", path.toStdString()});
+    });
+  });
 }
 
 void main_window::add_load_commands() {
@@ -73,6 +128,7 @@ void main_window::add_compare() {
                    fields_->deform(), view_->view().get(),
                    static_cast<double>(view_->width()) / std::max(1, view_->height())});
     pages_->setCurrentWidget(compare);
+    place_overlays();  // What has to be said stays in front.
   };
   const auto back = [this, compare] {
     if (pages_->currentWidget() == compare)
@@ -97,16 +153,18 @@ void main_window::add_compare() {
                  is_open});
   auto* drag = new version_drag(*history_);
   connect(drag, &version_drag::dropped, this, open);
+  connect(drag, &version_drag::dropped, &part_, &document::refresh_history);
   connect(compare, &compare_view::closed, this, back);
   connect(compare, &compare_view::version_wanted, this, [this, back](quint32 version) {
     back();
     step_to(version);
   });
   connect(this, &main_window::theme_changed, compare, &compare_view::set_theme);
-  // Esc leaves the comparison before it does anything else.
-  auto cancel = *commands_.find("edit.cancel");
-  cancel.run = [is_open, back, otherwise = cancel.run] { is_open() ? back() : otherwise(); };
-  commands_.add(std::move(cancel));
+  before_cancel([is_open, back] {
+    const bool was_open = is_open();
+    back();
+    return was_open;
+  });
 }
 
 // -- settings and help ---------------------------------------------------------------
@@ -127,7 +185,7 @@ static void show_one(main_window& window, Make make) {
 void main_window::apply_preferences(const preferences& wanted) {
   set_dark(wanted.look == look_wish::dark || (wanted.look == look_wish::system && system_dark_));
   save(wanted, settings_);
-  fields_->set_look(wanted.map, wanted.range, wanted.logarithmic);
+  fields_->set_look(wanted.map, wanted.locked, wanted.logarithmic);
   log_level_ = wanted.log;
   if (const auto solve = solve_settings_of(wanted); solve != part_.solve_settings())
     part_.set_solve_settings(solve);
@@ -232,11 +290,12 @@ void main_window::add_probes() {
                  },
                  has_part,
                  tr("The field by area, along a line, and the quality of tets")});
-  auto cancel = *commands_.find("edit.cancel");
-  cancel.run = [this, set_probing, otherwise = cancel.run] {
-    probing_ && pages_->currentWidget() == view_ ? set_probing(false) : otherwise();
-  };
-  commands_.add(std::move(cancel));
+  before_cancel([this, set_probing] {
+    const bool ends = probing_ && pages_->currentWidget() == view_;
+    if (ends)
+      set_probing(false);
+    return ends;
+  });
 }
 
 }  // namespace tedit::desktop

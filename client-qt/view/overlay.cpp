@@ -109,13 +109,17 @@ void overlay::mark(QPainter& painter, const vec3& at, const QString& text, doubl
   const QFont font = sized(painter.font(), 12 * scale);
   painter.setFont(font);
   const QFontMetricsF metrics(font);
-  const QRectF box(place + scale * QPointF(12, below ? 10 : -30),
-                   QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
+  QRectF box(place + scale * QPointF(12, below ? 10 : -30),
+             QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
+  const bool leftwards = box.right() > scale * view_.width();  // Else the words were cut off.
+  if (leftwards)
+    box.moveRight(place.x() - 12 * scale);
   painter.setPen(QPen(ink_, 1.2 * scale));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(place, 4 * scale, 4 * scale);
-  painter.drawLine(place + scale * QPointF(3, below ? 3 : -3),
-                   below ? box.topLeft() : box.bottomLeft());
+  const double side = leftwards ? box.right() : box.left();
+  painter.drawLine(place + scale * QPointF(leftwards ? -3 : 3, below ? 3 : -3),
+                   QPointF(side, below ? box.top() : box.bottom()));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(255, 255, 255, 215));
   painter.drawRoundedRect(box, 4 * scale, 4 * scale);

@@ -77,73 +77,106 @@ void plot_area::set(plot what) {
   update();
 }
 
+/// Where the plot is in the widget, and its scales.
+struct plot_area::axes {
+  QRectF box;
+  double x_low, x_high, y_low, y_high;
+
+  [[nodiscard]] QPointF at(double x, double y) const {
+    return {box.left() + box.width() * (x - x_low) / (x_high - x_low),
+            box.bottom() - box.height() * (y - y_low) / (y_high - y_low)};
+  }
+};
+
+plot_area::axes plot_area::make_axes(double line) const {
+  axes result{{64, line + 8, width() - 80.0, height() - 3 * line - 14},
+              what_.x_low,
+              what_.x_high,
+              what_.bars ? 0 : INFINITY,
+              what_.bars ? 0 : -INFINITY};
+  for (const auto* list : {&what_.y, &what_.y_before})
+    for (const double y : *list)
+      if (std::isfinite(y)) {
+        result.y_low = std::min(result.y_low, y);
+        result.y_high = std::max(result.y_high, y);
+      }
+  if (!std::isfinite(result.y_low))
+    result.y_low = result.y_high = 0;
+  if (result.y_high <= result.y_low) {
+    result.y_low -= what_.bars ? 0 : 1;
+    result.y_high += 1;
+  } else if (!what_.bars) {
+    const double room = 0.06 * (result.y_high - result.y_low);
+    result.y_low -= room;
+    result.y_high += room;
+  }
+  return result;
+}
+
 void plot_area::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor ink = palette().color(QPalette::WindowText);
-  painter.setPen(ink);
+  painter.setPen(palette().color(QPalette::WindowText));
   if (what_.y.empty()) {
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, what_.note);
     return;
   }
-  double high = 0;
-  double low = what_.bars ? 0 : INFINITY;
-  for (const auto* list : {&what_.y, &what_.y_before})
-    for (const double y : *list)
-      if (std::isfinite(y)) {
-        high = std::max(high, y);
-        low = std::min(low, y);
-      }
-  if (!(high > low)) {
-    low = std::isfinite(low) ? low - 1 : 0;
-    high = low + 2;
-  }
+  const axes frame = make_axes(QFontMetricsF(painter.font()).height());
+  paint_axes(painter, frame);
+  if (what_.bars)
+    paint_bars(painter, frame);
+  else
+    paint_line(painter, frame);
+}
+
+void plot_area::paint_axes(QPainter& painter, const axes& frame) const {
+  const QColor ink = palette().color(QPalette::WindowText);
+  QColor grid = ink;
+  grid.setAlphaF(0.15F);
   const QFontMetricsF font(painter.font());
   const double line = font.height();
-  const QRectF box(64, line + 8, width() - 80.0, height() - 3 * line - 14);
-  const auto x_at = [&](double x) {
-    return box.left() + box.width() * (x - what_.x_low) / (what_.x_high - what_.x_low);
-  };
-  const auto y_at = [&](double y) {
-    return box.bottom() - box.height() * (y - low) / (high - low);
-  };
+  const QRectF& box = frame.box;
   painter.drawText(QPointF(box.left(), line), what_.title);
   painter.drawText(QRectF(0, line - font.ascent(), 58, line), Qt::AlignRight, what_.y_title);
   painter.drawText(QRectF(box.left(), height() - line - 2, box.width(), line), Qt::AlignHCenter,
                    what_.x_title);
-  QColor grid = ink;
-  grid.setAlphaF(0.15F);
   for (const double x :
-       ticks(what_.x_low, what_.x_high, std::max(5, static_cast<int>(box.width() / 60)))) {
+       ticks(frame.x_low, frame.x_high, std::max(5, static_cast<int>(box.width() / 60)))) {
+    const double at = frame.at(x, 0).x();
     painter.setPen(grid);
-    painter.drawLine(QPointF(x_at(x), box.top()), QPointF(x_at(x), box.bottom()));
+    painter.drawLine(QPointF(at, box.top()), QPointF(at, box.bottom()));
     painter.setPen(ink);
-    painter.drawText(QRectF(x_at(x) - 40, box.bottom() + 2, 80, line), Qt::AlignHCenter, number(x));
+    painter.drawText(QRectF(at - 40, box.bottom() + 2, 80, line), Qt::AlignHCenter, number(x));
   }
-  for (const double y : ticks(low, high, std::max(4, static_cast<int>(box.height() / 22)))) {
+  for (const double y :
+       ticks(frame.y_low, frame.y_high, std::max(4, static_cast<int>(box.height() / 22)))) {
+    const double at = frame.at(0, y).y();
     painter.setPen(grid);
-    painter.drawLine(QPointF(box.left(), y_at(y)), QPointF(box.right(), y_at(y)));
+    painter.drawLine(QPointF(box.left(), at), QPointF(box.right(), at));
     painter.setPen(ink);
-    painter.drawText(QRectF(0, y_at(y) - line / 2, 58, line), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, at - line / 2, 58, line), Qt::AlignRight | Qt::AlignVCenter,
                      number(y));
   }
-  const QColor accent = palette().color(QPalette::Highlight);
-  const double step = (what_.x_high - what_.x_low) /
-                      static_cast<double>(what_.bars ? what_.y.size() : what_.y.size() - 1);
-  if (what_.bars) {
-    for (std::size_t i = 0; i < what_.y.size(); ++i) {
-      const double left = what_.x_low + step * static_cast<double>(i);
-      const QRectF bar(QPointF(x_at(left) + 1, y_at(what_.y[i])),
-                       QPointF(x_at(left + step) - 1, box.bottom()));
-      painter.fillRect(bar, accent);
-      if (i < what_.y_before.size()) {
-        painter.setPen(ink);
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(QPointF(bar.left(), y_at(what_.y_before[i])), bar.bottomRight()));
-      }
-    }
-    return;
+}
+
+void plot_area::paint_bars(QPainter& painter, const axes& frame) const {
+  const double step = (what_.x_high - what_.x_low) / static_cast<double>(what_.y.size());
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.setBrush(Qt::NoBrush);
+  for (std::size_t i = 0; i < what_.y.size(); ++i) {
+    const double left = what_.x_low + step * static_cast<double>(i);
+    const auto bar = [&](double y) {
+      return QRectF(frame.at(left, y) + QPointF(1, 0), frame.at(left + step, 0) - QPointF(1, 0));
+    };
+    painter.fillRect(bar(what_.y[i]), palette().color(QPalette::Highlight));
+    if (i < what_.y_before.size())
+      painter.drawRect(bar(what_.y_before[i]));
   }
+}
+
+void plot_area::paint_line(QPainter& painter, const axes& frame) const {
+  const double step = (what_.x_high - what_.x_low) /
+                      static_cast<double>(std::max<std::size_t>(2, what_.y.size()) - 1);
   QPainterPath path;
   bool gap = true;
   for (std::size_t i = 0; i < what_.y.size(); ++i) {
@@ -151,11 +184,11 @@ void plot_area::paintEvent(QPaintEvent*) {
       gap = true;
       continue;
     }
-    const QPointF at(x_at(what_.x_low + step * static_cast<double>(i)), y_at(what_.y[i]));
+    const QPointF at = frame.at(what_.x_low + step * static_cast<double>(i), what_.y[i]);
     gap ? path.moveTo(at) : path.lineTo(at);
     gap = false;
   }
-  painter.setPen(QPen(accent, 2));
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(path);
 }

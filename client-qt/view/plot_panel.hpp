@@ -9,6 +9,7 @@
 #include "client-qt/view/viewport.hpp"
 
 class QComboBox;
+class QPainter;
 
 namespace tedit::desktop {
 
@@ -49,6 +50,12 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
+  struct axes;
+  [[nodiscard]] axes make_axes(double line) const;
+  void paint_axes(QPainter& painter, const axes& frame) const;
+  void paint_bars(QPainter& painter, const axes& frame) const;
+  void paint_line(QPainter& painter, const axes& frame) const;
+
   plot what_;
 };
 

@@ -95,8 +95,9 @@ void settings_dialog::build_solver(const preferences& now) {
   if (known < 0)
     device_->addItem(now.device);
   device_->setCurrentIndex(known < 0 ? device_->count() - 1 : known);
-  order_ = choice("element_order", {tr("Linear tets: a quick look"), tr("Quadratic tets: exact")},
-                  now.element_order - 1);
+  order_ =
+    choice("element_order", {tr("Linear tets: a quick look"), tr("Quadratic tets: accurate")},
+           now.element_order - 1);
   tolerance_ = new QDoubleSpinBox;
   tolerance_->setObjectName("energy_tolerance");
   tolerance_->setRange(0, 50);
@@ -108,8 +109,9 @@ void settings_dialog::build_solver(const preferences& now) {
   auto* form = section(tr("Solver"));
   add(form, tr("Device"), device_,
       tr("Where the stress is computed: auto, cpu, or a part of a device's name"));
-  add(form, tr("Element order"), order_,
-      tr("Quadratic tets are exact for bending; linear ones are too stiff and many times faster"));
+  add(
+    form, tr("Element order"), order_,
+    tr("Linear tets are several times faster, but too stiff in bending: their stress is too low"));
   add(form, tr("Stop as a preview at"), tolerance_,
       tr("Stops at this estimated error in energy: less exact and faster"));
 }
@@ -117,14 +119,16 @@ void settings_dialog::build_solver(const preferences& now) {
 void settings_dialog::build_legend(const preferences& now) {
   map_ = choice("map", {tr("Viridis"), tr("Cividis"), tr("Grey"), tr("Cool to warm")},
                 static_cast<int>(now.map));
-  range_ = choice("range", {tr("Automatic"), tr("As typed"), tr("Locked across versions")},
-                  static_cast<int>(now.range));
+  range_ = choice("range",
+                  {tr("Automatic, anew with each field"), tr("Locked to that of the first field")},
+                  now.locked ? 1 : 0);
   logarithmic_ = new QCheckBox;
   logarithmic_->setObjectName("logarithmic");
   logarithmic_->setChecked(now.logarithmic);
   auto* form = section(tr("Legend"));
   add(form, tr("Colours"), map_, tr("The scale that a field is drawn with"));
-  add(form, tr("Range"), range_, tr("From where to where the colours go"));
+  add(form, tr("Range"), range_,
+      tr("From where to where the colours go; locked, versions can be compared by colour"));
   add(form, tr("Logarithmic"), logarithmic_, tr("Equal factors get equal room on the scale"));
 }
 
@@ -136,7 +140,7 @@ preferences settings_dialog::values() const {
   result.element_order = order_->currentIndex() + 1;
   result.energy_tolerance = tolerance_->value() / 100;
   result.map = static_cast<colour_map>(map_->currentIndex());
-  result.range = static_cast<range_mode>(range_->currentIndex());
+  result.locked = range_->currentIndex() == 1;
   result.logarithmic = logarithmic_->isChecked();
   result.log = static_cast<log_level>(log_->currentIndex());
   return result;

@@ -35,6 +35,7 @@ QPushButton:disabled { color: %FAINT%; }
 QPushButton[role="primary"] { background: %ACCENT%; color: white; border-color: %ACCENT%; font-weight: 600; }
 QPushButton[role="primary"]:disabled { background: %LINE%; border-color: %LINE%; color: %FAINT%; }
 QPushButton[role="link"] { border: 0; background: transparent; color: %LINK%; padding: 2px; text-align: left; }
+QPushButton[role="link"]:disabled { color: %FAINT%; }
 QPushButton[role="link"]:hover { text-decoration: underline; }
 QLineEdit { border: 1px solid %LINE%; border-radius: 5px; padding: 4px 6px; background: %FIELD%; }
 QLineEdit:focus { border-color: %ACCENT%; }

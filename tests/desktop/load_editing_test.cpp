@@ -83,6 +83,24 @@ TEST(Missing, SaysWhatALoadCaseLacksToBeSolved) {
   EXPECT_EQ(missing(two_supports_and_gravity()), "");
 }
 
+TEST(ReadRegions, TakesNumbersAndNothingElse) {
+  EXPECT_EQ(read_regions(" 3, -4 5"), (std::vector<region_id>{3, -4, 5}));
+  EXPECT_EQ(read_regions(""), std::vector<region_id>{});
+  EXPECT_FALSE(read_regions("3, left"));
+}
+
+TEST(PlaceFor, AMaterialForTheRestReplacesTheOtherSuchOne) {
+  auto named = steel();
+  named.regions = {4};
+  fem::load_case loads;
+  loads.materials = {named, steel()};
+
+  EXPECT_EQ(place_for(loads, steel()), 1U);
+  EXPECT_FALSE(place_for(loads, named));
+  loads.materials.pop_back();
+  EXPECT_FALSE(place_for(loads, steel()));
+}
+
 TEST(FreeName, CountsUpUntilNobodyHasIt) {
   const std::vector<fem::load_case> all{{"a", {}, {}, {}}, {"a 2", {}, {}, {}}};
 

@@ -76,6 +76,19 @@ TEST(LoadEditor, AMaterialOfTheLibraryKeepsTheRegions) {
   EXPECT_EQ(std::get<fem::material>(*item), lead);
 }
 
+TEST(LoadEditor, RegionsAreNumbers) {
+  load_editor editor(library);
+  editor.edit("Material", library[0]);
+
+  field(editor, "regions")->setText("2, 5");
+  ASSERT_TRUE(editor.value());
+  EXPECT_EQ(std::get<fem::material>(*editor.value()).regions, (std::vector<region_id>{2, 5}));
+  field(editor, "regions")->setText("left");
+
+  EXPECT_FALSE(editor.value());
+  EXPECT_FALSE(field<QLabel>(editor, "fault_regions")->text().isEmpty());
+}
+
 TEST(LoadEditor, ShowingAndReadingASupportChangesNothing) {
   load_editor editor(library);
   editor.edit("Support", fem::constraint{{2}, fem::prescribed_displacement{0.0, {}, -0.25e-3}});

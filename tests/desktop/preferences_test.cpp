@@ -21,7 +21,7 @@ TEST_F(Preferences, AreKeptAndRead) {
   wanted.element_order = 1;
   wanted.energy_tolerance = 0.05;
   wanted.map = colour_map::cividis;
-  wanted.range = range_mode::locked;
+  wanted.locked = true;
   wanted.logarithmic = true;
   wanted.log = log_level::errors;
 
