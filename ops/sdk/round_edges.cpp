@@ -115,8 +115,14 @@ private:
     mesh_builder builder(version_ptr(version_ptr{}, &mesh_));
     if (auto ok = replace(*cavity, *shell, *filling, builder); !ok)
       return fail(ok.error());
-    // The host does this, too: it shows here which attempt is worth keeping.
-    if (const auto done = improve(builder, builder.touched(), {}, ctx_.run); !done)
+    // It shows which attempt is worth keeping. Worst first only: of many thousand new tets the
+    // local pass would take ten times as long.
+    improve_settings lifting;
+    lifting.thorough = thorough_settings{};
+    lifting.thorough->harmonic = false;
+    execution quiet;  // The attempts have their own progress.
+    quiet.cancel = ctx_.run.cancel;
+    if (const auto done = improve(builder, builder.touched(), lifting, quiet); !done)
       return fail(done.error());
     rounded result;
     result.version = builder.freeze();
