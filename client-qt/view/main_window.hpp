@@ -136,6 +136,7 @@ private:
   QHash<QString, QAction*> actions_;
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
+  std::string thumbnail_due_;  ///< The version whose picture the next frame gives.
   std::optional<picked_point> last_click_;
   QString local_url_;         ///< Of this computer's server, once it runs.
   bool probing_ = false;      ///< A click sets a probe and picks nothing.

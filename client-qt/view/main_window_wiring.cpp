@@ -105,9 +105,14 @@ void main_window::wire_view() {
     const auto field = view_->current().field;
     const bool whole = head && view_->value_extremes() && field && !field->interim() &&
                        field->version_id() == head->info.version_id;
-    if (whole && !history_->has_thumbnail(head->info.version_id))
-      history_->set_thumbnail(head->info.version_id, view_->grabFramebuffer());
+    thumbnail_due_ =
+      whole && !history_->has_thumbnail(head->info.version_id) ? head->info.version_id : "";
     emit settled();
+  });
+  // While a frame is on the screen it is only read; at any other time it would be drawn again.
+  connect(view_, &viewport::drawn, this, [this] {
+    if (!thumbnail_due_.empty() && !view_->draws_quickly())
+      history_->set_thumbnail(std::exchange(thumbnail_due_, {}), view_->grabFramebuffer());
   });
   connect(&part_, &document::solve_changed, this,
           [this] { overlay_->set_note(truth_->verdict()); });

@@ -32,6 +32,7 @@ public:
   /// processor draws by itself: half as many pixels each way, until a fifth of a second after the
   /// last call.
   void draw_quickly();
+  [[nodiscard]] bool draws_quickly() const noexcept { return quick_; }
 
   /// Pixels that are drawn for one of the widget.
   [[nodiscard]] double pixel_ratio() const;
