@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/surface_map.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -19,6 +21,36 @@ struct tally {
 
 double facet_area(const mesh_version& mesh, const boundary_facet& f) {
   return norm(area_vector(mesh, f));
+}
+
+double facet_area(const mesh_version& mesh, const interface_facet& f) {
+  const vec3 a = mesh.position(f.v[0]);
+  return norm(cross(mesh.position(f.v[1]) - a, mesh.position(f.v[2]) - a)) / 2;
+}
+
+/// Facets between regions by surface and corners, ascending.
+std::vector<std::tuple<surface_id, std::array<vertex_id, 3>>> sorted_interfaces(
+  const mesh_version& mesh) {
+  std::vector<std::tuple<surface_id, std::array<vertex_id, 3>>> result;
+  const auto& all = mesh.data().interfaces;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto corners = all[i].v;
+    std::ranges::sort(corners);
+    result.emplace_back(all[i].surface, corners);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+/// Surfaces with a facet between regions that only one of the versions has.
+void add_touched_interfaces(const mesh_version& before, const mesh_version& after,
+                            std::set<surface_id>& result) {
+  const auto was = sorted_interfaces(before);
+  const auto is = sorted_interfaces(after);
+  std::vector<std::tuple<surface_id, std::array<vertex_id, 3>>> differing;
+  std::ranges::set_symmetric_difference(was, is, std::back_inserter(differing));
+  for (const auto& facet : differing)
+    result.insert(std::get<0>(facet));
 }
 
 /// Surfaces with a facet that differs between the versions, in slots of dirty pages, or with a
@@ -41,6 +73,7 @@ std::set<surface_id> touched_surfaces(const mesh_version& before, const mesh_ver
         result.insert(new_facet->surface);
     }
   }
+  add_touched_interfaces(before, after, result);
   if (dirty_pages(before.pages().arrays[0], after.pages().arrays[0]).empty())
     return result;
   for (facet_id f = 0; f < std::min(before.facet_slots(), after.facet_slots()); ++f) {
@@ -62,6 +95,10 @@ void add_areas(const mesh_version& mesh, std::map<surface_id, tally>& tallies,
     if (found != tallies.end())
       found->second.*side += facet_area(mesh, mesh.facet(f));
   }
+  const auto& between = mesh.data().interfaces;
+  for (std::size_t i = 0; i < between.size(); ++i)
+    if (const auto found = tallies.find(between[i].surface); found != tallies.end())
+      found->second.*side += facet_area(mesh, between[i]);
 }
 
 /// For surfaces that came or went: the surface on the other side that holds most of the area of

@@ -76,7 +76,7 @@ QString history_strip::details(const version_record& version) const {
   QStringList lines{describe(version)};
   lines << tr("%1 tets").arg(desktop::count(static_cast<double>(version.info.tets)));
   if (const auto m = mass(version))
-    lines << tr("mass %1").arg(quantity(*m, "kg"));
+    lines << tr("mass %1").arg(desktop::mass(*m));
   if (version.report) {
     lines << tr("volume %1").arg(quantity(version.report->volume_change, "m3"));
     lines << tr("worst tet where it changed: %1 before, %2 now")

@@ -279,14 +279,15 @@ void main_window::show_tooltip(const std::optional<picked_point>& at, QPoint glo
 void main_window::show_menu(const std::optional<picked_point>& at, QPoint global) {
   if (at && !selection_.contains(at->surface))
     selection_.click(at->surface, false);
-  QMenu menu;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const auto& what : commands_.all())
     if (what.group == tr("Operation"))
-      menu.addAction(action(what.id));
-  menu.addSeparator();
+      menu->addAction(action(what.id));
+  menu->addSeparator();
   for (const auto* id : {"view.hide", "view.isolate", "view.show_all", "view.fit"})
-    menu.addAction(action(id));
-  menu.exec(global);
+    menu->addAction(action(id));
+  menu->popup(global);
 }
 
 void main_window::step_to(std::uint32_t version) {

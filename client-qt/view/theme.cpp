@@ -41,6 +41,7 @@ QLineEdit { border: 1px solid %LINE%; border-radius: 5px; padding: 4px 6px; back
 QLineEdit:focus { border-color: %ACCENT%; }
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: 0; padding: 0; }
 QPlainTextEdit { border: 0; background: %FIELD%; }
+QTextBrowser { border: 0; background: %PANEL%; padding: 6px; }
 QListView, QTreeView { border: 0; background: %PANEL%; outline: 0; }
 QListView::item, QTreeView::item { padding: 3px; }
 QListView::item:selected, QTreeView::item:selected { background: %PRESSED%; color: %TEXT%; }

@@ -52,6 +52,24 @@ TEST(SurfaceMap, ASplitSurfaceNamesWhereItCameFrom) {
   EXPECT_NEAR(map[1].area_after, 0.125, 1e-15);
 }
 
+TEST(SurfaceMap, ASurfaceBetweenRegionsThatGoesIsSaidToGo) {
+  const auto plain = box();
+  mesh_builder with(plain);
+  const auto seam = with.add_surface("seam");
+  const auto corners = plain->tet_at(0).v;
+  with.set_interfaces({{{corners[0], corners[1], corners[2]}, 0, seam}});
+  const auto before = with.freeze();
+  mesh_builder without(before);
+  without.set_interfaces({});
+
+  const auto map = compare_surfaces(*before, *without.freeze());
+
+  ASSERT_EQ(map.size(), 1u);
+  EXPECT_EQ(map[0].id, seam);
+  EXPECT_GT(map[0].area_before, 0);
+  EXPECT_EQ(map[0].area_after, 0);
+}
+
 TEST(SurfaceMap, AMovedVertexChangesItsSurfaces) {
   const auto before = box();
   mesh_builder builder(before);
