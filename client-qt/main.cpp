@@ -150,6 +150,8 @@ int main(int argc, char** argv) {
     window.open_file(wanted.mesh, wanted.load_cases);
   else if (!wanted.document.isEmpty())
     window.open_document(wanted.document);
+  else if (steps->isEmpty() && wanted.server.url.isEmpty())
+    window.restore();
 
   int status = 0;
   script unattended(window, *steps);

@@ -234,6 +234,8 @@ void client_state::close(std::uint64_t id, const v1::CloseDocument& body) {
   const auto* document = find(id, body.document());
   if (!document)
     return;
+  if (const auto& waiting = document->next_section)
+    refuse(waiting->id, {ec::cancelled, "the document was closed", {}, {}});
   caf::anon_send(document->session, detach_atom::value, caf::actor_cast<caf::actor>(self));
   documents.erase(body.document());
   v1::ServerMessage message;

@@ -213,6 +213,14 @@ void main_window::open_file(const QString& mesh, const QStringList& load_cases) 
   when_connected([=, this] { part_.import(mesh, load_cases); });
 }
 
+void main_window::restore() {
+  const QString name = settings_.value("unfinished").toString();
+  if (name.isEmpty())
+    return;
+  log(tr("the last session was not closed; opening %1 again").arg(name));
+  open_document(name);
+}
+
 void main_window::open_document(const QString& name) {
   when_connected([=, this] { part_.open(name); });
 }
@@ -310,6 +318,7 @@ void main_window::log(const QString& line, log_level level) {
 
 void main_window::closeEvent(QCloseEvent* event) {
   settings_.setValue("geometry", saveGeometry());
+  settings_.remove("unfinished");
   event->accept();
 }
 

@@ -49,6 +49,8 @@ public:
   /// A mesh with load cases, or a document file (.tedit).
   void open_file(const QString& mesh, const QStringList& load_cases);
   void open_document(const QString& name);
+  /// Opens what was open when the program ended without being closed: after a crash.
+  void restore();
   void connect_to(const server_address& address);
   void set_dark(bool on);
 

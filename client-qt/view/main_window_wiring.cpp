@@ -43,10 +43,13 @@ void main_window::wire_document() {
   connect(&part_, &document::opened, this, [this] {
     pages_->setCurrentWidget(view_);
     remember(part_.name());
+    if (link_.address().url == local_url_)
+      settings_.setValue("unfinished", part_.name());
     show_title();
   });
   connect(&part_, &document::closed, this, [this] {
     pages_->setCurrentWidget(welcome_);
+    settings_.remove("unfinished");
     welcome_->set_recent(settings_.value("recent").toStringList());
   });
   connect(&part_, &document::edited, this, [this](const client::committed& what) {

@@ -102,6 +102,28 @@ TEST_F(Window, AKilledServerComesBackWithAllThatWasDone) {
   ASSERT_TRUE(wait([&] { return version() == 0 && shows_head(); }));
 }
 
+TEST_F(Window, WhatWasOpenInACrashIsOpenedAgain) {
+  open_plate(false);
+  part().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  const auto name = part().name();
+  const auto id = part().head()->info.version_id;
+
+  window.reset();  // Not closed by anybody.
+  window = std::make_unique<main_window>(state.path());
+  window->show();
+  window->restore();
+  ASSERT_TRUE(wait([&] { return part().head() && shows_head(); }));
+  EXPECT_EQ(part().name(), name);
+  EXPECT_EQ(part().head()->info.version_id, id);
+  EXPECT_TRUE(part().can_undo());
+
+  window->close();
+  window = std::make_unique<main_window>(state.path());
+  window->restore();
+  EXPECT_FALSE(part().is_open());
+}
+
 TEST_F(Window, AnyVersionOfTheHistoryCanBeGoneTo) {
   open_plate(false);
   for (const auto& hole : {std::vector<surface_id>{1, 2}, std::vector<surface_id>{51, 52}}) {

@@ -272,6 +272,25 @@ TEST_F(MainJob, ASectionHasTheFieldOfItsVersion) {
   EXPECT_EQ(refused.error().code, ec::invalid_argument);
 }
 
+TEST_F(MainJob, OfManySectionsAtOnceEachIsAnsweredAndTheNewestIsMade) {
+  import_plate();
+  std::vector<std::future<expected<client::section>>> asked;
+  for (int i = 0; i < 8; ++i)
+    asked.push_back(std::async(std::launch::async, [&, i] {
+      return user->cut({0.001 * i, 0, 0}, {1, 0, 0}, "", {});
+    }));
+
+  int made = 0;
+  for (auto& one : asked) {
+    const auto got = one.get();
+    if (got)
+      ++made;
+    else
+      EXPECT_EQ(got.error().code, ec::superseded) << render(got.error());
+  }
+  EXPECT_GE(made, 1);
+}
+
 TEST_F(MainJob, ABadFileIsRefusedWithItsPlace) {
   value(user->open("bad", false, false));
   const auto refused = user->import_file(TEDIT_TEST_DATA "/bad/coord_nan.msh", "mm", {});
