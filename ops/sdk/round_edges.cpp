@@ -28,6 +28,7 @@ constexpr std::size_t most_tets = 30'000;
 
 /// What the host asks of the touched region.
 constexpr double quality_floor = 0.15;
+constexpr std::size_t few_tets = 2500;
 
 struct rounded {
   version_ptr version;
@@ -115,15 +116,8 @@ private:
     mesh_builder builder(version_ptr(version_ptr{}, &mesh_));
     if (auto ok = replace(*cavity, *shell, *filling, builder); !ok)
       return fail(ok.error());
-    // It shows which attempt is worth keeping. Worst first only: of many thousand new tets the
-    // local pass would take ten times as long.
-    improve_settings lifting;
-    lifting.thorough = thorough_settings{};
-    lifting.thorough->harmonic = false;
-    execution quiet;  // The attempts have their own progress.
-    quiet.cancel = ctx_.run.cancel;
-    if (const auto done = improve(builder, builder.touched(), lifting, quiet); !done)
-      return fail(done.error());
+    if (auto ok = lift(builder); !ok)
+      return fail(ok.error());
     rounded result;
     result.version = builder.freeze();
     result.touched = builder.touched();
@@ -131,6 +125,22 @@ private:
     result.wanted =
       std::min(quality_floor, worst_quality_before(mesh_, *result.version, result.touched));
     return result;
+  }
+
+  /// Shows which attempt is worth keeping. Worst first only: of many thousand new tets the local
+  /// pass would take ten times as long; of a few it finds what the other does not.
+  expected<void> lift(mesh_builder& builder) const {
+    improve_settings settings;
+    settings.thorough = thorough_settings{};
+    settings.thorough->harmonic = false;
+    execution quiet;  // The attempts have their own progress.
+    quiet.cancel = ctx_.run.cancel;
+    auto done = improve(builder, builder.touched(), settings, quiet);
+    if (done && done->min_after < quality_floor && builder.touched().size() < few_tets)
+      done = improve(builder, builder.touched(), {}, quiet);
+    if (!done)
+      return fail(done.error());
+    return {};
   }
 
   expected<void> replace(const std::unordered_set<tet_id>& cavity, const round_shell& shell,
