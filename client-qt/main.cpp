@@ -8,7 +8,13 @@
 #include <QJsonObject>
 #include <QSurfaceFormat>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+
+#include "base/virtual_display.hpp"
 
 #include "client-qt/model/stall_watch.hpp"
 #include "client-qt/view/main_window.hpp"
@@ -116,9 +122,25 @@ int complain(const error& reason) {
   return exit_status(reason.code);
 }
 
+/// A script or a picture needs nobody to look: where there is no display it gets one of its own.
+bool works_unattended(int argc, char** argv) {
+  const auto wants = [](std::string_view word) {
+    return word.starts_with("--script") || word.starts_with("--screenshot");
+  };
+  return std::any_of(argv, argv + argc, wants) && std::getenv("WAYLAND_DISPLAY") == nullptr &&
+         std::getenv("QT_QPA_PLATFORM") == nullptr;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::optional<virtual_display> own_display;
+  if (works_unattended(argc, argv)) {
+    auto opened = virtual_display::open();
+    if (!opened)
+      return complain(opened.error());
+    own_display.emplace(std::move(*opened));
+  }
   QSurfaceFormat format;
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);

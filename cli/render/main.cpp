@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/virtual_display.hpp"
 #include "cli/render/scene.hpp"
 
 namespace {
@@ -60,7 +61,7 @@ int main(int argc, char** argv) {
     options.width = size[0];
     options.height = size[1];
   }
-  const auto screen = tedit::picture::display::open();
+  const auto screen = tedit::virtual_display::open();
   if (!screen)
     return report(screen.error());
   if (const auto drawn = tedit::picture::draw_picture(options); !drawn)

@@ -33,20 +33,4 @@ struct picture_options {
 /// Errors: `io_error`, `bad_input` naming the fields that there are.
 [[nodiscard]] expected<void> draw_picture(const picture_options& options);
 
-/// Makes sure that there is an X display: starts Xvfb when $DISPLAY is empty. Keep the object alive
-/// while drawing. Errors: `service_unavailable` naming the package.
-class display {
-public:
-  [[nodiscard]] static expected<display> open();
-  display(display&& other) noexcept : server_(std::exchange(other.server_, -1)) {}
-  display(const display&) = delete;
-  display& operator=(const display&) = delete;
-  display& operator=(display&&) = delete;
-  ~display();
-
-private:
-  explicit display(int server) : server_(server) {}
-  int server_ = -1;  ///< Process id of an Xvfb of ours.
-};
-
 }  // namespace tedit::picture

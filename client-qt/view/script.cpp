@@ -107,7 +107,7 @@ bool script::ready_for(const QJsonObject& step) const {
   const auto* head = part.head();
   const bool shows_head = head && head->surface && window_.view().is_settled() &&
                           window_.view().current().surface == head->surface;
-  if (!shows_head || part.current_activity())
+  if (!shows_head || part.current_activity() || part.operations().operations.empty())
     return false;
   if (step["wait"].toString() != "final")
     return true;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/render/scene.hpp"
+#include "base/virtual_display.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   if (lists)
     return RUN_ALL_TESTS();
   setenv("XDG_RUNTIME_DIR", testing::TempDir().c_str(), 0);
-  const auto display = tedit::picture::display::open();
+  const auto display = tedit::virtual_display::open();
   if (!display) {
     std::fprintf(stderr, "%s\n", tedit::render(display.error()).c_str());
     return 1;

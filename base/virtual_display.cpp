@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "base/virtual_display.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -8,14 +10,13 @@
 
 #include <array>
 #include <cstdlib>
+#include <string>
 
-#include "cli/render/scene.hpp"
+namespace tedit {
 
-namespace tedit::picture {
-
-expected<display> display::open() {
+expected<virtual_display> virtual_display::open() {
   if (const char* name = std::getenv("DISPLAY"); name && *name)
-    return display(-1);
+    return virtual_display(-1);
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0)
     return fail(ec::service_unavailable, "no pipe for Xvfb");
@@ -48,14 +49,14 @@ expected<display> display::open() {
                 "Install the Debian package xvfb, or set DISPLAY");
   }
   setenv("DISPLAY", (":" + number).c_str(), 1);
-  return display(child);
+  return virtual_display(child);
 }
 
-display::~display() {
+virtual_display::~virtual_display() {
   if (server_ <= 0)
     return;
   kill(server_, SIGTERM);
   waitpid(server_, nullptr, 0);
 }
 
-}  // namespace tedit::picture
+}  // namespace tedit

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# usage: desktop_unattended_test.sh BIN EXAMPLES: tedit-qt makes a picture on a machine without a display, and says
+# why a script failed.
+set -euo pipefail
+bin=$1
+plate=$2/ctc01_plate
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+unset DISPLAY WAYLAND_DISPLAY
+export XDG_CONFIG_HOME="$folder/config" XDG_RUNTIME_DIR="$folder"
+
+"$bin/tedit-qt" --state "$folder/state" --size 800x600 --open "$plate/ctc01_plate.coarse.msh" \
+  --load-case "$plate/load_case.json" --screenshot "$folder/plate.png" --report "$folder/report.json"
+size=$(stat -c %s "$folder/plate.png")
+[ "$size" -gt 20000 ] || { echo "the picture has only $size bytes" >&2; exit 1; }
+grep -q '"wait_p99_ms"' "$folder/report.json"
+
+echo '[{"select": [98]}, {"apply": "erode", "parameters": {"depth": 0.5}}, {"wait": "ready"}]' >"$folder/steps.json"
+status=0
+"$bin/tedit-qt" --state "$folder/state" --open "$plate/ctc01_plate.coarse.msh" --script "$folder/steps.json" \
+  2>"$folder/said" || status=$?
+[ "$status" -eq 1 ] || { echo "a refused edit ended with $status" >&2; cat "$folder/said" >&2; exit 1; }
+grep -q '^tedit-qt: ' "$folder/said"
