@@ -214,6 +214,36 @@ private:
 
 }  // namespace
 
+std::vector<parameter_description> round_parameters() {
+  return {
+    {"radius",
+     "Radius",
+     "Radius of the ball that rolls along both walls.",
+     parameter_type::real,
+     "m",
+     1e-9,
+     10.0,
+     {},
+     0.002},
+    {"segments",
+     "Segments",
+     "Facets over an arc of 90 degrees, at least; where the mesh is finer there are more.",
+     parameter_type::integer,
+     "",
+     2.0,
+     12.0,
+     {},
+     std::int64_t{4}},
+  };
+}
+
+round_settings read_round_parameters(const parameters& values) {
+  round_settings settings;
+  settings.radius = std::get<double>(values.at("radius"));
+  settings.segments = static_cast<int>(std::get<std::int64_t>(values.at("segments")));
+  return settings;
+}
+
 expected<edit_result> round_edges(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
                                   double side, const round_settings& settings, context& ctx) {
   if (surfaces.empty())

@@ -6,6 +6,10 @@
 
 namespace tedit::ops {
 
+/// What `open` and `close` are asked for: radius and segments.
+[[nodiscard]] std::vector<parameter_description> round_parameters();
+[[nodiscard]] round_settings read_round_parameters(const parameters& values);
+
 /// Rounds the inner corners (`side` +1, material is added) or the outer edges (-1, material is
 /// taken off) between the selected surfaces, or all around a single one, with the surface of a ball
 /// that rolls along both walls: the exact morphological closing or opening there. The tets around
