@@ -115,8 +115,10 @@ void client_state::on_head(const actors::head_moved& event) {
 }
 
 void client_state::on_load_cases(const actors::load_cases_changed& event) {
-  if (!documents.contains(event.document))
+  const auto found = documents.find(event.document);
+  if (found == documents.end())
     return;
+  found->second.last_solved.reset();  // A section must not show the field of other loads.
   v1::ServerMessage message;
   to_message(event, message.mutable_load_cases_changed());
   send(*to, message);

@@ -30,12 +30,12 @@ void add_field(const plane_section& cut, const std::vector<field>& fields, const
               values);
 }
 
-/// What a load case's fields are called among those of a solve. Errors: `not_found`.
 struct field_names {
-  std::string displacement;
+  std::string displacement;  ///< Empty for an envelope, which has none.
   std::string von_mises;
 };
 
+/// What a load case's fields are called among those of a solve. Errors: `not_found`.
 expected<field_names> names_for(const actors::solved& event, const std::string& load_case) {
   const auto outcome = protocol::message_from_json<v1::Solved>(event.outcome);
   if (!outcome)

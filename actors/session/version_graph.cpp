@@ -27,7 +27,8 @@ expected<version_graph::target> version_graph::target_of(const move_request& req
 expected<version_graph::target> version_graph::way_to(std::uint32_t number) const {
   if (number >= nodes_.size())
     return fail(ec::not_found, "there is no version " + std::to_string(number),
-                "The versions are 0 to " + std::to_string(nodes_.size()) + " less one");
+                nodes_.empty() ? "Import a mesh first"
+                               : "The last one is " + std::to_string(nodes_.size() - 1));
   target result{number, {}};
   // From below to the target, when it is an ancestor of the head; then from the root to it.
   for (auto at = head_; at && *at != number; at = nodes_[*at].info.parent)

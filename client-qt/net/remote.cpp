@@ -3,7 +3,6 @@
 
 #include <QElapsedTimer>
 #include <QMetaObject>
-#include <QRunnable>
 
 #include <algorithm>
 
@@ -30,7 +29,6 @@ remote::remote(QObject* parent) : QObject(parent) {
 }
 
 remote::~remote() {
-  all_.cancel();
   drop_client();
   pool_.waitForDone();
 }

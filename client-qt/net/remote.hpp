@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QPointer>
 #include <QString>
 #include <QThreadPool>
 #include <QTimer>
@@ -111,7 +110,6 @@ private:
   int running_ = 0;
   int beats_ = 0;
   double latency_ms_ = -1;
-  cancel_token all_;
 };
 
 }  // namespace tedit::desktop

@@ -65,7 +65,7 @@ void viewport::show_part(const shown_part& what) {
   shown_ = what;
   if (!shown_.surface)
     return;
-  if (same_shape && building_ == 0 && scene_.part())
+  if (same_shape && !building_ && scene_.part())
     paint_values();
   else if (!same_shape)
     build();
@@ -73,9 +73,8 @@ void viewport::show_part(const shown_part& what) {
 
 void viewport::build() {
   const int mine = ++generation_;
-  ++building_;
   builders_.clear();  // What has not begun is out of date; it never reports.
-  building_ = 1;
+  building_ = true;
   builders_.start([this, mine, shown = shown_] {
     static const std::vector<std::uint32_t> no_slots;
     static const std::vector<float> no_values;
@@ -91,7 +90,7 @@ void viewport::build() {
 void viewport::take_geometry(std::shared_ptr<const part_geometry> part, int generation) {
   if (generation != generation_)
     return;
-  building_ = 0;
+  building_ = false;
   const bool first = !scene_.part();
   scene_.set_part(std::move(part));
   if (first || !fitted_)

@@ -42,7 +42,7 @@ public:
   }
   [[nodiscard]] const std::vector<float>& values() const noexcept { return values_; }
   /// Whether nothing is on its way to the screen any more.
-  [[nodiscard]] bool is_settled() const noexcept { return building_ == 0; }
+  [[nodiscard]] bool is_settled() const noexcept { return !building_; }
 
   void set_colours(const scene_colours& colours);
   void select(const std::vector<surface_id>& picked);
@@ -115,7 +115,7 @@ private:
   std::optional<extremes> extremes_;
   QThreadPool builders_;
   int generation_ = 0;
-  int building_ = 0;
+  bool building_ = false;
   bool fitted_ = false;
   std::optional<QPointF> pressed_;
   QPointF last_;
