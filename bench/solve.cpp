@@ -162,10 +162,11 @@ int main(int argc, char** argv) {
   app.add_option("--coarsest", native.multilevel.coarsest);
   app.add_option("--degree", native.cycle.node_degree);
   app.add_option("--rigid-degree", native.cycle.rigid_degree);
-  app.add_option("--repeats", native.cycle.repeats, "Cycles a visit of a rigid level");
+  app.add_option("--repeats", native.cycle.repeats, "Visits from a rigid level to the next");
   app.add_option("--quadratic-degree", native.cycle.quadratic_degree);
   app.add_option("--corner-weak-edge", native.corner_multilevel.weak_edge);
   app.add_option("--corner-degree", native.corner_cycle.node_degree);
+  app.add_option("--over-correction", native.cycle.over_correction);
   app.add_option("--inner-reduction", settings.inner_reduction);
   CLI11_PARSE(app, argc, argv);
   const auto stop = [](const error& e) {

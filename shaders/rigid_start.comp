@@ -1,7 +1,6 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The first Chebyshev step on a level of rigid motions: r = right; step = fresh B right; z = step, or z += step when
-// the cycle is repeated (`enter` 1).
+// The first Chebyshev step on a level of rigid motions: r = right; step = z = fresh B right.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 #include "rigid.glsl"
@@ -10,7 +9,7 @@ layout(set = 0, binding = 2) readonly buffer b2 { vec4 right[]; };
 layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
 layout(set = 0, binding = 4) readonly buffer b4 { vec4 inverses[]; };
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
-layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
 
 void main() {
   for (uint i = first_row(); i < push.rows; i += stride()) {
@@ -27,8 +26,8 @@ void main() {
       r[at + 1] = b;
       step_out[at] = move;
       step_out[at + 1] = turn;
-      z[at] = push.enter == 0 ? move : z[at] + move;
-      z[at + 1] = push.enter == 0 ? turn : z[at + 1] + turn;
+      z[at] = move;
+      z[at + 1] = turn;
     }
   }
 }

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The motions of the aggregates as a step of their nodes, filtered.
+// The motions of the aggregates as a step of their nodes, filtered, times `fresh`.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
@@ -21,7 +21,7 @@ void main() {
         const uint at = 2 * (cases * a + c);
         u = apply_symmetric(first, second, coarse[at].xyz + cross(coarse[at + 1].xyz, uintBitsToFloat(arm.xyz)));
       }
-      step_out[cases * n + c] = vec4(u, 0);
+      step_out[cases * n + c] = vec4(push.fresh * u, 0);
     }
   }
 }

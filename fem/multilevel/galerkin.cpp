@@ -83,7 +83,7 @@ public:
     matrix6 gram = matrix6::Zero();
     for (const auto n : h_.members.of(a))
       add_node(n, gram);
-    row.keep = remove_null_motions(gram, sum_.at(a));
+    row.keep = remove_null_motions(gram, sum_.matrix_at(a));
     sum_.finish(row.column, row.block);
     return row;
   }
@@ -95,41 +95,46 @@ private:
     return is_free(filter_[n]) ? p : matrix36(symmetric(filter_[n]) * p);
   }
 
+  /// K_ij summed over the nodes j of one aggregate, and times their motions.
+  struct part {
+    std::uint32_t aggregate;
+    matrix36 product;
+  };
+
   void add_node(std::uint32_t i, matrix6& gram) {
     const matrix36 own = modes(i);
-    gram += own.transpose() * own;
-    // K_ij P_j first summed over the nodes j of each aggregate.
-    std::array<std::uint32_t, 32> there{};
-    std::array<matrix36, 32> part;
-    std::size_t used = 0;
+    gram.noalias() += own.transpose() * own;
+    parts_.clear();
     Eigen::Matrix3d diagonal = Eigen::Matrix3d::Zero();
-    const auto flush = [&] {
-      for (std::size_t u = 0; u < used; ++u)
-        sum_.at(there[u]).noalias() += own.transpose() * part[u];
-      used = 0;
-    };
     for (auto s = k_.begin(i); s < k_.end(i); ++s) {
       const Eigen::Matrix3d block =
         Eigen::Map<const Eigen::Matrix3f>(&k_.value[9 * std::size_t{s}]).cast<double>();
       diagonal -= block;
-      const auto j = k_.column[s];
-      const auto to = h_.aggregate[j];
-      if (to == no_id)
-        continue;
-      std::size_t u = 0;
-      while (u < used && there[u] != to)
-        ++u;
-      if (u == used) {
-        if (used == there.size())
-          flush();
-        u = used++;
-        there[u] = to;
-        part[u].setZero();
-      }
-      part[u].noalias() += block * modes(j);
+      if (const auto j = k_.column[s]; h_.aggregate[j] != no_id)
+        add_motions(block, j, part_of(h_.aggregate[j]).product);
     }
-    flush();
-    sum_.at(h_.aggregate[i]).noalias() += own.transpose() * (diagonal * own);
+    add_motions(diagonal, i, part_of(h_.aggregate[i]).product);
+    for (const auto& p : parts_)
+      sum_.matrix_at(p.aggregate).noalias() += own.transpose() * p.product;
+  }
+
+  part& part_of(std::uint32_t aggregate) {
+    const auto found = std::ranges::find(parts_, aggregate, &part::aggregate);
+    return found != parts_.end() ? *found : parts_.emplace_back(aggregate, matrix36::Zero());
+  }
+
+  /// to += block [I, -[arm]x], column by column: that of -[d]x b is b x d.
+  void add_motions(const Eigen::Matrix3d& block, std::uint32_t j, matrix36& to) const {
+    if (!is_free(filter_[j])) {
+      to.noalias() += block * modes(j);
+      return;
+    }
+    const auto& frame = frames_[h_.aggregate[j]];
+    const vec3 d = (p_.nodes[j] - frame.centre) / frame.radius;
+    to.leftCols<3>() += block;
+    to.col(3) += d.y * block.col(2) - d.z * block.col(1);
+    to.col(4) += d.z * block.col(0) - d.x * block.col(2);
+    to.col(5) += d.x * block.col(1) - d.y * block.col(0);
   }
 
   const problem& p_;
@@ -138,6 +143,7 @@ private:
   const hierarchy& h_;
   std::span<const rigid_frame> frames_;
   row_sum sum_;
+  std::vector<part> parts_;
 };
 
 }  // namespace
@@ -155,8 +161,9 @@ void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span fil
     parallel_for(
       part.size(),
       [&](std::size_t first, std::size_t last, std::size_t) {
+        row_maker rows_of(p, k, filter, h, memory.frames);
         for (std::size_t i = first; i < last; ++i)
-          fresh[i] = row_maker(p, k, filter, h, memory.frames).make(part[i]);
+          fresh[i] = rows_of.make(part[i]);
       },
       8);
     check_cancelled();

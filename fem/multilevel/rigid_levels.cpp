@@ -20,32 +20,44 @@ matrix36 rigid_modes(vec3 d) {
   return m;
 }
 
-matrix6& row_sum::at(std::uint32_t column) {
+row_sum::block& row_sum::at(std::uint32_t column) {
   const auto found = std::ranges::find(column_, column);
   if (found != column_.end())
     return block_[static_cast<std::size_t>(found - column_.begin())];
   column_.push_back(column);
-  block_.emplace_back(matrix6::Zero());
-  return block_.back();
+  if (block_.size() < column_.size())
+    block_.resize(2 * column_.size());
+  auto& added = block_[column_.size() - 1];
+  added.fill(0);
+  return added;
 }
 
-void row_sum::finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& block) {
+void row_sum::finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& blocks) {
   std::vector<std::uint32_t> order(column_.size());
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::sort(order, {}, [&](std::uint32_t i) { return column_[i]; });
+  column.reserve(column.size() + order.size());
+  blocks.reserve(blocks.size() + order.size());
   for (const auto i : order) {
     column.push_back(column_[i]);
-    block.push_back(block_[i]);
+    blocks.emplace_back(view(block_[i].data()));
   }
+  column_.clear();
 }
 
-matrix6 remove_null_motions(const matrix6& gram, matrix6& diagonal) {
+matrix6 remove_null_motions(const matrix6& gram, row_sum::view diagonal) {
+  constexpr double none = 1e-6;
+  // The smallest eigenvalue is the determinant over the product of the others, which is largest
+  // where they are equal: mostly that tells that there is nothing to look for.
+  const double trace = gram.trace();
+  if (gram.determinant() > none * trace * std::pow(trace / 5, 5))
+    return matrix6::Identity();
   const Eigen::SelfAdjointEigenSolver<matrix6> modes(gram);
   const double largest = modes.eigenvalues()[5];
   matrix6 keep = matrix6::Identity();
   const double stiffness = diagonal.trace() > 0 ? diagonal.trace() / 6 : 1;
   for (int i = 0; i < 6; ++i)
-    if (modes.eigenvalues()[i] <= 1e-6 * largest) {
+    if (modes.eigenvalues()[i] <= none * largest) {
       const matrix6 null = modes.eigenvectors().col(i) * modes.eigenvectors().col(i).transpose();
       keep -= null;
       diagonal += stiffness * null;

@@ -25,18 +25,24 @@ struct rigid_frame {
 /// Sums blocks of one row by column; few columns, so that a linear search wins.
 class row_sum {
 public:
-  matrix6& at(std::uint32_t column);
-  /// Moves the row out, columns ascending.
-  void finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& block);
+  /// Column c at 8 c; see six_by_six.hpp.
+  struct alignas(64) block : std::array<double, 48> {};
+  using view = Eigen::Map<matrix6, Eigen::Aligned64, Eigen::OuterStride<8>>;
+
+  /// The sum of a column, zero at first. Valid until the next call.
+  [[nodiscard]] block& at(std::uint32_t column);
+  [[nodiscard]] view matrix_at(std::uint32_t column) { return view(at(column).data()); }
+  /// Appends the row, columns ascending, and begins another one.
+  void finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& blocks);
 
 private:
   std::vector<std::uint32_t> column_;
-  std::vector<matrix6> block_;
+  std::vector<block> block_;  ///< More than columns: memory is kept from row to row.
 };
 
 /// Removes the motions of an aggregate that move none of its nodes: `gram` is sum P^T P of its
 /// nodes. Adds stiffness in them to `diagonal` and returns the projector onto the others.
-[[nodiscard]] matrix6 remove_null_motions(const matrix6& gram, matrix6& diagonal);
+[[nodiscard]] matrix6 remove_null_motions(const matrix6& gram, row_sum::view diagonal);
 
 /// What the levels were made from.
 struct level_memory {
@@ -64,25 +70,6 @@ inline void store(const matrix6& from, rigid_level::block6& to) {
 
 /// Of a diagonal block.
 [[nodiscard]] matrix6 inverse_of(const matrix6& m);
-
-/// Row i of the prolongation (I - omega D^-1 A) P_0: rigid motions of the groups, with the energy
-/// at their rims smoothed away (Vanek, Mandel & Brezina 1996). `columns` and `block_of(s)` are row
-/// i of A, `modes_of(j)` are those of P_0.
-template <class BlockOf, class ModesOf>
-void prolongation_row(std::size_t i, std::span<const std::uint32_t> columns, BlockOf&& block_of,
-                      const matrix6& scaled_inverse, std::span<const std::uint32_t> group,
-                      ModesOf&& modes_of, std::vector<std::uint32_t>& column,
-                      std::vector<matrix6>& block) {
-  row_sum sum;
-  for (std::size_t s = 0; s < columns.size(); ++s)
-    sum.at(group[columns[s]]).noalias() -= block_of(s) * modes_of(columns[s]);
-  sum.finish(column, block);
-  for (std::size_t s = 0; s < block.size(); ++s) {
-    block[s] = scaled_inverse * block[s];
-    if (column[s] == group[i])
-      block[s] += modes_of(i);
-  }
-}
 
 /// Factors the coarsest matrix.
 [[nodiscard]] std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest);

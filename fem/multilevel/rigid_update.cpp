@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "fem/multilevel/node_smoother.hpp"
 #include "fem/multilevel/rigid_levels.hpp"
+#include "fem/multilevel/six_by_six.hpp"
 #include "fem/polled.hpp"
 
 namespace tedit::fem {
@@ -25,7 +26,8 @@ public:
   void build() {
     const auto count = static_cast<std::uint32_t>(above_.frames.size());
     modes_.resize(level_.nodes());
-    for_each(modes_.size(), [&](std::size_t i) { modes_[i] = parent_modes(memory_, above_, i); });
+    for_each(modes_.size(),
+             [&](std::size_t i, row_sum&) { modes_[i] = parent_modes(memory_, above_, i); });
     const auto rows = numbers(level_.nodes());
     auto fresh = prolongation_of(rows);
     std::size_t blocks = 0;
@@ -75,14 +77,16 @@ private:
     matrix6 keep;
   };
 
+  /// Calls work(i, sum) for every row; the sum is empty.
   template <class Work>
   static void for_each(std::size_t count, Work&& work) {
     constexpr std::size_t rows_per_chunk = 16;
     parallel_for(
       count,
       [&](std::size_t first, std::size_t last, std::size_t) {
+        row_sum sum;
         for (std::size_t i = first; i < last; ++i)
-          work(i);
+          work(i, sum);
       },
       rows_per_chunk);
   }
@@ -117,17 +121,30 @@ private:
 
   [[nodiscard]] std::vector<sparse_row> prolongation_of(std::span<const std::uint32_t> rows) const {
     std::vector<sparse_row> fresh(rows.size());
-    const double omega = static_cast<double>(chebyshev_start(level_.lambda));
-    for_each(rows.size(), [&](std::size_t at) {
-      const auto i = rows[at];
-      const auto begin = level_.rows.begin(i);
-      prolongation_row(
-        i, level_.rows.of(i, level_.column),
-        [&](std::size_t s) { return wide(level_.block[begin + s]); },
-        omega * wide(level_.inverse[i]), memory_.group, [&](std::size_t j) { return modes(j); },
-        fresh[at].column, fresh[at].block);
-    });
+    for_each(rows.size(),
+             [&](std::size_t at, row_sum& sum) { fresh[at] = prolongation_row(rows[at], sum); });
     return fresh;
+  }
+
+  /// Row i of (I - omega D^-1 A) P_0: rigid motions of the groups, with the energy at their rims
+  /// smoothed away (Vanek, Mandel & Brezina 1996).
+  [[nodiscard]] sparse_row prolongation_row(std::uint32_t i, row_sum& sum) const {
+    for (auto s = level_.rows.begin(i); s < level_.rows.end(i); ++s) {
+      const auto j = level_.column[s];
+      const matrix6 up = modes(j);
+      auto& to = sum.at(memory_.group[j]);
+      run_widest([&] TEDIT_INLINED { six_by_six(level_.block[s]).add_product(up.data(), to); });
+    }
+    sparse_row row;
+    sum.finish(row.column, row.block);
+    const matrix6 smooth =
+      -static_cast<double>(chebyshev_start(level_.lambda)) * wide(level_.inverse[i]);
+    for (std::size_t s = 0; s < row.block.size(); ++s) {
+      row.block[s] = smooth * row.block[s];
+      if (row.column[s] == memory_.group[i])
+        row.block[s] += modes(i);
+    }
+    return row;
   }
 
   void place_prolongation(std::uint32_t i, const sparse_row& row) {
@@ -168,7 +185,8 @@ private:
   void renew_parents(std::vector<std::uint32_t>& reframed) {
     make_products();
     std::vector<parent_row> fresh(parents_.size());
-    for_each(fresh.size(), [&](std::size_t at) { fresh[at] = make_row(parents_[at]); });
+    for_each(fresh.size(),
+             [&](std::size_t at, row_sum& sum) { fresh[at] = make_row(parents_[at], sum); });
     reframed.clear();
     above_.keep.resize(above_.frames.size(), matrix6::Identity());
     const auto place = [&](std::size_t at) {
@@ -189,39 +207,43 @@ private:
         children_.push_back(level_.entry_row[entry]);
     sort_unique(children_);
     products_.resize(children_.size());
-    for_each(children_.size(), [&](std::size_t at) { products_[at] = product_row(children_[at]); });
+    for_each(children_.size(), [&](std::size_t at, row_sum& sum) {
+      products_[at] = product_row(children_[at], sum);
+    });
   }
 
-  [[nodiscard]] sparse_row product_row(std::uint32_t i) const {
-    row_sum sum;
-    for (auto s = level_.rows.begin(i); s < level_.rows.end(i); ++s) {
-      const auto k = level_.column[s];
-      const matrix6 block = wide(level_.block[s]);
-      for (auto t = level_.prolongation_rows.begin(k); t < level_.prolongation_rows.end(k); ++t)
-        sum.at(level_.prolongation_column[t]).noalias() += block * wide(level_.prolongation[t]);
-    }
+  [[nodiscard]] sparse_row product_row(std::uint32_t i, row_sum& sum) const {
+    run_widest([&] TEDIT_INLINED {
+      for (auto s = level_.rows.begin(i); s < level_.rows.end(i); ++s) {
+        const auto k = level_.column[s];
+        const six_by_six block(level_.block[s]);
+        for (auto t = level_.prolongation_rows.begin(k); t < level_.prolongation_rows.end(k); ++t)
+          block.add_product(level_.prolongation[t].data(), sum.at(level_.prolongation_column[t]));
+      }
+    });
     sparse_row row;
     sum.finish(row.column, row.block);
     return row;
   }
 
-  [[nodiscard]] parent_row make_row(std::uint32_t parent) const {
-    row_sum sum;
+  [[nodiscard]] parent_row make_row(std::uint32_t parent, row_sum& sum) const {
     matrix6 gram = matrix6::Zero();
     for (const auto entry : level_.entries.of(parent)) {
       const auto i = level_.entry_row[entry];
       const auto at = std::ranges::lower_bound(children_, i) - children_.begin();
       const auto& row = products_[static_cast<std::size_t>(at)];
-      const matrix6 up = wide(level_.prolongation[entry]).transpose();
-      for (std::size_t t = 0; t < row.column.size(); ++t)
-        sum.at(row.column[t]).noalias() += up * row.block[t];
+      run_widest([&] TEDIT_INLINED {
+        const auto down = six_by_six::transposed(level_.prolongation[entry]);
+        for (std::size_t t = 0; t < row.column.size(); ++t)
+          down.add_product(row.block[t].data(), sum.at(row.column[t]));
+      });
       if (memory_.group[i] == parent) {
         const matrix6 m = modes(i);
-        gram += m.transpose() * m;
+        gram.noalias() += m.transpose() * m;
       }
     }
     parent_row result;
-    result.keep = remove_null_motions(gram, sum.at(parent));
+    result.keep = remove_null_motions(gram, sum.matrix_at(parent));
     sum.finish(result.row.column, result.row.block);
     return result;
   }

@@ -88,8 +88,8 @@ template <class L>
 void rigid_cycle<L>::fit() {
   work_.resize(h_.levels.size());
   for (std::size_t l = 0; l < work_.size(); ++l)
-    for (auto* v : {&work_[l].residual, &work_[l].step, &work_[l].other, &work_[l].right,
-                    &work_[l].correction, &work_[l].down, &work_[l].up})
+    for (auto* v :
+         {&work_[l].residual, &work_[l].step, &work_[l].other, &work_[l].down, &work_[l].up})
       v->resize(6 * L::width * h_.levels[l].nodes(), 0);
 }
 
@@ -100,17 +100,9 @@ void rigid_cycle<L>::solve(std::size_t level, std::span<const float> right,
     solve_coarsest(right, result);
     return;
   }
-  once(level, right, result);
-  auto& w = work_[level];
-  using six = rigid_six<L>;
-  for (int again = 1; again < settings_.repeats; ++again) {
-    for_rigid_rows<L>(h_.levels[level], result.data(),
-                      [&](std::size_t i, const six& row) TEDIT_INLINED {
-                        (six::load(right.data(), i) - row).store(w.right.data(), i);
-                      });
-    once(level, w.right, w.correction);
-    add_to(w.correction.data(), result.data(), result.size());
-  }
+  smooth_from_zero(level, right, result);
+  for (int visit = 0; visit < settings_.repeats; ++visit)
+    correct(level, result);
 }
 
 /// The factors are scalar: each case for itself, and a case that is done costs nothing.
@@ -134,24 +126,30 @@ void rigid_cycle<L>::solve_coarsest(std::span<const float> right, std::span<floa
 }
 
 template <class L>
-void rigid_cycle<L>::once(std::size_t level, std::span<const float> right, std::span<float> z) {
+void rigid_cycle<L>::move(std::size_t level, chebyshev_weights c, float enter, float* z) {
   using six = rigid_six<L>;
   const auto& a = h_.levels[level];
   auto& w = work_[level];
-  const auto move = [&](chebyshev_weights c, float enter) {
-    float* residual = w.residual.data();
-    const float* step = w.step.data();
-    float* next = w.other.data();
-    for_rigid_rows<L>(a, step, [&](std::size_t i, const six& row) TEDIT_INLINED {
-      const six left = six::load(residual, i) - row;
-      left.store(residual, i);
-      const six old = six::load(step, i);
-      const six now = c.before * old + c.fresh * product<L>(a.inverse[i], left);
-      now.store(next, i);
-      (six::load(z.data(), i) + (enter * old + now)).store(z.data(), i);
-    });
-    w.step.swap(w.other);
-  };
+  float* residual = w.residual.data();
+  const float* step = w.step.data();
+  float* next = w.other.data();
+  for_rigid_rows<L>(a, step, [&](std::size_t i, const six& row) TEDIT_INLINED {
+    const six left = six::load(residual, i) - row;
+    left.store(residual, i);
+    const six old = six::load(step, i);
+    const six now = c.before * old + c.fresh * product<L>(a.inverse[i], left);
+    now.store(next, i);
+    (six::load(z, i) + (enter * old + now)).store(z, i);
+  });
+  w.step.swap(w.other);
+}
+
+template <class L>
+void rigid_cycle<L>::smooth_from_zero(std::size_t level, std::span<const float> right,
+                                      std::span<float> z) {
+  using six = rigid_six<L>;
+  const auto& a = h_.levels[level];
+  auto& w = work_[level];
   std::ranges::copy(right, w.residual.begin());
   for_lanes<L>(
     a.nodes(),
@@ -163,19 +161,25 @@ void rigid_cycle<L>::once(std::size_t level, std::span<const float> right, std::
     rigid_chunk);
   std::ranges::copy(w.step, z.begin());
   for (int k = 2; k <= settings_.rigid_degree; ++k)
-    move(chebyshev_step(k, a.lambda), 0);
+    move(level, chebyshev_step(k, a.lambda), 0, z.data());
+}
+
+template <class L>
+void rigid_cycle<L>::correct(std::size_t level, std::span<float> z) {
+  using six = rigid_six<L>;
+  const auto& a = h_.levels[level];
+  auto& w = work_[level];
   for_rigid_rows<L>(a, w.step.data(), [&](std::size_t i, const six& row) TEDIT_INLINED {
     (six::load(w.residual.data(), i) - row).store(w.residual.data(), i);
   });
-
   auto& coarser = work_[level + 1];
   restrict_rigid<L>(a, w.residual.data(), coarser.down);
   solve(level + 1, coarser.down, coarser.up);
   prolongate_rigid<L>(a, coarser.up.data(), w.step.data());
 
-  move({0, chebyshev_start(a.lambda)}, 1);
+  move(level, {0, chebyshev_start(a.lambda)}, 1, z.data());
   for (int k = 2; k <= settings_.rigid_degree; ++k)
-    move(chebyshev_step(k, a.lambda), 0);
+    move(level, chebyshev_step(k, a.lambda), 0, z.data());
 }
 
 template <class L>
@@ -234,9 +238,10 @@ void multilevel_cycle<L>::prolongate() {
       if (const std::size_t a = h_.aggregate[n]; a != no_id) {
         const auto& d = h_.arm[n];
         u = filtered(h_, n,
-                     L::node_of(coarse(a, 0) + coarse(a, 4) * d[2] - coarse(a, 5) * d[1],
-                                coarse(a, 1) + coarse(a, 5) * d[0] - coarse(a, 3) * d[2],
-                                coarse(a, 2) + coarse(a, 3) * d[1] - coarse(a, 4) * d[0]));
+                     settings_.over_correction *
+                       L::node_of(coarse(a, 0) + coarse(a, 4) * d[2] - coarse(a, 5) * d[1],
+                                  coarse(a, 1) + coarse(a, 5) * d[0] - coarse(a, 3) * d[2],
+                                  coarse(a, 2) + coarse(a, 3) * d[1] - coarse(a, 4) * d[0]));
       }
       L::store(u, v_.step.data(), n);
     }

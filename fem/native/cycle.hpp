@@ -22,11 +22,17 @@ public:
 
 private:
   void solve(std::size_t level, std::span<const float> right, std::span<float> result);
-  void once(std::size_t level, std::span<const float> right, std::span<float> result);
+  /// Chebyshev smoothing from z = 0; the residual still lacks the last step.
+  void smooth_from_zero(std::size_t level, std::span<const float> right, std::span<float> z);
+  /// Adds the coarser level's correction to `z` and smooths; the residual lacks the last step then,
+  /// too.
+  void correct(std::size_t level, std::span<float> z);
+  /// As `chebyshev_move`.
+  void move(std::size_t level, chebyshev_weights c, float enter, float* z);
   void solve_coarsest(std::span<const float> right, std::span<float> result) const;
 
   struct vectors {
-    std::vector<float> residual, step, other, right, correction;
+    std::vector<float> residual, step, other;
     std::vector<float> down, up;  ///< What comes from the finer level and goes back.
   };
 

@@ -174,7 +174,7 @@ void vulkan_rigid_cycle::upload(vulkan_memory& memory, const rigid_level& from, 
   to.z = memory.room(bytes);
   if (last)
     return;
-  for (auto* vector : {&to.again, &to.residual, &to.first, &to.second})
+  for (auto* vector : {&to.residual, &to.first, &to.second})
     *vector = memory.room(bytes);
   std::vector<rigid_level::block6> inverse;
   for (const auto& block : from.inverse)
@@ -187,7 +187,7 @@ void vulkan_rigid_cycle::upload(vulkan_memory& memory, const rigid_level& from, 
 
 void vulkan_rigid_cycle::widen(vulkan_memory& memory, std::uint32_t cases) {
   for (auto& l : levels_)
-    for (auto* vector : {&l.right, &l.z, &l.again, &l.residual, &l.first, &l.second})
+    for (auto* vector : {&l.right, &l.z, &l.residual, &l.first, &l.second})
       if (vector->bytes() > 0)  // The coarsest level has two.
         memory.replace(*vector, vector->bytes() / cases_ * cases);
   cases_ = cases;
@@ -231,27 +231,23 @@ void vulkan_rigid_cycle::solve(vulkan_program& program, std::size_t at) {
     program.add(program.kernels().dense, {{0, &dense_}, {2, &l.right}, {6, &l.z}}, push);
     return;
   }
-  once(program, at, l.right, false);
-  for (int again = 1; again < settings_.repeats; ++again) {
-    l.matrix->add(program, TEDIT_RESIDUAL, {.x = &l.z, .r = &l.right, .other = &l.again}, {});
-    once(program, at, l.again, true);
-  }
-}
-
-void vulkan_rigid_cycle::once(vulkan_program& program, std::size_t at, const gpu::buffer& right,
-                              bool again) {
-  auto& l = levels_[at];
   const float lambda = l.host->lambda;
   cycle_push push{};
   push.rows = l.host->nodes();
   push.fresh = chebyshev_start(lambda);
-  push.enter = again ? 1 : 0;
   program.add(program.kernels().rigid_start,
-              {{2, &right}, {3, &l.residual}, {4, &l.inverse}, {5, l.step}, {6, &l.z}}, push);
+              {{2, &l.right}, {3, &l.residual}, {4, &l.inverse}, {5, l.step}, {6, &l.z}}, push);
   for (int k = 2; k <= settings_.rigid_degree; ++k)
     move(program, l, chebyshev_step(k, lambda), 0);
-  l.matrix->add(program, TEDIT_RESIDUAL, {.x = l.step, .r = &l.residual, .other = &l.residual}, {});
+  for (int visit = 0; visit < settings_.repeats; ++visit)
+    correct(program, at);
+}
+
+void vulkan_rigid_cycle::correct(vulkan_program& program, std::size_t at) {
+  auto& l = levels_[at];
   auto& next = levels_[at + 1];
+  const float lambda = l.host->lambda;
+  l.matrix->add(program, TEDIT_RESIDUAL, {.x = l.step, .r = &l.residual, .other = &l.residual}, {});
   l.down->add(program, TEDIT_MULTIPLY, {.x = &l.residual, .r = &next.right}, {});
   solve(program, at + 1);
   l.up->add(program, TEDIT_MULTIPLY, {.x = &next.z, .r = l.step}, {});
@@ -325,6 +321,7 @@ void vulkan_cycle::add(vulkan_program& program, const gpu::buffer& right, const 
   rigid_.add(program);
   push.rows = nodes_;
   push.count = aggregates();
+  push.fresh = settings_.over_correction;
   program.add(kernels.rigid_up,
               {{0, &arms_}, {2, &rigid_.z()}, {4, &smoother_.filter()}, {5, &smoother_.step()}},
               push);

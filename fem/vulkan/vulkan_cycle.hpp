@@ -67,14 +67,14 @@ private:
   struct level {
     const rigid_level* host = nullptr;
     std::optional<vulkan_rigid_rows> matrix, up, down;
-    gpu::buffer inverse, right, z, again, residual, first, second;
+    gpu::buffer inverse, right, z, residual, first, second;
     gpu::buffer* step = &first;
     gpu::buffer* other = &second;
   };
 
   void upload(vulkan_memory& memory, const rigid_level& from, bool last);
   void solve(vulkan_program& program, std::size_t at);
-  void once(vulkan_program& program, std::size_t at, const gpu::buffer& right, bool again);
+  void correct(vulkan_program& program, std::size_t at);
   void move(vulkan_program& program, level& l, chebyshev_weights weights, float enter);
 
   cycle_settings settings_;
