@@ -92,6 +92,12 @@ void return_large_blocks() {
 #endif
 }
 
+void return_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 memory_room available_memory(const fs::path& root) {
   memory_room result{std::numeric_limits<std::uint64_t>::max(), "nothing"};
   const auto take = [&](std::uint64_t bytes, const char* limit) {

@@ -14,6 +14,10 @@ namespace tedit {
 /// first in `main`.
 void return_large_blocks();
 
+/// Gives pages of small blocks that were freed back to the system. After work that made very many
+/// of them, before work that lasts. Cost: some ms.
+void return_freed_memory();
+
 /// How much more memory this process may take, and what sets the limit.
 struct memory_room {
   std::uint64_t bytes = 0;

@@ -374,6 +374,8 @@ private:
     auto system = std::make_unique<System>(p, settings_, clock);
     if (auto ok = system->prepare(p.filter, run); !ok)
       return fail(ok.error());
+    // Rows of coarse matrices were made by the ten thousand.
+    return_freed_memory();
     return system;
   }
 
