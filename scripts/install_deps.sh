@@ -17,6 +17,8 @@ packages=(
   libvtk9-dev libgl1-mesa-dri xvfb xauth
   # the desktop client
   qt6-base-dev libqt6opengl6-dev libqt6openglwidgets6 qt6-svg-dev qt6-qpa-plugins libgl-dev
+  # Debian packages
+  dpkg-dev file
   # tests
   libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx
 )

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Packs the build as Debian packages, unpacks them elsewhere, and runs what is in them from there.
+# usage: package_test.sh CPACK BUILD SOURCE
+set -euo pipefail
+cpack=$1 build=$2 source=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$cpack" --config "$build/CPackConfig.cmake" -B "$work/packages" >"$work/log" 2>&1 || {
+  cat "$work/log"
+  exit 1
+}
+for package in "$work"/packages/*.deb; do
+  dpkg-deb -x "$package" "$work/root"
+  dpkg-deb -W --showformat='${Package} ${Version}, ${Installed-Size} KiB: ${Depends}\n' "$package"
+done
+test "$(ls "$work"/packages/*.deb | wc -l)" = 2
+
+bin=$work/root/usr/bin
+"$bin/tedit" --version
+"$bin/tedit" --quiet edit "$source/examples/ctc01_plate/ctc01_plate.coarse.msh" \
+  --op fill_hole --surfaces 1,2 -o "$work/closed.msh"
+test -s "$work/closed.msh"
+test -s "$work/root/usr/share/man/man1/tedit.1"
+test -s "$work/root/usr/lib/cmake/TEdit/TEditConfig.cmake"
+if [ -x "$bin/tedit-qt" ]; then
+  QT_QPA_PLATFORM=offscreen "$bin/tedit-qt" --version
+  test -s "$work/root/usr/share/applications/org.tedit.TEdit.desktop"
+fi
+# Only shared objects that other packages bring, and nothing of the build folder.
+! grep -rl "$build" "$work/root/usr/bin" "$work/root/usr/lib/tedit/plugins"
