@@ -93,6 +93,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<import_request>::with<head_moved>,
   // Applies an operation to the head.
   caf::replies_to<edit_request>::with<head_moved>,
+  // Shows what an operation would make of the head; superseded by whatever changes the document.
+  caf::replies_to<preview_request>::with<previewed>,
   // Undo and redo.
   caf::replies_to<move_request>::with<head_moved>,
   // Replaces or adds a load case at the head.

@@ -71,6 +71,11 @@ struct edit_request {
   fem::carry_settings loads;
 };
 
+/// An edit that is only looked at.
+struct preview_request {
+  edit_request edit;
+};
+
 enum class move_kind { undo, redo, go_to };
 
 struct move_request {
@@ -129,6 +134,15 @@ struct head_moved {
   bool can_undo = false;
   bool can_redo = false;
   double commit_ms = 0;
+};
+
+/// What an edit would make of the head; nowhere stored.
+struct previewed {
+  std::string document;
+  version_ptr base;
+  version_ptr version;
+  std::string report;                   ///< JSON of EditReport.
+  std::vector<std::string> load_cases;  ///< JSON each.
 };
 
 struct load_cases_changed {
@@ -218,6 +232,8 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::page_set)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::attach_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::import_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::edit_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::preview_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::previewed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::move_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_case_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)

@@ -104,12 +104,13 @@ struct edit_order {
   std::string operation;
   std::vector<std::int64_t> surfaces;
   std::string parameters;  ///< JSON, see protocol/operation_message.hpp.
+  bool preview = false;    ///< Gives way to all other work.
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
   return f(caf::meta::type_name("edit_order"), x.base.source, x.base.listener, x.version,
-           x.operation, x.surfaces, x.parameters);
+           x.operation, x.surfaces, x.parameters, x.preview);
 }
 
 /// A number that only this operation has (`ops::figure`).
@@ -169,12 +170,13 @@ struct finish_order {
   std::vector<std::string> load_cases;  ///< JSON each; carried over by surface ids.
   int load_policy = 0;                  ///< Number of a `fem::load_policy`.
   bool keep_traction = false;
+  bool preview = false;  ///< Gives way to all other work.
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, finish_order& x) {
   return f(caf::meta::type_name("finish_order"), x.base.source, x.base.listener, x.before,
-           x.candidate, x.load_cases, x.load_policy, x.keep_traction);
+           x.candidate, x.load_cases, x.load_policy, x.keep_traction, x.preview);
 }
 
 /// A version that passed every postcondition.

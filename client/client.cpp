@@ -49,6 +49,11 @@ struct client::impl {
   }
 
   expected<void> close_document();
+  expected<v1::ApplyEdit> describe_edit(const std::string& operation,
+                                        const std::vector<surface_id>& surfaces,
+                                        const ops::parameters& values,
+                                        const std::string& expected_version,
+                                        const fem::carry_settings& loads);
   expected<void> send_pieces(std::ifstream& file, std::uint64_t size, std::uint64_t upload,
                              std::uint64_t first_id, const execution& run);
   expected<connection::answer> import_mesh(std::ifstream& file, std::uint64_t size,
@@ -228,29 +233,62 @@ expected<void> client::set_load_case(const fem::load_case& loads) {
   return {};
 }
 
+/// The message ApplyEdit for the open document. Errors: `invalid_argument` when none is open,
+/// `protocol_error` when the server is too old for what is to become of loads.
+expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation,
+                                                    const std::vector<surface_id>& surfaces,
+                                                    const ops::parameters& values,
+                                                    const std::string& expected_version,
+                                                    const fem::carry_settings& loads) {
+  auto name = open_document();
+  if (!name)
+    return fail(std::move(name.error()));
+  if (loads.policy != fem::load_policy::drop && link.server_minor() < 3)
+    return fail(ec::protocol_error,
+                "the server is too old to " + std::string(fem::policy_name(loads.policy)) +
+                  " loads in an edit: it drops those whose surface goes",
+                "Update the server, or let the edit drop them.");
+  v1::ApplyEdit edit;
+  edit.set_document(*name);
+  edit.set_operation(operation);
+  edit.mutable_surfaces()->Add(surfaces.begin(), surfaces.end());
+  for (const auto& [id, value] : values)
+    protocol::to_message(value, &(*edit.mutable_parameters())[id]);
+  edit.set_expected_version(expected_version);
+  protocol::to_message(loads, edit.mutable_loads());
+  return edit;
+}
+
 expected<committed> client::edit(const std::string& operation,
                                  const std::vector<surface_id>& surfaces,
                                  const ops::parameters& values, const execution& run,
                                  const std::string& expected_version,
                                  const fem::carry_settings& loads) {
-  auto document = impl_->open_document();
-  if (!document)
-    return fail(std::move(document.error()));
-  if (loads.policy != fem::load_policy::drop && impl_->link.server_minor() < 3)
-    return fail(ec::protocol_error,
-                "the server is too old to " + std::string(fem::policy_name(loads.policy)) +
-                  " loads in an edit: it drops those whose surface goes",
-                "Update the server, or let the edit drop them.");
+  auto edit = impl_->describe_edit(operation, surfaces, values, expected_version, loads);
+  if (!edit)
+    return fail(std::move(edit.error()));
   v1::ClientMessage request;
-  auto* edit = request.mutable_apply_edit();
-  edit->set_document(*document);
-  edit->set_operation(operation);
-  edit->mutable_surfaces()->Add(surfaces.begin(), surfaces.end());
-  for (const auto& [id, value] : values)
-    protocol::to_message(value, &(*edit->mutable_parameters())[id]);
-  edit->set_expected_version(expected_version);
-  protocol::to_message(loads, edit->mutable_loads());
+  *request.mutable_apply_edit() = std::move(*edit);
   return convert(impl_->ask(std::move(request), body::kCommitted, run), &body::committed);
+}
+
+expected<edit_preview> client::preview_edit(const std::string& operation,
+                                            const std::vector<surface_id>& surfaces,
+                                            const ops::parameters& values, const execution& run,
+                                            const std::string& expected_version,
+                                            const fem::carry_settings& loads) {
+  if (impl_->link.server_minor() < 5)
+    return fail(ec::protocol_error, "the server is too old to preview an edit",
+                "Update the server, or apply the edit and undo it.");
+  auto edit = impl_->describe_edit(operation, surfaces, values, expected_version, loads);
+  if (!edit)
+    return fail(std::move(edit.error()));
+  v1::ClientMessage request;
+  *request.mutable_preview_edit()->mutable_edit() = std::move(*edit);
+  auto got = impl_->ask(std::move(request), body::kEditPreview, run);
+  if (!got)
+    return fail(std::move(got.error()));
+  return read_preview(got->message.edit_preview(), *got->bulk);
 }
 
 expected<committed> client::undo() {

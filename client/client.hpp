@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/execution.hpp"
+#include "client/preview.hpp"
 #include "client/surface.hpp"
 #include "client/types.hpp"
 #include "fem/load_case.hpp"
@@ -73,6 +74,18 @@ public:
                                          const ops::parameters& values, const execution& run,
                                          const std::string& expected_version = {},
                                          const fem::carry_settings& loads = {});
+
+  /// Asks what such an edit would make of the head; nothing is changed or kept. The arguments are
+  /// those of `edit`, which takes the result over at once when it follows with the same. Applied
+  /// to a copy of `surface()`, the answer's difference gives the surface to show. Errors: those of
+  /// `edit`, and `superseded` when the document is changed or another preview is asked for
+  /// meanwhile; `protocol_error` also from a server with protocol_minor below 5.
+  [[nodiscard]] expected<edit_preview> preview_edit(const std::string& operation,
+                                                    const std::vector<surface_id>& surfaces,
+                                                    const ops::parameters& values,
+                                                    const execution& run,
+                                                    const std::string& expected_version = {},
+                                                    const fem::carry_settings& loads = {});
 
   [[nodiscard]] expected<committed> undo();
   [[nodiscard]] expected<committed> redo();

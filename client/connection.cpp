@@ -8,7 +8,7 @@ namespace tedit::client {
 namespace {
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 4;
+constexpr std::uint32_t protocol_minor = 5;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.
@@ -143,8 +143,8 @@ expected<void> connection::wait(std::uint64_t id, pending& request, std::chrono:
                         : too_slow(limit);
     }
     if (!cancelling && run.cancel.cancelled()) {
-      if (request.result.message.has_file_ready())
-        return fail(ec::cancelled, "the transfer of the file was cancelled");
+      if (request.result.message.has_file_ready() || request.result.message.has_edit_preview())
+        return fail(ec::cancelled, "the transfer was cancelled");
       cancelling = true;
       deadline = std::min(deadline, now + cancel_patience);
       lock.unlock();
@@ -241,6 +241,8 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       return dispatch_bulk(message, message.file_ready().stream(), bytes);
     case body::kSectionReady:
       return dispatch_bulk(message, message.section_ready().stream(), bytes);
+    case body::kEditPreview:
+      return dispatch_bulk(message, message.edit_preview().surface().stream(), bytes);
     case body::kCommitted:
       committed_came(message);
       return {};

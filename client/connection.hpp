@@ -24,7 +24,8 @@ public:
   /// What came for one request.
   struct answer {
     v1::ServerMessage message;
-    std::optional<incoming_stream> bulk;  ///< For FileReady and SectionReady, complete.
+    std::optional<incoming_stream>
+      bulk;  ///< For FileReady, SectionReady and EditPreview, complete.
   };
 
   explicit connection(events handlers);

@@ -172,6 +172,18 @@ expected<surface_update> read_surface(const v1::SurfaceUpdate& message,
   return result;
 }
 
+expected<edit_preview> read_preview(const v1::EditPreview& message, const incoming_stream& stream) {
+  auto surface = read_surface(message.surface(), stream);
+  if (!surface)
+    return fail(std::move(surface.error()));
+  return edit_preview{std::move(*surface),
+                      protocol::from_message(message.report()),
+                      message.tets(),
+                      message.vertices(),
+                      message.boundary_facets(),
+                      load_cases_from(message.load_cases())};
+}
+
 expected<field_event> read_field(const v1::FieldUpdate& message, const incoming_stream& stream) {
   field_event result;
   result.moved = stream.moved();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "client/preview.hpp"
 #include "client/streams.hpp"
 #include "client/surface.hpp"
 #include "client/types.hpp"
@@ -29,6 +30,10 @@ namespace tedit::client {
 /// The update with the arrays of its complete stream. Errors: `protocol_error`.
 [[nodiscard]] expected<surface_update> read_surface(const v1::SurfaceUpdate& message,
                                                     const incoming_stream& stream);
+
+/// The preview with the arrays of its complete stream. Errors: `protocol_error`.
+[[nodiscard]] expected<edit_preview> read_preview(const v1::EditPreview& message,
+                                                  const incoming_stream& stream);
 
 /// The same for fields. Errors: `protocol_error`, also when the sizes do not match.
 [[nodiscard]] expected<field_event> read_field(const v1::FieldUpdate& message,

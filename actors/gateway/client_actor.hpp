@@ -84,12 +84,19 @@ struct client_state {
   void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
   void import(std::uint64_t id, const v1::ImportMesh& body);
   void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
-  void edit(std::uint64_t id, const v1::ApplyEdit& body);
   void move(std::uint64_t id, const std::string& document, const actors::move_request& request);
   void solve(std::uint64_t id, const v1::Solve& body);
   void export_file(std::uint64_t id, const v1::ExportFile& body);
   void select(std::uint64_t id, const v1::SelectSurfaces& body);
   void history(std::uint64_t id, const v1::GetHistory& body);
+
+  // -- edits (edits.cpp) ---------------------------------------------------------------------
+
+  void edit(std::uint64_t id, const v1::ApplyEdit& body);
+  void preview(std::uint64_t id, const v1::PreviewEdit& body);
+  void send_preview(std::uint64_t id, const actors::previewed& made);
+  /// Ends the preview that is asked for, if there is one.
+  void end_preview(const error& why);
 
   // -- sections (section.cpp) ----------------------------------------------------------------
 
@@ -125,6 +132,7 @@ struct client_state {
   std::map<std::uint64_t, upload> uploads;
   std::uint64_t uploaded_bytes = 0;
   std::map<std::uint64_t, running_request> requests;
+  std::uint64_t previewing = 0;  ///< The newest PreviewEdit; answered or not.
 
   static inline const char* name = "client";
 };

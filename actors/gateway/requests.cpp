@@ -9,8 +9,6 @@
 #include "actors/session/session.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
-#include "protocol/load_policy_message.hpp"
-#include "protocol/operation_message.hpp"
 #include "protocol/selection_message.hpp"
 
 namespace tedit::gateway {
@@ -20,7 +18,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 4;
+constexpr std::uint32_t protocol_minor = 5;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Uploaded and not yet imported, per connection.
@@ -127,6 +125,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
       return set_load_case(id, message.set_load_case());
     case body::kApplyEdit:
       return edit(id, message.apply_edit());
+    case body::kPreviewEdit:
+      return preview(id, message.preview_edit());
     case body::kUndo:
       return move(id, message.undo().document(), {move_kind::undo});
     case body::kRedo:
@@ -236,6 +236,7 @@ void client_state::close(std::uint64_t id, const v1::CloseDocument& body) {
     return;
   if (const auto& waiting = document->next_section)
     refuse(waiting->id, {ec::cancelled, "the document was closed", {}, {}});
+  end_preview({ec::cancelled, "the document was closed", {}, {}});
   caf::anon_send(document->session, detach_atom::value, caf::actor_cast<caf::actor>(self));
   documents.erase(body.document());
   v1::ServerMessage message;
@@ -310,34 +311,6 @@ void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) 
         answer(id, std::move(message));
       },
       [=, this](const caf::error& e) { refuse(id, from_caf(e, "setting the load case")); });
-}
-
-void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
-  const auto* document = find(id, body.document());
-  if (!document)
-    return;
-  ops::parameters parameters;
-  for (const auto& [key, value] : body.parameters())
-    parameters[key] = protocol::from_message(value);
-  const auto loads = protocol::from_message(body.loads());
-  if (!loads)
-    return refuse(id, loads.error());
-  edit_request request;
-  request.ticket = begin(id, document->session);
-  request.client = caf::actor_cast<caf::actor>(self);
-  request.operation = body.operation();
-  request.surfaces.assign(body.surfaces().begin(), body.surfaces().end());
-  request.parameters = protocol::parameters_to_json(parameters);
-  request.expected_version = body.expected_version();
-  request.loads = *loads;
-  self->request(document->session, answer_limit, std::move(request))
-    .then(
-      [=, this](const head_moved& moved) {
-        v1::ServerMessage message;
-        to_message(moved, message.mutable_committed());
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the edit")); });
 }
 
 void client_state::move(std::uint64_t id, const std::string& document_name,

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "actors/gateway/client_actor.hpp"
 #include "fem/fields.hpp"
 #include "protocol/json.hpp"
 
@@ -154,13 +155,71 @@ void for_each_dirty_slot(const mesh_version& before, const mesh_version& after, 
       visit(static_cast<std::uint32_t>(s));
 }
 
+/// Fills `update` and its stream with the difference between two versions. `known`: vertices whose
+/// positions the client has; returns those that it has besides when it has taken the update.
+std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_version& mesh,
+                                        const std::unordered_set<vertex_id>& known, bulk& result,
+                                        v1::SurfaceUpdate* update) {
+  update->set_version_id(to_hex(mesh.id()));
+  update->set_base_version_id(to_hex(before.id()));
+  surface_arrays arrays;
+  std::set<surface_id> touched;
+  std::set<vertex_id> moved;
+  const auto slots = std::max(before.facet_slots(), mesh.facet_slots());
+  for_each_dirty_slot<boundary_facet>(before, mesh, facets_row, slots, [&](facet_id f) {
+    const bool was = f < before.facet_slots() && before.is_live_facet(f);
+    const bool is = f < mesh.facet_slots() && mesh.is_live_facet(f);
+    const bool same = was && is && before.facet(f).v == mesh.facet(f).v &&
+                      before.facet(f).surface == mesh.facet(f).surface;
+    if (same || (!was && !is))
+      return;
+    if (was)
+      touched.insert(before.facet(f).surface);
+    if (!is)
+      return arrays.removed.push_back(f);
+    touched.insert(mesh.facet(f).surface);
+    arrays.add_facet(f, mesh.facet(f));
+    for (const auto v : mesh.facet(f).v)
+      if (!known.contains(v))
+        moved.insert(v);
+  });
+  // Known vertices that have moved, or whose slot holds another vertex now.
+  const auto common = std::min(before.vertex_slots(), mesh.vertex_slots());
+  bool surfaces_moved = false;
+  for_each_dirty_slot<vec3>(before, mesh, positions_row, common, [&](vertex_id v) {
+    if (known.contains(v) && mesh.is_live_vertex(v) && !(before.position(v) == mesh.position(v))) {
+      moved.insert(v);
+      surfaces_moved = true;
+    }
+  });
+  arrays.vertices.assign(moved.begin(), moved.end());
+  arrays.add_positions(mesh);
+  const auto sizes = sizes_of(mesh);
+  for (const auto& [id, size] : sizes)
+    if (surfaces_moved || touched.contains(id))
+      describe(mesh, id, size, update->add_surfaces());
+  for (const auto id : touched)
+    if (!sizes.contains(id))
+      update->add_removed(id);
+  arrays.write(result, update);
+  return arrays.vertices;
+}
+
 }  // namespace
 
 std::optional<bulk> surface_stream::update_to(const std::string& document,
                                               const version_ptr& mesh) {
   if (held_ && held_->id() == mesh->id())
     return std::nullopt;
-  auto result = held_ ? difference(document, *mesh) : whole(document, *mesh);
+  if (!held_) {
+    held_ = mesh;
+    return whole(document, *mesh);
+  }
+  bulk result;
+  auto* update = result.header.mutable_surface_update();
+  update->set_document(document);
+  const auto sent = write_difference(*held_, *mesh, vertices_, result, update);
+  vertices_.insert(sent.begin(), sent.end());
   held_ = mesh;
   return result;
 }
@@ -185,55 +244,22 @@ bulk surface_stream::whole(const std::string& document, const mesh_version& mesh
   return result;
 }
 
-bulk surface_stream::difference(const std::string& document, const mesh_version& mesh) {
-  const auto& before = *held_;
+bulk surface_stream::preview(const actors::previewed& made) const {
   bulk result;
-  auto* update = result.header.mutable_surface_update();
-  update->set_document(document);
-  update->set_version_id(to_hex(mesh.id()));
-  update->set_base_version_id(to_hex(before.id()));
-  surface_arrays arrays;
-  std::set<surface_id> touched;
-  std::set<vertex_id> moved;
-  const auto slots = std::max(before.facet_slots(), mesh.facet_slots());
-  for_each_dirty_slot<boundary_facet>(before, mesh, facets_row, slots, [&](facet_id f) {
-    const bool was = f < before.facet_slots() && before.is_live_facet(f);
-    const bool is = f < mesh.facet_slots() && mesh.is_live_facet(f);
-    const bool same = was && is && before.facet(f).v == mesh.facet(f).v &&
-                      before.facet(f).surface == mesh.facet(f).surface;
-    if (same || (!was && !is))
-      return;
-    if (was)
-      touched.insert(before.facet(f).surface);
-    if (!is)
-      return arrays.removed.push_back(f);
-    touched.insert(mesh.facet(f).surface);
-    arrays.add_facet(f, mesh.facet(f));
-    for (const auto v : mesh.facet(f).v)
-      if (!vertices_.contains(v))
-        moved.insert(v);
-  });
-  // Known vertices that have moved, or whose slot holds another vertex now.
-  const auto common = std::min(before.vertex_slots(), mesh.vertex_slots());
-  bool surfaces_moved = false;
-  for_each_dirty_slot<vec3>(before, mesh, positions_row, common, [&](vertex_id v) {
-    if (vertices_.contains(v) && mesh.is_live_vertex(v) &&
-        !(before.position(v) == mesh.position(v))) {
-      moved.insert(v);
-      surfaces_moved = true;
-    }
-  });
-  arrays.vertices.assign(moved.begin(), moved.end());
-  arrays.add_positions(mesh);
-  vertices_.insert(moved.begin(), moved.end());
-  const auto sizes = sizes_of(mesh);
-  for (const auto& [id, size] : sizes)
-    if (surfaces_moved || touched.contains(id))
-      describe(mesh, id, size, update->add_surfaces());
-  for (const auto id : touched)
-    if (!sizes.contains(id))
-      update->add_removed(id);
-  arrays.write(result, update);
+  auto* out = result.header.mutable_edit_preview();
+  out->set_document(made.document);
+  out->mutable_surface()->set_document(made.document);
+  const bool holds = held_ && held_->id() == made.base->id();
+  const auto boundary = holds ? std::vector<vertex_id>() : boundary_vertices(*made.base);
+  write_difference(*made.base, *made.version,
+                   holds ? vertices_ : std::unordered_set(boundary.begin(), boundary.end()), result,
+                   out->mutable_surface());
+  if (auto report = protocol::message_from_json<v1::EditReport>(made.report))
+    *out->mutable_report() = std::move(*report);
+  out->set_tets(made.version->tet_count());
+  out->set_vertices(made.version->vertex_count());
+  out->set_boundary_facets(made.version->facet_count());
+  to_messages(made.load_cases, out->mutable_load_cases());
   return result;
 }
 

@@ -17,6 +17,11 @@ public:
   /// O(boundary).
   [[nodiscard]] std::optional<bulk> update_to(const std::string& document, const version_ptr& mesh);
 
+  /// The answer EditPreview with the difference from its base, which the client holds or is not
+  /// interested in. What the client holds stays. Cost: as a difference, and O(boundary) for a
+  /// client that holds nothing.
+  [[nodiscard]] bulk preview(const actors::previewed& made) const;
+
   /// One field update of a solve: displacement and von Mises stress of load case `index` at the
   /// boundary vertices, after the last of several load cases the envelope of all. Nothing when
   /// there is no such update.
@@ -24,7 +29,6 @@ public:
 
 private:
   bulk whole(const std::string& document, const mesh_version& mesh);
-  bulk difference(const std::string& document, const mesh_version& mesh);
 
   version_ptr held_;
   std::unordered_set<vertex_id> vertices_;  ///< Whose positions the client has.

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actors/errors.hpp"
-#include "actors/session/session.hpp"
+#include "actors/session/candidate.hpp"
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
 #include "protocol/convert.hpp"
@@ -39,7 +39,6 @@ struct session_state::import_run {
 struct session_state::edit_run {
   edit_request request;
   caf::typed_response_promise<head_moved> promise;
-  int retries = 0;
   stopwatch total;
 };
 
@@ -107,116 +106,47 @@ caf::result<head_moved> session_state::edit(const edit_request& request) {
   return run->promise;
 }
 
+/// What was previewed is not made again.
 void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   const auto& request = run->request;
-  const auto refuse = [=, this](const error& e) {
-    run->promise.deliver(to_caf(e));
-    finish_command();
-  };
-  const auto* head = graph.head();
+  const auto head = base_of(request);
   if (!head)
-    return refuse(no_head());
-  if (!request.expected_version.empty() && request.expected_version != to_hex(head->info.id))
-    return refuse(
-      {ec::conflict,
-       "the head is version " + to_hex(head->info.id) + ", not " + request.expected_version,
-       "Look at the new head, then edit again",
-       {}});
-  const auto job = new_job(request.ticket, request.client);
-  edit_order order{base_order(), make_ref(*head->mesh), request.operation, request.surfaces,
-                   request.parameters};
-  running->cancel_job = [=, this] {
-    caf::anon_send(parts.workers.modeling, cancel_atom::value, job);
+    return refuse_edit(run, head.error());
+  if (last_preview && last_preview->serves(request, **head))
+    return commit_edit(run, *last_preview->made);
+  auto work = std::make_shared<candidate_run>();
+  work->request = request;
+  work->base = (*head)->mesh;
+  work->load_cases = (*head)->load_cases;
+  work->done = [=, this](const std::shared_ptr<const checked_edit>& made) {
+    commit_edit(run, *made);
   };
-  self->request(parts.workers.modeling, answer_limit, job, std::move(order))
-    .then(
-      [=, this](const edit_candidate& candidate) {
-        progress_of.erase(job);
-        const auto ids = pages_of(candidate.version);
-        if (!ids)
-          return refuse(ids.error());
-        // The pages are taken over at once: the plugin's process may die now.
-        pull(
-          candidate.source, *ids,
-          [=, this](const page_set& pages) {
-            auto mine = candidate;
-            mine.source = nullptr;
-            (void)pages;
-            check_candidate(run, mine);
-          },
-          [=, this](const error& e) { retry_edit(run, e); });
-      },
-      [=, this](const caf::error& e) {
-        progress_of.erase(job);
-        refuse(from_caf(e, "the operation " + run->request.operation));
-      });
+  work->refuse = [=, this](const error& e) { refuse_edit(run, e); };
+  running->cancel_job = [=] { work->cancel(); };
+  make_candidate(work);
 }
 
-void session_state::check_candidate(const std::shared_ptr<edit_run>& run,
-                                    const edit_candidate& candidate) {
-  if (running->cancelled) {
-    run->promise.deliver(to_caf({ec::cancelled, "the edit was cancelled", {}, {}}));
-    return finish_command();
-  }
-  const auto job = new_job(run->request.ticket, run->request.client);
-  const auto* head = graph.head();
-  finish_order order{base_order(),
-                     make_ref(*head->mesh),
-                     candidate,
-                     head->load_cases,
-                     static_cast<int>(run->request.loads.policy),
-                     run->request.loads.keep_traction};
-  running->cancel_job = [=, this] {
-    caf::anon_send(parts.workers.optimizer, cancel_atom::value, job);
-  };
-  self->request(parts.workers.optimizer, answer_limit, job, std::move(order))
-    .then(
-      [=, this](const finish_result& result) {
-        progress_of.erase(job);
-        accept_edit(run, result);
-      },
-      [=, this](const caf::error& e) {
-        progress_of.erase(job);
-        retry_edit(run, from_caf(e, "checking the edit"));
-      });
-}
-
-void session_state::accept_edit(const std::shared_ptr<edit_run>& run, const finish_result& result) {
-  const auto ids = pages_of(result.version);
-  auto report = protocol::edit_report_from_json(result.report);
-  if (!ids || !report)
-    return retry_edit(run, ids ? report.error() : ids.error());
-  const auto use = [=, this](const page_set& pages) {
-    auto mesh = open_version(result.version, pages);
-    if (!mesh)
-      return retry_edit(run, mesh.error());
-    auto node = graph.draft();
-    node.info.operation = run->request.operation;
-    node.info.load_cases = graph.head()->info.load_cases;
-    node.load_cases = result.load_cases;
-    describe_mesh(node, *mesh);
-    auto full = *report;
-    full.operation = run->request.operation;
-    full.surfaces = run->request.surfaces;
-    full.total_ms = run->total.milliseconds();
-    node.report = protocol::to_json(full);
-    const nlohmann::json details{{"operation", run->request.operation},
-                                 {"surfaces", run->request.surfaces},
-                                 {"parameters", run->request.parameters},
-                                 {"loads", fem::policy_name(run->request.loads.policy)},
-                                 {"keep_traction", run->request.loads.keep_traction}};
-    commit_node(std::move(node), "edit", details.dump(), {}, run->promise);
-  };
-  pull(result.source, *ids, use, [=, this](const error& e) { retry_edit(run, e); });
-}
-
-void session_state::retry_edit(const std::shared_ptr<edit_run>& run, const error& e) {
-  if (worth_a_retry(e) && !running->cancelled && run->retries++ < most_retries) {
-    spdlog::warn("{}: {}: doing the edit again", parts.document, render(e));
-    return begin_edit(run);
-  }
+void session_state::refuse_edit(const std::shared_ptr<edit_run>& run, const error& e) {
   run->promise.deliver(to_caf(e));
   finish_command();
+}
+
+void session_state::commit_edit(const std::shared_ptr<edit_run>& run, const checked_edit& made) {
+  const auto& request = run->request;
+  auto node = graph.draft();
+  node.info.operation = request.operation;
+  node.info.load_cases = graph.head()->info.load_cases;
+  node.load_cases = made.load_cases;
+  describe_mesh(node, made.mesh);
+  auto full = made.report;
+  full.total_ms = run->total.milliseconds();
+  node.report = protocol::to_json(full);
+  const nlohmann::json details{{"operation", request.operation},
+                               {"surfaces", request.surfaces},
+                               {"parameters", request.parameters},
+                               {"loads", fem::policy_name(request.loads.policy)},
+                               {"keep_traction", request.loads.keep_traction}};
+  commit_node(std::move(node), "edit", details.dump(), {}, run->promise);
 }
 
 // -- the head moves ------------------------------------------------------------------------------
@@ -234,6 +164,7 @@ void session_state::commit_node(graph_node node, const std::string& cause,
     std::move(change),
     [=, this](double ms) mutable {
       graph.add(std::move(*shared));
+      last_preview.reset();
       auto moved = describe_head(cause);
       moved.commit_ms = ms;
       moved.warnings = warnings;
@@ -290,6 +221,7 @@ void session_state::begin_move(const move_request& request,
       for (const auto& [number, child] : target.redo)
         graph.set_redo(number, child);
       graph.move_to(target.number);
+      last_preview.reset();
       auto moved = describe_head(cause);
       moved.commit_ms = ms;
       broadcast(moved);
@@ -331,6 +263,7 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
       std::move(change),
       [=, this](double) {
         graph.set_load_cases(number, texts, names);
+        last_preview.reset();
         broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), texts});
         promise->deliver(acknowledged{});
         finish_command();
@@ -344,8 +277,7 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
   return *promise;
 }
 
-// -- files
-// -----------------------------------------------------------------------------------------
+// -- files ------------------------------------------------------------------------------------
 
 caf::result<exported> session_state::write_file(const export_request& request) {
   const auto* node = request.version.empty() ? graph.head() : graph.find(request.version);

@@ -34,6 +34,8 @@ session_snapshot session_state::attach(const attach_request& request) {
 
 void session_state::detach(const caf::actor& subscriber) {
   subscribers.erase(subscriber);
+  if (subscribers.empty())
+    last_preview.reset();
 }
 
 session_history session_state::history() const {
@@ -48,6 +50,7 @@ session_history session_state::history() const {
 // -- the order of commands ---------------------------------------------------------------------
 
 void session_state::enqueue(command c) {
+  end_previews({ec::superseded, "the document is being changed", {}, {}});
   waiting.push_back(std::move(c));
   if (!running)
     next_command();
@@ -74,6 +77,8 @@ void session_state::cancel(std::uint64_t ticket) {
       running->cancel_job();
     return;
   }
+  if (previews.contains(ticket))
+    return end_preview(ticket, {ec::cancelled, "the preview was cancelled", {}, {}});
   if (active && active->ticket == ticket) {
     followed.reset();
     return end_active_solve(ec::cancelled, "the solve was cancelled", solve_phase::cancelled);
@@ -147,6 +152,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](detach_atom, const caf::actor& subscriber) { state.detach(subscriber); },
           [&state](const import_request& request) { return state.import(request); },
           [&state](const edit_request& request) { return state.edit(request); },
+          [&state](const preview_request& request) { return state.preview(request); },
           [&state](const move_request& request) { return state.move(request); },
           [&state](const load_case_request& request) { return state.set_load_case(request); },
           [&state](const solve_request& request) { return state.solve(request); },

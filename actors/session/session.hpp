@@ -36,9 +36,9 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over three files:
-/// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head) and
-/// solves.cpp.
+/// The state of a session. Its members are what the handlers call; they are split over four files:
+/// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
+/// candidates.cpp (operations, previews) and solves.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -56,6 +56,11 @@ struct session_state {
 
   struct import_run;
   struct edit_run;
+  // In candidate.hpp.
+  struct candidate_run;
+  struct checked_edit;
+  struct kept_candidate;
+  struct preview_run;
 
   struct active_solve {
     job_id job;
@@ -109,14 +114,28 @@ struct session_state {
 
   void begin_import(const std::shared_ptr<import_run>& run);
   void begin_edit(const std::shared_ptr<edit_run>& run);
-  void check_candidate(const std::shared_ptr<edit_run>& run, const edit_candidate& candidate);
-  void accept_edit(const std::shared_ptr<edit_run>& run, const finish_result& result);
-  void retry_edit(const std::shared_ptr<edit_run>& run, const error& e);
+  void refuse_edit(const std::shared_ptr<edit_run>& run, const error& e);
+  void commit_edit(const std::shared_ptr<edit_run>& run, const checked_edit& made);
   void commit_node(graph_node node, const std::string& cause, const std::string& details,
                    std::vector<std::string> warnings,
                    caf::typed_response_promise<head_moved> promise);
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
   [[nodiscard]] head_moved describe_head(const std::string& cause) const;
+
+  // -- candidates.cpp -------------------------------------------------------------------------
+
+  /// The head, when it is the one that the request means. Errors: `conflict`.
+  [[nodiscard]] expected<const graph_node*> base_of(const edit_request& request) const;
+  void make_candidate(const std::shared_ptr<candidate_run>& run);
+  void check_candidate(const std::shared_ptr<candidate_run>& run, const edit_candidate& candidate);
+  void accept_candidate(const std::shared_ptr<candidate_run>& run, const finish_result& result);
+  void retry_candidate(const std::shared_ptr<candidate_run>& run, const error& e);
+  caf::result<previewed> preview(const preview_request& wanted);
+  void finish_preview(std::uint64_t ticket, const std::shared_ptr<const checked_edit>& made,
+                      double ms);
+  void end_preview(std::uint64_t ticket, const error& why);
+  void end_previews(const error& why);
+  [[nodiscard]] previewed describe_preview(const kept_candidate& candidate) const;
 
   // -- solves.cpp -----------------------------------------------------------------------------
 
@@ -147,6 +166,8 @@ struct session_state {
   std::set<caf::actor> subscribers;
   std::deque<command> waiting;
   std::optional<running_command> running;
+  std::map<std::uint64_t, std::shared_ptr<preview_run>> previews;  ///< By ticket.
+  std::shared_ptr<const kept_candidate> last_preview;  ///< Of the head; none once that is another.
   std::map<job_id, std::pair<std::uint64_t, caf::actor>> progress_of;
   std::optional<solve_request> followed;  ///< Without who asked.
   std::optional<active_solve> active;

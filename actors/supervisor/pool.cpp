@@ -60,8 +60,29 @@ void pool_state::add(job j) {
                      "no " + options.role + " worker runs: " + last_failure,
                      "They are started again within a minute; the server's log says more",
                      {}});
-  waiting.push_back(std::move(j));
+  const auto previews = std::ranges::find(waiting, true, &job::preview);  // They are the last.
+  waiting.insert(j.preview ? waiting.end() : previews, std::move(j));
   dispatch();
+  make_way();
+}
+
+void pool_state::make_way() {
+  auto held_up = std::ranges::count(waiting, false, &job::preview);
+  for (const auto& c : children)
+    held_up -= c.work && c.work->cancelled;
+  for (auto& c : children)
+    if (held_up > 0 && c.work && c.work->preview && !c.work->cancelled) {
+      c.work->superseded = true;
+      cancel(c.work->id);
+      --held_up;
+    }
+}
+
+error pool_state::reason_of(job_id id, const error& said) {
+  const auto c = child_with(id);
+  if (c == children.end() || !c->work->superseded || said.code != ec::cancelled)
+    return said;
+  return {ec::superseded, "the preview gave way to other work", "Ask for it again", {}};
 }
 
 void pool_state::dispatch() {

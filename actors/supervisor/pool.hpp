@@ -57,7 +57,9 @@ struct pool_state {
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
     int deaths = 0;
+    bool preview = false;  ///< Other work goes before it, and ends it when no worker is free.
     bool cancelled = false;
+    bool superseded = false;     ///< Ended for other work.
     clock::time_point deadline;  ///< Once it runs.
   };
 
@@ -79,6 +81,8 @@ struct pool_state {
   [[nodiscard]] bool is_current(job_id id, int attempt);
   /// The job of a worker was answered, by result or by an error of ours.
   void complete(job_id id);
+  /// Why a job failed, as its asker is told: `superseded` when it was ended for other work.
+  [[nodiscard]] error reason_of(job_id id, const error& said);
   /// A worker failed in a way that says that it cannot be trusted any more.
   void give_up_on(job_id id, const std::string& why);
   bool enlist(const enlistment& who);
@@ -87,6 +91,8 @@ struct pool_state {
   void tick();
   [[nodiscard]] worker_status status() const;
 
+  /// Ends previews that keep waiting work from running.
+  void make_way();
   void spawn_child();
   void spawn_missing();
   void dispatch();

@@ -27,6 +27,8 @@ auto job_handler(pool_pointer<Role> self) {
     job.id = id;
     if constexpr (std::is_same_v<Order, edit_order>)
       job.operation = order.operation;
+    if constexpr (requires { order.preview; })
+      job.preview = order.preview;
     job.refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
     job.send = [=](const caf::actor& worker, int attempt) {
       // The pool's own clock ends what takes too long; this limit is only a net below it.
@@ -45,7 +47,7 @@ auto job_handler(pool_pointer<Role> self) {
             const auto failure = from_caf(e, "the work");
             if (e.category() != caf::atom("tedit"))
               return self->state.give_up_on(id, "failed: " + failure.message);
-            promise->deliver(to_caf(failure));
+            promise->deliver(to_caf(self->state.reason_of(id, failure)));
             self->state.complete(id);
           });
     };

@@ -118,6 +118,11 @@ void misbehave(const mesh_version& mesh, const ops::context& ctx) {
   if (breaks("hang"))
     while (true)
       usleep(1000);
+  if (breaks("waits")) {  // No rule: for tests of what may happen meanwhile.
+    ctx.run.report(0.1, "waiting");
+    while (!ctx.run.cancel.cancelled())
+      usleep(1000);
+  }
   if (breaks("throws"))
     throw std::runtime_error("out of luck");
   if (breaks("exits"))

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Edits, and what an edit would make.
+#include "actors/errors.hpp"
+#include "actors/gateway/client_actor.hpp"
+#include "actors/session/session.hpp"
+#include "protocol/json.hpp"
+#include "protocol/load_policy_message.hpp"
+#include "protocol/operation_message.hpp"
+
+namespace tedit::gateway {
+
+namespace {
+
+using namespace actors;
+
+/// Without ticket and client. Errors: `invalid_argument` for what becomes of loads.
+expected<edit_request> read_edit(const v1::ApplyEdit& body) {
+  ops::parameters parameters;
+  for (const auto& [key, value] : body.parameters())
+    parameters[key] = protocol::from_message(value);
+  const auto loads = protocol::from_message(body.loads());
+  if (!loads)
+    return fail(loads.error());
+  edit_request request;
+  request.operation = body.operation();
+  request.surfaces.assign(body.surfaces().begin(), body.surfaces().end());
+  request.parameters = protocol::parameters_to_json(parameters);
+  request.expected_version = body.expected_version();
+  request.loads = *loads;
+  return request;
+}
+
+}  // namespace
+
+void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  auto request = read_edit(body);
+  if (!request)
+    return refuse(id, request.error());
+  request->ticket = begin(id, document->session);
+  request->client = caf::actor_cast<caf::actor>(self);
+  self->request(document->session, answer_limit, std::move(*request))
+    .then(
+      [=, this](const head_moved& moved) {
+        v1::ServerMessage message;
+        to_message(moved, message.mutable_committed());
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the edit")); });
+}
+
+// -- previews ------------------------------------------------------------------------------------
+
+void client_state::end_preview(const error& why) {
+  const auto found = requests.find(previewing);
+  if (found == requests.end())
+    return;
+  caf::anon_send(found->second.session, cancel_atom::value, found->second.ticket);
+  refuse(previewing, why);
+}
+
+/// While a value is dragged many are asked for: the newest ends the one before, which is answered
+/// at once. What the session still says about that is for nobody.
+void client_state::preview(std::uint64_t id, const v1::PreviewEdit& body) {
+  const auto* document = find(id, body.edit().document());
+  if (!document)
+    return;
+  auto request = read_edit(body.edit());
+  if (!request)
+    return refuse(id, request.error());
+  end_preview({ec::superseded, "another preview was asked for meanwhile", {}, {}});
+  const auto ticket = begin(id, document->session);
+  previewing = id;
+  request->ticket = ticket;
+  request->client = caf::actor_cast<caf::actor>(self);
+  const auto waits = [=, this] {
+    const auto found = requests.find(id);
+    return found != requests.end() && found->second.ticket == ticket;
+  };
+  self->request(document->session, answer_limit, preview_request{std::move(*request)})
+    .then(
+      [=, this](const previewed& made) {
+        if (waits())
+          send_preview(id, made);
+      },
+      [=, this](const caf::error& e) {
+        if (waits())
+          refuse(id, from_caf(e, "the preview"));
+      });
+}
+
+/// The difference builds on the head's surface, which is on its way before it. When the head moves
+/// before its turn comes, the client will hold another surface by then.
+void client_state::send_preview(std::uint64_t id, const previewed& made) {
+  const auto ticket = requests.at(id).ticket;
+  bulk_out->add([=, this]() -> std::optional<bulk> {
+    const auto found = requests.find(id);
+    if (found == requests.end() || found->second.ticket != ticket)
+      return std::nullopt;
+    const auto open = documents.find(made.document);
+    if (open == documents.end() || !open->second.head ||
+        open->second.head->id() != made.base->id()) {
+      refuse(id, {ec::superseded, "the document was changed meanwhile", {}, {}});
+      return std::nullopt;
+    }
+    end(id);
+    auto result = open->second.surface.preview(made);
+    result.header.set_request_id(id);
+    return result;
+  });
+  bulk_out->pump();
+}
+
+}  // namespace tedit::gateway

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// From an operation to a checked candidate, and the previews that show one.
+#include "actors/session/candidate.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "actors/errors.hpp"
+#include "actors/versions.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+/// Pages that were lost with their worker are made again this often.
+constexpr int most_retries = 2;
+
+error cancelled_edit() {
+  return {ec::cancelled, "the edit was cancelled", {}, {}};
+}
+
+}  // namespace
+
+expected<const graph_node*> session_state::base_of(const edit_request& request) const {
+  const auto* head = graph.head();
+  if (!head)
+    return fail(ec::conflict, "the document is empty", "Import a mesh first");
+  if (!request.expected_version.empty() && request.expected_version != to_hex(head->info.id))
+    return fail(
+      ec::conflict,
+      "the head is version " + to_hex(head->info.id) + ", not " + request.expected_version,
+      "Look at the new head, then edit again");
+  return head;
+}
+
+// -- the operation, then the checks --------------------------------------------------------------
+
+void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
+  const auto& request = run->request;
+  const auto job = new_job(request.ticket, request.client);
+  edit_order order{base_order(),     make_ref(*run->base), request.operation,
+                   request.surfaces, request.parameters,   run->preview};
+  run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
+  self->request(parts.workers.modeling, answer_limit, job, std::move(order))
+    .then(
+      [=, this](const edit_candidate& candidate) {
+        progress_of.erase(job);
+        if (run->ended)
+          return;
+        const auto ids = pages_of(candidate.version);
+        if (!ids)
+          return run->refuse(ids.error());
+        // The pages are taken over at once: the plugin's process may die now.
+        pull(
+          candidate.source, *ids,
+          [=, this](const page_set& pages) {
+            auto mine = candidate;
+            mine.source = nullptr;
+            (void)pages;
+            check_candidate(run, mine);
+          },
+          [=, this](const error& e) { retry_candidate(run, e); });
+      },
+      [=, this](const caf::error& e) {
+        progress_of.erase(job);
+        if (!run->ended)
+          run->refuse(from_caf(e, "the operation " + run->request.operation));
+      });
+}
+
+void session_state::check_candidate(const std::shared_ptr<candidate_run>& run,
+                                    const edit_candidate& candidate) {
+  if (run->ended)
+    return;
+  if (run->cancelled)
+    return run->refuse(cancelled_edit());
+  const auto job = new_job(run->request.ticket, run->request.client);
+  finish_order order{base_order(),
+                     make_ref(*run->base),
+                     candidate,
+                     run->load_cases,
+                     static_cast<int>(run->request.loads.policy),
+                     run->request.loads.keep_traction,
+                     run->preview};
+  run->cancel_job = [=, this] { caf::anon_send(parts.workers.optimizer, cancel_atom::value, job); };
+  self->request(parts.workers.optimizer, answer_limit, job, std::move(order))
+    .then(
+      [=, this](const finish_result& result) {
+        progress_of.erase(job);
+        if (!run->ended)
+          accept_candidate(run, result);
+      },
+      [=, this](const caf::error& e) {
+        progress_of.erase(job);
+        retry_candidate(run, from_caf(e, "checking the edit"));
+      });
+}
+
+void session_state::accept_candidate(const std::shared_ptr<candidate_run>& run,
+                                     const finish_result& result) {
+  const auto ids = pages_of(result.version);
+  auto report = protocol::edit_report_from_json(result.report);
+  if (!ids || !report)
+    return retry_candidate(run, ids ? report.error() : ids.error());
+  const auto use = [=, this](const page_set& pages) {
+    if (run->ended)
+      return;
+    auto mesh = open_version(result.version, pages);
+    if (!mesh)
+      return retry_candidate(run, mesh.error());
+    auto made = std::make_shared<checked_edit>(checked_edit{*mesh, result.load_cases, *report});
+    made->report.operation = run->request.operation;
+    made->report.surfaces = run->request.surfaces;
+    run->done(made);
+  };
+  pull(result.source, *ids, use, [=, this](const error& e) { retry_candidate(run, e); });
+}
+
+void session_state::retry_candidate(const std::shared_ptr<candidate_run>& run, const error& e) {
+  if (run->ended)
+    return;
+  if (worth_a_retry(e) && !run->cancelled && run->retries++ < most_retries) {
+    spdlog::warn("{}: {}: doing the edit again", parts.document, render(e));
+    return make_candidate(run);
+  }
+  run->refuse(e);
+}
+
+// -- previews ------------------------------------------------------------------------------------
+
+/// A preview waits behind nothing: while something changes the document it would show what nobody
+/// gets, so it is refused, and what comes later ends it.
+caf::result<previewed> session_state::preview(const preview_request& wanted) {
+  const auto& request = wanted.edit;
+  const auto head = base_of(request);
+  if (!head)
+    return to_caf(head.error());
+  if (running || !waiting.empty())
+    return to_caf({ec::superseded,
+                   "the document is being changed",
+                   "Ask for the preview again when that is done",
+                   {}});
+  if (last_preview && last_preview->serves(request, **head))
+    return describe_preview(*last_preview);
+  auto run = std::make_shared<preview_run>();
+  run->promise = self->make_response_promise<previewed>();
+  run->work = std::make_shared<candidate_run>();
+  run->work->request = request;
+  run->work->base = (*head)->mesh;
+  run->work->load_cases = (*head)->load_cases;
+  run->work->preview = true;
+  const auto ticket = request.ticket;
+  run->work->done = [=, this,
+                     clock = stopwatch()](const std::shared_ptr<const checked_edit>& made) {
+    finish_preview(ticket, made, clock.milliseconds());
+  };
+  run->work->refuse = [=, this](const error& e) { end_preview(ticket, e); };
+  previews[ticket] = run;
+  make_candidate(run->work);
+  return run->promise;
+}
+
+void session_state::finish_preview(std::uint64_t ticket,
+                                   const std::shared_ptr<const checked_edit>& made, double ms) {
+  const auto run = std::move(previews.extract(ticket).mapped());
+  auto timed = std::make_shared<checked_edit>(*made);
+  timed->report.total_ms = ms;
+  last_preview = std::make_shared<const kept_candidate>(
+    kept_candidate{run->work->request, run->work->base, run->work->load_cases, std::move(timed)});
+  run->promise.deliver(describe_preview(*last_preview));
+}
+
+/// Answers at once; the worker ends when it notices, and nobody hears of it.
+void session_state::end_preview(std::uint64_t ticket, const error& why) {
+  const auto found = previews.find(ticket);
+  if (found == previews.end())
+    return;
+  const auto run = found->second;
+  previews.erase(found);
+  run->work->ended = true;
+  run->work->cancel();
+  run->promise.deliver(to_caf(why));
+}
+
+void session_state::end_previews(const error& why) {
+  while (!previews.empty())
+    end_preview(previews.begin()->first, why);
+}
+
+previewed session_state::describe_preview(const kept_candidate& candidate) const {
+  return {parts.document, candidate.base, candidate.made->mesh,
+          protocol::to_json(candidate.made->report), candidate.made->load_cases};
+}
+
+}  // namespace tedit::actors
