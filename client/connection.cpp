@@ -8,7 +8,7 @@ namespace tedit::client {
 namespace {
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 4;
+constexpr std::uint32_t protocol_minor = 5;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.
@@ -254,6 +254,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       return {};
     case body::kSolveStatus:
     case body::kLoadCasesChanged:
+    case body::kVersionAnnotated:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
     case body::kChunk:
@@ -286,6 +287,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     const auto& what = message.load_cases_changed();
     if (handlers_.on_load_cases && inbox_.is_open(what.document()))
       handlers_.on_load_cases(from_message(what));
+    return {};
+  }
+  if (message.has_version_annotated()) {
+    const auto& what = message.version_annotated();
+    if (handlers_.on_annotated && inbox_.is_open(what.document()))
+      handlers_.on_annotated(from_message(what.version()));
     return {};
   }
   if (handlers_.on_solve_status && inbox_.is_open(message.solve_status().document()))

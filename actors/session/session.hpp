@@ -36,9 +36,9 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over three files:
-/// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head) and
-/// solves.cpp.
+/// The state of a session. Its members are what the handlers call; they are split over four files:
+/// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head), notes.cpp
+/// (what belongs to a version and makes no new one) and solves.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -62,6 +62,7 @@ struct session_state {
     std::string key;
     std::string version;
     std::vector<std::string> load_cases;
+    std::vector<std::string> texts;  ///< The same, JSON each.
     version_ptr mesh;
     std::uint64_t ticket = 0;
     std::vector<caf::typed_response_promise<solved>> waiting;
@@ -74,6 +75,7 @@ struct session_state {
     std::size_t cases = 1;  ///< Load cases in it.
     solved event;
     std::vector<field_ref> refs;
+    std::vector<std::string> texts;  ///< The load cases, JSON each.
   };
 
   // -- session.cpp ---------------------------------------------------------------------------
@@ -103,7 +105,6 @@ struct session_state {
   caf::result<head_moved> import(const import_request& request);
   caf::result<head_moved> edit(const edit_request& request);
   caf::result<head_moved> move(const move_request& request);
-  caf::result<acknowledged> set_load_case(const load_case_request& request);
   caf::result<exported> write_file(const export_request& request);
   caf::result<selected> select(const select_request& request);
 
@@ -118,9 +119,29 @@ struct session_state {
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
   [[nodiscard]] head_moved describe_head(const std::string& cause) const;
 
+  // -- notes.cpp ------------------------------------------------------------------------------
+
+  caf::result<acknowledged> set_load_case(const load_case_request& request);
+  caf::result<acknowledged> remove_load_case(const remove_case_request& request);
+  caf::result<acknowledged> annotate(const annotate_request& request);
+
+  /// Queues a change that has no result. `prepare` makes it, or says why not; `done` is called when
+  /// it is durable.
+  struct quiet_change {
+    store::change change;
+    std::function<void()> done;
+  };
+  caf::result<acknowledged> carry_out(std::function<expected<quiet_change>()> prepare);
+  /// The head gets these load cases instead of its own.
+  [[nodiscard]] quiet_change change_load_cases(std::vector<std::string> texts,
+                                               std::vector<std::string> names,
+                                               const std::string& what, const std::string& details);
+  void forget_solve_of(const std::string& load_case);
+
   // -- solves.cpp -----------------------------------------------------------------------------
 
   caf::result<solved> solve(const solve_request& request);
+  [[nodiscard]] held_result held() const;
   /// Solves the new head when somebody has asked for a solve before.
   void follow_head();
   void start_solve(const solve_request& request,
