@@ -16,6 +16,7 @@ using catalog_atom = caf::atom_constant<caf::atom("catalogue")>;
 using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
+using held_atom = caf::atom_constant<caf::atom("held")>;
 using history_atom = caf::atom_constant<caf::atom("history")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
 using status_atom = caf::atom_constant<caf::atom("status")>;
@@ -99,6 +100,12 @@ using session_actor = caf::typed_actor<
   caf::replies_to<move_request>::with<head_moved>,
   // Replaces or adds a load case at the head.
   caf::replies_to<load_case_request>::with<acknowledged>,
+  // Takes a load case from the head.
+  caf::replies_to<remove_case_request>::with<acknowledged>,
+  // Names a version.
+  caf::replies_to<annotate_request>::with<acknowledged>,
+  // The result of the head that is at hand.
+  caf::replies_to<held_atom>::with<held_result>,
   // Solves the head, and from then on every new head.
   caf::replies_to<solve_request>::with<solved>,
   // Writes a version as a file.

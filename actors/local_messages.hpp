@@ -44,6 +44,8 @@ struct version_info {
   std::uint64_t vertices = 0;
   std::uint64_t boundary_facets = 0;
   std::vector<std::string> load_cases;  ///< Names.
+  std::string name;                     ///< That somebody gave it; mostly empty.
+  std::string note;
 };
 
 // -- requests to a session; `ticket` names the request for progress and cancel -----------------
@@ -85,6 +87,17 @@ struct move_request {
 
 struct load_case_request {
   std::string load_case;  ///< JSON.
+};
+
+struct remove_case_request {
+  std::string load_case;  ///< Name.
+};
+
+/// A name and a note for a version, checked by the session.
+struct annotate_request {
+  std::uint32_t number = 0;
+  std::string name;
+  std::string note;
 };
 
 struct solve_request {
@@ -151,6 +164,11 @@ struct load_cases_changed {
   std::vector<std::string> load_cases;  ///< JSON each.
 };
 
+struct version_annotated {
+  std::string document;
+  version_info info;
+};
+
 enum class solve_phase { started, converging, superseded, cancelled, failed };
 
 struct solve_note {
@@ -168,6 +186,12 @@ struct solved {
   version_ptr version;
   std::string outcome;  ///< JSON of Solved; the document is not set.
   std::shared_ptr<const std::vector<field>> fields;
+};
+
+/// The result of the head as it is held, when it is; `solving`: it is on its way.
+struct held_result {
+  std::optional<solved> result;
+  bool solving = false;
 };
 
 struct request_progress {
@@ -236,12 +260,16 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::preview_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::previewed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::move_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_case_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::remove_case_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::annotate_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::select_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_cases_changed)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::version_annotated)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::held_result)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::request_progress)

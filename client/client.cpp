@@ -40,6 +40,15 @@ struct client::impl {
     return link.ask(std::move(request), wanted, options.long_request_timeout, run);
   }
 
+  /// The open document, for requests that servers know since a protocol_minor. Errors:
+  /// `protocol_error` when this one does not; `invalid_argument` when no document is open.
+  expected<std::string> open_document(unsigned since, const char* what) {
+    if (link.server_minor() < since)
+      return fail(ec::protocol_error, std::string("the server is too old to ") + what,
+                  "Use a server of this client's release.");
+    return open_document();
+  }
+
   /// Errors: `invalid_argument` when no document is open.
   expected<std::string> open_document() {
     const std::lock_guard lock(mutex);
@@ -257,6 +266,56 @@ expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation
   edit.set_expected_version(expected_version);
   protocol::to_message(loads, edit.mutable_loads());
   return edit;
+}
+
+expected<void> client::remove_load_case(const std::string& name) {
+  auto document = impl_->open_document(5, "remove a load case");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_remove_load_case()->set_document(*document);
+  request.mutable_remove_load_case()->set_load_case(name);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
+expected<void> client::annotate(std::uint32_t number, const std::string& name,
+                                const std::string& note) {
+  auto document = impl_->open_document(5, "name versions");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* wanted = request.mutable_annotate_version();
+  wanted->set_document(*document);
+  wanted->set_number(number);
+  wanted->set_name(name);
+  wanted->set_note(note);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
+expected<std::string> client::watch_fields(const watched_quantities& wanted) {
+  auto document = impl_->open_document(5, "send more than displacement and von Mises stress");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* watch = request.mutable_watch_fields();
+  watch->set_document(*document);
+  if (wanted.stress)
+    watch->add_quantities(v1::WatchFields::STRESS);
+  if (wanted.safety_factor)
+    watch->add_quantities(v1::WatchFields::SAFETY_FACTOR);
+  if (wanted.relative_error)
+    watch->add_quantities(v1::WatchFields::RELATIVE_ERROR);
+  impl_->link.arrivals().forget_fields();
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return got->message.done().note();
 }
 
 expected<committed> client::edit(const std::string& operation,

@@ -65,6 +65,21 @@ public:
   /// Replaces the load case of this name at the head, or adds it.
   [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads);
 
+  /// Takes a load case from the head, the last one, too. Errors: also `not_found`,
+  /// `protocol_error` from a server with protocol_minor below 5.
+  [[nodiscard]] expected<void> remove_load_case(const std::string& name);
+
+  /// Gives a version a name (one line, 80 characters) and a note (4000) instead of those it had.
+  /// Errors: also `not_found`, `invalid_argument`, `protocol_error` as above.
+  [[nodiscard]] expected<void> annotate(std::uint32_t number, const std::string& name,
+                                        const std::string& note);
+
+  /// What every field event and section has from now on beside the usual; until the document is
+  /// opened again. The fields of the head come again with it; when they cannot, the result says
+  /// why, else it is empty. Fields that arrived before the call are forgotten. Errors:
+  /// `protocol_error` as above.
+  [[nodiscard]] expected<std::string> watch_fields(const watched_quantities& wanted);
+
   /// Applies an operation to the head and returns once the new version is durable. When
   /// `expected_version` is given and not the head, the edit is refused (`conflict`). `loads` says
   /// what becomes of loads and supports whose surface goes. Errors: also `protocol_error` when the

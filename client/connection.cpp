@@ -256,6 +256,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       return {};
     case body::kSolveStatus:
     case body::kLoadCasesChanged:
+    case body::kVersionAnnotated:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
     case body::kChunk:
@@ -288,6 +289,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     const auto& what = message.load_cases_changed();
     if (handlers_.on_load_cases && inbox_.is_open(what.document()))
       handlers_.on_load_cases(from_message(what));
+    return {};
+  }
+  if (message.has_version_annotated()) {
+    const auto& what = message.version_annotated();
+    if (handlers_.on_annotated && inbox_.is_open(what.document()))
+      handlers_.on_annotated(from_message(what.version()));
     return {};
   }
   if (handlers_.on_solve_status && inbox_.is_open(message.solve_status().document()))

@@ -34,15 +34,23 @@ expected<void> check_sizes(const field_event& field) {
       !std::ranges::all_of(field.safety_factor_case, known))
     return fail(ec::protocol_error, "a field update names a load case that it does not list");
   const bool safety = field.envelope && field.envelope->min_safety_factor;
+  const auto watched = [&](const auto& array, std::size_t each) {  // Of a load case, or empty.
+    return array.empty() || field.envelope ? 0 : each * n;
+  };
   expected<void> ok = fits("von_mises_pa", field.von_mises.size(), n);
   if (ok)
     ok = fits("displacement_m", field.displacement.size(), field.envelope ? 0 : 3 * n);
   if (ok)
     ok = fits("von_mises_case", field.von_mises_case.size(), field.envelope ? n : 0);
   if (ok)
-    ok = fits("safety_factor", field.safety_factor.size(), safety ? n : 0);
+    ok = fits("safety_factor", field.safety_factor.size(),
+              safety ? n : watched(field.safety_factor, 1));
   if (ok)
     ok = fits("safety_factor_case", field.safety_factor_case.size(), safety ? n : 0);
+  if (ok)
+    ok = fits("stress_pa", field.stress.size(), watched(field.stress, 6));
+  if (ok)
+    ok = fits("relative_error", field.relative_error.size(), watched(field.relative_error, 1));
   return ok;
 }
 
@@ -77,6 +85,8 @@ version_info from_message(const v1::VersionInfo& message) {
   result.vertices = message.vertices();
   result.boundary_facets = message.boundary_facets();
   result.load_cases = {message.load_cases().begin(), message.load_cases().end()};
+  result.name = message.name();
+  result.note = message.note();
   return result;
 }
 
@@ -201,6 +211,9 @@ expected<field_event> read_field(const v1::FieldUpdate& message, const incoming_
   } else {
     result.report = protocol::from_message(message.report());
     take(stream.f32("displacement_m", 3), result.displacement, status);
+    take(stream.f32("stress_pa", 6), result.stress, status);
+    take(stream.f32("safety_factor", 1), result.safety_factor, status);
+    take(stream.f32("relative_error", 1), result.relative_error, status);
   }
   if (status)
     status = check_sizes(result);
@@ -217,12 +230,18 @@ expected<section> read_section(const v1::SectionReady& message, const incoming_s
   take(stream.u32("triangles", 3), result.triangles, status);
   take(stream.f32("von_mises_pa", 1), result.von_mises, status);
   take(stream.f32("displacement_m", 3), result.displacement, status);
+  take(stream.f32("stress_pa", 6), result.stress, status);
+  take(stream.f32("safety_factor", 1), result.safety_factor, status);
+  take(stream.f32("relative_error", 1), result.relative_error, status);
   if (!status)
     return fail(status.error());
   const auto points = result.positions.size() / 3;
+  const auto whole = [&](const std::vector<float>& values, std::size_t each) {
+    return values.empty() || values.size() == each * points;
+  };
   const bool fits =
-    (result.von_mises.empty() || result.von_mises.size() == points) &&
-    (result.displacement.empty() || result.displacement.size() == 3 * points) &&
+    whole(result.von_mises, 1) && whole(result.displacement, 3) && whole(result.stress, 6) &&
+    whole(result.safety_factor, 1) && whole(result.relative_error, 1) &&
     std::ranges::all_of(result.triangles, [&](std::uint32_t p) { return p < points; });
   if (!fits)
     return fail(ec::protocol_error,

@@ -48,10 +48,13 @@ struct field_event {
   std::vector<std::uint32_t> vertices;     ///< Slots, ascending.
   std::vector<float> displacement;         ///< m, 3 per vertex; none of an envelope.
   std::vector<float> von_mises;            ///< Pa, 1 per vertex.
-  // Only of an envelope, 1 per vertex; cases are places in `envelope->load_cases`.
+  // Of an envelope, 1 per vertex; cases are places in `envelope->load_cases`.
   std::vector<std::uint32_t> von_mises_case;
   std::vector<float> safety_factor;  ///< Empty when no yield strength is known; 0 where it is not.
   std::vector<std::uint32_t> safety_factor_case;
+  // Only of a load case, and empty unless they are watched. `safety_factor` as above.
+  std::vector<float> stress;          ///< Pa, 6 per vertex: xx, yy, zz, xy, yz, zx.
+  std::vector<float> relative_error;  ///< 1 per vertex, see docs/results.md.
   traffic moved;
 
   [[nodiscard]] const std::string& version_id() const {
@@ -70,6 +73,17 @@ struct version_info {
   std::uint64_t vertices = 0;
   std::uint64_t boundary_facets = 0;
   std::vector<std::string> load_cases;
+  std::string name;  ///< That somebody gave it; mostly empty.
+  std::string note;
+};
+
+/// What can be had with every field beside displacement and von Mises stress.
+struct watched_quantities {
+  bool stress = false;
+  bool safety_factor = false;
+  bool relative_error = false;
+
+  friend bool operator==(const watched_quantities&, const watched_quantities&) = default;
 };
 
 /// The head moved; what it says is durable (message `tedit.v1.Committed`).
@@ -125,6 +139,10 @@ struct section {
   std::vector<std::uint32_t> triangles;  ///< 3 points each, counter-clockwise from the normal.
   std::vector<float> von_mises;          ///< Pa, 1 per point; empty when it is not solved.
   std::vector<float> displacement;       ///< m, 3 per point; empty also for an envelope.
+  // Empty unless they are watched and there; an envelope has the safety factor only.
+  std::vector<float> stress;
+  std::vector<float> safety_factor;
+  std::vector<float> relative_error;
 };
 
 struct history {
@@ -174,6 +192,7 @@ struct events {
   std::function<void(const committed&)> on_committed;  ///< By any client, this one included.
   std::function<void(const solve_status&)> on_solve_status;
   std::function<void(const load_cases_event&)> on_load_cases;  ///< By any client.
+  std::function<void(const version_info&)> on_annotated;       ///< By any client.
   std::function<void(const solve_outcome&)> on_solved;  ///< Not the answer to `client::solve`.
 };
 

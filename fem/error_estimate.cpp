@@ -143,6 +143,28 @@ void estimate_error(const problem& p, const nodal_patches& patches, const corner
   out.relative_error = whole > 0 ? std::sqrt(sum / whole) : 0;
 }
 
+std::vector<double> nodal_error(const problem& p, const solution& result) {
+  std::vector<double> volumes(p.corner_count, 0);
+  std::vector<double> errors(p.corner_count, 0);
+  double volume = 0;
+  double energy = 2 * result.strain_energy_j;
+  polled_for(p.element_count(), [&](std::size_t e) {
+    const double v = gradients_of(p, e).volume;
+    const double square = result.element_error[e] * result.element_error[e];
+    volume += v;
+    energy += square;
+    const auto* nodes = &p.element_nodes[static_cast<std::size_t>(p.nodes_per_element) * e];
+    for (int k = 0; k < 4; ++k) {
+      volumes[nodes[k]] += v;
+      errors[nodes[k]] += square;
+    }
+  });
+  for (std::size_t n = 0; n < errors.size(); ++n)
+    errors[n] =
+      volumes[n] > 0 && energy > 0 ? std::sqrt(errors[n] / volumes[n] * volume / energy) : 0;
+  return errors;
+}
+
 void find_singular_places(const problem& p, const nodal_patches& patches, solution& out) {
   constexpr double dense = 10;
   constexpr double high = 0.5;

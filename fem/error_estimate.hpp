@@ -14,6 +14,13 @@ namespace tedit::fem {
 void estimate_error(const problem& p, const nodal_patches& patches, const corner_flux& stress,
                     std::span<const double> means, solution& out);
 
+/// The estimated error at each corner node, relative: the density of the error around it,
+/// sqrt(sum eta_e^2 / sum V_e) over its elements, over that of the energy of the whole part,
+/// sqrt((2 U + sum eta^2) / V). So 0.05 says that the error there is 5 % of the part's mean stress
+/// in that norm, and the mean square over the volume is `relative_error` squared. 0 at nodes
+/// without elements, and everywhere without any energy. Cost: O(elements).
+[[nodiscard]] std::vector<double> nodal_error(const problem& p, const solution& result);
+
 /// Fills `singular_places`: corner nodes where the stress will go on growing when the mesh gets
 /// finer, in linear elasticity without bound. A node is listed when all of this holds:
 ///  - its von Mises stress is at least half of the largest nodal one;

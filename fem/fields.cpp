@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/fields.hpp"
 
+#include "fem/error_estimate.hpp"
+
 namespace tedit::fem {
 
 namespace {
@@ -35,6 +37,7 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
                             at_tets("element_von_mises_pa", 1, result.element_von_mises),
                             at_tets("element_stress_pa", 6, result.element_stress),
                             at_vertices("principal_stress_pa", 1, largest),
+                            at_vertices("relative_error", 1, nodal_error(p, result)),
                             at_tets("element_error_sqrt_j", 1, result.element_error)};
   if (!result.safety_factor.empty())
     fields.push_back(at_vertices("safety_factor", 1, result.safety_factor));

@@ -148,16 +148,7 @@ void client_state::on_solved(const actors::solved& event) {
   v1::ServerMessage message;
   to_message(event, message.mutable_solved());
   send(*to, message);
-  auto& open = found->second;
-  open.last_solved = event;
-  if (!open.watch_fields)
-    return;
-  const bool queued = open.wanted_fields.has_value();
-  open.wanted_fields = event;
-  open.next_field = 0;
-  if (!queued)
-    queue_field(event.document);
-  bulk_out->pump();
+  send_again(event.document, event);
 }
 
 void client_state::queue_field(const std::string& document) {
@@ -166,7 +157,7 @@ void client_state::queue_field(const std::string& document) {
     if (still == documents.end() || !still->second.wanted_fields)
       return std::nullopt;
     auto& open = still->second;
-    auto update = surface_stream::fields_of(*open.wanted_fields, open.next_field++);
+    auto update = surface_stream::fields_of(*open.wanted_fields, open.next_field++, open.watched);
     if (update && update->header.field_update().remaining() > 0)
       queue_field(document);
     else
@@ -206,6 +197,7 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
           [&state](const actors::solved& event) { state.on_solved(event); },
           [&state](const section_cut& cut) { state.on_section(cut); },
           [&state](const actors::load_cases_changed& event) { state.on_load_cases(event); },
+          [&state](const actors::version_annotated& event) { state.on_annotated(event); },
           [&state](const actors::solve_note& event) { state.on_note(event); },
           [&state](const actors::request_progress& event) { state.on_progress(event); }};
 }

@@ -47,6 +47,7 @@ struct client_state {
     actors::session_actor session;
     bool watch_surface = false;
     bool watch_fields = false;
+    watched_quantities watched;
     surface_stream surface;
     version_ptr head;
     std::optional<actors::solved> last_solved;  ///< Of the head or an earlier version.
@@ -83,7 +84,6 @@ struct client_state {
   void close(std::uint64_t id, const v1::CloseDocument& body);
   void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
   void import(std::uint64_t id, const v1::ImportMesh& body);
-  void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
   void move(std::uint64_t id, const std::string& document, const actors::move_request& request);
   void solve(std::uint64_t id, const v1::Solve& body);
   void export_file(std::uint64_t id, const v1::ExportFile& body);
@@ -98,6 +98,18 @@ struct client_state {
   /// Ends the preview that is asked for, if there is one.
   void end_preview(const error& why);
 
+  // -- what makes no new version (notes.cpp) ------------------------------------------------
+
+  void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
+  void remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body);
+  void annotate(std::uint64_t id, const v1::AnnotateVersion& body);
+  void watch(std::uint64_t id, const v1::WatchFields& body);
+  void send_again(const std::string& document, const actors::solved& event);
+  /// Asks the session; answers Done, or with its error about `what`.
+  template <class Request>
+  void carry_out(std::uint64_t id, const actors::session_actor& session, Request request,
+                 const char* what);
+
   // -- sections (section.cpp) ----------------------------------------------------------------
 
   void section(std::uint64_t id, const v1::CutSection& body);
@@ -109,6 +121,7 @@ struct client_state {
   void on_head(const actors::head_moved& event);
   void on_solved(const actors::solved& event);
   void on_load_cases(const actors::load_cases_changed& event);
+  void on_annotated(const actors::version_annotated& event);
   void on_note(const actors::solve_note& event);
   void on_progress(const actors::request_progress& event);
   void want_surface(const std::string& document, const version_ptr& mesh);
@@ -138,8 +151,10 @@ struct client_state {
 };
 
 /// The answer SectionReady for a version with the fields of its solve, if there are any;
-/// `load_case` as in CutSection. Errors: as `cut_by_plane`, and `not_found` for the load case.
+/// `load_case` as in CutSection, more than the usual arrays when `watched`. Errors: as
+/// `cut_by_plane`, and `not_found` for the load case.
 [[nodiscard]] expected<bulk> make_section(const mesh_version& mesh, const actors::solved* fields,
+                                          const watched_quantities& watched,
                                           const v1::CutSection& request);
 
 /// Speaks the protocol `tedit.v1` with one client.

@@ -14,6 +14,8 @@ void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->set_vertices(info.vertices);
   out->set_boundary_facets(info.boundary_facets);
   out->mutable_load_cases()->Assign(info.load_cases.begin(), info.load_cases.end());
+  out->set_name(info.name);
+  out->set_note(info.note);
 }
 
 void to_messages(const std::vector<std::string>& load_cases,

@@ -136,6 +136,12 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
                   {move_kind::go_to, message.go_to_version().number()});
     case body::kCutSection:
       return section(id, message.cut_section());
+    case body::kRemoveLoadCase:
+      return remove_load_case(id, message.remove_load_case());
+    case body::kAnnotateVersion:
+      return annotate(id, message.annotate_version());
+    case body::kWatchFields:
+      return watch(id, message.watch_fields());
     case body::kSolve:
       return solve(id, message.solve());
     case body::kExportFile:
@@ -206,6 +212,7 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
     document.session = session;
     document.watch_surface = surface;
     document.watch_fields = fields;
+    document.watched = {};
     document.surface = {};
     document.head = snapshot.version;
     document.last_solved.reset();
@@ -292,25 +299,6 @@ void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
         answer(id, std::move(message));
       },
       [=, this](const caf::error& e) { refuse(id, from_caf(e, "the import")); });
-}
-
-void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) {
-  const auto* document = find(id, body.document());
-  if (!document)
-    return;
-  const auto json = protocol::message_to_json(body.load_case());
-  const auto checked = protocol::load_case_from_json(json, "load case");
-  if (!checked)
-    return refuse(id, checked.error());
-  begin(id, {});
-  self->request(document->session, answer_limit, load_case_request{json})
-    .then(
-      [=, this](acknowledged) {
-        v1::ServerMessage message;
-        message.mutable_done();
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "setting the load case")); });
 }
 
 void client_state::move(std::uint64_t id, const std::string& document_name,

@@ -30,31 +30,49 @@ void add_field(const plane_section& cut, const std::vector<field>& fields, const
               values);
 }
 
-struct field_names {
-  std::string displacement;  ///< Empty for an envelope, which has none.
-  std::string von_mises;
+/// A field that a section gets: its name among those of the solve, and its array's.
+struct wanted_field {
+  std::string name;
+  const char* array;
 };
 
-/// What a load case's fields are called among those of a solve. Errors: `not_found`.
-expected<field_names> names_for(const actors::solved& event, const std::string& load_case) {
+/// What a section shows of a load case, or of the envelope. Errors: `not_found`.
+expected<std::vector<wanted_field>> fields_for(const actors::solved& event,
+                                               const std::string& load_case,
+                                               const watched_quantities& watched) {
   const auto outcome = protocol::message_from_json<v1::Solved>(event.outcome);
   if (!outcome)
     return fail(outcome.error());
-  if (outcome->cases_size() == 0)
-    return field_names{"displacement_m", "von_mises_pa"};
-  if (load_case.empty())
-    return field_names{{}, "envelope_von_mises"};
-  for (const auto& report : outcome->cases())
-    if (report.load_case() == load_case)
-      return field_names{fem::case_field("displacement_m", load_case),
-                         fem::case_field("von_mises_pa", load_case)};
-  return fail(ec::not_found, "load case \"" + load_case + "\" is not among those that were solved");
+  const bool several = outcome->cases_size() > 0;
+  std::vector<wanted_field> result;
+  if (several && load_case.empty()) {
+    result.push_back({"envelope_von_mises", "von_mises_pa"});
+    if (watched.safety_factor)
+      result.push_back({"envelope_safety_factor", "safety_factor"});
+    return result;
+  }
+  const auto is_it = [&](const auto& report) { return report.load_case() == load_case; };
+  if (several && std::ranges::none_of(outcome->cases(), is_it))
+    return fail(ec::not_found,
+                "load case \"" + load_case + "\" is not among those that were solved");
+  const auto want = [&](const char* array) {
+    result.push_back({several ? fem::case_field(array, load_case) : std::string(array), array});
+  };
+  want("von_mises_pa");
+  want("displacement_m");
+  if (watched.stress)
+    want("stress_pa");
+  if (watched.safety_factor)
+    want("safety_factor");
+  if (watched.relative_error)
+    want("relative_error");
+  return result;
 }
 
 }  // namespace
 
 expected<bulk> make_section(const mesh_version& mesh, const actors::solved* fields,
-                            const v1::CutSection& request) {
+                            const watched_quantities& watched, const v1::CutSection& request) {
   const auto cut =
     cut_by_plane(mesh, from_message(request.point_m()), from_message(request.normal()), {});
   if (!cut)
@@ -77,11 +95,11 @@ expected<bulk> make_section(const mesh_version& mesh, const actors::solved* fiel
   builder.add(result.stream, "positions", v1::ArrayInfo::FLOAT32, 3, positions);
   builder.add(result.stream, "triangles", v1::ArrayInfo::UINT32, 3, triangles);
   if (fields) {
-    const auto names = names_for(*fields, request.load_case());
-    if (!names)
-      return fail(names.error());
-    add_field(*cut, *fields->fields, names->von_mises, "von_mises_pa", builder, result.stream);
-    add_field(*cut, *fields->fields, names->displacement, "displacement_m", builder, result.stream);
+    const auto wanted = fields_for(*fields, request.load_case(), watched);
+    if (!wanted)
+      return fail(wanted.error());
+    for (const auto& one : *wanted)
+      add_field(*cut, *fields->fields, one.name, one.array, builder, result.stream);
   }
   builder.finish(result);
   return result;
@@ -110,11 +128,11 @@ void client_state::begin_section(open_document& document, const section_request&
   const bool fits = document.last_solved && document.last_solved->version &&
                     document.last_solved->version->id() == document.head->id();
   self->spawn<caf::detached>(
-    [request, mesh = document.head,
+    [request, mesh = document.head, watched = document.watched,
      fields = fits ? document.last_solved : std::optional<actors::solved>(),
      home = caf::actor_cast<caf::actor>(self)](caf::event_based_actor*) {
       auto made = std::make_shared<const expected<bulk>>(
-        make_section(*mesh, fields ? &*fields : nullptr, request.body));
+        make_section(*mesh, fields ? &*fields : nullptr, watched, request.body));
       caf::anon_send(home, section_cut{request.id, request.body.document(), std::move(made)});
     });
 }

@@ -103,9 +103,15 @@ public:
 
   /// False when a field is missing; `name_of` gives its name.
   template <class Name>
-  [[nodiscard]] bool add_case(const Name& name_of) {
-    return add<float>("displacement_m", name_of("displacement_m"), 3) &&
-           add<float>("von_mises_pa", name_of("von_mises_pa"));
+  [[nodiscard]] bool add_case(const Name& name_of, const watched_quantities& watched) {
+    const bool complete =
+      add<float>("displacement_m", name_of("displacement_m"), 3) &&
+      add<float>("von_mises_pa", name_of("von_mises_pa")) &&
+      (!watched.stress || add<float>("stress_pa", name_of("stress_pa"), 6)) &&
+      (!watched.relative_error || add<float>("relative_error", name_of("relative_error")));
+    if (complete && watched.safety_factor)  // There is none when no yield strength is known.
+      (void)add<float>("safety_factor", name_of("safety_factor"));
+    return complete;
   }
 
   [[nodiscard]] bool add_envelope() {
@@ -263,7 +269,8 @@ bulk surface_stream::preview(const actors::previewed& made) const {
   return result;
 }
 
-std::optional<bulk> surface_stream::fields_of(const actors::solved& event, unsigned index) {
+std::optional<bulk> surface_stream::fields_of(const actors::solved& event, unsigned index,
+                                              const watched_quantities& watched) {
   const auto outcome = protocol::message_from_json<v1::Solved>(event.outcome);
   if (!outcome)
     return std::nullopt;
@@ -276,12 +283,12 @@ std::optional<bulk> surface_stream::fields_of(const actors::solved& event, unsig
   bool complete = false;
   if (cases == 0) {
     *update->mutable_report() = outcome->report();
-    complete = arrays.add_case([](const char* name) { return std::string(name); });
+    complete = arrays.add_case([](const char* name) { return std::string(name); }, watched);
   } else if (index < cases) {
     const auto& report = outcome->cases(static_cast<int>(index));
     *update->mutable_report() = report;
-    complete =
-      arrays.add_case([&](const char* name) { return fem::case_field(name, report.load_case()); });
+    complete = arrays.add_case(
+      [&](const char* name) { return fem::case_field(name, report.load_case()); }, watched);
   } else {
     *update->mutable_envelope() = outcome->envelope();
     complete = arrays.add_envelope();

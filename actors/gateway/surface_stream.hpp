@@ -9,6 +9,13 @@
 
 namespace tedit::gateway {
 
+/// What a connection wants beside displacement and von Mises stress.
+struct watched_quantities {
+  bool stress = false;
+  bool safety_factor = false;
+  bool relative_error = false;
+};
+
 /// What a client holds of a document's surface: the next update is the difference to it.
 class surface_stream {
 public:
@@ -22,10 +29,11 @@ public:
   /// client that holds nothing.
   [[nodiscard]] bulk preview(const actors::previewed& made) const;
 
-  /// One field update of a solve: displacement and von Mises stress of load case `index` at the
-  /// boundary vertices, after the last of several load cases the envelope of all. Nothing when
-  /// there is no such update.
-  [[nodiscard]] static std::optional<bulk> fields_of(const actors::solved& event, unsigned index);
+  /// One field update of a solve: displacement, von Mises stress and what is watched of load case
+  /// `index` at the boundary vertices, after the last of several load cases the envelope of all.
+  /// Nothing when there is no such update.
+  [[nodiscard]] static std::optional<bulk> fields_of(const actors::solved& event, unsigned index,
+                                                     const watched_quantities& watched);
 
 private:
   bulk whole(const std::string& document, const mesh_version& mesh);

@@ -235,48 +235,6 @@ void session_state::begin_move(const move_request& request,
     });
 }
 
-caf::result<acknowledged> session_state::set_load_case(const load_case_request& request) {
-  const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
-    self->make_response_promise<acknowledged>());
-  const auto refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
-  const auto begin = [=, this] {
-    const auto* head = graph.head();
-    const auto given = protocol::load_case_from_json(request.load_case, "load case");
-    if (!head || !given) {
-      refuse(head ? given.error() : no_head());
-      return finish_command();
-    }
-    auto texts = head->load_cases;
-    auto names = head->info.load_cases;
-    const auto same = std::ranges::find(names, given->name) - names.begin();
-    if (same == std::ssize(names)) {
-      names.push_back(given->name);
-      texts.emplace_back();
-    }
-    texts[static_cast<std::size_t>(same)] = request.load_case;
-    const auto number = head->info.number;
-    store::change change;
-    change.load_cases.emplace_back(number, join_load_cases(texts));
-    change.what = "load_case";
-    change.details = request.load_case;
-    commit(
-      std::move(change),
-      [=, this](double) {
-        graph.set_load_cases(number, texts, names);
-        last_preview.reset();
-        broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), texts});
-        promise->deliver(acknowledged{});
-        finish_command();
-      },
-      [=, this](const error& e) {
-        refuse(e);
-        finish_command();
-      });
-  };
-  enqueue({0, begin, refuse});
-  return *promise;
-}
-
 // -- files ------------------------------------------------------------------------------------
 
 caf::result<exported> session_state::write_file(const export_request& request) {

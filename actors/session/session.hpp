@@ -36,9 +36,10 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over four files:
+/// The state of a session. Its members are what the handlers call; they are split over five files:
 /// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
-/// candidates.cpp (operations, previews) and solves.cpp.
+/// candidates.cpp (operations, previews), notes.cpp (what belongs to a version and makes no new
+/// one) and solves.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -67,6 +68,7 @@ struct session_state {
     std::string key;
     std::string version;
     std::vector<std::string> load_cases;
+    std::vector<std::string> texts;  ///< The same, JSON each.
     version_ptr mesh;
     std::uint64_t ticket = 0;
     std::vector<caf::typed_response_promise<solved>> waiting;
@@ -79,6 +81,7 @@ struct session_state {
     std::size_t cases = 1;  ///< Load cases in it.
     solved event;
     std::vector<field_ref> refs;
+    std::vector<std::string> texts;  ///< The load cases, JSON each.
   };
 
   // -- session.cpp ---------------------------------------------------------------------------
@@ -108,7 +111,6 @@ struct session_state {
   caf::result<head_moved> import(const import_request& request);
   caf::result<head_moved> edit(const edit_request& request);
   caf::result<head_moved> move(const move_request& request);
-  caf::result<acknowledged> set_load_case(const load_case_request& request);
   caf::result<exported> write_file(const export_request& request);
   caf::result<selected> select(const select_request& request);
 
@@ -137,9 +139,29 @@ struct session_state {
   void end_previews(const error& why);
   [[nodiscard]] previewed describe_preview(const kept_candidate& candidate) const;
 
+  // -- notes.cpp ------------------------------------------------------------------------------
+
+  caf::result<acknowledged> set_load_case(const load_case_request& request);
+  caf::result<acknowledged> remove_load_case(const remove_case_request& request);
+  caf::result<acknowledged> annotate(const annotate_request& request);
+
+  /// Queues a change that has no result. `prepare` makes it, or says why not; `done` is called when
+  /// it is durable.
+  struct quiet_change {
+    store::change change;
+    std::function<void()> done;
+  };
+  caf::result<acknowledged> carry_out(std::function<expected<quiet_change>()> prepare);
+  /// The head gets these load cases instead of its own.
+  [[nodiscard]] quiet_change change_load_cases(std::vector<std::string> texts,
+                                               std::vector<std::string> names,
+                                               const std::string& what, const std::string& details);
+  void forget_solve_of(const std::string& load_case);
+
   // -- solves.cpp -----------------------------------------------------------------------------
 
   caf::result<solved> solve(const solve_request& request);
+  [[nodiscard]] held_result held() const;
   /// Solves the new head when somebody has asked for a solve before.
   void follow_head();
   void start_solve(const solve_request& request,

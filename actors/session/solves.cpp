@@ -35,6 +35,24 @@ caf::result<solved> session_state::solve(const solve_request& request) {
   return promise;
 }
 
+/// Of the head with the load cases that it has now: after a change of loads the old field would
+/// lie.
+held_result session_state::held() const {
+  const auto* head = graph.head();
+  if (!head)
+    return {};
+  const auto version = to_hex(head->info.id);
+  if (active && active->version == version)
+    return {std::nullopt, true};
+  const auto is_of_head = [&](const kept_result& one) {
+    return one.version == version && std::ranges::all_of(one.texts, [&](const std::string& text) {
+             return std::ranges::find(head->load_cases, text) != head->load_cases.end();
+           });
+  };
+  const auto found = std::ranges::find_if(results, is_of_head);
+  return {found == results.end() ? std::nullopt : std::optional(found->event), false};
+}
+
 void session_state::follow_head() {
   if (followed)
     start_solve(*followed, std::nullopt);
@@ -81,6 +99,7 @@ void session_state::start_solve(const solve_request& request,
       waiting_promise.deliver(to_caf(texts.error()));
     return note(next, solve_phase::failed, render(texts.error()));
   }
+  next.texts = *texts;
   solve_order order{base_order(),         make_ref(*head->mesh),
                     std::move(*texts),    request.device.empty() ? parts.device : request.device,
                     request.tolerance,    request.energy_tolerance,
@@ -164,7 +183,8 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       active.reset();
       progress_of.erase(job);
       solved event{parts.document, done.mesh, result.outcome, fields};
-      keep_result({done.key, done.version, done.load_cases.size(), event, result.fields});
+      keep_result(
+        {done.key, done.version, done.load_cases.size(), event, result.fields, done.texts});
       broadcast(event);
       for (auto& promise : done.waiting)
         promise.deliver(event);

@@ -46,6 +46,12 @@ public:
   void set_load_cases(std::uint32_t number, std::vector<std::string> load_cases,
                       std::vector<std::string> names);
 
+  /// @pre there is such a version.
+  void annotate(std::uint32_t number, std::string name, std::string note) {
+    nodes_[number].info.name = std::move(name);
+    nodes_[number].info.note = std::move(note);
+  }
+
 private:
   [[nodiscard]] expected<target> way_to(std::uint32_t number) const;
 

@@ -36,6 +36,11 @@ constexpr const char* schema =
   "CREATE TABLE log(sequence INTEGER PRIMARY KEY AUTOINCREMENT, what TEXT, details TEXT);"
   "PRAGMA application_id = 0x54454454; PRAGMA user_version = 1; COMMIT";
 
+/// Came later than the format: programs that do not know it leave it alone.
+constexpr const char* later_tables =
+  "CREATE TABLE IF NOT EXISTS annotation(version INTEGER PRIMARY KEY NOT NULL"
+  " REFERENCES version(number), name TEXT NOT NULL, note TEXT NOT NULL)";
+
 struct release {
   void operator()(sqlite3* db) const noexcept { sqlite3_close_v2(db); }
   void operator()(sqlite3_stmt* prepared) const noexcept { sqlite3_finalize(prepared); }
@@ -222,7 +227,7 @@ struct document::impl {
   lock_file lock;
   connection db;
   statement find_page, page_by_id, insert_page, insert_version, set_load_cases, set_redo, set_head;
-  statement insert_log, all_versions, head, all_log;
+  statement insert_annotation, insert_log, all_versions, head, all_log;
 };
 
 expected<void> document::impl::open(const fs::path& path) {
@@ -235,6 +240,7 @@ expected<void> document::impl::open(const fs::path& path) {
     .and_then([&] { return connect(); })
     .and_then([&] { return check_format(); })
     .and_then([&] { return execute(db.get(), "PRAGMA journal_mode = WAL"); })
+    .and_then([&] { return execute(db.get(), later_tables); })
     .and_then([&] { return prepare_all(); });
 }
 
@@ -280,7 +286,10 @@ expected<void> document::impl::prepare_all() {
     {&set_redo, "UPDATE version SET redo = ?2 WHERE number = ?1"},
     {&set_head, "INSERT OR REPLACE INTO head(one, version) VALUES(1, ?)"},
     {&insert_log, "INSERT INTO log(what, details) VALUES(?, ?)"},
-    {&all_versions, "SELECT * FROM version ORDER BY number"},  // columns as in `schema`
+    {&insert_annotation, "INSERT OR REPLACE INTO annotation VALUES(?, ?, ?)"},
+    {&all_versions,  // columns as in `schema`
+     "SELECT version.*, coalesce(a.name, ''), coalesce(a.note, '') FROM version"
+     " LEFT JOIN annotation AS a ON a.version = version.number ORDER BY version.number"},
     {&head, "SELECT version FROM head"},
     {&all_log, "SELECT sequence, what, details FROM log ORDER BY sequence"},
   };
@@ -327,6 +336,8 @@ expected<void> document::impl::put_rows(const change& c) {
     done = update(query(set_load_cases, i->first, i->second), i->first);
   for (auto i = c.redo.begin(); done && i != c.redo.end(); ++i)
     done = update(query(set_redo, i->first, i->second), i->first);
+  for (auto i = c.annotations.begin(); done && i != c.annotations.end(); ++i)
+    done = query(insert_annotation, i->number, i->name, i->note).run();
   if (done && !c.what.empty())
     done = query(insert_log, c.what, c.details).run();
   return done;
@@ -359,7 +370,7 @@ expected<contents> document::read() const {
   while ((more = versions.next()) && *more) {
     all.versions.push_back({versions.u32(0).value_or(0), versions.u32(1), versions.hash(2),
                             versions.blob(3), versions.text(4), versions.text(5), versions.text(6),
-                            versions.u32(7)});
+                            versions.u32(7), versions.text(8), versions.text(9)});
   }
   query head(impl_->head);
   if (more && (more = head.next()) && *more)

@@ -26,12 +26,21 @@ struct version_row {
   std::string load_cases;               ///< An array.
   std::string report;                   ///< What the operation reported.
   std::optional<std::uint32_t> redo;    ///< The child that a redo goes to.
+  std::string name;                     ///< Read with the row; written by an annotation.
+  std::string note;
+};
+
+/// A version's name and note; both empty: none.
+struct annotation {
+  std::uint32_t number = 0;
+  std::string name;
+  std::string note;
 };
 
 /// One line of the document's history, oldest first by `sequence`, which is never reused.
 struct log_row {
   std::uint64_t sequence = 0;
-  std::string what;  ///< "import", "edit", "undo", "redo" or "load_case".
+  std::string what;  ///< "import", "edit", "undo", "redo", "goto", "load_case", "annotate", ...
   std::string details;
 };
 
@@ -44,6 +53,7 @@ struct change {
   std::vector<std::pair<std::uint32_t, std::string>> load_cases;
   /// Version number and the child that its redo goes to from now on; none clears it.
   std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>> redo;
+  std::vector<annotation> annotations;  ///< Instead of those that the versions had.
   std::string what;  ///< Becomes a log row with `details`; an empty one is not logged.
   std::string details;
 };

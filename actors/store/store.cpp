@@ -84,7 +84,9 @@ expected<stored_document> load(const store::document& document) {
                  (*mesh)->tet_count(),
                  (*mesh)->vertex_count(),
                  (*mesh)->facet_count(),
-                 std::move(load_cases->names)};
+                 std::move(load_cases->names),
+                 row.name,
+                 row.note};
     node.load_cases = std::move(load_cases->texts);
     node.report = row.report;
     node.redo = row.redo;

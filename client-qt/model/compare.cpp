@@ -38,6 +38,7 @@ shown_field difference_field(shown_field wanted) {
     case shown_field::displacement_y:
     case shown_field::displacement_z:
     case shown_field::safety_factor:
+    case shown_field::relative_error:
       return wanted;
     default:
       return shown_field::von_mises;
@@ -51,7 +52,7 @@ shared_field difference(const version_record& before, const shared_field& before
   result->report = after_field->report;
   result->envelope = after_field->envelope;
   const shown_field as = difference_field(wanted);
-  if (as == shown_field::von_mises)
+  if (wanted == shown_field::none || wanted == shown_field::surfaces)
     wanted = shown_field::von_mises;
   const int component = as == shown_field::displacement_y   ? 1
                         : as == shown_field::displacement_z ? 2
@@ -74,6 +75,8 @@ shared_field difference(const version_record& before, const shared_field& before
     std::array<float, 3> moved{};
     moved[static_cast<std::size_t>(component)] = is - was;
     result->displacement.insert(result->displacement.end(), moved.begin(), moved.end());
+    if (as == shown_field::relative_error)
+      result->relative_error.push_back(is - was);
     if (as == shown_field::safety_factor)
       result->safety_factor.push_back(is == was ? 1e-30F : is - was);  // 0 means "not known".
   }
@@ -87,13 +90,17 @@ shared_field field_of(const version_record& version, const std::string& load_cas
   return load_case.empty() && version.fields.size() == 1 ? version.fields.front() : nullptr;
 }
 
-QString not_held(const version_record& version, const std::string& load_case) {
+QString not_held(const version_record& version, const std::string& load_case, shown_field wanted) {
   if (!version.surface)
     return say("The surface of version %1 was not seen since the document was opened.")
       .arg(version.info.number);
   const auto field = field_of(version, load_case);
   if (!field)
     return say("Version %1 has no field of this load case here yet.").arg(version.info.number);
+  if (!has(*field, wanted))
+    return say("Version %1 was seen without this quantity: %2.")
+      .arg(version.info.number)
+      .arg(field_title(wanted));
   return {};
 }
 

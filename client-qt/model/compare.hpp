@@ -27,8 +27,9 @@ namespace tedit::desktop {
 /// only one. Null when it is not held.
 [[nodiscard]] shared_field field_of(const version_record& version, const std::string& load_case);
 
-/// Why a version cannot be shown now; empty when its surface and field are held.
-[[nodiscard]] QString not_held(const version_record& version, const std::string& load_case);
+/// Why a version cannot be shown now; empty when its surface and the quantity are held.
+[[nodiscard]] QString not_held(const version_record& version, const std::string& load_case,
+                               shown_field wanted = shown_field::von_mises);
 
 /// The smallest and the largest value of a quantity in two fields together; an empty optional when
 /// neither has any.

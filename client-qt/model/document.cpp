@@ -38,7 +38,14 @@ document::document(remote& link, QObject* parent) : QObject(parent), link_(link)
   connect(&link_, &remote::committed, this, &document::take_commit);
   connect(&link_, &remote::load_cases_changed, this, [this](const client::load_cases_event& event) {
     if (head() && head()->info.version_id == event.version_id)
-      take_load_cases(event.load_cases);
+      take_other_load_cases(event.load_cases);
+  });
+  connect(&link_, &remote::annotated, this, [this](const client::version_info& info) {
+    const auto row = versions_.find(info.number);
+    if (row == versions_.end() || row->second.info.version_id != info.version_id)
+      return;
+    row->second.info = info;
+    emit history_changed();
   });
   connect(&link_, &remote::solve_status, this, &document::take_status);
   connect(&link_, &remote::solved, this, &document::take_outcome);
@@ -161,6 +168,7 @@ void document::forget() {
 
 void document::close() {
   forget();
+  watched_ = {};
   emit closed();
 }
 
@@ -182,6 +190,7 @@ void document::reopen() {
     },
     [this](client::document_state& state) {
       take_state(state);
+      send_watch();
       emit opened();
       refresh_history();
       if (state.head && !state.head->load_cases.empty())
@@ -225,6 +234,7 @@ void document::import(const QString& mesh, const QStringList& load_cases, const 
     [this, loads = std::move(loads)](client::committed& what) {
       emit opened();
       take_commit(what);
+      send_watch();
       send_load_cases(loads);
     });
 }
@@ -252,6 +262,37 @@ void document::send_load_cases(std::vector<fem::load_case> loads) {
 
 void document::set_load_case(const fem::load_case& loads) {
   send_load_cases({loads});
+}
+
+void document::remove_load_case(const std::string& name) {
+  link_.run<bool>(
+    [name](client::client& c, const execution&) -> expected<bool> {
+      if (auto ok = c.remove_load_case(name); !ok)
+        return fail(std::move(ok.error()));
+      return true;
+    },
+    [this, mine = opening_](const expected<bool>& ok) {
+      if (mine != opening_)
+        return;
+      if (!ok)
+        emit failed(tr("Remove the load case"), ok.error());
+      else if (!load_cases().empty())
+        solve();
+    });
+}
+
+void document::annotate(std::uint32_t number, const QString& name, const QString& note) {
+  link_.run<bool>(
+    [number, name = name.toStdString(), note = note.toStdString()](
+      client::client& c, const execution&) -> expected<bool> {
+      if (auto ok = c.annotate(number, name, note); !ok)
+        return fail(std::move(ok.error()));
+      return true;
+    },
+    [this](const expected<bool>& ok) {  // What it is called now comes as an event.
+      if (!ok)
+        emit failed(tr("Name the version"), ok.error());
+    });
 }
 
 void document::load_catalogue() {
@@ -319,6 +360,22 @@ void document::take_load_cases(const std::vector<fem::load_case>& loads) {
   if (head_)
     versions_[*head_].load_cases = loads;
   emit load_cases_changed();
+}
+
+/// Names that were known and are gone leave the head's row; others may be of a kind that only the
+/// server knows. Without any loads there is no field any more.
+void document::take_other_load_cases(const std::vector<fem::load_case>& loads) {
+  auto& row = versions_[*head_];
+  for (const auto& before : row.load_cases)
+    if (std::ranges::find(loads, before.name, &fem::load_case::name) == loads.end())
+      std::erase(row.info.load_cases, before.name);
+  if (loads.empty()) {
+    row.fields.clear();
+    row.outcome.reset();
+    set_field_state(field_state::none);
+    emit field_changed();
+  }
+  take_load_cases(loads);
 }
 
 void document::take_commit(const client::committed& what) {

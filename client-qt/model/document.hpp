@@ -77,6 +77,13 @@ public:
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
   void close();
   void set_load_case(const fem::load_case& loads);
+  /// Takes a load case from the head, and solves what is left.
+  void remove_load_case(const std::string& name);
+  /// Gives a version another name and note.
+  void annotate(std::uint32_t number, const QString& name, const QString& note);
+  /// Fields bring this, too, from now on, and the one of the head comes again with it. What was
+  /// watched before stays so until the document is closed.
+  void watch(const client::watched_quantities& wanted);
   void apply(const QString& operation, const std::vector<surface_id>& surfaces,
              const ops::parameters& values);
   void undo();
@@ -135,7 +142,9 @@ private:
   void take_outcome(const solve_outcome& outcome);
   void take_status(const client::solve_status& status);
   void take_load_cases(const std::vector<fem::load_case>& loads);
+  void take_other_load_cases(const std::vector<fem::load_case>& loads);
   void take_history(const client::history& history);
+  void send_watch();
   void load_catalogue();
   void set_field_state(field_state next);
   [[nodiscard]] version_record* find(const std::string& version_id);
@@ -150,6 +159,7 @@ private:
   bool can_redo_ = false;
   catalogue operations_;
   client::solve_settings settings_;
+  client::watched_quantities watched_;
   std::optional<activity> activity_;
   ticket running_;
   ticket solving_;

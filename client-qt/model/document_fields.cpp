@@ -58,6 +58,33 @@ void document::set_field_state(field_state next) {
     emit solve_changed();
 }
 
+// -- what is watched -----------------------------------------------------------------
+
+void document::watch(const client::watched_quantities& wanted) {
+  const client::watched_quantities all{watched_.stress || wanted.stress,
+                                       watched_.safety_factor || wanted.safety_factor,
+                                       watched_.relative_error || wanted.relative_error};
+  if (std::exchange(watched_, all) != all)
+    send_watch();
+}
+
+/// Also after the document was opened again: the server forgets it with the connection.
+void document::send_watch() {
+  if (!is_open() || watched_ == client::watched_quantities{})
+    return;
+  const int mine = opening_;
+  link_.run<std::string>(
+    [wanted = watched_](client::client& c, const execution&) { return c.watch_fields(wanted); },
+    [this, mine](const expected<std::string>& got) {
+      if (mine != opening_ || link_.current() != remote::state::connected)
+        return;
+      if (!got)
+        emit failed(tr("Fields on demand"), got.error());
+      else if (!got->empty() && field_state_ == field_state::converged)
+        emit notice(QString::fromStdString(*got));
+    });
+}
+
 // -- solving -------------------------------------------------------------------------
 
 void document::set_solve_settings(const client::solve_settings& settings) {

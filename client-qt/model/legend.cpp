@@ -14,6 +14,8 @@ namespace {
 
 using table = std::array<rgb, 11>;
 
+constexpr int smooth_levels = 10;  // Steps between isolines when the colours have none.
+
 // Eleven even steps each. Viridis: Smith and van der Walt 2015 (CC0); cividis: Nunez, Anderton and
 // Renslow 2018; coolwarm: Moreland 2009.
 constexpr table viridis{{{0.267F, 0.005F, 0.329F},
@@ -61,6 +63,14 @@ constexpr table coolwarm{{{0.230F, 0.299F, 0.754F},
                           {0.839F, 0.322F, 0.265F},
                           {0.706F, 0.016F, 0.150F}}};
 
+/// Red, yellow, blue: told apart with colour blindness, too. One for each of `safety_steps`.
+constexpr std::array<rgb, 6> safety_colours{{{0.74F, 0.10F, 0.12F},
+                                             {0.94F, 0.48F, 0.24F},
+                                             {0.99F, 0.80F, 0.43F},
+                                             {0.93F, 0.95F, 0.80F},
+                                             {0.58F, 0.78F, 0.87F},
+                                             {0.26F, 0.49F, 0.72F}}};
+
 const table& steps(colour_map map) {
   switch (map) {
     case colour_map::cividis:
@@ -79,20 +89,62 @@ struct row {
   const char* id;
   const char* title;
   const char* unit;
+  field_kind kind;
+  const char* help;
 };
 
-constexpr std::array<row, 8> rows{{
-  {shown_field::none, "none", QT_TRANSLATE_NOOP("legend", "No field"), ""},
-  {shown_field::surfaces, "surfaces", QT_TRANSLATE_NOOP("legend", "Surfaces"), ""},
-  {shown_field::von_mises, "von_mises", QT_TRANSLATE_NOOP("legend", "von Mises stress"), "Pa"},
-  {shown_field::displacement, "displacement", QT_TRANSLATE_NOOP("legend", "Displacement"), "m"},
+constexpr std::array<row, 19> rows{{
+  {shown_field::none, "none", QT_TRANSLATE_NOOP("legend", "No field"), "", field_kind::magnitude,
+   QT_TRANSLATE_NOOP("legend", "The bare part.")},
+  {shown_field::surfaces, "surfaces", QT_TRANSLATE_NOOP("legend", "Surfaces"), "",
+   field_kind::magnitude,
+   QT_TRANSLATE_NOOP("legend", "A colour for each surface: what a pick can mean.")},
+  {shown_field::von_mises, "von_mises", QT_TRANSLATE_NOOP("legend", "von Mises stress"), "Pa",
+   field_kind::magnitude,
+   QT_TRANSLATE_NOOP("legend",
+                     "One number for how near a ductile material is to yielding. It has no "
+                     "sign: tension and compression look alike.")},
+  {shown_field::displacement, "displacement", QT_TRANSLATE_NOOP("legend", "Displacement"), "m",
+   field_kind::magnitude, QT_TRANSLATE_NOOP("legend", "How far each point moves.")},
   {shown_field::displacement_x, "displacement_x", QT_TRANSLATE_NOOP("legend", "Displacement x"),
-   "m"},
+   "m", field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "How far each point moves along x.")},
   {shown_field::displacement_y, "displacement_y", QT_TRANSLATE_NOOP("legend", "Displacement y"),
-   "m"},
+   "m", field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "How far each point moves along y.")},
   {shown_field::displacement_z, "displacement_z", QT_TRANSLATE_NOOP("legend", "Displacement z"),
-   "m"},
-  {shown_field::safety_factor, "safety_factor", QT_TRANSLATE_NOOP("legend", "Safety factor"), ""},
+   "m", field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "How far each point moves along z.")},
+  {shown_field::safety_factor, "safety_factor", QT_TRANSLATE_NOOP("legend", "Safety factor"), "",
+   field_kind::safety,
+   QT_TRANSLATE_NOOP("legend",
+                     "Yield strength over von Mises stress. Red, below 1: it yields. Grey: "
+                     "the material has no yield strength.")},
+  {shown_field::principal_1, "principal_1", QT_TRANSLATE_NOOP("legend", "Principal stress 1"), "Pa",
+   field_kind::has_sign,
+   QT_TRANSLATE_NOOP("legend", "The largest tension at each point: it opens cracks.")},
+  {shown_field::principal_2, "principal_2", QT_TRANSLATE_NOOP("legend", "Principal stress 2"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "The middle one of the principal stresses.")},
+  {shown_field::principal_3, "principal_3", QT_TRANSLATE_NOOP("legend", "Principal stress 3"), "Pa",
+   field_kind::has_sign,
+   QT_TRANSLATE_NOOP("legend", "The largest compression at each point, negative.")},
+  {shown_field::max_shear, "max_shear", QT_TRANSLATE_NOOP("legend", "Largest shear"), "Pa",
+   field_kind::magnitude,
+   QT_TRANSLATE_NOOP("legend", "Half the difference of principal stress 1 and 3 (Tresca).")},
+  {shown_field::stress_xx, "stress_xx", QT_TRANSLATE_NOOP("legend", "Stress xx"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "Along x; tension is positive.")},
+  {shown_field::stress_yy, "stress_yy", QT_TRANSLATE_NOOP("legend", "Stress yy"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "Along y; tension is positive.")},
+  {shown_field::stress_zz, "stress_zz", QT_TRANSLATE_NOOP("legend", "Stress zz"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "Along z; tension is positive.")},
+  {shown_field::stress_xy, "stress_xy", QT_TRANSLATE_NOOP("legend", "Shear stress xy"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "In the plane of x and y.")},
+  {shown_field::stress_yz, "stress_yz", QT_TRANSLATE_NOOP("legend", "Shear stress yz"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "In the plane of y and z.")},
+  {shown_field::stress_zx, "stress_zx", QT_TRANSLATE_NOOP("legend", "Shear stress zx"), "Pa",
+   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "In the plane of z and x.")},
+  {shown_field::relative_error, "relative_error", QT_TRANSLATE_NOOP("legend", "Estimated error"),
+   "ratio", field_kind::magnitude,
+   QT_TRANSLATE_NOOP("legend",
+                     "How far the stress may be off for want of a finer mesh, in per cent "
+                     "of the part's mean stress. An indicator, not a bound.")},
 }};
 
 const row& row_of(shown_field field) {
@@ -127,7 +179,40 @@ shown_field field_from_id(const QString& id) {
   return found == rows.end() ? shown_field::none : found->field;
 }
 
+QString field_help(shown_field field) {
+  return QCoreApplication::translate("legend", row_of(field).help);
+}
+
+QString field_value(shown_field field, double si_value) {
+  if (field == shown_field::safety_factor && si_value >= 1000)
+    return QCoreApplication::translate("legend", "over 1000");
+  return quantity(si_value, field_unit(field));
+}
+
+const std::vector<std::vector<shown_field>>& field_groups() {
+  using enum shown_field;
+  static const std::vector<std::vector<shown_field>> groups{
+    {von_mises, principal_1, principal_2, principal_3, max_shear},
+    {displacement, displacement_x, displacement_y, displacement_z},
+    {stress_xx, stress_yy, stress_zz, stress_xy, stress_yz, stress_zx},
+    {shown_field::safety_factor, relative_error},
+    {surfaces, none}};
+  return groups;
+}
+
+field_kind kind_of(shown_field field) {
+  return row_of(field).kind;
+}
+
+bool in_envelope(shown_field field) {
+  return field == shown_field::von_mises || field == shown_field::safety_factor ||
+         field == shown_field::surfaces || field == shown_field::none;
+}
+
 rgb colour(colour_map map, double at) {
+  if (map == colour_map::safety)
+    return safety_colours[static_cast<std::size_t>(
+      std::isnan(at) ? 0 : std::clamp(std::floor(6 * at), 0.0, 5.0))];
   const auto& all = steps(map);
   const double x = std::isnan(at) ? 0 : 10 * std::clamp(at, 0.0, 1.0);
   const int i = std::min(9, static_cast<int>(x));
@@ -159,9 +244,55 @@ void legend::fit(std::span<const float> values) {
   }
   low = lowest;
   high = highest;
+  if (map == colour_map::coolwarm) {
+    high = std::max(std::abs(low), std::abs(high));
+    low = -high;
+  } else if (field == shown_field::safety_factor && high > safety_steps.back()) {
+    high = std::max(safety_steps.back(), 2 * low);  // Places without stress have a million.
+  }
+}
+
+rgb legend::colour_at(double place) const {
+  if (bands > 0 && map != colour_map::safety)
+    place = (std::clamp(std::floor(place * bands), 0.0, bands - 1.0) + 0.5) / bands;
+  return colour(map, place);
+}
+
+double legend::value(double at) const {
+  if (reversed)
+    at = 1 - at;
+  if (map == colour_map::safety) {
+    const auto step = std::min<std::size_t>(5, static_cast<std::size_t>(6 * at));
+    const double within = 6 * at - static_cast<double>(step);
+    return safety_steps[step] + within * (safety_steps[step + 1] - safety_steps[step]);
+  }
+  if (logarithmic && high > 0) {
+    const double least = low > 0 ? low : high * 1e-4;
+    return least * std::pow(high / least, at);
+  }
+  return low + at * (high - low);
+}
+
+std::vector<double> legend::levels() const {
+  if (map == colour_map::safety)
+    return {safety_steps.begin() + 1, safety_steps.end() - 1};
+  const int count = bands > 0 ? bands : smooth_levels;
+  std::vector<double> result;
+  for (int i = 1; i < count; ++i)
+    result.push_back(value(static_cast<double>(i) / count));
+  std::ranges::sort(result);
+  return result;
 }
 
 double legend::place(double value) const {
+  if (map == colour_map::safety) {
+    const auto above = std::ranges::upper_bound(safety_steps, value) - safety_steps.begin();
+    const auto step = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, 5));
+    const double within =
+      (value - safety_steps[step]) / (safety_steps[step + 1] - safety_steps[step]);
+    const double at = std::clamp((static_cast<double>(step) + within) / 6, 0.0, 1.0);
+    return reversed ? 1 - at : at;
+  }
   double at = (value - low) / (high - low);
   if (logarithmic && high > 0) {
     const double least = low > 0 ? low : high * 1e-4;
@@ -172,7 +303,15 @@ double legend::place(double value) const {
 }
 
 std::vector<double> legend::ticks(int most) const {
+  if (map == colour_map::safety)
+    return {safety_steps.begin() + 1, safety_steps.end() - 1};
   std::vector<double> result;
+  if (bands > 0) {  // The edges of the bands, and both ends.
+    result = levels();
+    result.insert(result.begin(), low);
+    result.push_back(high);
+    return result;
+  }
   if (logarithmic && high > 0) {
     const double least = low > 0 ? low : high * 1e-4;
     for (double power = std::pow(10.0, std::floor(std::log10(least))); power <= high; power *= 10)

@@ -19,12 +19,35 @@ enum class shown_field {
   displacement_x,
   displacement_y,
   displacement_z,
-  safety_factor
+  safety_factor,
+  principal_1,  ///< Of the stress, the largest; tension is positive.
+  principal_2,
+  principal_3,
+  max_shear,  ///< Half of principal 1 - principal 3.
+  stress_xx,
+  stress_yy,
+  stress_zz,
+  stress_xy,
+  stress_yz,
+  stress_zx,
+  relative_error
 };
 
 [[nodiscard]] QString field_title(shown_field field);
-/// SI: "Pa", "m" or nothing.
+/// One or two sentences: what it says, and what it does not.
+[[nodiscard]] QString field_help(shown_field field);
+/// SI: "Pa", "m", "ratio" (shown as %) or nothing.
 [[nodiscard]] QString field_unit(shown_field field);
+/// A value with its unit; safety factors from 1000 on are "over 1000".
+[[nodiscard]] QString field_value(shown_field field, double si_value);
+/// All that can be chosen, in groups of what belongs together.
+[[nodiscard]] const std::vector<std::vector<shown_field>>& field_groups();
+
+/// Which colours a field is read by.
+enum class field_kind { magnitude, has_sign, safety };
+[[nodiscard]] field_kind kind_of(shown_field field);
+/// Whether the envelope of several load cases has it.
+[[nodiscard]] bool in_envelope(shown_field field);
 /// For scripts and settings: "von_mises".
 [[nodiscard]] QString field_id(shown_field field);
 /// `none` when there is no such id.
@@ -36,14 +59,18 @@ enum class range_mode {
   locked      ///< As it was when it was locked: versions can be compared.
 };
 
-enum class colour_map { viridis, cividis, grey, coolwarm };
+enum class colour_map { viridis, cividis, grey, coolwarm, safety };
 
 /// Red, green, blue in [0,1].
 using rgb = std::array<float, 3>;
 
 /// The colour at `at` in [0,1]; outside that the ends. Viridis, cividis: perceptually even and
-/// readable with colour blindness; coolwarm: diverging, for differences.
+/// readable with colour blindness; coolwarm: diverging, for what has a sign; safety: six steps from
+/// red (below 1) to blue.
 [[nodiscard]] rgb colour(colour_map map, double at);
+
+/// Where the steps of the safety map begin and end, from 0 on.
+inline constexpr std::array<double, 7> safety_steps{0, 1, 1.5, 2, 3, 5, 10};
 
 /// How values become colours.
 struct legend {
@@ -55,10 +82,21 @@ struct legend {
   colour_map map = colour_map::viridis;
   bool reversed = false;
   QString title;  ///< Instead of the field's; may be empty.
+  int bands = 0;  ///< So many steps of one colour each; 0: smooth.
 
   /// Takes the range of new values when the mode is automatic; a uniform field gets a range around
-  /// its value. Values that are not finite do not count.
+  /// its value; with the diverging map 0 is in its middle. Values that are not finite do not count.
   void fit(std::span<const float> values);
+
+  /// The colour at a place of the scale, by its bands.
+  [[nodiscard]] rgb colour_at(double place) const;
+
+  /// The values at which colours or, when they are smooth, labelled lines change: the edges of the
+  /// bands without the ends of the scale, ascending, SI.
+  [[nodiscard]] std::vector<double> levels() const;
+
+  /// The value at a place of the scale: what `place` undoes.
+  [[nodiscard]] double value(double place) const;
 
   /// Where a value lies on the scale, in [0,1].
   [[nodiscard]] double place(double value) const;

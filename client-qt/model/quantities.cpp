@@ -19,6 +19,8 @@ display_unit shown_as(const QString& si_unit) {
     return {"MPa", 1e-6};
   if (si_unit == "rad")
     return {QString::fromUtf8("°"), 180 / std::numbers::pi};
+  if (si_unit == "ratio")
+    return {"%", 100};
   if (si_unit == "kg")
     return {"g", 1e3};
   return {si_unit, 1};

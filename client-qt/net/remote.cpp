@@ -203,6 +203,9 @@ client::events remote::make_events() {
   handlers.on_load_cases = [this, here](const client::load_cases_event& event) {
     here([this, event] { emit load_cases_changed(event); });
   };
+  handlers.on_annotated = [this, here](const client::version_info& version) {
+    here([this, version] { emit annotated(version); });
+  };
   handlers.on_solve_status = [this, here](const client::solve_status& status) {
     here([this, status] { emit solve_status(status); });
   };

@@ -82,6 +82,7 @@ signals:
   void field_arrived(std::shared_ptr<const tedit::client::field_event> field);
   void committed(const tedit::client::committed& what);
   void load_cases_changed(const tedit::client::load_cases_event& event);
+  void annotated(const tedit::client::version_info& version);
   void solve_status(const tedit::client::solve_status& status);
   void solved(const tedit::solve_outcome& outcome);
 

@@ -192,7 +192,7 @@ void compare_view::refresh() {
     return;
   QString why;
   for (const auto* one : {&before->second, &after->second})
-    if (why.isEmpty() && !(why = not_held(*one, what_->load_case)).isEmpty())
+    if (why.isEmpty() && !(why = not_held(*one, what_->load_case, what_->by.field)).isEmpty())
       wanted_ = one->info.number;
   missing_->setVisible(!why.isEmpty());
   panes_->setVisible(why.isEmpty());
@@ -256,9 +256,9 @@ void compare_view::show_change(const version_record& before, const version_recor
   by.map = colour_map::coolwarm;
   by.high = most > 0 ? most : 1;
   by.low = -by.high;
-  const QString of = as == what_->by.field               ? field_title(as)
-                     : as == shown_field::displacement_x ? field_title(shown_field::displacement)
-                                                         : field_title(as);
+  const bool drawn =
+    what_->by.field != shown_field::none && what_->by.field != shown_field::surfaces;
+  const QString of = field_title(drawn ? what_->by.field : as);
   by.title = QString::fromUtf8("Δ ") + of;
   after_.view->set_legend(by);
   after_.view->show_part({after.surface, change_, 0});

@@ -7,30 +7,57 @@
 #include <QDoubleValidator>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 #include <algorithm>
 #include <utility>
 
+#include "client-qt/model/field_values.hpp"
 #include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 
+namespace {
+
+constexpr std::array<int, 4> band_choices{0, 8, 12, 16};
+
+QWidget* side_by_side(std::initializer_list<QWidget*> parts) {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (auto* one : parts)
+    row->addWidget(one, 1);
+  return box;
+}
+
+}  // namespace
+
 field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), part_(part) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(12, 10, 12, 10);
-  field_ = new QComboBox;
-  field_->setObjectName("field");
-  for (const auto one :
-       {shown_field::von_mises, shown_field::displacement, shown_field::displacement_x,
-        shown_field::displacement_y, shown_field::displacement_z, shown_field::safety_factor,
-        shown_field::surfaces, shown_field::none})
-    field_->addItem(field_title(one), static_cast<int>(one));
+  list_fields();
   case_ = new QComboBox;
   case_->setObjectName("load_case");
   map_ = new QComboBox;
-  map_->addItems({tr("Viridis"), tr("Cividis"), tr("Grey"), tr("Cool to warm")});
+  map_->setObjectName("colours");
+  map_->addItems(
+    {tr("Viridis"), tr("Cividis"), tr("Grey"), tr("Cool to warm"), tr("Safety steps")});
+  bands_ = new QComboBox;
+  bands_->setObjectName("bands");
+  bands_->setToolTip(tr("Colours that flow, or steps of one colour each"));
+  for (const int count : band_choices)
+    bands_->addItem(count == 0 ? tr("Smooth") : tr("%1 bands").arg(count), count);
+  isolines_ = new QCheckBox(tr("Isolines"));
+  isolines_->setObjectName("isolines");
+  isolines_->setToolTip(tr("Lines of equal value on the surface, at the edges of the bands"));
+  missing_ = new QLabel;
+  missing_->setObjectName("field_missing");
+  missing_->setProperty("role", "faint");
+  missing_->setWordWrap(true);
+  missing_->hide();
   mode_ = new QComboBox;
   mode_->setObjectName("range_mode");
   mode_->addItems({tr("Automatic"), tr("As typed"), tr("Locked across versions")});
@@ -50,23 +77,23 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
   deform_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   deform_->setPrefix(QString::fromUtf8("\u00d7 "));
   deform_->setSpecialValueText(tr("not deformed"));
-  auto* range = new QWidget;
-  auto* row = new QHBoxLayout(range);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(low_);
-  row->addWidget(high_);
   form->addRow(tr("Field"), field_);
+  form->addRow(missing_);
   form->addRow(tr("Load case"), case_);
   form->addRow(tr("Range"), mode_);
-  form->addRow(QString(), range);
-  form->addRow(QString(), log_);
-  form->addRow(tr("Colours"), map_);
+  form->addRow(QString(), side_by_side({low_, high_}));
+  form->addRow(QString(), side_by_side({log_, isolines_}));
+  form->addRow(tr("Colours"), side_by_side({map_, bands_}));
   form->addRow(tr("Deformation"), deform_);
-  for (auto* box : {field_, case_, map_, mode_})
+  connect(field_, &QComboBox::currentIndexChanged, this, &field_panel::field_chosen);
+  connect(case_, &QComboBox::currentIndexChanged, this, &field_panel::case_chosen);
+  connect(map_, &QComboBox::currentIndexChanged, this, &field_panel::map_chosen);
+  for (auto* box : {bands_, mode_})
     connect(box, &QComboBox::currentIndexChanged, this, &field_panel::read_form);
   for (auto* edit : {low_, high_})
     connect(edit, &QLineEdit::editingFinished, this, &field_panel::read_form);
-  connect(log_, &QCheckBox::toggled, this, &field_panel::read_form);
+  for (auto* box : {log_, isolines_})
+    connect(box, &QCheckBox::toggled, this, &field_panel::read_form);
   connect(deform_, &QDoubleSpinBox::valueChanged, this, &field_panel::read_form);
   connect(&part_, &document::field_changed, this, &field_panel::list_cases);
   connect(&part_, &document::head_changed, this, &field_panel::list_cases);
@@ -75,7 +102,64 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
     if (locks_)
       mode_->setCurrentIndex(static_cast<int>(range_mode::automatic));
   });
+  field_chosen();
+}
+
+/// In groups; each says what it means.
+void field_panel::list_fields() {
+  field_ = new QComboBox;
+  field_->setObjectName("field");
+  field_->setMaxVisibleItems(24);
+  for (const auto& group : field_groups()) {
+    if (field_->count() > 0)
+      field_->insertSeparator(field_->count());
+    for (const auto one : group) {
+      field_->addItem(field_title(one), static_cast<int>(one));
+      field_->setItemData(field_->count() - 1, field_help(one), Qt::ToolTipRole);
+    }
+  }
+}
+
+/// The envelope has only what can be compared among load cases: another field shows the first one.
+void field_panel::field_chosen() {
+  const auto now = field();
+  const auto wanted = static_cast<shown_field>(field_->currentData().toInt());
+  field_->setToolTip(field_help(wanted));
+  if (now && now->envelope && !in_envelope(wanted)) {
+    const QSignalBlocker quiet(case_);
+    case_->setCurrentIndex(0);
+  }
+  {
+    const QSignalBlocker quiet(map_);
+    map_->setCurrentIndex(static_cast<int>(maps_[static_cast<std::size_t>(kind_of(wanted))]));
+  }
   read_form();
+}
+
+void field_panel::case_chosen() {
+  const auto now = field();
+  if (now && now->envelope && !in_envelope(legend_.field))
+    set_field(shown_field::von_mises);  // Comes to `read_form`.
+  else
+    read_form();
+}
+
+void field_panel::map_chosen() {
+  maps_[static_cast<std::size_t>(kind_of(legend_.field))] =
+    static_cast<colour_map>(map_->currentIndex());
+  read_form();
+}
+
+/// Why the chosen quantity cannot be seen, where it is not only on its way.
+void field_panel::say_what_is_missing() {
+  const auto now = field();
+  QString why;
+  if (now && legend_.field == shown_field::safety_factor && now->safety_factor.empty() &&
+      !(now->envelope ? now->envelope->min_safety_factor.has_value()
+                      : now->report.min_safety_factor.has_value()))
+    why = tr("No yield strength is known: give the material one in \"Loads and supports\".");
+  missing_->setText(why);
+  missing_->setVisible(!why.isEmpty());
 }
 
 /// One entry for each load case and one for the envelope; the choice stays where it was.
@@ -90,9 +174,11 @@ void field_panel::list_cases() {
         case_->addItem(field->envelope ? tr("Envelope of all")
                                        : QString::fromStdString(field->report.load_case));
     const int same = case_->findText(before);
-    case_->setCurrentIndex(same >= 0 ? same : case_->count() - 1);
+    const bool any = in_envelope(legend_.field);
+    case_->setCurrentIndex(same >= 0 ? same : any ? case_->count() - 1 : 0);
     case_->setEnabled(case_->count() > 1);
   }
+  say_what_is_missing();
   emit changed();
 }
 
@@ -112,12 +198,26 @@ void field_panel::set_field(shown_field field) {
   field_->setCurrentIndex(field_->findData(static_cast<int>(field)));
 }
 
+bool field_panel::isolines() const {
+  return isolines_->isChecked();
+}
+
+void field_panel::set_isolines(bool on) {
+  isolines_->setChecked(on);
+}
+
+void field_panel::set_bands(int bands) {
+  bands_->setCurrentIndex(std::max(0, bands_->findData(bands)));
+}
+
 void field_panel::set_deform(double factor) {
   deform_->setValue(factor);
 }
 
 void field_panel::set_look(colour_map map, bool locked, bool logarithmic) {
-  map_->setCurrentIndex(static_cast<int>(map));
+  maps_[static_cast<std::size_t>(field_kind::magnitude)] = map;
+  if (kind_of(legend_.field) == field_kind::magnitude)
+    map_->setCurrentIndex(static_cast<int>(map));
   log_->setChecked(logarithmic);
   if (std::exchange(locks_, locked) != locked)
     mode_->setCurrentIndex(static_cast<int>(range_mode::automatic));
@@ -129,8 +229,14 @@ void field_panel::read_form() {
   legend_.field = static_cast<shown_field>(field_->currentData().toInt());
   legend_.map = static_cast<colour_map>(map_->currentIndex());
   legend_.mode = static_cast<range_mode>(mode_->currentIndex());
-  legend_.logarithmic = log_->isChecked();
-  const bool typed = legend_.mode == range_mode::manual;
+  legend_.bands = bands_->currentData().toInt();
+  const bool fixed = legend_.map == colour_map::safety;  // Its steps are what they are.
+  const bool has_sign = kind_of(legend_.field) == field_kind::has_sign;
+  for (QWidget* one : {static_cast<QWidget*>(mode_), static_cast<QWidget*>(bands_)})
+    one->setEnabled(!fixed);
+  log_->setEnabled(!fixed && !has_sign);
+  legend_.logarithmic = log_->isChecked() && log_->isEnabled();
+  const bool typed = legend_.mode == range_mode::manual && !fixed;
   low_->setEnabled(typed);
   high_->setEnabled(typed);
   if (legend_.field != before && legend_.mode != range_mode::automatic) {
@@ -146,6 +252,7 @@ void field_panel::read_form() {
       legend_.high = high;
     }
   }
+  say_what_is_missing();
   emit changed();
 }
 

@@ -3,12 +3,15 @@
 
 #include <QWidget>
 
+#include <array>
+
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/legend.hpp"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 class QLineEdit;
 
 namespace tedit::desktop {
@@ -25,6 +28,10 @@ public:
   [[nodiscard]] shared_field field() const;
   /// Factor on the displacement; 0: not deformed.
   [[nodiscard]] double deform() const;
+  [[nodiscard]] bool isolines() const;
+  void set_isolines(bool on);
+  /// Steps of one colour each; 0: smooth.
+  void set_bands(int bands);
   void set_field(shown_field field);
   void set_deform(double factor);
   /// How fields are drawn unless something else is chosen. `locked`: to the range of the first
@@ -37,7 +44,12 @@ signals:
   void changed();
 
 private:
+  void list_fields();
   void list_cases();
+  void field_chosen();
+  void case_chosen();
+  void map_chosen();
+  void say_what_is_missing();
   void read_form();
 
   document& part_;
@@ -47,6 +59,11 @@ private:
   QComboBox* field_;
   QComboBox* case_;
   QComboBox* map_;
+  QComboBox* bands_;
+  QCheckBox* isolines_;
+  QLabel* missing_;
+  /// By the kind of field: what has a sign is read by other colours than what has none.
+  std::array<colour_map, 3> maps_{colour_map::viridis, colour_map::coolwarm, colour_map::safety};
   QComboBox* mode_;
   QLineEdit* low_;
   QLineEdit* high_;

@@ -293,9 +293,11 @@ void loads_panel::show_menu(QPoint at) {
     menu->addAction(tr("Add a material"), this, [this] { add_item(item_kind::material); });
     menu->addSeparator();
     menu->addAction(tr("Duplicate"), this, [this, place] { duplicate(*place); });
-    menu->addAction(tr("Copy under another name ..."), this, [this, row] { tree_->editItem(row); });
+    menu->addAction(tr("Rename ..."), this, [this, row] { tree_->editItem(row); });
     if (find(place->load_case, drafts_))
       menu->addAction(tr("Discard what is not solved yet"), this, [this, place] { drop(*place); });
+    if (find(place->load_case, part_.load_cases()))
+      menu->addAction(tr("Remove the load case"), this, [this, place] { remove_case(*place); });
   }
   menu->popup(tree_->viewport()->mapToGlobal(at));
 }
@@ -406,7 +408,24 @@ void loads_panel::drop(const row_place& place) {
   change(changed);
 }
 
-/// The server keeps the one of the old name: there is no request that removes it.
+/// A draft of it goes with it.
+void loads_panel::remove_case(const row_place& place) {
+  close_editor();
+  std::erase_if(drafts_, [&](const auto& one) { return one.name == place.load_case; });
+  part_.remove_load_case(place.load_case);
+}
+
+void loads_panel::remove_current() {
+  const auto place = current();
+  if (!place)
+    return;
+  if (!place->kind && find(place->load_case, part_.load_cases()))
+    remove_case(*place);
+  else
+    drop(*place);
+}
+
+/// The one of the new name is sent first: the head is never without it.
 void loads_panel::renamed(QTreeWidgetItem* row) {
   if (filling_)
     return;
@@ -423,6 +442,10 @@ void loads_panel::renamed(QTreeWidgetItem* row) {
   if (!find(before, part_.load_cases()))  // Never sent: it is only another name.
     std::erase_if(drafts_, [&](const auto& one) { return one.name == before; });
   change(copy);
+  if (missing(copy).isEmpty() && find(before, part_.load_cases())) {
+    std::erase_if(drafts_, [&](const auto& one) { return one.name == before; });
+    part_.remove_load_case(before);
+  }
 }
 
 void loads_panel::change(const fem::load_case& loads) {

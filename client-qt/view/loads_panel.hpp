@@ -30,6 +30,8 @@ public:
   void new_load_case();
   /// Opens the editor on a new item for the load case that is chosen in the tree.
   void add_item(item_kind kind);
+  /// Takes away what is chosen in the tree: an item, or a whole load case.
+  void remove_current();
   /// Closes the editor; false when it is not open.
   bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
@@ -63,6 +65,7 @@ private:
   void close_editor();
   void duplicate(const row_place& place);
   void drop(const row_place& place);
+  void remove_case(const row_place& place);
   void renamed(QTreeWidgetItem* row);
   /// Sends it when it is complete, else keeps it as a draft.
   void change(const fem::load_case& loads);

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/field_values.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/view/banner.hpp"
 #include "client-qt/view/command_palette.hpp"
@@ -253,6 +254,7 @@ void main_window::show_part() {
   const auto* head = part_.head();
   if (!head || !head->surface)
     return;
+  part_.watch(needs(fields_->wanted().field));
   view_->set_legend(fields_->wanted());
   view_->show_part({head->surface, fields_->field(), fields_->deform()});
 }
@@ -280,7 +282,7 @@ void main_window::show_tooltip(const std::optional<picked_point>& at, QPoint glo
   lines << part_.acting_on({at->surface});
   const auto& by = view_->current_legend();
   if (const auto value = view_->value_at(*at))
-    lines << field_title(by.field) + ": " + quantity(*value, field_unit(by.field));
+    lines << field_title(by.field) + ": " + field_value(by.field, *value);
   QToolTip::showText(global + QPoint(16, 16), lines.join("\n"), view_);
 }
 

@@ -194,14 +194,15 @@ void main_window::add_view_commands() {
                  [this] { overlay_->show_extremes(!overlay_->shows_extremes()); }, has_part});
   commands_.add(
     {"view.dark", tr("Dark or light"), view, "Ctrl+Shift+D", [this] { set_dark(!theme_.dark); }});
-  for (const auto field :
-       {shown_field::von_mises, shown_field::displacement, shown_field::surfaces})
-    commands_.add({"view.field_" + field_id(field),
-                   tr("Show: %1").arg(field_title(field)),
-                   view,
-                   {},
-                   [this, field] { fields_->set_field(field); },
-                   has_part});
+  for (const auto& group : field_groups())
+    for (const auto field : group)
+      commands_.add({"view.field_" + field_id(field),
+                     tr("Show: %1").arg(field_title(field)),
+                     view,
+                     {},
+                     [this, field] { fields_->set_field(field); },
+                     has_part,
+                     field_help(field)});
 }
 
 /// From the catalogue: operations of plugins that this program never saw are there as well.

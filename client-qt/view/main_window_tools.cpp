@@ -115,6 +115,13 @@ void main_window::add_load_commands() {
                  {},
                  [this] { loads_->new_load_case(); },
                  has_part});
+  commands_.add({"loads.remove",
+                 tr("Remove the chosen load, support or load case"),
+                 group,
+                 {},
+                 [this] { loads_->remove_current(); },
+                 has_part,
+                 tr("What is chosen in \"Loads and supports\"")});
 }
 
 /// The shown version against its parent, or one that was dragged onto another.

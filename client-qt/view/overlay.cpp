@@ -59,12 +59,12 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
                    second.trimmed());
   const QRectF bar(where.left(), where.top() + 2.4 * line, bar_width * scale,
                    where.height() - 3.6 * line);
-  constexpr int bands = 128;
+  constexpr int bands = 240;  // A multiple of every number of steps but 16 and 9: near enough.
   for (int i = 0; i < bands; ++i) {
     const double at = (i + 0.5) / bands;
     painter.fillRect(QRectF(bar.left(), bar.bottom() - (i + 1) * bar.height() / bands, bar.width(),
                             bar.height() / bands + scale),
-                     to_colour(colour(by.map, by.reversed ? 1 - at : at)));
+                     to_colour(by.colour_at(by.reversed ? 1 - at : at)));
   }
   for (const double tick : by.ticks(most_ticks)) {
     const double y = bar.bottom() - height_of(by, tick) * bar.height();
@@ -147,9 +147,9 @@ void overlay::paint(QPainter& painter, double scale) {
                by, note_, ink_, scale);
   if (!extremes_)
     return;
-  const QString unit = field_unit(by.field);
-  mark(painter, ends->low_at, tr("min %1").arg(quantity(ends->low, unit)), scale, true);
-  mark(painter, ends->high_at, tr("max %1").arg(quantity(ends->high, unit)), scale, false);
+  mark(painter, ends->low_at, tr("min %1").arg(field_value(by.field, ends->low)), scale, true);
+  if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
+    mark(painter, ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), scale, false);
 }
 
 void overlay::paintEvent(QPaintEvent*) {

@@ -194,7 +194,7 @@ void scene::fill_table(const legend& by) {
   table_->SetNumberOfTableValues(table_steps);
   table_->SetRange(0, 1);
   for (int i = 0; i < table_steps; ++i) {
-    const auto c = colour(by.map, static_cast<double>(i) / (table_steps - 1));
+    const auto c = by.colour_at(static_cast<double>(i) / (table_steps - 1));
     table_->SetTableValue(i, c[0], c[1], c[2], 1);
   }
   table_->SetNanColor(colours_.part[0], colours_.part[1], colours_.part[2], 1);

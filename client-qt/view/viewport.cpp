@@ -31,16 +31,12 @@ std::vector<float> values_of(const part_geometry& part, const client::field_even
 }
 
 std::vector<float> values_of(const client::section& cap, shown_field wanted) {
-  if (wanted == shown_field::von_mises)
-    return cap.von_mises;
   std::vector<float> result;
-  for (std::size_t i = 0; 3 * i < cap.displacement.size(); ++i) {
-    const float* d = &cap.displacement[3 * i];
-    if (wanted == shown_field::displacement)
-      result.push_back(std::hypot(d[0], d[1], d[2]));
-    else if (wanted >= shown_field::displacement_x && wanted <= shown_field::displacement_z)
-      result.push_back(d[static_cast<int>(wanted) - static_cast<int>(shown_field::displacement_x)]);
-  }
+  result.reserve(cap.positions.size() / 3);
+  for (std::size_t i = 0; 3 * i < cap.positions.size(); ++i)
+    result.push_back(value_in(cap, i, wanted));
+  if (std::ranges::none_of(result, [](float value) { return std::isfinite(value); }))
+    result.clear();
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fem/element.hpp"
+#include "fem/error_estimate.hpp"
 #include "fem/fields.hpp"
 #include "tests/fem/quadrature.hpp"
 
@@ -219,6 +221,30 @@ TEST(QuadraticRecovery, FieldsHoldTheCornerNodesOnly) {
   EXPECT_EQ(stress->values.size(), mesh->vertex_slots());
   for (vertex_id v = 0; v < mesh->vertex_slots(); ++v)
     EXPECT_NEAR(stress->at(v), 1e6, 1e-3);
+}
+
+TEST(NodalError, AddsUpToTheErrorOfThePart) {
+  const auto mesh = box_mesh({3, 2, 2}, {3, 1, 1});
+  auto loads = tension();
+  loads.loads = {{{2}, traction{{0, 0, -1e5}}}};  // Bending, which linear tets miss.
+  loads.constraints = {{{1}, fixed{}}};
+  const auto p = *make_problem(*mesh, loads, 1);
+  const auto s = solved(p);
+
+  const auto errors = nodal_error(p, s);
+
+  ASSERT_GT(s.relative_error, 0.1);
+  double sum = 0;
+  double volume = 0;
+  for (std::size_t e = 0; e < p.element_count(); ++e) {
+    const double v = gradients_of(p, e).volume;
+    volume += v;
+    for (int k = 0; k < 4; ++k) {
+      const double at = errors[p.element_nodes[4 * e + k]];
+      sum += v / 4 * at * at;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(sum / volume), s.relative_error, 1e-12);
 }
 
 TEST(PrincipalValues, AreSorted) {

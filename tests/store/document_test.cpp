@@ -113,6 +113,31 @@ TEST_F(Document, IsEmptyWhenNew) {
   EXPECT_EQ(look_up("PRAGMA user_version"), "1");
 }
 
+TEST_F(Document, NamesAndNotesStandBesideTheVersionsAlsoInDocumentsFromBefore) {
+  ASSERT_TRUE(open()->commit(make_change(0)));
+  tamper("DROP TABLE annotation");  // As it was before there were any.
+  change words;
+  words.annotations = {{0, "first", "a note"}};
+  change none;
+  none.annotations = {{5, "no such version", ""}};
+  {
+    const auto doc = open();
+    ASSERT_TRUE(doc->commit(words));
+    EXPECT_FALSE(doc->commit(none));
+  }
+
+  const auto all = open()->read();
+
+  ASSERT_TRUE(all.has_value());
+  ASSERT_EQ(all->versions.size(), 1U);
+  EXPECT_EQ(all->versions[0].name, "first");
+  EXPECT_EQ(all->versions[0].note, "a note");
+  words.annotations = {{0, "", ""}};
+  const auto doc = open();
+  ASSERT_TRUE(doc->commit(words));
+  EXPECT_EQ(doc->read()->versions[0].name, "");
+}
+
 TEST_F(Document, KeepsEverythingOverCloseAndReopen) {
   const auto first = make_change(0);
   auto second = make_change(4000000000u);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Requests that make no new version: load cases, names and notes, and what is watched.
+#include "actors/errors.hpp"
+#include "actors/gateway/client_actor.hpp"
+#include "actors/session/session.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/json.hpp"
+
+namespace tedit::gateway {
+
+namespace {
+
+using namespace actors;
+
+constexpr auto short_limit = std::chrono::seconds(60);
+
+/// Errors: `invalid_argument` for a quantity that this server does not know.
+expected<watched_quantities> read_quantities(const v1::WatchFields& body) {
+  watched_quantities result;
+  for (const auto one : body.quantities()) {
+    if (one == v1::WatchFields::STRESS)
+      result.stress = true;
+    else if (one == v1::WatchFields::SAFETY_FACTOR)
+      result.safety_factor = true;
+    else if (one == v1::WatchFields::RELATIVE_ERROR)
+      result.relative_error = true;
+    else
+      return fail(ec::invalid_argument, "there is no quantity " + std::to_string(one) + " to watch",
+                  "Ask for STRESS, SAFETY_FACTOR or RELATIVE_ERROR");
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Request>
+void client_state::carry_out(std::uint64_t id, const session_actor& session, Request request,
+                             const char* what) {
+  begin(id, {});
+  self->request(session, answer_limit, std::move(request))
+    .then(
+      [=, this](acknowledged) {
+        v1::ServerMessage message;
+        message.mutable_done();
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, what)); });
+}
+
+void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  const auto json = protocol::message_to_json(body.load_case());
+  const auto checked = protocol::load_case_from_json(json, "load case");
+  if (!checked)
+    return refuse(id, checked.error());
+  carry_out(id, document->session, load_case_request{json}, "setting the load case");
+}
+
+void client_state::remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body) {
+  if (const auto* document = find(id, body.document()))
+    carry_out(id, document->session, remove_case_request{body.load_case()},
+              "removing the load case");
+}
+
+void client_state::annotate(std::uint64_t id, const v1::AnnotateVersion& body) {
+  if (const auto* document = find(id, body.document()))
+    carry_out(id, document->session, annotate_request{body.number(), body.name(), body.note()},
+              "naming the version");
+}
+
+// -- what is watched -----------------------------------------------------------------------------
+
+void client_state::watch(std::uint64_t id, const v1::WatchFields& body) {
+  auto* document = find(id, body.document());
+  if (!document)
+    return;
+  const auto wanted = read_quantities(body);
+  if (!wanted)
+    return refuse(id, wanted.error());
+  document->watched = *wanted;
+  begin(id, {});
+  self->request(document->session, short_limit, held_atom::value)
+    .then(
+      [=, this, of = body.document()](const held_result& held) {
+        v1::ServerMessage message;
+        if (!held.result && !held.solving)
+          message.mutable_done()->set_note(
+            "the server holds no field of the head; solve it to get one");
+        else
+          message.mutable_done();
+        answer(id, std::move(message));
+        if (held.result)
+          send_again(of, *held.result);
+      },
+      [=, this](const caf::error& e) { refuse(id, from_caf(e, "watching fields")); });
+}
+
+/// Queues the fields of a solve for those who watch them; also when they were sent before.
+void client_state::send_again(const std::string& document, const solved& event) {
+  const auto found = documents.find(document);
+  if (found == documents.end())
+    return;
+  auto& open = found->second;
+  open.last_solved = event;
+  if (!open.watch_fields)
+    return;
+  const bool queued = open.wanted_fields.has_value();
+  open.wanted_fields = event;
+  open.next_field = 0;
+  if (!queued)
+    queue_field(document);
+  bulk_out->pump();
+}
+
+void client_state::on_annotated(const version_annotated& event) {
+  if (!documents.contains(event.document))
+    return;
+  v1::ServerMessage message;
+  auto* out = message.mutable_version_annotated();
+  out->set_document(event.document);
+  to_message(event.info, out->mutable_version());
+  send(*to, message);
+}
+
+}  // namespace tedit::gateway

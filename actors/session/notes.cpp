@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What belongs to a version and makes no new one: its load cases, its name and note.
+#include <algorithm>
+
+#include "actors/errors.hpp"
+#include "actors/session/session.hpp"
+#include "actors/store/store.hpp"
+#include "protocol/convert.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+constexpr std::size_t longest_name = 80;
+constexpr std::size_t longest_note = 4000;
+
+error no_head() {
+  return {ec::conflict, "the document is empty", "Import a mesh first", {}};
+}
+
+/// Characters of a UTF-8 text: bytes that go on from another do not count.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+    std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+bool has_control(const std::string& text, bool lines) {
+  return std::ranges::any_of(text, [&](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return (code < 0x20 && !(lines && (c == '\n' || c == '\t'))) || code == 0x7F;
+  });
+}
+
+/// Errors: `invalid_argument`.
+expected<void> check_words(const annotate_request& request) {
+  if (characters(request.name) > longest_name || has_control(request.name, false))
+    return fail(ec::invalid_argument,
+                "a version's name has at most " + std::to_string(longest_name) +
+                  " characters and is one line",
+                "Put the rest into the note");
+  if (characters(request.note) > longest_note || has_control(request.note, true))
+    return fail(
+      ec::invalid_argument,
+      "a version's note has at most " + std::to_string(longest_note) + " printable characters",
+      "Shorten it");
+  return {};
+}
+
+}  // namespace
+
+caf::result<acknowledged> session_state::carry_out(
+  std::function<expected<quiet_change>()> prepare) {
+  const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
+    self->make_response_promise<acknowledged>());
+  const auto refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
+  const auto end = [=, this](const error& e) {
+    refuse(e);
+    finish_command();
+  };
+  const auto begin = [=, this, prepare = std::move(prepare)] {
+    auto made = prepare();
+    if (!made)
+      return end(made.error());
+    commit(
+      std::move(made->change),
+      [=, this, done = std::move(made->done)](double) {
+        done();
+        promise->deliver(acknowledged{});
+        finish_command();
+      },
+      end);
+  };
+  enqueue({0, begin, refuse});
+  return *promise;
+}
+
+// -- load cases --------------------------------------------------------------------------------
+
+session_state::quiet_change session_state::change_load_cases(std::vector<std::string> texts,
+                                                             std::vector<std::string> names,
+                                                             const std::string& what,
+                                                             const std::string& details) {
+  const auto number = graph.head()->info.number;
+  quiet_change result;
+  result.change.load_cases.emplace_back(number, join_load_cases(texts));
+  result.change.what = what;
+  result.change.details = details;
+  result.done = [=, this] {
+    graph.set_load_cases(number, texts, names);
+    last_preview.reset();
+    broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), texts});
+  };
+  return result;
+}
+
+caf::result<acknowledged> session_state::set_load_case(const load_case_request& request) {
+  return carry_out([=, this]() -> expected<quiet_change> {
+    const auto* head = graph.head();
+    const auto given = protocol::load_case_from_json(request.load_case, "load case");
+    if (!head || !given)
+      return fail(head ? given.error() : no_head());
+    auto texts = head->load_cases;
+    auto names = head->info.load_cases;
+    const auto same = std::ranges::find(names, given->name) - names.begin();
+    if (same == std::ssize(names)) {
+      names.push_back(given->name);
+      texts.emplace_back();
+    }
+    texts[static_cast<std::size_t>(same)] = request.load_case;
+    return change_load_cases(std::move(texts), std::move(names), "load_case", request.load_case);
+  });
+}
+
+/// The last one may go, too: the head is then as it was after its import.
+caf::result<acknowledged> session_state::remove_load_case(const remove_case_request& request) {
+  return carry_out([=, this]() -> expected<quiet_change> {
+    const auto* head = graph.head();
+    if (!head)
+      return fail(no_head());
+    auto texts = head->load_cases;
+    auto names = head->info.load_cases;
+    const auto found = std::ranges::find(names, request.load_case);
+    if (found == names.end())
+      return fail(ec::not_found, "there is no load case \"" + request.load_case + "\"",
+                  "Name one that the head has");
+    texts.erase(texts.begin() + (found - names.begin()));
+    names.erase(found);
+    auto change =
+      change_load_cases(std::move(texts), std::move(names), "remove_load_case", request.load_case);
+    change.done = [=, this, then = std::move(change.done)] {
+      forget_solve_of(request.load_case);
+      then();
+    };
+    return change;
+  });
+}
+
+/// A field of loads that are gone must not come; nor must the next head ask for them.
+void session_state::forget_solve_of(const std::string& load_case) {
+  if (followed && std::erase(followed->load_cases, load_case) > 0 && followed->load_cases.empty())
+    followed.reset();
+  if (active && std::ranges::find(active->load_cases, load_case) != active->load_cases.end())
+    end_active_solve(ec::cancelled, "the load case \"" + load_case + "\" was removed",
+                     solve_phase::cancelled);
+}
+
+// -- names and notes ---------------------------------------------------------------------------
+
+caf::result<acknowledged> session_state::annotate(const annotate_request& request) {
+  return carry_out([=, this]() -> expected<quiet_change> {
+    if (auto ok = check_words(request); !ok)
+      return fail(ok.error());
+    if (request.number >= graph.nodes().size())
+      return fail(ec::not_found, "there is no version " + std::to_string(request.number),
+                  "Ask for the history to see which there are");
+    quiet_change result;
+    result.change.annotations.push_back({request.number, request.name, request.note});
+    result.change.what = "annotate";
+    result.change.details = std::to_string(request.number);
+    result.done = [=, this] {
+      graph.annotate(request.number, request.name, request.note);
+      broadcast(version_annotated{parts.document, graph.nodes()[request.number].info});
+    };
+    return result;
+  });
+}
+
+}  // namespace tedit::actors
