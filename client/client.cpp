@@ -2,12 +2,10 @@
 #include "client/client.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
-#include <mutex>
 #include <system_error>
 
-#include "client/connection.hpp"
+#include "client/impl.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
 #include "protocol/load_policy_message.hpp"
@@ -15,70 +13,6 @@
 #include "protocol/selection_message.hpp"
 
 namespace tedit::client {
-
-namespace {
-
-using body = v1::ServerMessage;
-
-constexpr std::uint64_t piece_bytes = std::uint64_t{256} << 10;
-/// Room for all of an UploadChunk message beside its data.
-constexpr std::uint64_t piece_overhead = 256;
-
-}  // namespace
-
-struct client::impl {
-  impl(const connect_options& given, events handlers) : options(given), link(std::move(handlers)) {}
-
-  /// A request that is answered soon.
-  expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted) {
-    return link.ask(std::move(request), wanted, options.request_timeout, {});
-  }
-
-  /// A request that takes its time.
-  expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted,
-                                   const execution& run) {
-    return link.ask(std::move(request), wanted, options.long_request_timeout, run);
-  }
-
-  /// The open document, for requests that servers know since a protocol_minor. Errors:
-  /// `protocol_error` when this one does not; `invalid_argument` when no document is open.
-  expected<std::string> open_document(unsigned since, const char* what) {
-    if (link.server_minor() < since)
-      return fail(ec::protocol_error, std::string("the server is too old to ") + what,
-                  "Use a server of this client's release.");
-    return open_document();
-  }
-
-  /// Errors: `invalid_argument` when no document is open.
-  expected<std::string> open_document() {
-    const std::lock_guard lock(mutex);
-    if (document.empty())
-      return fail(ec::invalid_argument, "no document is open", "Open a document first.");
-    return document;
-  }
-
-  expected<void> close_document();
-  expected<v1::ApplyEdit> describe_edit(const std::string& operation,
-                                        const std::vector<surface_id>& surfaces,
-                                        const ops::parameters& values,
-                                        const std::string& expected_version,
-                                        const fem::carry_settings& loads);
-  expected<void> send_pieces(std::ifstream& file, std::uint64_t size, std::uint64_t upload,
-                             std::uint64_t first_id, const execution& run);
-  expected<connection::answer> import_mesh(std::ifstream& file, std::uint64_t size,
-                                           v1::ImportMesh import, const execution& run);
-
-  [[nodiscard]] std::uint64_t piece() const {
-    const auto largest = link.max_message();
-    return std::min(piece_bytes, largest > 2 * piece_overhead ? largest - piece_overhead : 1);
-  }
-
-  const connect_options options;
-  connection link;
-  std::atomic<std::uint64_t> next_upload{1};
-  std::mutex mutex;
-  std::string document;  ///< The open one; guarded.
-};
 
 namespace {
 
@@ -226,22 +160,6 @@ expected<committed> client::import_file(const std::filesystem::path& path, const
   return convert(impl_->import_mesh(file, size, std::move(import), run), &body::committed);
 }
 
-expected<void> client::set_load_case(const fem::load_case& loads) {
-  auto document = impl_->open_document();
-  if (!document)
-    return fail(std::move(document.error()));
-  auto message = protocol::message_from_json<v1::LoadCase>(protocol::load_case_to_json(loads));
-  if (!message)
-    return fail(std::move(message.error()));
-  v1::ClientMessage request;
-  request.mutable_set_load_case()->set_document(*document);
-  *request.mutable_set_load_case()->mutable_load_case() = std::move(*message);
-  const auto got = impl_->ask(std::move(request), body::kDone);
-  if (!got)
-    return fail(got.error());
-  return {};
-}
-
 /// The message ApplyEdit for the open document. Errors: `invalid_argument` when none is open,
 /// `protocol_error` when the server is too old for what is to become of loads.
 expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation,
@@ -266,56 +184,6 @@ expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation
   edit.set_expected_version(expected_version);
   protocol::to_message(loads, edit.mutable_loads());
   return edit;
-}
-
-expected<void> client::remove_load_case(const std::string& name) {
-  auto document = impl_->open_document(5, "remove a load case");
-  if (!document)
-    return fail(std::move(document.error()));
-  v1::ClientMessage request;
-  request.mutable_remove_load_case()->set_document(*document);
-  request.mutable_remove_load_case()->set_load_case(name);
-  const auto got = impl_->ask(std::move(request), body::kDone);
-  if (!got)
-    return fail(got.error());
-  return {};
-}
-
-expected<void> client::annotate(std::uint32_t number, const std::string& name,
-                                const std::string& note) {
-  auto document = impl_->open_document(5, "name versions");
-  if (!document)
-    return fail(std::move(document.error()));
-  v1::ClientMessage request;
-  auto* wanted = request.mutable_annotate_version();
-  wanted->set_document(*document);
-  wanted->set_number(number);
-  wanted->set_name(name);
-  wanted->set_note(note);
-  const auto got = impl_->ask(std::move(request), body::kDone);
-  if (!got)
-    return fail(got.error());
-  return {};
-}
-
-expected<std::string> client::watch_fields(const watched_quantities& wanted) {
-  auto document = impl_->open_document(5, "send more than displacement and von Mises stress");
-  if (!document)
-    return fail(std::move(document.error()));
-  v1::ClientMessage request;
-  auto* watch = request.mutable_watch_fields();
-  watch->set_document(*document);
-  if (wanted.stress)
-    watch->add_quantities(v1::WatchFields::STRESS);
-  if (wanted.safety_factor)
-    watch->add_quantities(v1::WatchFields::SAFETY_FACTOR);
-  if (wanted.relative_error)
-    watch->add_quantities(v1::WatchFields::RELATIVE_ERROR);
-  impl_->link.arrivals().forget_fields();
-  const auto got = impl_->ask(std::move(request), body::kDone);
-  if (!got)
-    return fail(got.error());
-  return got->message.done().note();
 }
 
 expected<committed> client::edit(const std::string& operation,

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <iosfwd>
+#include <mutex>
+
+#include "client/client.hpp"
+#include "client/connection.hpp"
+
+namespace tedit::client {
+
+using body = v1::ServerMessage;
+
+/// What a client is made of; its requests are spread over client.cpp and notes.cpp.
+struct client::impl {
+  impl(const connect_options& given, events handlers) : options(given), link(std::move(handlers)) {}
+
+  /// A request that is answered soon.
+  expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted) {
+    return link.ask(std::move(request), wanted, options.request_timeout, {});
+  }
+
+  /// A request that takes its time.
+  expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted,
+                                   const execution& run) {
+    return link.ask(std::move(request), wanted, options.long_request_timeout, run);
+  }
+
+  /// The open document, for requests that servers know since a protocol_minor. Errors:
+  /// `protocol_error` when this one does not; `invalid_argument` when no document is open.
+  expected<std::string> open_document(unsigned since, const char* what) {
+    if (link.server_minor() < since)
+      return fail(ec::protocol_error, std::string("the server is too old to ") + what,
+                  "Use a server of this client's release.");
+    return open_document();
+  }
+
+  /// Errors: `invalid_argument` when no document is open.
+  expected<std::string> open_document() {
+    const std::lock_guard lock(mutex);
+    if (document.empty())
+      return fail(ec::invalid_argument, "no document is open", "Open a document first.");
+    return document;
+  }
+
+  expected<void> close_document();
+  expected<v1::ApplyEdit> describe_edit(const std::string& operation,
+                                        const std::vector<surface_id>& surfaces,
+                                        const ops::parameters& values,
+                                        const std::string& expected_version,
+                                        const fem::carry_settings& loads);
+  expected<void> send_pieces(std::ifstream& file, std::uint64_t size, std::uint64_t upload,
+                             std::uint64_t first_id, const execution& run);
+  expected<connection::answer> import_mesh(std::ifstream& file, std::uint64_t size,
+                                           v1::ImportMesh import, const execution& run);
+
+  /// Bytes of one piece of an upload.
+  [[nodiscard]] std::uint64_t piece() const {
+    constexpr std::uint64_t piece_bytes = std::uint64_t{256} << 10;
+    constexpr std::uint64_t piece_overhead = 256;  // Room for all of the message beside its data.
+    const auto largest = link.max_message();
+    return std::min(piece_bytes, largest > 2 * piece_overhead ? largest - piece_overhead : 1);
+  }
+
+  const connect_options options;
+  connection link;
+  std::atomic<std::uint64_t> next_upload{1};
+  std::mutex mutex;
+  std::string document;  ///< The open one; guarded.
+};
+
+}  // namespace tedit::client

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Requests that make no new version.
+#include "client/impl.hpp"
+#include "protocol/convert.hpp"
+#include "protocol/json.hpp"
+
+namespace tedit::client {
+
+expected<void> client::set_load_case(const fem::load_case& loads) {
+  auto document = impl_->open_document();
+  if (!document)
+    return fail(std::move(document.error()));
+  auto message = protocol::message_from_json<v1::LoadCase>(protocol::load_case_to_json(loads));
+  if (!message)
+    return fail(std::move(message.error()));
+  v1::ClientMessage request;
+  request.mutable_set_load_case()->set_document(*document);
+  *request.mutable_set_load_case()->mutable_load_case() = std::move(*message);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
+expected<void> client::remove_load_case(const std::string& name) {
+  auto document = impl_->open_document(5, "remove a load case");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_remove_load_case()->set_document(*document);
+  request.mutable_remove_load_case()->set_load_case(name);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
+expected<void> client::annotate(std::uint32_t number, const std::string& name,
+                                const std::string& note) {
+  auto document = impl_->open_document(5, "name versions");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* wanted = request.mutable_annotate_version();
+  wanted->set_document(*document);
+  wanted->set_number(number);
+  wanted->set_name(name);
+  wanted->set_note(note);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
+expected<std::string> client::watch_fields(const watched_quantities& wanted) {
+  auto document = impl_->open_document(5, "send more than displacement and von Mises stress");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* watch = request.mutable_watch_fields();
+  watch->set_document(*document);
+  if (wanted.stress)
+    watch->add_quantities(v1::WatchFields::STRESS);
+  if (wanted.safety_factor)
+    watch->add_quantities(v1::WatchFields::SAFETY_FACTOR);
+  if (wanted.relative_error)
+    watch->add_quantities(v1::WatchFields::RELATIVE_ERROR);
+  impl_->link.arrivals().forget_fields();
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return got->message.done().note();
+}
+
+}  // namespace tedit::client
