@@ -60,6 +60,7 @@ bool commands::trigger(const QString& id) {
     return false;
   const auto run = found->run;  // It may change the list.
   run();
+  emit triggered(id);
   return true;
 }
 

@@ -47,6 +47,8 @@ public:
 
 signals:
   void changed();
+  /// A command was run by `trigger`.
+  void triggered(const QString& id);
 
 private:
   std::vector<command> all_;

@@ -108,11 +108,14 @@ QStringList document::acting_on(const std::vector<surface_id>& surfaces) const {
 
 void document::begin_activity(const QString& title) {
   activity_ = activity{title, {}, 0, true};
+  work_.end(activity_job_);
+  activity_job_ = work_.begin(title, [this] { cancel(); });
   emit activity_changed();
 }
 
 void document::end_activity() {
   activity_.reset();
+  work_.end(activity_job_);
   emit activity_changed();
 }
 
@@ -121,6 +124,7 @@ void document::progressed(double fraction, const QString& stage) {
     return;
   activity_->fraction = fraction;
   activity_->stage = stage;
+  work_.progress(activity_job_, fraction, stage);
   emit activity_changed();
 }
 
@@ -264,37 +268,6 @@ void document::set_load_case(const fem::load_case& loads) {
   send_load_cases({loads});
 }
 
-void document::remove_load_case(const std::string& name) {
-  link_.run<bool>(
-    [name](client::client& c, const execution&) -> expected<bool> {
-      if (auto ok = c.remove_load_case(name); !ok)
-        return fail(std::move(ok.error()));
-      return true;
-    },
-    [this, mine = opening_](const expected<bool>& ok) {
-      if (mine != opening_)
-        return;
-      if (!ok)
-        emit failed(tr("Remove the load case"), ok.error());
-      else if (!load_cases().empty())
-        solve();
-    });
-}
-
-void document::annotate(std::uint32_t number, const QString& name, const QString& note) {
-  link_.run<bool>(
-    [number, name = name.toStdString(), note = note.toStdString()](
-      client::client& c, const execution&) -> expected<bool> {
-      if (auto ok = c.annotate(number, name, note); !ok)
-        return fail(std::move(ok.error()));
-      return true;
-    },
-    [this](const expected<bool>& ok) {  // What it is called now comes as an event.
-      if (!ok)
-        emit failed(tr("Name the version"), ok.error());
-    });
-}
-
 void document::load_catalogue() {
   link_.run<catalogue>(
     [](client::client& c, const execution&) -> expected<catalogue> {
@@ -329,6 +302,7 @@ void document::apply(const QString& operation, const std::vector<surface_id>& su
   const QString title = offered ? QString::fromStdString(offered->about.name) : operation;
   const auto* now = head();
   const std::string expected_version = now ? now->info.version_id : std::string();
+  emit applied(operation, surfaces, values);
   ask<client::committed>(
     title,
     [=, id = operation.toStdString()](client::client& c, const execution& run) {
@@ -360,22 +334,6 @@ void document::take_load_cases(const std::vector<fem::load_case>& loads) {
   if (head_)
     versions_[*head_].load_cases = loads;
   emit load_cases_changed();
-}
-
-/// Names that were known and are gone leave the head's row; others may be of a kind that only the
-/// server knows. Without any loads there is no field any more.
-void document::take_other_load_cases(const std::vector<fem::load_case>& loads) {
-  auto& row = versions_[*head_];
-  for (const auto& before : row.load_cases)
-    if (std::ranges::find(loads, before.name, &fem::load_case::name) == loads.end())
-      std::erase(row.info.load_cases, before.name);
-  if (loads.empty()) {
-    row.fields.clear();
-    row.outcome.reset();
-    set_field_state(field_state::none);
-    emit field_changed();
-  }
-  take_load_cases(loads);
 }
 
 void document::take_commit(const client::committed& what) {
@@ -469,9 +427,17 @@ void document::select(const selection_query& query,
 
 void document::cut(const vec3& at, const vec3& normal, const std::string& load_case,
                    remote::reply<client::section> done) {
-  link_.run<client::section>(
+  auto asked = std::make_shared<ticket>();
+  const int shown = work_.begin(tr("Section"), [asked] { asked->cancel(); });
+  *asked = link_.run<client::section>(
     [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
-    std::move(done));
+    [this, shown, done = std::move(done)](expected<client::section> got) {
+      work_.end(shown);
+      done(std::move(got));
+    },
+    [this, shown](double fraction, const QString& stage) {
+      work_.progress(shown, fraction, stage);
+    });
 }
 
 }  // namespace tedit::desktop

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client-qt/model/catalogue.hpp"
+#include "client-qt/model/jobs.hpp"
 #include "client-qt/net/remote.hpp"
 
 namespace tedit::desktop {
@@ -59,6 +60,8 @@ public:
   [[nodiscard]] bool can_redo() const noexcept { return can_redo_; }
   [[nodiscard]] const catalogue& operations() const noexcept { return operations_; }
   [[nodiscard]] const std::optional<activity>& current_activity() const { return activity_; }
+  /// All that runs for this window, what `current_activity` shows included.
+  [[nodiscard]] jobs& work() { return work_; }
   [[nodiscard]] field_state field_progress() const noexcept { return field_state_; }
   [[nodiscard]] const client::solve_status& solve_progress() const { return solve_status_; }
   /// The load cases of the head.
@@ -121,6 +124,9 @@ signals:
   void operations_changed();
   void activity_changed();
   void edited(const tedit::client::committed& what);
+  /// An operation was asked for; `edited` or `failed` follows.
+  void applied(const QString& operation, const std::vector<tedit::surface_id>& surfaces,
+               const tedit::ops::parameters& values);
   void exported(const QString& path);
   void notice(const QString& text);
   /// What was tried, and why it did not work.
@@ -132,6 +138,7 @@ private:
   void begin_activity(const QString& title);
   void end_activity();
   void progressed(double fraction, const QString& stage);
+  void note_solve();
 
   void connection_changed();
   void reopen();
@@ -161,6 +168,9 @@ private:
   client::solve_settings settings_;
   client::watched_quantities watched_;
   std::optional<activity> activity_;
+  jobs work_;
+  int activity_job_ = 0;
+  int solve_job_ = 0;  ///< 0: no solve runs.
   ticket running_;
   ticket solving_;
   int solves_ = 0;  ///< Solve requests without an answer.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/document.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tedit::desktop {
 
 void document::take_field(const shared_field& field) {
@@ -43,6 +46,12 @@ void document::take_status(const client::solve_status& status) {
   if (status.phase == phase::started || status.phase == phase::converging) {
     if (field_state_ != field_state::interim)
       set_field_state(field_state::solving);
+    // The residual falls about evenly in its logarithm.
+    const double residual = status.true_relative_residual;
+    if (status.iterations > 0 && residual > 0 && residual < 1)
+      work_.progress(
+        solve_job_, std::min(0.99, std::log(residual) / std::log(settings_.tolerance)),
+        tr("iteration %1, residual %2").arg(status.iterations).arg(residual, 0, 'g', 2));
   } else if (status.phase == phase::failed) {
     set_field_state(field_state::failed);
     if (solves_ == 0)  // Else the answer to the request says it.
@@ -54,8 +63,73 @@ void document::take_status(const client::solve_status& status) {
 }
 
 void document::set_field_state(field_state next) {
-  if (std::exchange(field_state_, next) != next)
+  const bool other = std::exchange(field_state_, next) != next;
+  note_solve();
+  if (other)
     emit solve_changed();
+}
+
+/// The solve among what runs. One that follows an edit by itself is the session's: only one that
+/// was asked for from here can be cancelled.
+void document::note_solve() {
+  const bool runs = field_state_ == field_state::waiting || field_state_ == field_state::solving ||
+                    field_state_ == field_state::interim;
+  if (!runs) {
+    work_.end(std::exchange(solve_job_, 0));
+    return;
+  }
+  if (solve_job_ == 0)
+    solve_job_ =
+      work_.begin(tr("Solve"), solves_ > 0 ? std::function([this] { cancel_solve(); }) : nullptr);
+}
+
+// -- load cases and names ------------------------------------------------------------
+
+/// Names that were known and are gone leave the head's row; others may be of a kind that only the
+/// server knows. Without any loads there is no field any more.
+void document::take_other_load_cases(const std::vector<fem::load_case>& loads) {
+  auto& row = versions_[*head_];
+  for (const auto& before : row.load_cases)
+    if (std::ranges::find(loads, before.name, &fem::load_case::name) == loads.end())
+      std::erase(row.info.load_cases, before.name);
+  if (loads.empty()) {
+    row.fields.clear();
+    row.outcome.reset();
+    set_field_state(field_state::none);
+    emit field_changed();
+  }
+  take_load_cases(loads);
+}
+
+void document::remove_load_case(const std::string& name) {
+  link_.run<bool>(
+    [name](client::client& c, const execution&) -> expected<bool> {
+      if (auto ok = c.remove_load_case(name); !ok)
+        return fail(std::move(ok.error()));
+      return true;
+    },
+    [this, mine = opening_](const expected<bool>& ok) {
+      if (mine != opening_)
+        return;
+      if (!ok)
+        emit failed(tr("Remove the load case"), ok.error());
+      else if (!load_cases().empty())
+        solve();
+    });
+}
+
+void document::annotate(std::uint32_t number, const QString& name, const QString& note) {
+  link_.run<bool>(
+    [number, name = name.toStdString(), note = note.toStdString()](
+      client::client& c, const execution&) -> expected<bool> {
+      if (auto ok = c.annotate(number, name, note); !ok)
+        return fail(std::move(ok.error()));
+      return true;
+    },
+    [this](const expected<bool>& ok) {  // What it is called now comes as an event.
+      if (!ok)
+        emit failed(tr("Name the version"), ok.error());
+    });
 }
 
 // -- what is watched -----------------------------------------------------------------
@@ -113,7 +187,8 @@ void document::solve() {
         set_field_state(field_state::failed);
         emit failed(tr("Solve"), got.error());
       }
-    });
+    },
+    [this](double fraction, const QString& stage) { work_.progress(solve_job_, fraction, stage); });
 }
 
 void document::cancel_solve() {

@@ -183,10 +183,10 @@ QString field_help(shown_field field) {
   return QCoreApplication::translate("legend", row_of(field).help);
 }
 
-QString field_value(shown_field field, double si_value) {
-  if (field == shown_field::safety_factor && si_value >= 1000)
+QString field_value(shown_field field, double value) {
+  if (field == shown_field::safety_factor && value >= 1000)
     return QCoreApplication::translate("legend", "over 1000");
-  return quantity(si_value, field_unit(field));
+  return quantity(value, field_unit(field));
 }
 
 const std::vector<std::vector<shown_field>>& field_groups() {

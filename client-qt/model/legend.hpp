@@ -39,7 +39,7 @@ enum class shown_field {
 /// SI: "Pa", "m", "ratio" (shown as %) or nothing.
 [[nodiscard]] QString field_unit(shown_field field);
 /// A value with its unit; safety factors from 1000 on are "over 1000".
-[[nodiscard]] QString field_value(shown_field field, double si_value);
+[[nodiscard]] QString field_value(shown_field field, double value);
 /// All that can be chosen, in groups of what belongs together.
 [[nodiscard]] const std::vector<std::vector<shown_field>>& field_groups();
 

@@ -5,6 +5,7 @@
 #include <QMetaObject>
 
 #include <algorithm>
+#include <tuple>
 
 namespace tedit::desktop {
 
@@ -111,16 +112,18 @@ void remote::watch() {
 
 void remote::measure_latency() {
   auto clock = std::make_shared<QElapsedTimer>();
-  run<double>(
-    [clock](client::client& c, const execution&) -> expected<double> {
+  using answer = std::pair<double, client::server_status>;
+  run<answer>(
+    [clock](client::client& c, const execution&) -> expected<answer> {
       clock->start();
-      if (auto answer = c.status(); !answer)
-        return fail(std::move(answer.error()));
-      return static_cast<double>(clock->nsecsElapsed()) * 1e-6;
+      auto status = c.status();
+      if (!status)
+        return fail(std::move(status.error()));
+      return answer(static_cast<double>(clock->nsecsElapsed()) * 1e-6, std::move(*status));
     },
-    [this](const expected<double>& took) {
-      if (took)
-        latency_ms_ = *took;
+    [this](expected<answer> got) {
+      if (got)
+        std::tie(latency_ms_, server_) = std::move(*got);
       emit state_changed();
     });
 }

@@ -54,6 +54,8 @@ public:
   [[nodiscard]] int running() const noexcept { return running_; }
   /// Time of the last status request to its answer, ms; negative before the first.
   [[nodiscard]] double latency_ms() const noexcept { return latency_ms_; }
+  /// How the server and its workers were at the last status request.
+  [[nodiscard]] const client::server_status& server() const noexcept { return server_; }
   /// The surface of the open document as it is held now. Cheap.
   [[nodiscard]] client::surface_model surface() const;
 
@@ -111,6 +113,7 @@ private:
   int running_ = 0;
   int beats_ = 0;
   double latency_ms_ = -1;
+  client::server_status server_;
 };
 
 }  // namespace tedit::desktop

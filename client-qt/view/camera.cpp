@@ -2,6 +2,7 @@
 #include "client-qt/view/camera.hpp"
 
 #include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -180,6 +181,26 @@ vec3 camera::to_pixel(const vec3& at) const {
   renderer_->SetWorldPoint(at.x, at.y, at.z, 1);
   renderer_->WorldToDisplay();
   return to_vec3(renderer_->GetDisplayPoint());
+}
+
+camera::projection camera::to_pixels() const {
+  projection result;
+  const int* size = renderer_->GetSize();
+  result.width = size[0];
+  result.height = size[1];
+  const double aspect = result.width / std::max(1.0, result.height);
+  auto* matrix = renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, 0, 1);
+  std::copy_n(matrix->GetData(), result.matrix.size(), result.matrix.begin());
+  return result;
+}
+
+std::array<double, 2> camera::projection::apply(const vec3& at) const {
+  const auto row = [&](std::size_t r) {
+    const double* m = &matrix[4 * r];
+    return m[0] * at.x + m[1] * at.y + m[2] * at.z + m[3];
+  };
+  const double w = row(3);
+  return {(row(0) / w + 1) / 2 * width, (row(1) / w + 1) / 2 * height};
 }
 
 void camera::adjust_depth() {

@@ -22,6 +22,15 @@ public:
     double parallel_scale = 1;
   };
 
+  /// From space to pixels (from the lower left), as it was when it was asked for.
+  struct projection {
+    std::array<double, 16> matrix{};  ///< Row by row, to [-1,1] each way.
+    double width = 0;                 ///< Pixels.
+    double height = 0;
+
+    [[nodiscard]] std::array<double, 2> apply(const vec3& at) const;
+  };
+
   explicit camera(vtkRenderer* renderer);
 
   /// By parts of the view's height: a full height turns by 180 degrees.
@@ -44,6 +53,8 @@ public:
   [[nodiscard]] std::array<vec3, 2> ray(double x, double y) const;
   /// The pixel of a point, and its depth in [0,1].
   [[nodiscard]] vec3 to_pixel(const vec3& at) const;
+
+  [[nodiscard]] projection to_pixels() const;
 
   /// Near and far plane around what is drawn; needed after every change of either.
   void adjust_depth();

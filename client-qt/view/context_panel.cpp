@@ -107,7 +107,8 @@ void context_panel::show_selection() {
   if (surfaces.empty()) {
     details_->setText(
       tr("Click a surface of the part: a bore, a rib or a wall is picked whole. "
-         "Click again for the single surface; Shift adds."));
+         "Click again for the single surface; Shift adds. "
+         "Ctrl+drag draws a box."));
   } else {
     QStringList ids;
     for (const auto id : surfaces)

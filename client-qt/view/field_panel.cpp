@@ -198,6 +198,17 @@ void field_panel::set_field(shown_field field) {
   field_->setCurrentIndex(field_->findData(static_cast<int>(field)));
 }
 
+void field_panel::set_case(const QString& name) {
+  const int at = name.isEmpty() ? case_->count() - 1 : case_->findText(name);
+  if (at >= 0)
+    case_->setCurrentIndex(at);
+}
+
+QString field_panel::shown_case() const {
+  const auto now = field();
+  return now && !now->envelope ? QString::fromStdString(now->report.load_case) : QString();
+}
+
 bool field_panel::isolines() const {
   return isolines_->isChecked();
 }

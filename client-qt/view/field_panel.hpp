@@ -34,6 +34,9 @@ public:
   void set_bands(int bands);
   void set_field(shown_field field);
   void set_deform(double factor);
+  /// A load case by its name; an empty one: the envelope, or the only one.
+  void set_case(const QString& name);
+  [[nodiscard]] QString shown_case() const;  ///< As for `set_case`.
   /// How fields are drawn unless something else is chosen. `locked`: to the range of the first
   /// converged field of a document.
   void set_look(colour_map map, bool locked, bool logarithmic);

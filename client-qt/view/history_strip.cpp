@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/history_strip.hpp"
 
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/view/version_editor.hpp"
 
 namespace tedit::desktop {
 
 namespace {
 
-constexpr QSize thumbnail(132, 84);
+constexpr QSize thumbnail(132, 84);  // As it is kept.
+constexpr QSize small_thumbnail(80, 51);
+constexpr int border = 6;
+constexpr int way = 44;  // From one to the next.
+constexpr int words_height = 60;
+constexpr int small_words_height = 36;
 
 double largest_stress(const version_record& version) {
   if (!version.outcome)
@@ -26,20 +40,17 @@ std::optional<double> mass(const version_record& version) {
 
 history_strip::history_strip(document& part, QWidget* parent) : QListWidget(parent), part_(part) {
   setViewMode(QListView::IconMode);
-  setFlow(QListView::LeftToRight);
-  setWrapping(false);
-  setMovement(QListView::Static);
-  setIconSize(thumbnail);
-  setGridSize(thumbnail + QSize(28, 62));
+  setMovement(QListView::Free);  // Else places cannot be given; nothing is moved by hand.
   setWordWrap(true);
-  setUniformItemSizes(true);
+  setTextElideMode(Qt::ElideRight);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setAccessibleName(tr("Versions"));
-  setMinimumHeight(gridSize().height() + 22);
+  setMinimumHeight(thumbnail.height() + words_height + 16);
   connect(&part_, &document::history_changed, this, &history_strip::refresh);
   connect(&part_, &document::head_changed, this, &history_strip::refresh);
   connect(&part_, &document::closed, this, &history_strip::refresh);
-  connect(this, &QListWidget::itemActivated, this, [this](const QListWidgetItem* row) {
+  connect(this, &QListWidget::itemDoubleClicked, this, [this](const QListWidgetItem* row) {
     emit version_wanted(row->data(Qt::UserRole).toUInt());
   });
 }
@@ -55,12 +66,21 @@ void history_strip::set_thumbnail(const std::string& version_id, const QImage& p
   refresh();
 }
 
+QPixmap history_strip::picture_of(const version_record& version) const {
+  if (const auto found = pictures_.find(version.info.version_id); found != pictures_.end())
+    return found->second;
+  QPixmap empty(thumbnail);
+  empty.fill(palette().color(QPalette::AlternateBase));
+  return empty;
+}
+
 QString history_strip::describe(const version_record& version) const {
   const auto* offered = part_.operations().find(QString::fromStdString(version.info.operation));
-  const QString what = version.info.operation == "import" ? tr("Import")
+  const QString made = version.info.operation == "import" ? tr("Import")
                        : offered ? QString::fromStdString(offered->about.name)
                                  : QString::fromStdString(version.info.operation);
-  QString text = QString("v%1  %2").arg(version.info.number).arg(what);
+  const QString name = QString::fromStdString(version.info.name);
+  QString text = QString("v%1  %2").arg(version.info.number).arg(name.isEmpty() ? made : name);
   const double stress = largest_stress(version);
   if (stress > 0) {
     text += "\n" + quantity(stress, "Pa");
@@ -69,11 +89,21 @@ QString history_strip::describe(const version_record& version) const {
     if (parent != all.end() && largest_stress(parent->second) > 0)
       text += "  " + change(largest_stress(parent->second), stress);
   }
-  return text;
+  const QFontMetrics metrics(font());
+  QStringList lines = text.split('\n');
+  if (!version.info.note.empty() && !branches_)
+    lines << QString::fromStdString(version.info.note).section('\n', 0, 0);
+  for (auto& line : lines)
+    line = metrics.elidedText(line, Qt::ElideRight, cell().width() - way / 2 - 16);
+  return lines.join('\n');
 }
 
 QString history_strip::details(const version_record& version) const {
-  QStringList lines{describe(version)};
+  QStringList lines{describe(version).section('\n', 0, 1)};
+  if (!version.info.name.empty())
+    lines.prepend(QString::fromStdString(version.info.name));
+  if (!version.info.note.empty())
+    lines << QString::fromStdString(version.info.note);
   lines << tr("%1 tets").arg(desktop::count(static_cast<double>(version.info.tets)));
   if (const auto m = mass(version))
     lines << tr("mass %1").arg(desktop::mass(*m));
@@ -87,26 +117,153 @@ QString history_strip::details(const version_record& version) const {
 }
 
 void history_strip::refresh() {
-  clear();
+  const auto* chosen = currentItem();
+  const auto before = chosen ? std::optional(chosen->data(Qt::UserRole).toUInt()) : std::nullopt;
   const auto* head = part_.head();
+  const auto shown_head = head ? std::optional(head->info.number) : std::nullopt;
+  // What was chosen stays so, unless the head moves: then that one is.
+  const auto wanted = before && head_ == shown_head ? before : shown_head;
+  head_ = shown_head;
+  clear();
+  rows_.clear();
+  std::map<std::uint32_t, std::optional<std::uint32_t>> parents;
+  for (const auto& [number, version] : part_.versions())
+    parents[number] = version.info.parent;
+  places_ = lanes_of(parents);
+  branches_ = std::ranges::any_of(places_, [](const auto& one) { return one.second.lane > 0; });
+  setIconSize(picture_size());
   for (const auto& [number, version] : part_.versions()) {
     auto* row = new QListWidgetItem(describe(version));
     row->setData(Qt::UserRole, number);
     row->setToolTip(details(version));
-    row->setSizeHint(gridSize() -
-                     QSize(12, 20));  // Else all get the first one's, which may have fewer lines.
-    row->setTextAlignment(Qt::AlignHCenter);
-    const auto picture = pictures_.find(version.info.version_id);
-    QPixmap empty(thumbnail);
-    empty.fill(palette().color(QPalette::AlternateBase));
-    const QPixmap& shown = picture == pictures_.end() ? empty : picture->second;
+    row->setSizeHint(cell() - QSize(way / 2, 8));
+    row->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    const QPixmap shown = picture_of(version);
     QIcon both(shown);
     both.addPixmap(shown, QIcon::Selected);  // Else it is tinted.
     row->setIcon(both);
+    if (shown_head == number) {
+      auto bold = font();
+      bold.setBold(true);
+      row->setFont(bold);
+    }
     addItem(row);
-    if (head && head->info.number == number)
-      setCurrentItem(row);
+    rows_[number] = row;
   }
+  doItemsLayout();
+  if (wanted && rows_.contains(*wanted)) {
+    setCurrentItem(rows_[*wanted]);
+    scrollToItem(rows_[*wanted]);
+  }
+}
+
+/// Branches share the room: smaller pictures, fewer words.
+QSize history_strip::picture_size() const {
+  return branches_ ? small_thumbnail : thumbnail;
+}
+
+QSize history_strip::cell() const {
+  return picture_size() +
+         (branches_ ? QSize(way + 24, small_words_height) : QSize(way, words_height));
+}
+
+/// The list lays its rows out in lines; here each has its place in the tree.
+void history_strip::doItemsLayout() {
+  QListWidget::doItemsLayout();
+  if (!placing_)
+    put_in_places();
+}
+
+void history_strip::put_in_places() {
+  placing_ = true;
+  for (const auto& [number, row] : rows_)
+    if (const auto at = places_.find(number); at != places_.end())
+      setPositionForIndex(QPoint(border + at->second.column * cell().width(),
+                                 border + at->second.lane * cell().height()),
+                          indexFromItem(row));
+  placing_ = false;
+}
+
+QRect history_strip::frame_of(std::uint32_t number) const {
+  const auto row = rows_.find(number);
+  return row == rows_.end() ? QRect() : visualItemRect(row->second);
+}
+
+/// Below the rows ways from each version to its children, above them a frame around the head.
+void history_strip::paintEvent(QPaintEvent* event) {
+  {
+    QPainter painter(viewport());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    auto ink = palette().color(QPalette::WindowText);
+    ink.setAlpha(110);
+    painter.setPen(QPen(ink, 1.6));
+    for (const auto& [number, version] : part_.versions()) {
+      if (!version.info.parent || !rows_.contains(*version.info.parent))
+        continue;
+      const QRect from = frame_of(*version.info.parent);
+      const QRect to = frame_of(number);
+      const QPointF a(from.right() - 2, from.top() + picture_size().height() / 2.0);
+      const QPointF b(to.left() + 3, to.top() + picture_size().height() / 2.0);
+      const double middle = (a.x() + b.x()) / 2;
+      QPainterPath line(a);
+      if (std::abs(a.y() - b.y()) < 1) {
+        line.lineTo(b);
+      } else {
+        constexpr double bend = 8;
+        line.lineTo(middle - bend, a.y());
+        line.quadTo(middle, a.y(), middle, a.y() + bend);
+        line.lineTo(middle, b.y() - bend);
+        line.quadTo(middle, b.y(), middle + bend, b.y());
+        line.lineTo(b);
+      }
+      painter.drawPath(line);
+    }
+  }
+  QListWidget::paintEvent(event);
+  if (!head_ || !rows_.contains(*head_))
+    return;
+  QPainter painter(viewport());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+  painter.drawRoundedRect(QRectF(frame_of(*head_)).adjusted(1, 1, -1, -1), 4, 4);
+}
+
+// -- names and notes -----------------------------------------------------------------
+
+void history_strip::edit_words() {
+  const auto* row = currentItem();
+  const auto found =
+    row ? part_.versions().find(row->data(Qt::UserRole).toUInt()) : part_.versions().end();
+  if (found == part_.versions().end())
+    return;
+  auto* editor = new version_editor(found->second.info, this);
+  connect(editor, &version_editor::accepted, &part_, &document::annotate);
+  editor->open_beside(
+    QRect(viewport()->mapToGlobal(visualItemRect(row).topLeft()), visualItemRect(row).size()));
+}
+
+void history_strip::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_F2)
+    edit_words();
+  else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && currentItem())
+    emit version_wanted(currentItem()->data(Qt::UserRole).toUInt());
+  else
+    QListWidget::keyPressEvent(event);
+}
+
+void history_strip::contextMenuEvent(QContextMenuEvent* event) {
+  auto* row = itemAt(event->pos());
+  if (!row)
+    return;
+  setCurrentItem(row);
+  const auto number = row->data(Qt::UserRole).toUInt();
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("Go to this version (Enter)"), this,
+                  [this, number] { emit version_wanted(number); });
+  menu->addAction(tr("Name and note ... (F2)"), this, &history_strip::edit_words);
+  menu->popup(event->globalPos());
 }
 
 }  // namespace tedit::desktop

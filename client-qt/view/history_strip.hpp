@@ -7,11 +7,13 @@
 #include <map>
 
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/version_lanes.hpp"
 
 namespace tedit::desktop {
 
-/// The versions of the document in the order in which they were made, each with a small picture and
-/// what changed: operation, largest stress, mass, worst tet.
+/// The versions of the document as a tree: edits go to the right, branches stand below. Each has a
+/// small picture and what changed: operation or name, largest stress, note. The head has a frame.
+/// Arrow keys go from place to place, Enter goes to a version, F2 names it.
 class history_strip : public QListWidget {
   Q_OBJECT
 
@@ -24,16 +26,35 @@ public:
   /// The picture of a version, by its content.
   void set_thumbnail(const std::string& version_id, const QImage& picture);
 
+  /// Opens the fields for name and note of the chosen version.
+  void edit_words();
+
 signals:
   void version_wanted(quint32 number);
 
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void doItemsLayout() override;
+
 private:
   void refresh();
+  void put_in_places();
+  [[nodiscard]] QSize picture_size() const;
+  [[nodiscard]] QSize cell() const;  ///< With words and the way to the next one.
+  [[nodiscard]] QPixmap picture_of(const version_record& version) const;
   [[nodiscard]] QString describe(const version_record& version) const;
   [[nodiscard]] QString details(const version_record& version) const;
+  [[nodiscard]] QRect frame_of(std::uint32_t number) const;
 
   document& part_;
   std::map<std::string, QPixmap> pictures_;
+  std::map<std::uint32_t, version_place> places_;
+  std::map<std::uint32_t, QListWidgetItem*> rows_;
+  std::optional<std::uint32_t> head_;  ///< As it is shown.
+  bool branches_ = false;
+  bool placing_ = false;
 };
 
 }  // namespace tedit::desktop

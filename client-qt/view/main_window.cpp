@@ -256,6 +256,7 @@ void main_window::show_part() {
     return;
   part_.watch(needs(fields_->wanted().field));
   view_->set_legend(fields_->wanted());
+  view_->show_isolines(fields_->isolines());
   view_->show_part({head->surface, fields_->field(), fields_->deform()});
 }
 

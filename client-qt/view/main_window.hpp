@@ -30,6 +30,7 @@ class history_strip;
 class loads_panel;
 class overlay;
 class receipt_panel;
+class recorder;
 class section_bar;
 class truth_line;
 class view_cube;
@@ -64,6 +65,8 @@ public:
   [[nodiscard]] context_panel& context() { return *context_; }
   [[nodiscard]] field_panel& fields() { return *fields_; }
   [[nodiscard]] banner& messages() { return *banner_; }
+  [[nodiscard]] section_bar& section() { return *section_; }
+  [[nodiscard]] recorder& recording() { return *recorder_; }
 
   /// The view with legend and marks. Width and height 0: as on the screen.
   [[nodiscard]] QImage picture(int width = 0, int height = 0);
@@ -128,6 +131,16 @@ private:
   void take_shortcuts();
   void add_probes();
 
+  // -- main_window_extras.cpp --
+  void add_extras();
+  void add_jobs();
+  void add_boxes();
+  void add_isolines();
+  void add_history_words();
+  void add_help();
+  void add_recording();
+  void ask_recording();
+
   QSettings settings_;
   remote link_;
   local_server local_;
@@ -163,6 +176,7 @@ private:
   QToolBar* rail_;
   QToolBar* bar_;
   QLabel* title_;
+  recorder* recorder_ = nullptr;
 };
 
 }  // namespace tedit::desktop

@@ -114,6 +114,7 @@ void main_window::add_commands() {
                  {},
                  tr("All commands and operations"),
                  "search"});
+  add_recording();
   for (const auto& what : commands_.all())
     (void)action(what.id);
   refresh_actions();

@@ -33,6 +33,7 @@ void main_window::add_tools() {
   add_compare();
   add_settings();
   add_probes();
+  add_extras();
 }
 
 /// Esc first tries `then`; when that had nothing to end, it does what it did before.
@@ -218,7 +219,7 @@ void main_window::add_settings() {
   commands_.add({"help.shortcuts",
                  tr("Keyboard shortcuts"),
                  help,
-                 "F1",
+                 "Ctrl+F1",
                  [this] {
                    show_one<shortcuts_dialog>(*this, [this] {
                      auto* made = new shortcuts_dialog({commands_, settings_}, this);

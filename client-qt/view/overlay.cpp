@@ -66,9 +66,16 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
                             bar.height() / bands + scale),
                      to_colour(by.colour_at(by.reversed ? 1 - at : at)));
   }
-  for (const double tick : by.ticks(most_ticks)) {
+  const auto ticks = by.ticks(most_ticks);
+  // Many bands: words at every second edge, that none covers another.
+  const double room = bar.height() / std::max<double>(1, static_cast<double>(ticks.size()) - 1);
+  const auto between = static_cast<std::size_t>(by.bands > 0 ? std::ceil(0.85 * line / room) : 1);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double tick = ticks[i];
     const double y = bar.bottom() - height_of(by, tick) * bar.height();
     painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4 * scale, y));
+    if (i % between != 0)
+      continue;
     painter.drawText(QRectF(bar.right() + 8 * scale, y - line / 2, where.width(), line),
                      Qt::AlignLeft | Qt::AlignVCenter, number(tick * unit.scale));
   }
@@ -147,7 +154,9 @@ void overlay::paint(QPainter& painter, double scale) {
                by, note_, ink_, scale);
   if (!extremes_)
     return;
-  mark(painter, ends->low_at, tr("min %1").arg(field_value(by.field, ends->low)), scale, true);
+  const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
+  mark(painter, ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), scale,
+       true);
   if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
     mark(painter, ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), scale, false);
 }

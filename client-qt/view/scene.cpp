@@ -86,6 +86,13 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   edge_actor_->SetMapper(edge_mapper_);
   edge_actor_->GetProperty()->SetLineWidth(1.2F);
   edge_actor_->GetProperty()->LightingOff();
+  iso_mapper_->ScalarVisibilityOff();
+  iso_actor_->SetMapper(iso_mapper_);
+  iso_actor_->GetProperty()->SetLineWidth(1.4F);
+  iso_actor_->GetProperty()->LightingOff();
+  iso_actor_->PickableOff();
+  iso_actor_->VisibilityOff();
+  renderer_->AddActor(iso_actor_);
   for (auto* highlight : {selected_actor_.Get(), hover_actor_.Get()}) {
     matt(highlight->GetProperty());
     highlight->PickableOff();
@@ -126,6 +133,7 @@ void scene::set_colours(const scene_colours& colours) {
   set(face_actor_->GetProperty(), colours.part);
   set(cap_actor_->GetProperty(), colours.part);
   set(edge_actor_->GetProperty(), colours.edges);
+  set(iso_actor_->GetProperty(), colours.edges);
   set(selected_actor_->GetProperty(), colours.accent);
   set(hover_actor_->GetProperty(), colours.hover);
   for (auto* marks : {load_actor_.Get(), support_actor_.Get()}) {
@@ -142,6 +150,7 @@ void scene::set_part(std::shared_ptr<const part_geometry> part) {
   edge_mapper_->SetInputData(part_->edges);
   selected_actor_->VisibilityOff();
   hover_actor_->VisibilityOff();
+  iso_actor_->VisibilityOff();
   paint_faces();
   show_plain();
 }
@@ -205,8 +214,9 @@ void scene::clip(const std::optional<section_plane>& plane) {
     plane_->SetOrigin(plane->at.x, plane->at.y, plane->at.z);
     plane_->SetNormal(-plane->normal.x, -plane->normal.y, -plane->normal.z);
   }
-  for (auto* mapper : {face_mapper_.Get(), edge_mapper_.Get(), selected_mapper_.Get(),
-                       hover_mapper_.Get(), load_mapper_.Get(), support_mapper_.Get()}) {
+  for (auto* mapper :
+       {face_mapper_.Get(), edge_mapper_.Get(), iso_mapper_.Get(), selected_mapper_.Get(),
+        hover_mapper_.Get(), load_mapper_.Get(), support_mapper_.Get()}) {
     mapper->RemoveAllClippingPlanes();
     if (plane)
       mapper->AddClippingPlane(plane_);
@@ -251,6 +261,12 @@ void scene::show_mesh(bool on) {
 
 void scene::show_edges(bool on) {
   edge_actor_->SetVisibility(on);
+}
+
+void scene::set_isolines(vtkPolyData* lines) {
+  iso_actor_->SetVisibility(lines != nullptr);
+  if (lines)
+    iso_mapper_->SetInputData(lines);
 }
 
 void scene::set_glyphs(vtkPolyData* loads, vtkPolyData* supports) {

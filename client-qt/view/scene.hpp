@@ -66,6 +66,7 @@ public:
   /// Surfaces that are not drawn (nor picked, see `is_hidden`).
   void hide(const std::set<surface_id>& hidden);
   [[nodiscard]] bool is_hidden(surface_id id) const { return hidden_.contains(id); }
+  [[nodiscard]] const std::set<surface_id>& hidden() const noexcept { return hidden_; }
   void show_mesh(bool on);
   void show_edges(bool on);
 
@@ -73,6 +74,9 @@ public:
   void clip(const std::optional<section_plane>& plane);
   /// The cut surface with one value for each of its points (empty: grey); null: none.
   void set_cap(vtkPolyData* cap, std::span<const float> values, const legend& by);
+
+  /// Lines of equal value on the part; null: none.
+  void set_isolines(vtkPolyData* lines);
 
   /// Arrows and support marks, drawn unlit by their own colours; null for none.
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
@@ -95,6 +99,8 @@ private:
   vtkNew<vtkActor> cap_actor_;
   vtkNew<vtkPolyDataMapper> edge_mapper_;
   vtkNew<vtkActor> edge_actor_;
+  vtkNew<vtkPolyDataMapper> iso_mapper_;
+  vtkNew<vtkActor> iso_actor_;
   vtkNew<vtkPolyDataMapper> selected_mapper_;
   vtkNew<vtkActor> selected_actor_;
   vtkNew<vtkPolyDataMapper> hover_mapper_;

@@ -13,6 +13,7 @@
 #include "client-qt/view/field_panel.hpp"
 #include "client-qt/view/main_window.hpp"
 #include "client-qt/view/overlay.hpp"
+#include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/viewport.hpp"
 
 namespace tedit::desktop {
@@ -38,6 +39,26 @@ ops::parameters parameters_from(const QJsonObject& values,
       result[parameter.id] = value.toString().toStdString();
   }
   return result;
+}
+
+vec3 point_from(const QJsonValue& value) {
+  const auto all = value.toArray();
+  return {all[0].toDouble(), all[1].toDouble(), all[2].toDouble()};
+}
+
+void set_camera(viewport& view, const QJsonObject& wanted) {
+  view.view().set_parallel(wanted["parallel"].toBool());
+  view.view().set({point_from(wanted["position"]), point_from(wanted["focus"]),
+                   point_from(wanted["up"]), wanted["scale"].toDouble(1)});
+  view.redraw();
+  emit view.view_changed();
+}
+
+void draw_box(viewport& view, const QJsonObject& step) {
+  const auto box = step["box"].toArray();
+  view.pick_box_at(QRectF(box[0].toDouble() * view.width(), box[1].toDouble() * view.height(),
+                          box[2].toDouble() * view.width(), box[3].toDouble() * view.height()),
+                   step["enclosed"].toBool(), false);
 }
 
 }  // namespace
@@ -133,6 +154,8 @@ expected<void> script::perform(const QJsonObject& step) {
     drags_left_ = step["drag"].toInt();
     return {};
   }
+  if (look(step))
+    return {};
   if (step.contains("select")) {
     std::vector<surface_id> ids;
     for (const auto& id : step["select"].toArray())
@@ -146,10 +169,8 @@ expected<void> script::perform(const QJsonObject& step) {
     window_.part().undo();
   } else if (step.contains("redo")) {
     window_.part().redo();
-  } else if (step.contains("field")) {
-    window_.fields().set_field(field_from_id(step["field"].toString()));
-  } else if (step.contains("deform")) {
-    window_.fields().set_deform(step["deform"].toDouble());
+  } else if (step.contains("go_to")) {
+    window_.part().go_to(static_cast<std::uint32_t>(step["go_to"].toInteger()));
   } else if (step.contains("screenshot")) {
     return take_picture(step);
   } else if (!step.contains("wait")) {
@@ -160,6 +181,32 @@ expected<void> script::perform(const QJsonObject& step) {
                   "there is no command \"" + id.toStdString() + "\", or it cannot be run now");
   }
   return {};
+}
+
+bool script::look(const QJsonObject& step) {
+  auto& fields = window_.fields();
+  if (step.contains("field"))
+    fields.set_field(field_from_id(step["field"].toString()));
+  else if (step.contains("case"))
+    fields.set_case(step["case"].toString());
+  else if (step.contains("deform"))
+    fields.set_deform(step["deform"].toDouble());
+  else if (step.contains("bands"))
+    fields.set_bands(step["bands"].toInt());
+  else if (step.contains("isolines"))
+    fields.set_isolines(step["isolines"].toBool());
+  else if (step.contains("camera"))
+    set_camera(window_.view(), step["camera"].toObject());
+  else if (step.contains("box"))
+    draw_box(window_.view(), step);
+  else if (step["section"].isObject())
+    window_.section().set_plane(point_from(step["section"]["at"]),
+                                point_from(step["section"]["normal"]));
+  else if (step["section"].isNull())
+    window_.section().set_on(false);
+  else
+    return false;
+  return true;
 }
 
 /// As a person would: the mouse is moved there, pressed and released.

@@ -18,10 +18,13 @@ class main_window;
 ///   "choose": operation        opens its form
 ///   "apply": operation, "parameters": {...}   in SI units; on the selection
 ///   "drag": steps              turns the view by as many mouse moves, one each time the loop is
-///   idle "undo" | "redo": true "command": id              any command of the palette "field": id,
-///   "deform": factor, "view": front|...|isometric "wait": "ready" | "final"  until nothing runs;
-///   until the field is converged "screenshot": file, "width", "height"; "window": true takes the
-///   whole window
+///   idle "undo" | "redo": true, "go_to": version number "command": id              any command of
+///   the palette "field": id, "case": load case or "" for the envelope, "deform": factor, "bands":
+///   count, "isolines": bool           what is drawn "view": front|...|isometric, "camera":
+///   {"position", "focus", "up", "scale", "parallel"} "section": {"at", "normal"} or null "box":
+///   [left, top, width, height] in parts of the view, "enclosed": bool "wait": "ready" | "final"
+///   until nothing runs; until the field is converged "screenshot": file, "width", "height";
+///   "window": true takes the whole window
 /// Every step first waits for what runs. The first that fails ends the script.
 class script : public QObject {
   Q_OBJECT
@@ -42,6 +45,8 @@ private:
   [[nodiscard]] bool ready_for(const QJsonObject& step) const;
   void carry_out(const QJsonObject& step);
   [[nodiscard]] expected<void> perform(const QJsonObject& step);
+  /// Steps that say how the part is looked at; false: it is none of them.
+  [[nodiscard]] bool look(const QJsonObject& step);
   [[nodiscard]] expected<void> click(qint64 surface);
   void drag_on();
   [[nodiscard]] expected<void> apply(const QJsonObject& step);

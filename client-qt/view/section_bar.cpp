@@ -69,6 +69,7 @@ void section_bar::set_on(bool on) {
     read_form();
   else
     view_.set_section(std::nullopt);
+  emit moved();
 }
 
 void section_bar::set_plane(const vec3& at, const vec3& normal) {
@@ -114,6 +115,7 @@ void section_bar::read_form() {
     return;
   shown_->setText(length(dot(wanted->at, flipped_ ? -wanted->normal : wanted->normal)));
   view_.set_section(wanted);
+  emit moved();
   ask();
 }
 

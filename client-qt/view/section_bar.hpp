@@ -32,10 +32,15 @@ public:
   /// Where the slider stands, in [0,1] from one end of the part to the other.
   void set_place(double place);
 
+  /// The plane of the form; nothing without a part.
+  [[nodiscard]] std::optional<section_plane> plane() const;
+
+signals:
+  void moved();  ///< Or was put on or off.
+
 private:
   void read_form();
   void ask();
-  [[nodiscard]] std::optional<section_plane> plane() const;
   [[nodiscard]] std::array<double, 2> reach(const vec3& normal) const;
 
   document& part_;

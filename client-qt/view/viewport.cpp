@@ -2,6 +2,7 @@
 #include "client-qt/view/viewport.hpp"
 
 #include <QMouseEvent>
+#include <QRubberBand>
 #include <QWheelEvent>
 
 #include <vtkPoints.h>
@@ -11,6 +12,8 @@
 #include <cmath>
 
 #include "client-qt/model/field_values.hpp"
+#include "client-qt/view/box_pick.hpp"
+#include "client-qt/view/isolines.hpp"
 
 namespace tedit::desktop {
 
@@ -70,6 +73,7 @@ void viewport::show_part(const shown_part& what) {
 void viewport::build() {
   const int mine = ++generation_;
   builders_.clear();  // What has not begun is out of date; it never reports.
+  contouring_ = false;
   building_ = true;
   builders_.start([this, mine, shown = shown_] {
     static const std::vector<std::uint32_t> no_slots;
@@ -136,9 +140,39 @@ void viewport::paint_values() {
     }
   }
   paint_cap();
+  contour();
   redraw();
   emit legend_changed();
   emit shown();
+}
+
+/// On another thread; the newest wins.
+void viewport::contour() {
+  const int mine = ++contours_;
+  contouring_ = isolines_ && !values_.empty();
+  if (!contouring_) {
+    scene_.set_isolines(nullptr);
+    return;
+  }
+  builders_.start([this, mine, part = scene_.part(), values = values_, levels = legend_.levels(),
+                   hidden = scene_.hidden()] {
+    auto lines = make_isolines(*part, values, levels, hidden);
+    QMetaObject::invokeMethod(
+      this,
+      [this, lines, mine] {
+        if (mine != contours_)
+          return;
+        contouring_ = false;
+        scene_.set_isolines(lines);
+        redraw();
+      },
+      Qt::QueuedConnection);
+  });
+}
+
+void viewport::show_isolines(bool on) {
+  if (std::exchange(isolines_, on) != on && scene_.part() && !building_)
+    contour();
 }
 
 /// A cap of another version than the one that is drawn would lie: it is left out until its own
@@ -240,16 +274,8 @@ std::optional<picked_point> viewport::pick_at(QPointF position) const {
   if (!scene_.part())
     return std::nullopt;
   const double ratio = pixel_ratio();
-  auto [from, to] = camera_.ray(position.x() * ratio, (height() - position.y()) * ratio);
-  // What is hidden is looked through.
-  for (int tries = 0; tries < 64; ++tries) {
-    auto hit = pick(*scene_.part(), from, to);
-    if (!hit || (!scene_.is_hidden(hit->surface) && !(section_ && section_->takes_away(hit->at))))
-      return hit;
-    const vec3 way = to - from;
-    from = hit->at + 1e-6 * way;
-  }
-  return std::nullopt;
+  const auto [from, to] = camera_.ray(position.x() * ratio, (height() - position.y()) * ratio);
+  return pick_visible(*scene_.part(), scene_.hidden(), section_, from, to);
 }
 
 QPointF viewport::to_widget(const vec3& at) const {
@@ -298,6 +324,8 @@ std::optional<double> viewport::value_at(const picked_point& at) const {
 void viewport::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
   dragging_ = false;
+  draws_box_ = event->button() == Qt::LeftButton &&
+               (boxing_ || event->modifiers().testFlag(Qt::ControlModifier));
 }
 
 void viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -314,6 +342,13 @@ void viewport::mouseMoveEvent(QMouseEvent* event) {
     emit hovered(std::nullopt, {});
   }
   dragging_ = true;
+  if (draws_box_) {
+    if (!band_)
+      band_ = new QRubberBand(QRubberBand::Rectangle, this);
+    band_->setGeometry(QRectF(*pressed_, event->position()).normalized().toRect());
+    band_->show();
+    return;
+  }
   drag(event->position(), event->buttons(), event->modifiers());
 }
 
@@ -334,6 +369,8 @@ void viewport::drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers 
 
 void viewport::mouseReleaseEvent(QMouseEvent* event) {
   const bool click = pressed_ && !dragging_;
+  if (pressed_ && dragging_ && draws_box_)
+    finish_box(event->position(), event->modifiers());
   pressed_.reset();
   dragging_ = false;
   if (!click)
@@ -343,6 +380,44 @@ void viewport::mouseReleaseEvent(QMouseEvent* event) {
     emit clicked(hit, event->modifiers());
   else if (event->button() == Qt::RightButton)
     emit menu_wanted(hit, event->globalPosition().toPoint());
+}
+
+// -- boxes ---------------------------------------------------------------------------
+
+void viewport::set_boxing(bool on) {
+  boxing_ = on;
+  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// As in other programs: to the right only what is wholly inside, to the left all that is touched.
+void viewport::finish_box(QPointF to, Qt::KeyboardModifiers modifiers) {
+  band_->hide();
+  pick_box_at(QRectF(*pressed_, to).normalized(), to.x() >= pressed_->x(),
+              modifiers.testFlag(Qt::ShiftModifier));
+}
+
+void viewport::pick_box_at(const QRectF& where, bool enclosed, bool add) {
+  const auto& part = scene_.part();
+  if (!part)
+    return;
+  const double ratio = pixel_ratio();
+  pick_box box;
+  box.by = enclosed ? pick_box::rule::enclosed : pick_box::rule::touched;
+  box.left = where.left() * ratio;
+  box.bottom = (height() - where.bottom()) * ratio;
+  box.width = where.width() * ratio;
+  box.height = where.height() * ratio;
+  for (std::size_t i = 0; i < 4; ++i)
+    box.rays[i] =
+      camera_.ray(box.left + (i % 2 == 0 ? 0 : box.width), box.bottom + (i < 2 ? 0 : box.height));
+  box.to_pixels = camera_.to_pixels();
+  box.hidden = scene_.hidden();
+  box.section = section_;
+  builders_.start([this, part, box, add] {
+    QMetaObject::invokeMethod(
+      this, [this, found = surfaces_in(*part, box), add] { emit boxed(found, add); },
+      Qt::QueuedConnection);
+  });
 }
 
 void viewport::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -10,7 +10,7 @@
 #include "client-qt/view/scene.hpp"
 #include "client-qt/view/vtk_view.hpp"
 
-class QLabel;
+class QRubberBand;
 
 namespace tedit::desktop {
 
@@ -22,7 +22,7 @@ struct shown_part {
 };
 
 /// The part with its field under the mouse: left drag turns, middle or Shift drag moves, the wheel
-/// zooms to the pointer. Geometry is made on other threads; the newest wins.
+/// zooms to the pointer, Ctrl drag draws a box. Geometry is made on other threads; the newest wins.
 class viewport : public vtk_view {
   Q_OBJECT
 
@@ -42,13 +42,19 @@ public:
   }
   [[nodiscard]] const std::vector<float>& values() const noexcept { return values_; }
   /// Whether nothing is on its way to the screen any more.
-  [[nodiscard]] bool is_settled() const noexcept { return !building_; }
+  [[nodiscard]] bool is_settled() const noexcept { return !building_ && !contouring_; }
 
   void set_colours(const scene_colours& colours);
   void select(const std::vector<surface_id>& picked);
   void hide(const std::set<surface_id>& hidden);
   void show_mesh(bool on);
   void show_edges(bool on);
+  /// Lines of equal value on the part, at the legend's levels.
+  void show_isolines(bool on);
+  /// A left drag draws a box, also without Ctrl.
+  void set_boxing(bool on);
+  /// Finds the surfaces in a box of the widget; `boxed` tells them.
+  void pick_box_at(const QRectF& where, bool enclosed, bool add);
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
   /// Takes away one side of a plane; the cap comes by `show_cap`.
   void set_section(const std::optional<section_plane>& plane);
@@ -85,6 +91,8 @@ signals:
   void legend_changed();  ///< Its automatic range followed the values.
   void hovered(std::optional<tedit::desktop::picked_point> at, QPoint global);
   void clicked(std::optional<tedit::desktop::picked_point> at, Qt::KeyboardModifiers modifiers);
+  /// A box was drawn; `add`: to what is selected.
+  void boxed(const std::vector<tedit::surface_id>& found, bool add);
   void menu_wanted(std::optional<tedit::desktop::picked_point> at, QPoint global);
   void view_changed();
 
@@ -101,6 +109,8 @@ private:
   void take_geometry(std::shared_ptr<const part_geometry> part, int generation);
   void paint_values();
   void paint_cap();
+  void contour();
+  void finish_box(QPointF to, Qt::KeyboardModifiers modifiers);
   void drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
   void hover_at(QPointF position, QPoint global);
 
@@ -117,6 +127,12 @@ private:
   int generation_ = 0;
   bool building_ = false;
   bool fitted_ = false;
+  bool isolines_ = false;
+  bool contouring_ = false;
+  int contours_ = 0;  ///< Lines of earlier values are not for us.
+  bool boxing_ = false;
+  bool draws_box_ = false;  ///< The drag that is going on.
+  QRubberBand* band_ = nullptr;
   std::optional<QPointF> pressed_;
   QPointF last_;
   bool dragging_ = false;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QCoreApplication>
+#include <QLabel>
 
 namespace tedit::desktop {
 namespace {
@@ -31,6 +33,21 @@ protected:
     QCoreApplication::processEvents();
   }
 
+  /// Two load cases and their envelope.
+  void arrive_all() {
+    for (std::uint32_t left = 3; left-- > 0;) {
+      auto field = std::make_shared<client::field_event>();
+      field->remaining = left;
+      field->report.version_id = "v";
+      field->report.load_case = left == 2 ? "a" : "b";
+      if (left == 0) {
+        field->envelope.emplace();
+        field->envelope->version_id = "v";
+      }
+      emit link_.field_arrived(field);
+    }
+  }
+
   remote link_;
   document part_{link_};
   field_panel panel_{part_};
@@ -55,6 +72,45 @@ TEST_F(FieldPanel, StaysAutomaticOtherwise) {
 
   EXPECT_EQ(panel_.wanted().mode, range_mode::automatic);
   EXPECT_TRUE(panel_.wanted().logarithmic);
+}
+
+TEST_F(FieldPanel, WhatHasASignIsReadByOtherColoursAndEachKindKeepsItsOwn) {
+  panel_.set_look(colour_map::cividis, false, false);
+  panel_.set_field(shown_field::principal_1);
+  EXPECT_EQ(panel_.wanted().map, colour_map::coolwarm);
+  panel_.set_field(shown_field::safety_factor);
+  EXPECT_EQ(panel_.wanted().map, colour_map::safety);
+  panel_.set_field(shown_field::max_shear);
+  EXPECT_EQ(panel_.wanted().map, colour_map::cividis);
+
+  panel_.findChild<QComboBox*>("colours")->setCurrentIndex(static_cast<int>(colour_map::grey));
+  panel_.set_field(shown_field::stress_xy);
+  EXPECT_EQ(panel_.wanted().map, colour_map::coolwarm);
+  panel_.set_field(shown_field::von_mises);
+  EXPECT_EQ(panel_.wanted().map, colour_map::grey);
+}
+
+TEST_F(FieldPanel, TheEnvelopeIsLeftForAFieldThatItHasNotAndThatFieldForTheEnvelope) {
+  arrive_all();
+  ASSERT_TRUE(panel_.field() && panel_.field()->envelope);
+
+  panel_.set_field(shown_field::principal_1);
+  ASSERT_FALSE(panel_.field()->envelope);
+  EXPECT_EQ(panel_.shown_case(), "a");
+
+  panel_.set_case("");
+  EXPECT_TRUE(panel_.field()->envelope);
+  EXPECT_EQ(panel_.wanted().field, shown_field::von_mises);
+}
+
+TEST_F(FieldPanel, SaysWhyThereIsNoSafetyFactor) {
+  arrive(false);
+  panel_.set_field(shown_field::safety_factor);
+
+  auto* missing = panel_.findChild<QLabel*>("field_missing");
+  EXPECT_TRUE(missing->text().contains("yield strength")) << missing->text().toStdString();
+  panel_.set_field(shown_field::von_mises);
+  EXPECT_TRUE(missing->text().isEmpty());
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "client-qt/view/box_pick.hpp"
+#include "client-qt/view/isolines.hpp"
 #include "client-qt/view/load_glyphs.hpp"
 #include "client-qt/view/plot_panel.hpp"
 
@@ -85,6 +87,66 @@ TEST(Glyphs, SupportsStandOutsideThePart) {
   ASSERT_TRUE(made.supports);
   EXPECT_FALSE(made.loads);
   EXPECT_NEAR(made.supports->GetBounds()[4], 0, 1e-9);
+}
+
+TEST(Isolines, LieWhereTheFieldHasTheLevel) {
+  const auto drawn = build_part(*plate(4).surface, {}, {}, 0);
+  std::vector<float> values;  // x.
+  for (vtkIdType i = 0; i < drawn->faces->GetNumberOfPoints(); ++i)
+    values.push_back(static_cast<float>(drawn->faces->GetPoint(i)[0]));
+  const double levels[] = {-1, 0.3, 0.6, 2};
+
+  const auto lines = make_isolines(*drawn, values, levels, {});
+
+  double length_at_first = 0;
+  for (vtkIdType i = 0; i < lines->GetNumberOfCells(); ++i) {
+    std::array<double, 6> box{};
+    lines->GetCellBounds(i, box.data());
+    EXPECT_NEAR(box[0], box[1], 1e-6);  // Along y.
+    const bool first = std::abs(box[0] - 0.3) < 1e-6;
+    EXPECT_TRUE(first || std::abs(box[0] - 0.6) < 1e-6);
+    if (first)
+      length_at_first += box[3] - box[2];
+  }
+  EXPECT_NEAR(length_at_first, 1, 1e-6);  // All across the plate, without a gap.
+  EXPECT_EQ(make_isolines(*drawn, values, levels, {1})->GetNumberOfCells(), 0);
+  std::ranges::fill(values, NAN);
+  EXPECT_EQ(make_isolines(*drawn, values, levels, {})->GetNumberOfCells(), 0);
+}
+
+/// A box over a part of the plate, seen from above by a parallel camera: 100 pixels are 1 m.
+pick_box over(double left, double bottom, double width, double height) {
+  pick_box box;
+  box.left = left;
+  box.bottom = bottom;
+  box.width = width;
+  box.height = height;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double x = (left + (i % 2 == 0 ? 0 : width)) / 100;
+    const double y = (bottom + (i < 2 ? 0 : height)) / 100;
+    box.rays[i] = {vec3{x, y, 1}, vec3{x, y, -1}};
+  }
+  box.to_pixels.matrix = {2, 0, 0, -1, 0, 2, 0, -1, 0, 0, 1, 0, 0, 0, 0, 1};
+  box.to_pixels.width = box.to_pixels.height = 100;
+  return box;
+}
+
+TEST(Box, TouchesWhatIsSeenInItAndEnclosesWhatLiesInItAltogether) {
+  const auto drawn = build_part(*plate(4).surface, {}, {}, 0);
+  auto small = over(20, 20, 30, 30);
+  auto beside = over(120, 20, 30, 30);
+  auto large = over(-5, -5, 110, 110);
+
+  EXPECT_EQ(surfaces_in(*drawn, small), (std::vector<surface_id>{1}));
+  EXPECT_TRUE(surfaces_in(*drawn, beside).empty());
+  small.by = large.by = pick_box::rule::enclosed;
+  EXPECT_TRUE(surfaces_in(*drawn, small).empty());
+  EXPECT_EQ(surfaces_in(*drawn, large), (std::vector<surface_id>{1}));
+  large.hidden = {1};
+  EXPECT_TRUE(surfaces_in(*drawn, large).empty());
+  large.hidden.clear();
+  large.section = section_plane{{0, 0, -0.5}, {0, 0, 1}};  // All of it is cut away.
+  EXPECT_TRUE(surfaces_in(*drawn, large).empty());
 }
 
 TEST(Along, TakesTheFieldOnTheLineAndLeavesGapsBesideThePart) {

@@ -2,6 +2,7 @@
 #include "client-qt/model/legend.hpp"
 
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -82,8 +83,8 @@ TEST(Legend, TicksAreRoundInTheUnitThatIsShown) {
 }
 
 TEST(Colours, ReachBothEndsAndGoNowhereElse) {
-  for (const auto map :
-       {colour_map::viridis, colour_map::cividis, colour_map::grey, colour_map::coolwarm}) {
+  for (const auto map : {colour_map::viridis, colour_map::cividis, colour_map::grey,
+                         colour_map::coolwarm, colour_map::safety}) {
     EXPECT_EQ(colour(map, -1), colour(map, 0));
     EXPECT_EQ(colour(map, 2), colour(map, 1));
     EXPECT_NE(colour(map, 0), colour(map, 1));
@@ -103,10 +104,67 @@ TEST(Colours, PerceptualMapsGrowLighterAllTheWay) {
   }
 }
 
+TEST(Legend, WithTheDivergingMapZeroIsInTheMiddle) {
+  legend by;
+  by.field = shown_field::principal_1;
+  by.map = colour_map::coolwarm;
+  const float values[] = {-1e6F, 7e6F};
+  by.fit(values);
+
+  EXPECT_DOUBLE_EQ(by.low, -7e6);
+  EXPECT_DOUBLE_EQ(by.high, 7e6);
+  EXPECT_DOUBLE_EQ(by.place(0), 0.5);
+}
+
+TEST(Legend, SafetyIsReadByItsStepsWhateverTheValues) {
+  legend by;
+  by.field = shown_field::safety_factor;
+  by.map = colour_map::safety;
+  const float values[] = {0.4F, 1e6F};
+  by.fit(values);
+
+  const auto red = by.colour_at(by.place(0.2));
+  EXPECT_EQ(by.colour_at(by.place(0.999)), red);
+  EXPECT_NE(by.colour_at(by.place(1.001)), red);
+  EXPECT_EQ(by.colour_at(by.place(20)), by.colour_at(by.place(1e6)));
+  EXPECT_EQ(by.ticks(7), (std::vector<double>{1, 1.5, 2, 3, 5}));
+  EXPECT_EQ(by.levels(), by.ticks(7));
+  for (const double value : {0.5, 1.25, 4.0})
+    EXPECT_DOUBLE_EQ(by.value(by.place(value)), value);
+}
+
+TEST(Legend, BandsHaveOneColourEachAndTicksAtTheirEdges) {
+  legend by;
+  by.low = 0;
+  by.high = 8e6;
+  by.bands = 8;
+
+  EXPECT_EQ(by.colour_at(0.01), by.colour_at(0.12));
+  EXPECT_NE(by.colour_at(0.12), by.colour_at(0.13));
+  EXPECT_EQ(by.colour_at(1), by.colour_at(0.9));
+  EXPECT_EQ(by.levels(), (std::vector<double>{1e6, 2e6, 3e6, 4e6, 5e6, 6e6, 7e6}));
+  EXPECT_EQ(by.ticks(7).size(), 9U);  // Both ends, too.
+  by.bands = 0;
+  EXPECT_EQ(by.levels().size(), 9U);
+}
+
+TEST(Fields, EachIsInOneGroupAndSaysWhatItIs) {
+  std::set<shown_field> seen;
+  for (const auto& group : field_groups())
+    for (const auto field : group) {
+      EXPECT_TRUE(seen.insert(field).second);
+      EXPECT_FALSE(field_help(field).isEmpty());
+    }
+  EXPECT_EQ(seen.size(), 19U);
+  EXPECT_EQ(field_value(shown_field::relative_error, 0.032), "3.2 %");
+  EXPECT_EQ(field_value(shown_field::safety_factor, 1e6), "over 1000");
+  EXPECT_EQ(field_value(shown_field::principal_3, -2e6), "-2 MPa");
+}
+
 TEST(Fields, IdsLeadBackToTheField) {
-  for (const auto field : {shown_field::von_mises, shown_field::displacement_z,
-                           shown_field::safety_factor, shown_field::surfaces})
-    EXPECT_EQ(field_from_id(field_id(field)), field);
+  for (const auto& group : field_groups())
+    for (const auto field : group)
+      EXPECT_EQ(field_from_id(field_id(field)), field);
   EXPECT_EQ(field_from_id("nonsense"), shown_field::none);
 }
 

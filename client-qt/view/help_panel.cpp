@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/help_panel.hpp"
+
+#include <QFile>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QVBoxLayout>
+
+namespace tedit::desktop {
+
+namespace {
+
+/// A picture wider than the panel would be cut off: it is left out.
+class manual_page : public QTextBrowser {
+protected:
+  QVariant loadResource(int type, const QUrl& name) override {
+    if (type == QTextDocument::ImageResource)
+      return QImage(1, 1, QImage::Format_ARGB32);
+    return QTextBrowser::loadResource(type, name);
+  }
+};
+
+QString manual() {
+  QFile file(":/help/desktop.md");
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+}  // namespace
+
+help_panel::help_panel(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 0);
+  auto* row = new QHBoxLayout;
+  letters_ = new QLineEdit;
+  letters_->setObjectName("help_letters");
+  letters_->setPlaceholderText(tr("Search the help"));
+  letters_->setClearButtonEnabled(true);
+  count_ = new QLabel;
+  count_->setProperty("role", "faint");
+  auto* next = new QPushButton(tr("Next"));
+  row->addWidget(letters_, 1);
+  row->addWidget(count_);
+  row->addWidget(next);
+  column->addLayout(row);
+  page_ = new manual_page;
+  page_->setObjectName("help_page");
+  page_->setOpenExternalLinks(false);
+  page_->setOpenLinks(false);
+  page_->setMarkdown(manual());
+  page_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  for (auto block = page_->document()->begin(); block.isValid(); block = block.next()) {
+    auto format = block.blockFormat();  // Lines of code, too: the panel is narrow.
+    format.setNonBreakableLines(false);
+    QTextCursor(block).setBlockFormat(format);
+  }
+  page_->setAccessibleName(tr("Help"));
+  column->addWidget(page_, 1);
+  connect(letters_, &QLineEdit::textChanged, this, &help_panel::search);
+  connect(letters_, &QLineEdit::returnPressed, this, [this] { step(false); });
+  connect(next, &QPushButton::clicked, this, [this] { step(false); });
+}
+
+void help_panel::start_typing() {
+  letters_->setFocus();
+  letters_->selectAll();
+}
+
+void help_panel::search(const QString& letters) {
+  if (letters_->text() != letters) {
+    letters_->setText(letters);  // Comes back here.
+    return;
+  }
+  hits_.clear();
+  at_ = 0;
+  if (letters.trimmed().size() >= 2)
+    for (QTextCursor found = page_->document()->find(letters); !found.isNull();
+         found = page_->document()->find(letters, found))
+      hits_ << found;
+  show_hit();
+}
+
+void help_panel::step(bool back) {
+  if (hits_.isEmpty())
+    return;
+  const auto count = static_cast<int>(hits_.size());
+  at_ = (at_ + (back ? count - 1 : 1)) % count;
+  show_hit();
+}
+
+void help_panel::show_hit() {
+  const bool asked = letters_->text().trimmed().size() >= 2;
+  count_->setText(hits_.isEmpty() ? (asked ? tr("not found") : QString())
+                                  : tr("%1 of %2").arg(at_ + 1).arg(hits_.size()));
+  mark_hits();
+  if (hits_.isEmpty())
+    return;
+  auto place = hits_[at_];
+  place.clearSelection();  // The mark shows it; a selection would hide its colour.
+  page_->setTextCursor(place);
+  page_->ensureCursorVisible();
+}
+
+void help_panel::mark_hits() {
+  QList<QTextEdit::ExtraSelection> marks;
+  for (int i = 0; i < static_cast<int>(hits_.size()); ++i) {
+    QTextEdit::ExtraSelection mark;
+    mark.cursor = hits_[i];
+    mark.format.setBackground(i == at_ ? QColor(255, 160, 60) : QColor(255, 226, 150));
+    mark.format.setForeground(QColor(20, 24, 30));
+    marks << mark;
+  }
+  page_->setExtraSelections(marks);
+}
+
+}  // namespace tedit::desktop

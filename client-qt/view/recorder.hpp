@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+#include "client-qt/model/document.hpp"
+
+namespace tedit::desktop {
+
+class main_window;
+
+/// Writes down what a person does, as steps for `script`: selections, edits that were made, undo,
+/// what is drawn and how it is looked at. Not: loads, probes and what was refused.
+class recorder : public QObject {
+  Q_OBJECT
+
+public:
+  explicit recorder(main_window& window);
+
+  /// Begins anew, with how the part is looked at now.
+  void start();
+  void stop();
+  [[nodiscard]] bool is_on() const noexcept { return on_; }
+  [[nodiscard]] const QJsonArray& steps() const noexcept { return steps_; }
+  /// One step on each line.
+  [[nodiscard]] QByteArray text() const;
+
+signals:
+  void changed();
+
+private:
+  void wire();
+  void add(const QJsonObject& step);
+  void look();
+  void fields_changed();
+  void section_moved();
+  void committed(const client::committed& what);
+
+  main_window& window_;
+  QJsonArray steps_;
+  bool on_ = false;
+  std::optional<QJsonObject> pending_;  ///< An edit without an answer.
+  std::uint32_t head_ = 0;
+  QTimer looked_;  ///< The camera is noted when it has come to rest.
+};
+
+}  // namespace tedit::desktop

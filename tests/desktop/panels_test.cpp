@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The history with its names, the jobs and the help: widgets that need no OpenGL.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include "client-qt/view/help_panel.hpp"
+#include "client-qt/view/history_strip.hpp"
+#include "client-qt/view/jobs_panel.hpp"
+#include "client-qt/view/version_editor.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+void press(QWidget* where, int key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+  QKeyEvent event(QEvent::KeyPress, key, with);
+  QApplication::sendEvent(where, &event);
+}
+
+client::version_info version(std::uint32_t number, std::optional<std::uint32_t> parent) {
+  client::version_info info;
+  info.number = number;
+  info.version_id = "v" + std::to_string(number);
+  info.parent = parent;
+  info.operation = number == 0 ? "import" : "fill_hole";
+  return info;
+}
+
+// -- the history ---------------------------------------------------------------------
+
+class History : public testing::Test {
+protected:
+  History() {
+    part_.open("part");
+    // 0 - 1 - 2 and a branch 3 of 0, which is the head.
+    for (const auto& [number, parent] :
+         std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>>{
+           {0, {}}, {1, 0}, {2, 1}, {3, 0}}) {
+      client::committed made;
+      made.head = version(number, parent);
+      emit link_.committed(made);
+    }
+    strip_.resize(900, 500);
+    strip_.show();
+    emit part_.history_changed();
+    QCoreApplication::processEvents();
+  }
+
+  [[nodiscard]] QRect place(int number) {
+    for (int i = 0; i < strip_.count(); ++i)
+      if (strip_.item(i)->data(Qt::UserRole).toInt() == number)
+        return strip_.visualItemRect(strip_.item(i));
+    return {};
+  }
+  [[nodiscard]] int chosen() const { return strip_.currentItem()->data(Qt::UserRole).toInt(); }
+
+  remote link_;
+  document part_{link_};
+  history_strip strip_{part_};
+};
+
+TEST_F(History, EditsGoToTheRightAndABranchStandsBelow) {
+  ASSERT_EQ(strip_.count(), 4);
+  EXPECT_GT(place(1).left(), place(0).right());
+  EXPECT_GT(place(2).left(), place(1).right());
+  EXPECT_EQ(place(1).top(), place(0).top());
+  EXPECT_EQ(place(3).left(), place(1).left());
+  EXPECT_GT(place(3).top(), place(1).bottom());
+}
+
+TEST_F(History, KeysGoFromPlaceToPlaceAndEnterGoesToTheVersion) {
+  QList<quint32> wanted;
+  QObject::connect(&strip_, &history_strip::version_wanted,
+                   [&](quint32 number) { wanted << number; });
+  EXPECT_EQ(chosen(), 3);  // The head.
+
+  press(&strip_, Qt::Key_Up);
+  EXPECT_EQ(chosen(), 1);
+  press(&strip_, Qt::Key_Right);
+  EXPECT_EQ(chosen(), 2);
+  press(&strip_, Qt::Key_Return);
+
+  EXPECT_EQ(wanted, (QList<quint32>{2}));
+}
+
+TEST_F(History, ANameFromAnyClientStandsInThePlaceOfTheOperation) {
+  auto named = version(1, 0);
+  named.name = "thin fin";
+  named.note = "first line\nsecond line";
+  emit link_.annotated(named);
+  QCoreApplication::processEvents();
+
+  const auto* row = strip_.findItems("v1", Qt::MatchStartsWith).value(0);
+  ASSERT_NE(row, nullptr);
+  EXPECT_TRUE(row->text().startsWith("v1  thin fin")) << row->text().toStdString();
+  EXPECT_TRUE(row->text().endsWith("first line"));
+  EXPECT_TRUE(row->toolTip().contains("second line"));
+  EXPECT_EQ(chosen(), 3);  // What was chosen stays so.
+}
+
+// -- names and notes -----------------------------------------------------------------
+
+class Words : public testing::Test {
+protected:
+  Words() {
+    auto info = version(4, 3);
+    info.name = "old";
+    info.note = "note";
+    editor_ = new version_editor(info);  // Deletes itself.
+    QObject::connect(editor_, &version_editor::accepted,
+                     [this](std::uint32_t number, const QString& name, const QString& note) {
+                       told_ << QString::number(number) + "|" + name + "|" + note;
+                     });
+    editor_->open_beside(QRect(0, 0, 10, 10));
+    name_ = editor_->findChild<QLineEdit*>("version_name");
+    note_ = editor_->findChild<QPlainTextEdit*>("version_note");
+  }
+  ~Words() override { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
+
+  QPointer<version_editor> editor_;
+  QLineEdit* name_;
+  QPlainTextEdit* note_;
+  QStringList told_;
+};
+
+TEST_F(Words, EnterInTheNameKeepsBoth) {
+  name_->setText("  new   name ");
+  note_->setPlainText("two\nlines\n");
+  press(name_, Qt::Key_Return);
+
+  EXPECT_EQ(told_, (QStringList{"4|new name|two\nlines"}));
+}
+
+TEST_F(Words, AClickElsewhereKeepsThemToo) {
+  note_->setPlainText("");
+  editor_->close();
+
+  EXPECT_EQ(told_, (QStringList{"4|old|"}));
+}
+
+TEST_F(Words, EscDropsAndTheSameWordsAreNoChange) {
+  name_->setText("new");
+  press(name_, Qt::Key_Escape);
+  EXPECT_TRUE(told_.isEmpty());
+}
+
+TEST_F(Words, TheSameWordsAreNoChange) {
+  press(note_, Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(told_.isEmpty());
+}
+
+// -- jobs ----------------------------------------------------------------------------
+
+TEST(JobsPanel, SaysWhatRunsAndCancelsOneOfThem) {
+  remote link;
+  jobs work;
+  int cancelled = 0;
+  const int edit = work.begin("Fill hole", [&] { ++cancelled; });
+  work.begin("Solve", nullptr);
+  work.progress(edit, 0.5, "removing");
+  jobs_panel panel(work, link);
+
+  EXPECT_TRUE(panel.text().contains("Fill hole"));
+  EXPECT_TRUE(panel.text().contains("removing"));
+  EXPECT_TRUE(panel.text().contains("Solve"));
+  EXPECT_TRUE(panel.text().contains("not connected"));
+  const auto buttons = panel.findChildren<QPushButton*>("job_cancel");
+  ASSERT_EQ(buttons.size(), 1);  // The other cannot be cancelled.
+  buttons[0]->click();
+  EXPECT_EQ(cancelled, 1);
+  work.end(edit);
+  EXPECT_FALSE(panel.text().contains("Fill hole"));
+}
+
+TEST(JobsButton, IsIdleWhenNothingRuns) {
+  remote link;
+  jobs work;
+  const jobs_button button(work, link);
+
+  EXPECT_EQ(button.text(), "idle");
+  const int one = work.begin("Solve", nullptr);
+  EXPECT_TRUE(button.text().startsWith("Solve"));
+  work.end(one);
+  EXPECT_EQ(button.text(), "idle");
+}
+
+// -- help ----------------------------------------------------------------------------
+
+TEST(Help, IsTheManualAndFindsWords) {
+  help_panel help;
+  EXPECT_TRUE(help.page()->toPlainText().contains("Shift adds"));
+  EXPECT_FALSE(help.page()->toPlainText().contains("|---|"));  // Tables are tables.
+
+  help.search("undo");
+  const int all = help.hits();
+  EXPECT_GT(all, 1);
+  EXPECT_EQ(help.page()->extraSelections().size(), all);
+  const int first = help.page()->textCursor().position();
+  help.step(false);
+  EXPECT_GT(help.page()->textCursor().position(), first);
+  help.step(true);
+  EXPECT_EQ(help.page()->textCursor().position(), first);
+
+  help.search("no such word in it");
+  EXPECT_EQ(help.hits(), 0);
+  EXPECT_TRUE(help.page()->extraSelections().isEmpty());
+}
+
+}  // namespace
+}  // namespace tedit::desktop

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Results and history as a person uses them: fields on demand, boxes, names, load cases, recording.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QTreeWidget>
+
+#include "client-qt/model/field_values.hpp"
+#include "client-qt/view/loads_panel.hpp"
+#include "client-qt/view/recorder.hpp"
+#include "client-qt/view/script.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
+  open_plate();
+  EXPECT_TRUE(view().current().field->stress.empty());
+
+  window->fields().set_field(shown_field::principal_1);
+  ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  const auto& by = view().current_legend();
+  EXPECT_EQ(by.map, colour_map::coolwarm);
+  EXPECT_DOUBLE_EQ(by.low, -by.high);
+  const auto& field = *view().current().field;
+  for (std::size_t i = 0; i < field.vertices.size(); ++i)  // None is beyond the largest.
+    ASSERT_GE(value_in(field, i, shown_field::principal_1),
+              value_in(field, i, shown_field::stress_xx) - 1);
+
+  part().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  EXPECT_FALSE(view().current().field->stress.empty());
+  window->fields().set_field(shown_field::safety_factor);
+  ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  EXPECT_NEAR(view().value_extremes()->low, *part().head()->outcome->cases[0].min_safety_factor,
+              0.01 * view().value_extremes()->low);
+}
+
+TEST_F(Window, IsolinesAreDrawnAndTakenAwayAgain) {
+  open_plate();
+  const auto bare = window->picture();
+
+  QTest::keyClick(window.get(), Qt::Key_N);
+  ASSERT_TRUE(wait([&] { return view().is_settled(); }));
+  QTest::qWait(50);
+  EXPECT_NE(window->picture(), bare);
+
+  QTest::keyClick(window.get(), Qt::Key_N);
+  QTest::qWait(50);
+  EXPECT_EQ(window->picture(), bare);
+}
+
+TEST_F(Window, ABoxToTheRightTakesWhatLiesInItAndOneToTheLeftWhatItTouches) {
+  open_plate(false);
+  ASSERT_TRUE(window->all_commands().trigger("view.top"));
+  const auto place = view().visible_point(98);
+  const auto draw = [&](QPoint from, QPoint to, Qt::KeyboardModifiers with) {
+    QTest::mousePress(&view(), Qt::LeftButton, with, from);
+    for (const QPoint at : {(from + to) / 2, to}) {  // A real drag has the button held.
+      QMouseEvent move(QEvent::MouseMove, QPointF(at), view().mapToGlobal(QPointF(at)),
+                       Qt::NoButton, Qt::LeftButton, with);
+      QApplication::sendEvent(&view(), &move);
+    }
+    QTest::mouseRelease(&view(), Qt::LeftButton, with, to);
+  };
+  ASSERT_TRUE(place.has_value());
+  const QPoint at = view().to_widget(*place).toPoint();
+  const auto before = view().view().get();
+
+  draw(at + QPoint(12, 12), at - QPoint(12, 12), Qt::ControlModifier);  // To the left.
+  ASSERT_TRUE(wait([&] { return window->picked().contains(98); }));
+  draw(at - QPoint(12, 12), at + QPoint(12, 12), Qt::ControlModifier);  // To the right.
+  ASSERT_TRUE(wait([&] { return window->picked().surfaces().empty(); }));
+  EXPECT_EQ(view().view().get().position, before.position);  // Nothing was turned.
+
+  QTest::keyClick(window.get(), Qt::Key_A, Qt::ControlModifier);
+  ASSERT_TRUE(wait([&] { return window->picked().surfaces().size() > 5; }));
+  EXPECT_TRUE(window->picked().contains(98));
+}
+
+TEST_F(Window, ANameIsKeptByTheServer) {
+  open_plate(false);
+  part().annotate(0, "as bought", "from the shelf");
+  ASSERT_TRUE(wait([&] { return part().head()->info.name == "as bought"; }));
+
+  const auto name = part().name();
+  part().close();
+  part().open(name);
+  ASSERT_TRUE(wait([&] { return shows_head() && part().head()->info.name == "as bought"; }));
+  EXPECT_EQ(part().head()->info.note, "from the shelf");
+}
+
+TEST_F(Window, ALoadCaseCanBeRemovedTheLastOneToo) {
+  open_plate();
+  auto second = part().load_cases().front();
+  second.name = "second";
+  part().set_load_case(second);
+  ASSERT_TRUE(wait([&] { return is_final() && part().head()->fields.size() == 3; }));
+
+  part().remove_load_case("second");
+  ASSERT_TRUE(wait([&] { return is_final() && part().head()->fields.size() == 1; }));
+  EXPECT_EQ(window->findChild<loads_panel*>()->tree()->topLevelItemCount(), 1);
+
+  part().remove_load_case(part().load_cases().front().name);
+  ASSERT_TRUE(wait([&] { return part().load_cases().empty(); }));
+  EXPECT_TRUE(part().head()->fields.empty());
+  EXPECT_EQ(part().field_progress(), field_state::none);
+  EXPECT_FALSE(view().value_extremes().has_value());
+  EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
+}
+
+TEST_F(Window, WhatIsRecordedCanBePlayed) {
+  open_plate();
+  window->recording().start();
+  window->picked().set({1, 2});
+  part().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  window->fields().set_field(shown_field::max_shear);
+  window->fields().set_bands(8);
+  ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  part().apply("erode", {98}, {{"depth", 0.5}});  // Refused: no step.
+  ASSERT_TRUE(wait([&] { return !part().current_activity() && shows_head(); }));
+  ASSERT_TRUE(window->all_commands().trigger("view.top"));
+  window->recording().stop();
+  const auto steps = window->recording().steps();
+  const auto id = part().head()->info.version_id;
+  const auto pose = view().view().get();
+
+  window = std::make_unique<main_window>(state.path());
+  window->resize(1200, 800);
+  window->show();
+  open_plate();
+  script replay(*window, steps);
+  bool done = false;
+  QObject::connect(&replay, &script::finished, [&] { done = true; });
+  replay.start();
+  ASSERT_TRUE(wait([&] { return done && is_final(); })) << window->recording().text().toStdString();
+
+  EXPECT_EQ(part().head()->info.version_id, id);
+  EXPECT_EQ(window->fields().wanted().field, shown_field::max_shear);
+  EXPECT_EQ(window->fields().wanted().bands, 8);
+  const vec3 off = view().view().get().position - pose.position;
+  EXPECT_LT(dot(off, off), 1e-12);
+  EXPECT_EQ(part().versions().size(), 2U);
+}
+
+}  // namespace
+}  // namespace tedit::desktop
