@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/document.hpp"
 
-#include <QDateTime>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QSaveFile>
 #include <QTimer>
 
 #include <algorithm>
 
+#include "client-qt/model/document_name.hpp"
 #include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/load_words.hpp"
 #include "protocol/convert.hpp"
@@ -19,13 +18,6 @@ namespace {
 
 constexpr int catalogue_retry_ms = 1000;
 constexpr std::size_t most_kept_surfaces = 64;  // Versions whose surface and field stay at hand.
-
-/// A name that the server takes and that no other document has.
-QString new_document_name(const QString& mesh) {
-  QString stem = QFileInfo(mesh).completeBaseName().left(40);
-  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
-  return stem + "-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss");
-}
 
 }  // namespace
 
@@ -225,7 +217,7 @@ void document::import(const QString& mesh, const QStringList& load_cases, const 
     loads.push_back(std::move(*read));
   }
   forget();
-  name_ = new_document_name(mesh);
+  name_ = new_document_name(mesh, QDateTime::currentDateTime());
   load_catalogue();
   ask<client::committed>(
     tr("Open %1").arg(QFileInfo(mesh).fileName()),

@@ -58,9 +58,9 @@ void camera::pan(double dx, double dy) {
 
 void camera::zoom(double factor, double x, double y) {
   auto* c = renderer_->GetActiveCamera();
-  const int* size = renderer_->GetSize();
-  const double dx = x - size[0] / 2.0;
-  const double dy = y - size[1] / 2.0;
+  const vec3 middle = to_pixel(get().focus);
+  const double dx = x - middle.x;
+  const double dy = y - middle.y;
   pan(-dx, -dy);
   if (c->GetParallelProjection())
     c->SetParallelScale(c->GetParallelScale() / factor);
@@ -113,7 +113,8 @@ void camera::fit(const std::array<double, 6>& bounds) {
   const vec3 right = unit(cross(now.up, back));
   const vec3 up = cross(back, right);
   const int* size = renderer_->GetSize();
-  const double aspect = size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1;
+  const double aspect =
+    (1 - left_margin_) * (size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1);
   const double slope = std::tan(c->GetViewAngle() * std::numbers::pi / 360);
   now.focus = {(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
                (bounds[4] + bounds[5]) / 2};
@@ -131,6 +132,12 @@ void camera::fit(const std::array<double, 6>& bounds) {
   now.up = up;
   now.parallel_scale = border * half_height;
   set(now);
+}
+
+void camera::set_left_margin(double share) {
+  left_margin_ = std::clamp(share, 0.0, 0.4);
+  // The picture's middle moves, the focus stays.
+  renderer_->GetActiveCamera()->SetWindowCenter(-left_margin_, 0);
 }
 
 void camera::focus_on(const vec3& place) {

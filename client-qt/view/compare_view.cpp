@@ -125,7 +125,8 @@ bool compare_view::eventFilter(QObject* watched, QEvent* event) {
 /// How many times farther away than in the view that the part came from, so that all that was seen
 /// there is seen in a narrower pane.
 double compare_view::distance_for(const QSize& size) const {
-  return std::max(1.0, what_->aspect * size.height() / std::max(1, size.width()));
+  const auto& narrower = difference_ ? after_ : before_;
+  return std::max(1.0, what_->aspect / narrower.view->free_aspect(size));
 }
 
 void compare_view::step_back(double factor) {
@@ -203,6 +204,7 @@ void compare_view::refresh() {
   if (!why.isEmpty())
     return;
   before_.box->setVisible(!difference_);
+  after_.over->show_legend(difference_);  // One for both.
   before_.title->setText(title_of(before->second, nullptr));
   after_.title->setText(difference_
                           ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/document_name.hpp"
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/view/banner.hpp"
@@ -263,9 +264,11 @@ void main_window::show_part() {
 void main_window::show_title() {
   const auto* head = part_.head();
   const QString version = head ? QString("  v%1").arg(head->info.number) : QString();
-  title_->setText(part_.is_open() ? "<b>" + part_.name().toHtmlEscaped() + "</b>" + version
+  const auto title = title_of(part_.name());
+  title_->setText(part_.is_open() ? "<b>" + title.words.toHtmlEscaped() + "</b>" + version
                                   : QString("<b>TEdit</b>"));
-  setWindowTitle(part_.is_open() ? part_.name() + " - TEdit" : "TEdit");
+  title_->setToolTip(part_.is_open() ? tr("Document %1").arg(part_.name()) : QString());
+  setWindowTitle(part_.is_open() ? title.words + " - TEdit" : "TEdit");
 }
 
 void main_window::show_tooltip(const std::optional<picked_point>& at, QPoint global) {

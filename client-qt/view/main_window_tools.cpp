@@ -133,8 +133,7 @@ void main_window::add_compare() {
     const auto field = fields_->field();
     compare->open({before, after, fields_->wanted(),
                    field && !field->envelope ? field->report.load_case : std::string(),
-                   fields_->deform(), view_->view().get(),
-                   static_cast<double>(view_->width()) / std::max(1, view_->height())});
+                   fields_->deform(), view_->view().get(), view_->free_aspect()});
     pages_->setCurrentWidget(compare);
     place_overlays();  // What has to be said stays in front.
   };

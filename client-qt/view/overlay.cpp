@@ -91,6 +91,7 @@ overlay::overlay(viewport& view) : QWidget(&view), view_(view) {
   setAttribute(Qt::WA_NoSystemBackground);
   connect(&view, &viewport::view_changed, this, qOverload<>(&QWidget::update));
   connect(&view, &viewport::shown, this, qOverload<>(&QWidget::update));
+  show_legend(true);
 }
 
 void overlay::set_note(const QString& note) {
@@ -105,6 +106,12 @@ void overlay::set_ink(const QColor& ink) {
 
 void overlay::show_extremes(bool on) {
   extremes_ = on;
+  update();
+}
+
+void overlay::show_legend(bool on) {
+  legend_ = on;
+  view_.set_left_margin(on ? qRound(legend_width + margin) : 0);
   update();
 }
 
@@ -140,6 +147,18 @@ void overlay::paint(QPainter& painter, double scale) {
   const auto& ends = view_.value_extremes();
   if (!ends)
     return;
+  if (legend_)
+    paint_scale(painter, scale);
+  if (!extremes_)
+    return;
+  const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
+  mark(painter, ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), scale,
+       true);
+  if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
+    mark(painter, ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), scale, false);
+}
+
+void overlay::paint_scale(QPainter& painter, double scale) {
   const double height = std::min(legend_height, view_.height() - 2 * margin);
   QColor ground = ink_.lightness() > 128 ? QColor(20, 24, 28, 110) : QColor(255, 255, 255, 120);
   painter.setPen(Qt::NoPen);
@@ -151,14 +170,7 @@ void overlay::paint(QPainter& painter, double scale) {
   paint_legend(painter,
                QRectF(scale * margin, scale * (view_.height() - height - margin),
                       scale * legend_width, scale * height),
-               by, note_, ink_, scale);
-  if (!extremes_)
-    return;
-  const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
-  mark(painter, ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), scale,
-       true);
-  if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
-    mark(painter, ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), scale, false);
+               view_.current_legend(), note_, ink_, scale);
 }
 
 void overlay::paintEvent(QPaintEvent*) {

@@ -28,6 +28,8 @@ public:
   void set_note(const QString& note);
   void set_ink(const QColor& ink);
   void show_extremes(bool on);
+  /// The legend's room is kept free when something is made to fit.
+  void show_legend(bool on);
   [[nodiscard]] bool shows_extremes() const noexcept { return extremes_; }
 
   /// The view with all that lies over it, `factor` times as many pixels as on the screen.
@@ -38,6 +40,7 @@ protected:
 
 private:
   void paint(QPainter& painter, double scale);
+  void paint_scale(QPainter& painter, double scale);
   /// `below`: the words stand below the place, so that two near each other stay readable.
   void mark(QPainter& painter, const vec3& at, const QString& text, double scale, bool below);
 
@@ -45,6 +48,7 @@ private:
   QString note_;
   QColor ink_{32, 38, 48};
   bool extremes_ = true;
+  bool legend_ = true;
 };
 
 }  // namespace tedit::desktop

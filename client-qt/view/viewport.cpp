@@ -259,6 +259,22 @@ void viewport::fit(const std::vector<surface_id>& around) {
   emit view_changed();
 }
 
+void viewport::set_left_margin(int pixels) {
+  left_margin_ = pixels;
+  camera_.set_left_margin(static_cast<double>(pixels) / std::max(1, width()));
+}
+
+double viewport::free_aspect(const QSize& size) const {
+  const double width =
+    std::max(0.6 * size.width(), static_cast<double>(size.width() - left_margin_));
+  return width / std::max(1, size.height());
+}
+
+void viewport::resizeEvent(QResizeEvent* event) {
+  vtk_view::resizeEvent(event);
+  set_left_margin(left_margin_);
+}
+
 void viewport::look_from(camera::direction from) {
   camera_.look_from(from);
   fit();

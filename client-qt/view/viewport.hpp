@@ -66,6 +66,11 @@ public:
   [[nodiscard]] camera& view() { return camera_; }
   /// Puts the whole part, or some surfaces of it, into the view.
   void fit(const std::vector<surface_id>& around = {});
+  /// Pixels at the left that something else covers: what is made to fit stays beside them.
+  void set_left_margin(int pixels);
+  /// Width to height of what that leaves.
+  [[nodiscard]] double free_aspect(const QSize& size) const;
+  [[nodiscard]] double free_aspect() const { return free_aspect(size()); }
   void look_from(camera::direction from);
   void fly_to(const vec3& place);
 
@@ -97,6 +102,7 @@ signals:
   void view_changed();
 
 protected:
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -130,6 +136,7 @@ private:
   bool isolines_ = false;
   bool contouring_ = false;
   int contours_ = 0;  ///< Lines of earlier values are not for us.
+  int left_margin_ = 0;
   bool boxing_ = false;
   bool draws_box_ = false;  ///< The drag that is going on.
   QRubberBand* band_ = nullptr;

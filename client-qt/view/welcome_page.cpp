@@ -9,9 +9,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "client-qt/model/document_name.hpp"
 namespace tedit::desktop {
 
 namespace {
@@ -120,7 +122,12 @@ void welcome_page::set_recent(const QStringList& documents) {
   title->setProperty("role", "section");
   recent_->addWidget(title);
   for (const auto& name : documents.mid(0, 6)) {
-    auto* button = new QPushButton(name);
+    const auto shown = title_of(name);
+    auto* button = new QPushButton(
+      shown.made.isValid()
+        ? tr("%1, %2").arg(shown.words, QLocale().toString(shown.made, QLocale::ShortFormat))
+        : shown.words);
+    button->setToolTip(name);
     button->setProperty("role", "link");
     connect(button, &QPushButton::clicked, this, [this, name] { emit document_wanted(name); });
     recent_->addWidget(button, 0, Qt::AlignLeft);

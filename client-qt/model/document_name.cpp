@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/document_name.hpp"
+
+#include <QFileInfo>
+#include <QRegularExpression>
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr auto time_format = "yyyyMMdd-HHmmss";
+
+}  // namespace
+
+QString new_document_name(const QString& mesh, const QDateTime& now) {
+  constexpr int longest = 40;  // Servers take 64 in all.
+  QString stem = QFileInfo(mesh).completeBaseName().left(longest);
+  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+  return stem + "-" + now.toString(time_format);
+}
+
+document_title title_of(const QString& name) {
+  static const QRegularExpression dated("^(.+)-(\\d{8}-\\d{6})$");
+  const auto match = dated.match(name);
+  const auto made = QDateTime::fromString(match.captured(2), time_format);
+  return made.isValid() ? document_title{match.captured(1), made} : document_title{name, {}};
+}
+
+}  // namespace tedit::desktop

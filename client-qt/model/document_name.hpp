@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+
+namespace tedit::desktop {
+
+/// A name for the document of a mesh file that the server takes and that no other document has:
+/// the file's name and when it was opened.
+[[nodiscard]] QString new_document_name(const QString& mesh, const QDateTime& now);
+
+/// What a person calls the document, and when it was made; of other names all, and no time.
+struct document_title {
+  QString words;
+  QDateTime made;
+};
+[[nodiscard]] document_title title_of(const QString& name);
+
+}  // namespace tedit::desktop
