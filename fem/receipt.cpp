@@ -15,7 +15,9 @@ namespace {
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
+  // People read 20000 N, not 2e+04 N.
+  const bool large = std::abs(value) >= 1e4 && std::abs(value) < 1e7;
+  std::snprintf(text, sizeof(text), large ? "%.0f" : "%.4g", value);
   return text;
 }
 

@@ -27,6 +27,14 @@ struct version_record {
   std::optional<solve_outcome> outcome;    ///< The converged one.
 };
 
+/// What an edit would make; its version is nowhere but here.
+struct shown_preview {
+  client::edit_preview made;  ///< Its `surface` is moved on to below.
+  shared_surface before;      ///< The head's.
+  shared_surface surface;
+};
+using shared_preview = std::shared_ptr<const shown_preview>;
+
 /// What the user waits for.
 struct activity {
   QString title;  ///< "Fill hole".
@@ -89,6 +97,10 @@ public:
   void watch(const client::watched_quantities& wanted);
   void apply(const QString& operation, const std::vector<surface_id>& surfaces,
              const ops::parameters& values);
+  /// What `apply` would make of the head. A newer question makes an older one `superseded`.
+  ticket preview(const QString& operation, const std::vector<surface_id>& surfaces,
+                 const ops::parameters& values, remote::reply<shared_preview> done,
+                 remote::progress advanced = {});
   void undo();
   void redo();
   /// Makes any version the head.

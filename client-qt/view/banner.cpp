@@ -13,7 +13,17 @@ namespace {
 
 constexpr int news_ms = 8000;
 
-/// The surfaces that a sentence names: "surface 12", "surfaces 15, 91".
+QString sentence(const std::string& text) {
+  QString result = QString::fromStdString(text);
+  if (!result.isEmpty())
+    result[0] = result[0].toUpper();
+  if (!result.isEmpty() && !result.endsWith('.'))
+    result += '.';
+  return result;
+}
+
+}  // namespace
+
 QList<qint64> surfaces_in(const QString& text) {
   static const QRegularExpression named("surfaces?\\s+((?:-?\\d+(?:,\\s*|\\s+and\\s+)?)+)",
                                         QRegularExpression::CaseInsensitiveOption);
@@ -25,16 +35,14 @@ QList<qint64> surfaces_in(const QString& text) {
   return result;
 }
 
-QString sentence(const std::string& text) {
-  QString result = QString::fromStdString(text);
-  if (!result.isEmpty())
-    result[0] = result[0].toUpper();
-  if (!result.isEmpty() && !result.endsWith('.'))
-    result += '.';
-  return result;
+QString explained(const error& reason) {
+  QString text = sentence(reason.message);
+  if (!reason.where.empty())
+    text += "\n" + banner::tr("Where: %1").arg(QString::fromStdString(reason.where));
+  if (!reason.remedy.empty())
+    text += "\n" + sentence(reason.remedy);
+  return text;
 }
-
-}  // namespace
 
 banner::banner(QWidget* parent) : QFrame(parent) {
   setObjectName("banner");
@@ -90,15 +98,10 @@ void banner::paint_bar() {
 }
 
 void banner::show_error(const QString& what, const error& reason) {
-  QString body = sentence(reason.message);
-  if (!reason.where.empty())
-    body += "\n" + tr("Where: %1").arg(QString::fromStdString(reason.where));
-  if (!reason.remedy.empty())
-    body += "\n" + sentence(reason.remedy);
   surfaces_ = surfaces_in(QString::fromStdString(reason.message + " " + reason.where));
   away_.stop();
   standing_ = false;
-  present(tr("%1 did not work").arg(what), body, look_.error);
+  present(tr("%1 did not work").arg(what), explained(reason), look_.error);
 }
 
 void banner::show_news(const QString& text) {

@@ -46,4 +46,10 @@ private:
   bool standing_ = false;
 };
 
+/// Cause, place and remedy in lines.
+[[nodiscard]] QString explained(const error& reason);
+
+/// The surfaces that a sentence names: "surface 12", "surfaces 15, 91".
+[[nodiscard]] QList<qint64> surfaces_in(const QString& text);
+
 }  // namespace tedit::desktop

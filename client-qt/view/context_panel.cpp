@@ -12,6 +12,7 @@
 #include <map>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/view/preview_box.hpp"
 #include "client-qt/view/theme.hpp"
 
 namespace tedit::desktop {
@@ -41,7 +42,7 @@ int likelihood(const found_feature* feature, const std::string& operation) {
 }  // namespace
 
 context_panel::context_panel(document& part, selection& picked, QWidget* parent)
-    : QWidget(parent), part_(part), picked_(picked) {
+    : QWidget(parent), part_(part), picked_(picked), preview_(part) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 10);
   title_ = make_label("title");
@@ -90,6 +91,7 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   column->addStretch();
 
   connect(&picked_, &selection::changed, this, &context_panel::show_selection);
+  connect(&picked_, &selection::changed, this, &context_panel::follow);
   connect(&part_, &document::operations_changed, this, &context_panel::show_selection);
   connect(&part_, &document::load_cases_changed, this, &context_panel::show_selection);
   connect(&part_, &document::surface_changed, this, &context_panel::show_selection);
@@ -154,6 +156,15 @@ void context_panel::choose(const QString& operation) {
     show_offers();
   else
     show_form();
+  follow();
+}
+
+/// What the form would do is shown while its values move.
+void context_panel::follow() {
+  if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
+    preview_.leave();
+  else
+    preview_.want({operation_, picked_.surfaces(), form_->values()});
 }
 
 static void clear(QLayout* layout) {
@@ -168,7 +179,10 @@ void context_panel::show_offers() {
   clear(body_layout_);
   if (picked_.surfaces().empty())
     return;
+  constexpr std::size_t most_offers = 4;  // All are in the bar at the left.
   for (const auto* one : offers()) {
+    if (static_cast<std::size_t>(body_layout_->count()) == most_offers)
+      break;
     auto* button = new QPushButton(icon(operation_icon(QString::fromStdString(one->about.id)),
                                         palette().color(QPalette::WindowText)),
                                    QString::fromStdString(one->about.name));
@@ -204,6 +218,9 @@ void context_panel::show_form() {
   auto* summary = make_label("faint");
   summary->setText(QString::fromStdString(offered->about.summary));
   form_ = new operation_form(offered->about);
+  connect(form_, &operation_form::changed, this, &context_panel::follow);
+  auto* seen = new preview_box(preview_);
+  connect(seen, &preview_box::place_wanted, this, &context_panel::place_wanted);
   hint_ = make_label("faint");
   hint_->setText(not_ready());
   hint_->setVisible(!not_ready().isEmpty());
@@ -221,9 +238,7 @@ void context_panel::show_form() {
   buttons->addWidget(apply_);
   buttons->addWidget(back);
   buttons->addStretch();
-  for (QWidget* one :
-       {static_cast<QWidget*>(name), static_cast<QWidget*>(summary),
-        static_cast<QWidget*>(form_.data()), static_cast<QWidget*>(hint_.data()), row})
+  for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, hint_, row, seen})
     body_layout_->addWidget(one);
 }
 

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/live_preview.hpp"
 #include "client-qt/model/selection.hpp"
 #include "client-qt/view/operation_form.hpp"
 
@@ -26,10 +27,16 @@ public:
   void choose(const QString& operation);
   [[nodiscard]] const QString& chosen() const noexcept { return operation_; }
   [[nodiscard]] operation_form* form() const { return form_; }
+  [[nodiscard]] live_preview& preview() noexcept { return preview_; }
   /// Applies the chosen operation to the selection, if both fit.
   void apply();
 
+signals:
+  /// A person wants to see these surfaces.
+  void place_wanted(const std::vector<tedit::surface_id>& surfaces);
+
 private:
+  void follow();
   void show_selection();
   void show_offers();
   void show_form();
@@ -39,6 +46,7 @@ private:
 
   document& part_;
   selection& picked_;
+  live_preview preview_;
   QString operation_;
   QLabel* title_;
   QLabel* details_;

@@ -26,6 +26,7 @@
 #include "client-qt/view/history_strip.hpp"
 #include "client-qt/view/loads_panel.hpp"
 #include "client-qt/view/overlay.hpp"
+#include "client-qt/view/preview_box.hpp"
 #include "client-qt/view/receipt_panel.hpp"
 #include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/truth_line.hpp"
@@ -160,6 +161,17 @@ void main_window::place_overlays() {
   banner_->raise();
 }
 
+/// A form with its preview needs more than a list of operations: the docks below give it, as far as
+/// they can. A dock never gets smaller by this.
+void main_window::make_room() {
+  auto* dock = findChild<QDockWidget*>("context");
+  if (context_->chosen().isEmpty() || !dock || dock->isFloating())
+    return;
+  const int wanted = std::min(context_->heightForWidth(context_->width()) + 40, height() / 2);
+  if (dock->height() < wanted)
+    resizeDocks({dock}, {wanted}, Qt::Vertical);
+}
+
 bool main_window::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_ && event->type() == QEvent::Resize)
     place_overlays();
@@ -256,8 +268,14 @@ void main_window::show_part() {
   if (!head || !head->surface)
     return;
   part_.watch(needs(fields_->wanted().field));
+  const auto& preview = context_->preview();
+  truth_->set_candidate(preview.shown() != nullptr);
+  const auto& refused = preview.refusal();
+  view_->mark(refused ? places_of(*refused) : std::vector<surface_id>{});
   view_->set_legend(fields_->wanted());
-  view_->show_isolines(fields_->isolines());
+  view_->show_isolines(fields_->isolines() && !preview.shown());
+  if (const auto& shown = preview.shown())
+    return view_->show_part({shown->surface, nullptr, 0, shown->before});
   view_->show_part({head->surface, fields_->field(), fields_->deform()});
 }
 

@@ -90,6 +90,7 @@ private:
   QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content,
                         Qt::DockWidgetArea area);
   void place_overlays();
+  void make_room();
   void show_part();
   void show_title();
   void show_tooltip(const std::optional<picked_point>& at, QPoint global);

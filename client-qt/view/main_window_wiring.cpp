@@ -58,8 +58,9 @@ void main_window::wire_document() {
             .arg(QString::fromStdString(what.report->operation))
             .arg(what.head.number)
             .arg(duration(what.report->total_ms)));
-    if (what.report && lost_loads(*what.report) > 0) {
+    if (what.report)
       findChild<QDockWidget*>("receipt")->raise();
+    if (what.report && lost_loads(*what.report) > 0) {
       banner_->show_news(
         tr("Loads and supports that this edit reduced or dropped: %1. See \"What this edit did\".")
           .arg(lost_loads(*what.report)));
@@ -124,9 +125,10 @@ void main_window::wire_view() {
             last_click_ = at;
             if (probing_)
               return;
-            if (at)
+            const auto* head = part_.head();  // A preview may have others.
+            if (at && head && head->surface && head->surface->surfaces().contains(at->surface))
               selection_.click(at->surface, modifiers & Qt::ShiftModifier);
-            else if (!(modifiers & Qt::ShiftModifier))
+            else if (!at && !(modifiers & Qt::ShiftModifier))
               selection_.clear();
           });
   connect(view_, &viewport::hovered, this, &main_window::show_tooltip);
@@ -134,6 +136,9 @@ void main_window::wire_view() {
 }
 
 void main_window::wire_panels() {
+  connect(&context_->preview(), &live_preview::changed, this, &main_window::show_part);
+  connect(&context_->preview(), &live_preview::changed, this, &main_window::make_room);
+  connect(context_, &context_panel::place_wanted, view_, &viewport::fit);
   connect(welcome_, &welcome_page::example_wanted, this,
           [this](const example& one) { open_file(one.mesh, one.load_cases); });
   connect(welcome_, &welcome_page::document_wanted, this, &main_window::open_document);

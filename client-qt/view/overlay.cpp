@@ -141,10 +141,25 @@ void overlay::mark(QPainter& painter, const vec3& at, const QString& text, doubl
   painter.drawText(box, Qt::AlignCenter, text);
 }
 
+/// Also in pictures: nobody must take what is only looked at for what is.
+void overlay::paint_note(QPainter& painter, double scale) {
+  painter.setFont(sized(painter.font(), 12 * scale, true));
+  const double line = 20 * scale;
+  const QRectF box(scale * margin, scale * (view_.height() - margin) - line,
+                   QFontMetricsF(painter.font()).horizontalAdvance(note_) + line, line);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ink_.lightness() > 128 ? QColor(20, 24, 28, 160) : QColor(255, 255, 255, 200));
+  painter.drawRoundedRect(box, 4 * scale, 4 * scale);
+  painter.setPen(ink_);
+  painter.drawText(box, Qt::AlignCenter, note_);
+}
+
 void overlay::paint(QPainter& painter, double scale) {
   painter.setRenderHint(QPainter::Antialiasing);
   const auto& by = view_.current_legend();
   const auto& ends = view_.value_extremes();
+  if (!ends && view_.current().before)
+    paint_note(painter, scale);
   if (!ends)
     return;
   if (legend_)

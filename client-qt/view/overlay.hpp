@@ -41,6 +41,7 @@ protected:
 private:
   void paint(QPainter& painter, double scale);
   void paint_scale(QPainter& painter, double scale);
+  void paint_note(QPainter& painter, double scale);
   /// `below`: the words stand below the place, so that two near each other stay readable.
   void mark(QPainter& painter, const vec3& at, const QString& text, double scale, bool below);
 

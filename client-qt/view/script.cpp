@@ -126,15 +126,17 @@ void script::next() {
 bool script::ready_for(const QJsonObject& step) const {
   const auto& part = window_.part();
   const auto* head = part.head();
-  const bool shows_head = head && head->surface && window_.view().is_settled() &&
-                          window_.view().current().surface == head->surface;
-  if (!shows_head || part.current_activity() || part.operations().operations.empty())
+  const auto& preview = window_.context().preview();
+  const auto wanted = preview.shown() ? preview.shown()->surface : head ? head->surface : nullptr;
+  const bool shows_all = wanted && window_.view().is_settled() && !preview.is_busy() &&
+                         window_.view().current().surface == wanted;
+  if (!shows_all || part.current_activity() || part.operations().operations.empty())
     return false;
   if (step["wait"].toString() != "final")
     return true;
   const auto field = window_.view().current().field;
-  return part.field_progress() == field_state::converged && head->outcome && field &&
-         field->version_id() == head->info.version_id;
+  return part.field_progress() == field_state::converged && head->outcome &&
+         (preview.shown() || (field && field->version_id() == head->info.version_id));
 }
 
 void script::carry_out(const QJsonObject& step) {

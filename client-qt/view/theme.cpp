@@ -40,6 +40,8 @@ QPushButton[role="link"]:hover { text-decoration: underline; }
 QLineEdit { border: 1px solid %LINE%; border-radius: 5px; padding: 4px 6px; background: %FIELD%; }
 QLineEdit:focus { border-color: %ACCENT%; }
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: 0; padding: 0; }
+QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %FAINT%; border-radius: 3px;
+  background: %FIELD%; }
 QPlainTextEdit { border: 0; background: %FIELD%; }
 QTextBrowser { border: 0; background: %PANEL%; padding: 6px; }
 QListView, QTreeView { border: 0; background: %PANEL%; outline: 0; }

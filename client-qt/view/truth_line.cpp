@@ -34,6 +34,11 @@ void truth_line::set_theme(const theme& look) {
   refresh();
 }
 
+void truth_line::set_candidate(bool on) {
+  if (std::exchange(candidate_, on) != on)
+    refresh();
+}
+
 QString truth_line::text() const {
   return verdict_->text() + " " + facts_->text() + " | " + server_->text();
 }
@@ -41,6 +46,8 @@ QString truth_line::text() const {
 QString truth_line::verdict() const {
   if (!part_.head())
     return tr("no part");
+  if (candidate_)
+    return tr("preview of an edit, not applied");
   switch (part_.field_progress()) {
     case field_state::waiting:
       return tr("waiting for the solver");
@@ -65,6 +72,8 @@ QString truth_line::facts() const {
   if (!head)
     return {};
   QStringList parts;
+  if (candidate_)  // What is known of the head's field is not true of it.
+    return tr("stresses follow when it is applied");
   const auto& outcome = head->outcome;
   if (part_.field_progress() == field_state::converged && outcome) {
     double residual = 0;
@@ -118,7 +127,9 @@ QString truth_line::server() const {
 void truth_line::refresh() {
   const QString now = verdict();
   QColor ink = look_.palette.color(QPalette::WindowText);
-  if (part_.field_progress() == field_state::converged)
+  if (candidate_)
+    ink = look_.warning;
+  else if (part_.field_progress() == field_state::converged)
     ink = now == tr("final") ? look_.good : look_.warning;
   else if (part_.field_progress() == field_state::failed)
     ink = look_.error;

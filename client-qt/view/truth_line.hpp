@@ -19,6 +19,8 @@ public:
   truth_line(document& part, remote& link, QWidget* parent = nullptr);
 
   void set_theme(const theme& look);
+  /// Says that what is seen is only the preview of an edit.
+  void set_candidate(bool on);
   /// "preview", "final", "solving ...": also for the legend and pictures.
   [[nodiscard]] QString verdict() const;
   /// The whole line as text.
@@ -32,6 +34,7 @@ private:
   document& part_;
   remote& link_;
   theme look_;
+  bool candidate_ = false;
   QLabel* verdict_;
   QLabel* facts_;
   QLabel* server_;

@@ -43,7 +43,8 @@ std::vector<float> values_of(const client::section& cap, shown_field wanted) {
   return result;
 }
 
-viewport::viewport(QWidget* parent) : vtk_view(parent), camera_(renderer()), scene_(renderer()) {
+viewport::viewport(QWidget* parent)
+    : vtk_view(parent), camera_(renderer()), scene_(renderer()), preview_(renderer()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
@@ -59,7 +60,8 @@ viewport::~viewport() {
 // -- what is shown -------------------------------------------------------------------
 
 void viewport::show_part(const shown_part& what) {
-  const bool same_shape = shown_.surface == what.surface && shown_.deform == what.deform &&
+  const bool same_shape = shown_.surface == what.surface && shown_.before == what.before &&
+                          shown_.deform == what.deform &&
                           (what.deform == 0 || shown_.field == what.field);
   shown_ = what;
   if (!shown_.surface)
@@ -82,21 +84,26 @@ void viewport::build() {
       shown.deform != 0 && shown.field && shown.field->version_id() == shown.surface->version_id();
     auto part = build_part(*shown.surface, moves ? shown.field->vertices : no_slots,
                            moves ? shown.field->displacement : no_values, shown.deform);
+    auto preview = shown.before ? differences_of(*shown.before, *shown.surface) : nullptr;
     QMetaObject::invokeMethod(
-      this, [this, part, mine] { take_geometry(part, mine); }, Qt::QueuedConnection);
+      this, [this, part, preview, mine] { take_geometry(part, preview, mine); },
+      Qt::QueuedConnection);
   });
 }
 
-void viewport::take_geometry(std::shared_ptr<const part_geometry> part, int generation) {
+void viewport::take_geometry(std::shared_ptr<const part_geometry> part,
+                             const std::shared_ptr<const preview_geometry>& preview,
+                             int generation) {
   if (generation != generation_)
     return;
   building_ = false;
   const bool first = !scene_.part();
   scene_.set_part(std::move(part));
+  preview_.show(preview);
   if (first || !fitted_)
     fit();
   paint_values();
-  scene_.select(selected_);
+  highlight();
   hovered_.reset();
   camera_.adjust_depth();
 }
@@ -191,6 +198,7 @@ void viewport::set_section(const std::optional<section_plane>& plane) {
   if (!plane)
     cap_.reset();
   scene_.clip(plane);
+  preview_.clip(plane);
   paint_cap();
   redraw();
 }
@@ -207,6 +215,7 @@ std::optional<std::array<double, 6>> viewport::bounds() const {
 
 void viewport::set_colours(const scene_colours& colours) {
   scene_.set_colours(colours);
+  preview_.set_colours(colours);
   if (scene_.part())
     paint_values();
   redraw();
@@ -214,8 +223,24 @@ void viewport::set_colours(const scene_colours& colours) {
 
 void viewport::select(const std::vector<surface_id>& picked) {
   selected_ = picked;
-  scene_.select(picked);
+  highlight();
   redraw();
+}
+
+void viewport::mark(const std::vector<surface_id>& faulty) {
+  faulty_ = faulty;
+  highlight();
+  redraw();
+}
+
+/// In a preview the accent's colour is that of what would be new; a fault is shown on the head.
+void viewport::highlight() {
+  const auto& part = scene_.part();
+  if (!part)
+    return;
+  const bool preview = shown_.before != nullptr;
+  scene_.select(preview || !faulty_.empty() ? std::vector<surface_id>{} : selected_);
+  preview_.mark(*part, preview ? std::vector<surface_id>{} : faulty_);
 }
 
 void viewport::hide(const std::set<surface_id>& hidden) {

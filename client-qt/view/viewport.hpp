@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "client-qt/view/camera.hpp"
+#include "client-qt/view/preview_layer.hpp"
 #include "client-qt/view/scene.hpp"
 #include "client-qt/view/vtk_view.hpp"
 
@@ -19,6 +20,8 @@ struct shown_part {
   std::shared_ptr<const client::surface_model> surface;
   std::shared_ptr<const client::field_event> field;  ///< May be null, or of another version.
   double deform = 0;                                 ///< Factor on the displacement.
+  /// Of a part that is only looked at: the surface that it would replace. Else null.
+  std::shared_ptr<const client::surface_model> before;
 };
 
 /// The part with its field under the mouse: left drag turns, middle or Shift drag moves, the wheel
@@ -46,6 +49,8 @@ public:
 
   void set_colours(const scene_colours& colours);
   void select(const std::vector<surface_id>& picked);
+  /// Shows that these are the place of a fault; none: nothing.
+  void mark(const std::vector<surface_id>& faulty);
   void hide(const std::set<surface_id>& hidden);
   void show_mesh(bool on);
   void show_edges(bool on);
@@ -112,7 +117,9 @@ protected:
 
 private:
   void build();
-  void take_geometry(std::shared_ptr<const part_geometry> part, int generation);
+  void take_geometry(std::shared_ptr<const part_geometry> part,
+                     const std::shared_ptr<const preview_geometry>& preview, int generation);
+  void highlight();
   void paint_values();
   void paint_cap();
   void contour();
@@ -122,9 +129,11 @@ private:
 
   camera camera_;
   scene scene_;
+  preview_layer preview_;
   shown_part shown_;
   legend legend_;
   std::vector<surface_id> selected_;
+  std::vector<surface_id> faulty_;
   std::optional<section_plane> section_;
   std::shared_ptr<const client::section> cap_;
   std::vector<float> values_;  ///< One for each point of the geometry.

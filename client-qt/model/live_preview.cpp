@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/live_preview.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr int most_retries = 3;  // After other work went before it.
+
+}  // namespace
+
+/// The surface is made aside, too: a copy of the head's with the difference.
+ticket document::preview(const QString& operation, const std::vector<surface_id>& surfaces,
+                         const ops::parameters& values, remote::reply<shared_preview> done,
+                         remote::progress advanced) {
+  const auto* now = head();
+  const auto before = now ? now->surface : nullptr;
+  return link_.run<shared_preview>(
+    [=, id = operation.toStdString()](client::client& c,
+                                      const execution& run) -> expected<shared_preview> {
+      if (!before)
+        return fail(ec::superseded, "the part is not here yet");
+      auto got = c.preview_edit(id, surfaces, values, run, before->version_id());
+      if (!got)
+        return fail(std::move(got.error()));
+      auto surface = std::make_shared<client::surface_model>(*before);
+      if (auto ok = surface->apply(got->surface); !ok)
+        return fail(std::move(ok.error()));
+      got->surface = {};
+      return std::make_shared<const shown_preview>(
+        shown_preview{std::move(*got), before, std::move(surface)});
+    },
+    std::move(done), std::move(advanced));
+}
+
+live_preview::live_preview(document& part, QObject* parent) : QObject(parent), part_(part) {
+  quiet_.setSingleShot(true);
+  quiet_.setInterval(quiet_ms);
+  connect(&quiet_, &QTimer::timeout, this, &live_preview::ask_now);
+  connect(&part_, &document::head_changed, this, &live_preview::leave);
+  connect(&part_, &document::closed, this, &live_preview::leave);
+  connect(&part_, &document::activity_changed, this, &live_preview::activity_changed);
+  // What becomes of loads is part of the answer.
+  connect(&part_, &document::load_cases_changed, this, [this] {
+    if (wish_ && on_ && !is_slow())
+      quiet_.start();
+  });
+}
+
+bool live_preview::is_slow() const {
+  const auto found = wish_ ? last_ms_.find(wish_->operation) : last_ms_.end();
+  return found != last_ms_.end() && found->second > slow_ms_;
+}
+
+void live_preview::want(const wish& what) {
+  if (wish_ == what)
+    return;
+  stop();
+  const bool other = !wish_ || wish_->operation != what.operation;
+  wish_ = what;
+  const bool follows = on_ && !is_slow();
+  if (follows)
+    quiet_.start();
+  if (other || !follows)
+    shown_.reset();  // Else the last one stays until the next comes.
+  refusal_.reset();
+  emit changed();
+}
+
+void live_preview::ask_now() {
+  stop();
+  if (!wish_ || part_.current_activity())
+    return;
+  const int mine = question_;
+  running_ = true;
+  clock_.start();
+  ticket_ = part_.preview(
+    wish_->operation, wish_->surfaces, wish_->values,
+    [this, mine](const expected<shared_preview>& result) {
+      if (mine == question_)
+        take(result);
+    },
+    [this, mine](double, const QString& stage) {
+      if (mine != question_)
+        return;
+      stage_ = stage;
+      emit changed();
+    });
+  emit changed();
+}
+
+void live_preview::take(const expected<shared_preview>& result) {
+  running_ = false;
+  stage_.clear();
+  if (!result && result.error().code == ec::superseded && retries_ < most_retries) {
+    ++retries_;
+    quiet_.start();
+    return;
+  }
+  retries_ = 0;
+  took_ms_ = static_cast<double>(clock_.elapsed());
+  last_ms_[wish_->operation] = took_ms_;
+  shown_ = result ? *result : nullptr;
+  refusal_ = result ? std::nullopt : std::optional(result.error());
+  emit changed();
+}
+
+/// Ends what is on its way.
+void live_preview::stop() {
+  quiet_.stop();
+  ++question_;
+  stage_.clear();
+  if (!std::exchange(running_, false))
+    return;
+  ticket_.cancel();
+  if (wish_ && static_cast<double>(clock_.elapsed()) > slow_ms_)
+    last_ms_[wish_->operation] = static_cast<double>(clock_.elapsed());
+}
+
+void live_preview::leave() {
+  stop();
+  const bool showed = wish_ || shown_ || refusal_;
+  wish_.reset();
+  shown_.reset();
+  refusal_.reset();
+  retries_ = 0;
+  if (showed)
+    emit changed();
+}
+
+void live_preview::set_on(bool on) {
+  on_ = on;
+  const auto what = wish_;
+  leave();
+  if (what)
+    want(*what);
+  emit changed();
+}
+
+/// While the edit is applied its preview stays to be seen: it is what comes. Were it refused, the
+/// head is shown again; when it was done, the head has moved by then.
+void live_preview::activity_changed() {
+  if (part_.current_activity()) {
+    const bool busy = is_busy();
+    stop();
+    if (busy)
+      emit changed();
+    return;
+  }
+  QTimer::singleShot(0, this, [this] {
+    if (!part_.current_activity() && shown_)
+      leave();
+  });
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "client-qt/model/document.hpp"
+
+namespace tedit::desktop {
+
+/// Shows what an edit would make while its values move: asks once they have rested for a moment,
+/// the newest question ends the one before. Nothing of it is in the document. When the head moves
+/// it is over until the values move again.
+class live_preview : public QObject {
+  Q_OBJECT
+
+public:
+  static constexpr int quiet_ms = 150;
+  static constexpr double slow_ms = 3000;
+
+  struct wish {
+    QString operation;
+    std::vector<surface_id> surfaces;
+    ops::parameters values;
+
+    friend bool operator==(const wish&, const wish&) = default;
+  };
+
+  explicit live_preview(document& part, QObject* parent = nullptr);
+
+  /// The edit to show from now on. The same again asks nothing.
+  void want(const wish& what);
+  /// Asks at once, also when it is off or slow.
+  void ask_now();
+  /// Back to the head.
+  void leave();
+  void set_on(bool on);
+  /// Operations whose last preview took longer are not asked for by themselves.
+  void set_slow_ms(double ms) { slow_ms_ = ms; }
+
+  [[nodiscard]] bool is_on() const noexcept { return on_; }
+  [[nodiscard]] bool has_wish() const noexcept { return wish_.has_value(); }
+  /// The last preview of the wanted operation took too long to follow every move.
+  [[nodiscard]] bool is_slow() const;
+  /// A question is on its way, or will be in a moment.
+  [[nodiscard]] bool is_busy() const { return running_ || quiet_.isActive(); }
+  /// What is to be seen instead of the head; null: the head.
+  [[nodiscard]] const shared_preview& shown() const noexcept { return shown_; }
+  /// Why there is nothing to be seen.
+  [[nodiscard]] const std::optional<error>& refusal() const noexcept { return refusal_; }
+  [[nodiscard]] const QString& stage() const noexcept { return stage_; }
+  /// From the question to the answer, ms; of the one that is shown.
+  [[nodiscard]] double took_ms() const noexcept { return took_ms_; }
+
+signals:
+  void changed();
+
+private:
+  void stop();
+  void take(const expected<shared_preview>& result);
+  void activity_changed();
+
+  document& part_;
+  bool on_ = true;
+  double slow_ms_ = slow_ms;
+  std::optional<wish> wish_;
+  QTimer quiet_;
+  QElapsedTimer clock_;
+  ticket ticket_;
+  bool running_ = false;
+  int question_ = 0;  ///< Answers to earlier ones are not for us.
+  int retries_ = 0;
+  std::map<QString, double> last_ms_;  ///< By operation.
+  shared_preview shown_;
+  std::optional<error> refusal_;
+  QString stage_;
+  double took_ms_ = 0;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "client-qt/model/live_preview.hpp"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace tedit::desktop {
+
+/// In an operation's form: whether its preview follows, what it shows in numbers, or why it cannot
+/// be.
+class preview_box : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit preview_box(live_preview& preview, QWidget* parent = nullptr);
+
+signals:
+  /// The surfaces of a fault were clicked.
+  void place_wanted(const std::vector<tedit::surface_id>& surfaces);
+
+private:
+  void refresh();
+  [[nodiscard]] QString state() const;
+
+  live_preview& preview_;
+  QCheckBox* follows_;
+  QPushButton* now_;
+  QLabel* state_;
+  QLabel* figures_;
+  QLabel* fault_;
+  QPushButton* place_;
+};
+
+/// What an edit would make, as a few rows.
+[[nodiscard]] QString preview_html(const client::edit_preview& made);
+
+/// The surfaces that an error names.
+[[nodiscard]] std::vector<surface_id> places_of(const error& reason);
+
+}  // namespace tedit::desktop

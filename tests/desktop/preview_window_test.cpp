@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The preview of an edit in the real window, with the real server behind it.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QCheckBox>
+
+namespace tedit::desktop {
+namespace {
+
+class PreviewWindow : public Window {
+protected:
+  [[nodiscard]] live_preview& preview() { return window->context().preview(); }
+
+  [[nodiscard]] bool shows_preview() {
+    const auto& shown = preview().shown();
+    return shown && !preview().is_busy() && view().is_settled() &&
+           view().current().surface == shown->surface;
+  }
+
+  void choose(const std::vector<surface_id>& surfaces, const char* operation) {
+    window->picked().set(surfaces);
+    window->context().choose(operation);
+  }
+
+  [[nodiscard]] QString label(const char* name) {
+    const auto* found = window->findChild<QLabel*>(name);
+    return found && found->isVisibleTo(window.get()) ? found->text() : QString();
+  }
+
+  /// Pixels of the view in the colour of what an edit would add, at any light.
+  [[nodiscard]] int accent_pixels() {
+    const QImage image = window->picture();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor c = image.pixelColor(x, y);
+        count += c.red() > 80 && c.hslHue() > 18 && c.hslHue() < 34 && c.hslSaturation() > 120;
+      }
+    return count;
+  }
+};
+
+TEST_F(PreviewWindow, ShowsWhatTheFormWouldMakeAndEscGoesBackToTheHead) {
+  open_plate();
+  EXPECT_EQ(accent_pixels(), 0);
+  const auto head = part().head()->info.version_id;
+
+  choose({1, 2}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+
+  EXPECT_EQ(view().geometry()->version_id, preview().shown()->surface->version_id());
+  EXPECT_NE(view().geometry()->version_id, head);
+  EXPECT_FALSE(view().value_extremes().has_value()) << "no field on a candidate";
+  EXPECT_EQ(label("verdict"), "preview of an edit, not applied");
+  EXPECT_TRUE(label("preview_figures").contains("Volume"));
+  EXPECT_GT(accent_pixels(), 20);
+  EXPECT_EQ(version(), 0U);
+  EXPECT_EQ(part().head()->info.version_id, head);
+
+  QTest::keyClick(window.get(), Qt::Key_Escape);
+  ASSERT_TRUE(wait([&] { return is_final(); }));
+  EXPECT_TRUE(window->context().chosen().isEmpty());
+  window->picked().clear();  // It has the same colour.
+  EXPECT_EQ(accent_pixels(), 0);
+  EXPECT_EQ(label("verdict"), "final");
+  EXPECT_EQ(part().versions().size(), 1U);
+}
+
+TEST_F(PreviewWindow, FollowsTheLastValueAndApplyMakesTheVeryThing) {
+  open_plate(false);
+  choose({7}, "thicken");
+  for (const double thickness : {0.0005, 0.0015, 0.001})
+    window->context().form()->set_values({{"thickness", thickness}});
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  EXPECT_NEAR(preview().shown()->made.report.volume_change, 5e-6, 1e-9);  // 5000 mm2 by 1 mm.
+  const auto id = preview().shown()->surface->version_id();
+
+  press("apply");
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+
+  EXPECT_EQ(part().head()->info.version_id, id);
+  EXPECT_EQ(preview().shown(), nullptr);
+  EXPECT_FALSE(preview().is_busy()) << "not the same once more on what was made";
+  EXPECT_EQ(label("preview_state"), "");
+}
+
+TEST_F(PreviewWindow, WhatIsRefusedIsExplainedWhileTheHeadStays) {
+  open_plate(false);
+  choose({1, 2}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+
+  window->picked().set({5});
+  ASSERT_TRUE(wait([&] { return preview().refusal().has_value() && shows_head(); }));
+
+  EXPECT_TRUE(label("preview_fault").contains("flat")) << label("preview_fault").toStdString();
+  EXPECT_TRUE(label("preview_fault").contains("Select the walls of a hole"));
+  EXPECT_EQ(label("preview_figures"), "");
+  EXPECT_TRUE(window->messages().text().isEmpty());
+  EXPECT_EQ(view().current().before, nullptr);
+}
+
+TEST_F(PreviewWindow, CanBeTurnedOffWhichIsRememberedAndAskedForOnce) {
+  open_plate(false);
+  choose({1, 2}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+
+  window->findChild<QCheckBox*>("preview_follows")->click();
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  EXPECT_FALSE(QSettings("tedit", "tedit-qt").value("preview").toBool());
+  window->picked().set({51, 52});
+  EXPECT_FALSE(preview().is_busy());
+
+  press("preview_now");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  EXPECT_FALSE(preview().shown()->surface->surfaces().contains(51));
+}
+
+TEST_F(PreviewWindow, SlowOnesWaitToBeAskedFor) {
+  open_plate(false);
+  preview().set_slow_ms(-1);  // Every preview takes longer.
+  choose({1, 2}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+
+  window->picked().set({51, 52});
+
+  EXPECT_FALSE(preview().is_busy());
+  EXPECT_EQ(preview().shown(), nullptr);
+  EXPECT_TRUE(label("preview_state").contains("ask for it"));
+  press("preview_now");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+}
+
+}  // namespace
+}  // namespace tedit::desktop
