@@ -87,7 +87,11 @@ QString receipt_html(const edit_report& report) {
   for (const auto& figure : report.figures)
     html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
                 number(figure.value) + " " + QString::fromStdString(figure.unit));
-  html += row(say("Time"), say("%1 (operation %2, mesh %3, checks %4)")
+  // An edit takes over what its preview made.
+  const bool was_ready = report.total_ms < report.operation_ms;
+  html += row(say("Time"), (was_ready ? say("%1, made by the preview (operation %2, mesh %3, "
+                                            "checks %4)")
+                                      : say("%1 (operation %2, mesh %3, checks %4)"))
                              .arg(duration(report.total_ms), duration(report.operation_ms),
                                   duration(report.improve_ms), duration(report.check_ms)));
   html += "</table>";
