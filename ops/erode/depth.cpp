@@ -70,7 +70,7 @@ expected<void> cut_off(mesh_builder& mesh, const surface_patch& patch, double de
   auto removed = below.tets();
   if (!removed)
     return fail(removed.error());
-  const auto settled = settle_removal(mesh, *removed);
+  const auto settled = settle_removal(mesh, *removed, sum.policy);
   if (!settled)
     return fail(settled.error());
   sum.add(*settled);
