@@ -152,6 +152,7 @@ struct edit_candidate {
   std::vector<std::string> notices;
   std::vector<figure_row> figures;
   double quality_floor = 0.15;
+  std::uint64_t bodies_added = 0;
   caf::actor source;
   double operation_ms = 0;
 };
@@ -159,7 +160,7 @@ struct edit_candidate {
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_candidate& x) {
   return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change, x.improve,
-           x.notices, x.figures, x.quality_floor, x.source, x.operation_ms);
+           x.notices, x.figures, x.quality_floor, x.bodies_added, x.source, x.operation_ms);
 }
 
 /// A candidate to improve and to check.

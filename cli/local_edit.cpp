@@ -30,6 +30,7 @@ expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_p
   claim.touched = edit->touched;
   claim.volume_change = edit->volume_change;
   claim.quality_floor = edit->quality_floor;
+  claim.bodies_added = edit->bodies_added;
   auto finished = actors::finish_candidate(
     base, edit->candidate, claim, {edit->improve, edit->thorough}, load_cases, request.loads, run);
   if (!finished)

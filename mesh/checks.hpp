@@ -36,6 +36,8 @@ struct edit_claim {
   std::vector<tet_id> touched;
   /// Worst q = 3 r_in/R_circ allowed in the touched region, unless the region was worse before.
   double quality_floor = 0.15;
+  /// Separate boundaries more than there were: pieces that the edit is meant to leave.
+  std::size_t bodies_added = 0;
   /// Relative error allowed for the volume, against the larger of |change| and 1e-3 of the total.
   double volume_tolerance = 1e-9;
 };
@@ -48,8 +50,9 @@ struct edit_claim {
 
 /// The postconditions of an edit on `candidate`. Invariants are checked where pages differ from
 /// `base` (and around them), so cost follows the edit; untouched tets must be bit-identical. Also:
-/// the number of boundary components must not grow (a closed void would), the volume change is as
-/// claimed, worst quality of the touched region >= min(quality_floor, worst before).
+/// the number of boundary components must not grow by more than claimed (a closed void would), the
+/// volume change is as claimed, worst quality of the touched region >= min(quality_floor, worst
+/// before).
 [[nodiscard]] check_report check_edit(const mesh_version& base, const mesh_version& candidate,
                                       const edit_claim& claim);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <unordered_set>
 
 #include "base/stopwatch.hpp"
@@ -53,6 +54,73 @@ improve_settings settings_of(const improve_request& wanted, const finish_setting
   return result;
 }
 
+/// What q no tet on a triangle can exceed: 1.5 times the triangle's own ratio 2 r_in / R_circ. For
+/// the section of the tet's inscribed ball at the height of its centre is seen from the apex as a
+/// larger disc inside the triangle, and the circumscribed ball holds the triangle's circle; thin
+/// triangles reach the bound.
+double best_ratio_on(vec3 a, vec3 b, vec3 c) {
+  const double x = norm(c - b);
+  const double y = norm(a - c);
+  const double z = norm(b - a);
+  const double area = norm(area_vector(a, b, c));
+  const double product = x * y * z * (x + y + z);
+  return product > 0 ? 1.5 * 16 * area * area / product : 0;
+}
+
+/// The region with the rings that a local pass may change.
+std::vector<tet_id> with_rings(const mesh_version& mesh, std::vector<tet_id> region, int rings) {
+  for (int ring = 0; ring < rings; ++ring) {
+    std::unordered_set<vertex_id> corners;
+    for (const auto t : region)
+      corners.insert(mesh.tet_at(t).v.begin(), mesh.tet_at(t).v.end());
+    region = tets_around(mesh, std::vector(corners.begin(), corners.end()));
+  }
+  return region;
+}
+
+/// A local pass moves no boundary vertex: where a facet is too thin for any tet on it to be good
+/// enough, it need not begin. Errors: `postcondition_failed` naming surface and place.
+/// Cost: O(touched).
+expected<void> check_facets_are_wide(const mesh_version& base, const mesh_version& candidate,
+                                     const std::vector<tet_id>& touched, double floor, int rings) {
+  double worst = floor;
+  facet_id thinnest = no_id;
+  std::vector<tet_id> live;
+  for (const auto t : touched) {
+    if (t >= candidate.tet_slots() || !candidate.is_live_tet(t))
+      continue;
+    live.push_back(t);
+    for (const auto behind : candidate.neighbours(t)) {
+      if (!is_facet(behind))
+        continue;
+      const auto& v = candidate.facet(behind & ~facet_flag).v;
+      const double best =
+        best_ratio_on(candidate.position(v[0]), candidate.position(v[1]), candidate.position(v[2]));
+      if (best < worst)
+        std::tie(worst, thinnest) = std::tuple(best, behind & ~facet_flag);
+    }
+  }
+  if (thinnest == no_id)
+    return {};
+  const double before =
+    worst_quality_before(base, candidate, with_rings(candidate, std::move(live), rings));
+  if (worst >= std::min(floor, before) * (1 - 1e-9))
+    return {};
+  const auto& facet = candidate.facet(thinnest);
+  const vec3 p = (candidate.position(facet.v[0]) + candidate.position(facet.v[1]) +
+                  candidate.position(facet.v[2])) /
+                 3;
+  char text[160];
+  std::snprintf(
+    text, sizeof(text),
+    " would get a facet at (%.4g, %.4g, %.4g) mm that is too thin: no tet on it has more "
+    "than q = %.3g (floor %.3g)",
+    1e3 * p.x, 1e3 * p.y, 1e3 * p.z, worst, std::min(floor, before));
+  return fail(ec::postcondition_failed,
+              "the edit was rolled back: surface " + std::to_string(facet.surface) + text,
+              "The version is unchanged; try other surfaces or parameters");
+}
+
 }  // namespace
 
 expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& candidate,
@@ -63,6 +131,13 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   std::unordered_set<tet_id> touched(claim.touched.begin(), claim.touched.end());
   stopwatch clock;
   result.volume_change = claim.volume_change;
+  const double floor =
+    std::min(settings.quality_floor, std::max(claim.quality_floor, lowest_quality_floor));
+  if (wanted.how == improvement::local)
+    if (auto wide =
+          check_facets_are_wide(*base, *candidate, claim.touched, floor, settings.improve.rings);
+        !wide)
+      return fail(wide.error());
   if (wanted.how != improvement::none) {
     if (auto valid = validate(wanted.thorough); !valid)
       return fail(valid.error());
@@ -86,8 +161,7 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   auto final_claim = claim;
   final_claim.touched = result.touched;
   final_claim.volume_change = result.volume_change;
-  final_claim.quality_floor =
-    std::min(settings.quality_floor, std::max(claim.quality_floor, lowest_quality_floor));
+  final_claim.quality_floor = floor;
   const auto report = check_edit(*base, *result.version, final_claim);
   if (!report.ok())
     return fail(to_error(report));

@@ -17,8 +17,8 @@ constexpr double margin = 1.001;
 
 class tidier {
 public:
-  tidier(mesh_builder& mesh, std::unordered_set<tet_id> allowed, double tolerance)
-      : mesh_(mesh), allowed_(std::move(allowed)), tolerance_(tolerance) {}
+  tidier(mesh_builder& mesh, std::unordered_set<tet_id> allowed, const tidy_settings& settings)
+      : mesh_(mesh), allowed_(std::move(allowed)), settings_(settings) {}
 
   [[nodiscard]] const std::unordered_set<tet_id>& allowed() const { return allowed_; }
 
@@ -32,13 +32,14 @@ public:
         continue;
       const auto freedom = freedom_of(mesh_, from, star);
       const double before = worst_of(star);
+      const double tolerance = tolerance_at(from, star);
       for (const auto to : corner) {
         if (to == from)
           continue;
         const bool exact =
           freedom.dimensions > 0 && freedom.allows(mesh_.position(to) - mesh_.position(from));
         if (!exact &&
-            !(may_merge(mesh_, from, to, star, tolerance_) && only_their_edge_between(star, to)))
+            !(may_merge(mesh_, from, to, star, tolerance) && only_their_edge_between(star, to)))
           continue;
         auto trial = contracted(star, from, to, exact);
         if (trial.worst > margin * before && trial.worst > best.worst)
@@ -62,6 +63,15 @@ private:
 
   [[nodiscard]] bool all_allowed(const std::vector<tet_id>& star) const {
     return std::ranges::all_of(star, [&](tet_id t) { return allowed_.contains(t); });
+  }
+
+  [[nodiscard]] double tolerance_at(vertex_id v, const std::vector<tet_id>& star) const {
+    if (!settings_.tolerance_of)
+      return settings_.tolerance;
+    double least = 1;
+    for (const auto f : facets_at(mesh_, v, star))
+      least = std::min(least, settings_.tolerance_of(mesh_.facet(f).surface));
+    return least;
   }
 
   [[nodiscard]] double worst_of(const std::vector<tet_id>& star) const {
@@ -198,7 +208,7 @@ private:
 
   mesh_builder& mesh_;
   std::unordered_set<tet_id> allowed_;
-  double tolerance_;
+  const tidy_settings& settings_;
 };
 
 std::unordered_set<tet_id> with_rings(const mesh_builder& mesh, const std::vector<tet_id>& region,
@@ -237,7 +247,7 @@ double worst_of(const mesh_builder& mesh, const std::unordered_set<tet_id>& tets
 
 expected<tidy_report> tidy_cut(mesh_builder& mesh, const std::vector<tet_id>& region,
                                const tidy_settings& settings, const execution& run) {
-  tidier moves(mesh, with_rings(mesh, region, settings.rings), settings.tolerance);
+  tidier moves(mesh, with_rings(mesh, region, settings.rings), settings);
   tidy_report report;
   report.min_before = worst_of(mesh, moves.allowed());
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {

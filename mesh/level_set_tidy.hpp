@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "base/execution.hpp"
 #include "mesh/builder.hpp"
 
@@ -11,6 +13,9 @@ struct tidy_settings {
   /// Curved surfaces may be left by this share of the longest edge around (`may_merge`); without
   /// it nothing mends points that a cut put close together on a round wall.
   double tolerance = 0.02;
+  /// Instead of it, where given: the share for each surface; the least of a vertex' surfaces
+  /// counts.
+  std::function<double(surface_id)> tolerance_of;
   int rings = 1;   ///< Rings of tets around the region that may change, too.
   int sweeps = 6;  ///< At most so many rounds.
 };

@@ -107,9 +107,10 @@ tl::unexpected<error> refuse_split(const remaining_body& body) {
       sizes += (sizes.empty() ? "" : ", ") + cubic_mm(piece.volume);
       ++parts;
     }
-  return fail(ec::invalid_argument,
-              "the part would fall into " + std::to_string(parts) + " pieces of " + sizes,
-              "Take less off, or select fewer surfaces");
+  return fail(
+    ec::invalid_argument,
+    "the part would fall into " + std::to_string(parts) + " pieces of " + sizes,
+    "Take less off, select fewer surfaces, or say what to keep (erode: parameter pieces)");
 }
 
 }  // namespace
@@ -154,7 +155,7 @@ std::vector<remaining_body> remaining_bodies(const mesh_builder& mesh,
 }
 
 expected<removal_report> settle_removal(const mesh_builder& mesh,
-                                        std::unordered_set<tet_id>& removed) {
+                                        std::unordered_set<tet_id>& removed, piece_policy policy) {
   removal_report report;
   report.hinges_mended = mend_hinges(mesh, removed);
   if (removed.empty())
@@ -166,13 +167,19 @@ expected<removal_report> settle_removal(const mesh_builder& mesh,
       return fail(ec::empty_selection,
                   "the whole body of " + cubic_mm(body.volume_before) + " would vanish",
                   "Take less off");
+    ++report.bodies;
     ++report.pieces;
     for (std::size_t i = 1; i < body.pieces.size(); ++i) {
       const auto& piece = body.pieces[i];
-      if (piece.volume >= crumb_share * body.volume_before)
+      const bool crumb = piece.volume < crumb_share * body.volume_before;
+      if (!crumb && policy == piece_policy::refuse)
         return refuse_split(body);
-      ++report.crumbs;
-      report.crumb_volume += piece.volume;
+      if (!crumb && policy == piece_policy::allow) {
+        ++report.pieces;
+        continue;
+      }
+      ++(crumb ? report.crumbs : report.dropped);
+      (crumb ? report.crumb_volume : report.dropped_volume) += piece.volume;
       removed.insert(piece.tets.begin(), piece.tets.end());
     }
   }

@@ -33,19 +33,30 @@ struct remaining_body {
 [[nodiscard]] std::vector<remaining_body> remaining_bodies(
   const mesh_builder& mesh, const std::unordered_set<tet_id>& removed);
 
+/// What becomes of a body that falls apart.
+enum class piece_policy {
+  refuse,
+  keep_largest,  ///< The other pieces go, too.
+  allow          ///< All stay but crumbs.
+};
+
 /// What came of a removal that is ready to be applied.
 struct removal_report {
   std::size_t hinges_mended = 0;
-  std::size_t crumbs = 0;   ///< Pieces under 1 % of their body that were removed with the rest.
-  double crumb_volume = 0;  ///< m^3.
-  std::size_t pieces = 0;   ///< Of the bodies touched, afterwards.
+  std::size_t crumbs = 0;     ///< Pieces under 1 % of their body that were removed with the rest.
+  double crumb_volume = 0;    ///< m^3.
+  std::size_t bodies = 0;     ///< Touched.
+  std::size_t pieces = 0;     ///< What they fall into.
+  std::size_t dropped = 0;    ///< Larger pieces that were removed, too (`keep_largest`).
+  double dropped_volume = 0;  ///< m^3.
 };
 
-/// Mends hinges, removes crumbs and refuses what would vanish or fall apart. Errors:
-/// `empty_selection` when all tets had to return or a body would vanish, `invalid_argument` naming
-/// the volumes of the pieces. Cost: as above.
+/// Mends hinges, removes crumbs and refuses what would vanish or, unless the policy says otherwise,
+/// fall apart. Errors: `empty_selection` when all tets had to return or a body would vanish,
+/// `invalid_argument` naming the volumes of the pieces. Cost: as above.
 [[nodiscard]] expected<removal_report> settle_removal(const mesh_builder& mesh,
-                                                      std::unordered_set<tet_id>& removed);
+                                                      std::unordered_set<tet_id>& removed,
+                                                      piece_policy policy = piece_policy::refuse);
 
 /// The change of a version's volume by the divergence of its boundary alone, m^3: the facets that
 /// are new or moved less those that were there, so it is independent of the tets. Both share slots.

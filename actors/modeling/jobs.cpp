@@ -140,6 +140,7 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   for (const auto& f : edit->figures)
     result.figures.push_back({f.id, f.value, f.unit, f.help});
   result.quality_floor = edit->quality_floor;
+  result.bodies_added = edit->bodies_added;
   result.operation_ms = clock.milliseconds();
   output.keep = edit->candidate;
   return output;

@@ -36,6 +36,7 @@ expected<edit_claim> claim_of(const edit_candidate& candidate) {
   edit_claim claim;
   claim.volume_change = candidate.volume_change;
   claim.quality_floor = candidate.quality_floor;
+  claim.bodies_added = candidate.bodies_added;
   claim.touched.resize(candidate.touched.size() / sizeof(tet_id));
   std::memcpy(claim.touched.data(), candidate.touched.data(), candidate.touched.size());
   return claim;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/optimize/improve.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "mesh/optimize/local_moves.hpp"
+#include "mesh/optimize/lift.hpp"
 #include "mesh/optimize/thorough.hpp"
-#include "mesh/quality.hpp"
 
 namespace tedit {
 
@@ -36,32 +33,6 @@ std::unordered_set<tet_id> grow(const mesh_builder& mesh, const std::vector<tet_
   return result;
 }
 
-double worst_of(const mesh_builder& mesh, const std::unordered_set<tet_id>& tets) {
-  double worst = 1;
-  for (const auto t : tets)
-    if (mesh.is_live_tet(t))
-      worst = std::min(worst, radius_ratio(mesh.corners(t)));
-  return worst;
-}
-
-/// Tets of the set below a quality, worst first; ties by id, so that runs repeat.
-std::vector<tet_id> bad_tets(const mesh_builder& mesh, const std::unordered_set<tet_id>& tets,
-                             double below) {
-  std::vector<std::pair<double, tet_id>> bad;
-  for (const auto t : tets) {
-    if (!mesh.is_live_tet(t))
-      continue;
-    const double q = radius_ratio(mesh.corners(t));
-    if (q < below)
-      bad.emplace_back(q, t);
-  }
-  std::ranges::sort(bad);
-  std::vector<tet_id> result;
-  for (const auto& [q, t] : bad)
-    result.push_back(t);
-  return result;
-}
-
 }  // namespace
 
 expected<void> validate(const thorough_settings& settings) {
@@ -76,43 +47,11 @@ expected<void> validate(const thorough_settings& settings) {
 
 expected<improve_report> improve(mesh_builder& mesh, const std::vector<tet_id>& region,
                                  const improve_settings& settings, const execution& run) {
-  if (settings.thorough) {
-    const auto tets = grow(mesh, region, settings.rings);
-    return improve_thoroughly(mesh, {tets.begin(), tets.end()}, *settings.thorough, run);
-  }
-  local_moves moves(mesh, grow(mesh, region, settings.rings));
-  improve_report report;
-  report.min_before = worst_of(mesh, moves.allowed());
-  for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
-    bool changed = false;
-    for (const auto t : bad_tets(mesh, moves.allowed(), settings.flip_below)) {
-      if (run.cancel.cancelled())
-        return fail(ec::cancelled, "the edit was cancelled");
-      if (!mesh.is_live_tet(t) || radius_ratio(mesh.corners(t)) >= settings.flip_below)
-        continue;
-      if (moves.flip(t)) {
-        ++report.moves.flips;
-        changed = true;
-      } else if (moves.relocate_corner(t)) {
-        ++report.moves.relocations;
-        changed = true;
-      }
-    }
-    for (const auto t : bad_tets(mesh, moves.allowed(), settings.insert_below)) {
-      if (run.cancel.cancelled())
-        return fail(ec::cancelled, "the edit was cancelled");
-      if (!mesh.is_live_tet(t) || radius_ratio(mesh.corners(t)) >= settings.insert_below)
-        continue;
-      if (moves.insert_vertex(t)) {
-        ++report.moves.insertions;
-        changed = true;
-      }
-    }
-    if (!changed)
-      break;
-  }
-  report.min_after = worst_of(mesh, moves.allowed());
-  return report;
+  const auto grown = grow(mesh, region, settings.rings);
+  std::vector<tet_id> tets(grown.begin(), grown.end());
+  if (settings.thorough)
+    return improve_thoroughly(mesh, std::move(tets), *settings.thorough, run);
+  return improve_locally(mesh, std::move(tets), settings, run);
 }
 
 }  // namespace tedit

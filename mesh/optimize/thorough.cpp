@@ -6,6 +6,7 @@
 
 #include "base/guard.hpp"
 #include "mesh/optimize/harmonic.hpp"
+#include "mesh/optimize/lift.hpp"
 
 namespace tedit {
 
@@ -48,41 +49,12 @@ public:
 private:
   void report(double fraction, const char* stage) const { run_.report(fraction, stage); }
 
-  [[nodiscard]] std::vector<std::uint32_t> worst_below(double limit) const {
-    std::vector<std::uint32_t> result;
-    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
-      if (mesh_.is_live(t) && mesh_.quality(t) < limit)
-        result.push_back(t);
-    std::ranges::sort(result, {}, [&](auto t) { return std::pair(mesh_.quality(t), t); });
-    return result;
-  }
-
   [[nodiscard]] double lowest() const {
     double result = 1;
     for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
       if (mesh_.is_live(t))
         result = std::min(result, mesh_.quality(t));
     return result;
-  }
-
-  /// Tries every tet below the limit, worst first, unless nothing around it has changed since the
-  /// last time; returns whether something did.
-  template <class Attempt>
-  bool sweep(double limit, std::vector<std::uint64_t>& tried, Attempt&& attempt) {
-    bool changed = false;
-    for (const auto t : worst_below(limit)) {
-      check_cancelled();
-      if (!mesh_.is_live(t) || mesh_.quality(t) >= limit)
-        continue;
-      tried.resize(mesh_.tet_slots(), 0);
-      if (tried[t] > mesh_.changed_at(t))
-        continue;
-      if (attempt(t))
-        changed = true;
-      else
-        tried[t] = mesh_.now() + 1;
-    }
-    return changed;
   }
 
   /// What can be mended inside is mended there; the boundary is for what is left.
@@ -93,16 +65,7 @@ private:
   }
 
   void lift(worst_first& moves) {
-    std::vector<std::uint64_t> mended(mesh_.tet_slots(), 0);
-    std::vector<std::uint64_t> split(mesh_.tet_slots(), 0);
-    for (int n = 0; n < lifting_sweeps; ++n) {
-      bool changed =
-        sweep(settings_.target, mended, [&](std::uint32_t t) { return moves.mend(t); });
-      changed |=
-        sweep(settings_.insert_below, split, [&](std::uint32_t t) { return moves.insert(t); });
-      if (!changed)
-        return;
-    }
+    lift_worst(mesh_, moves, {settings_.target, settings_.insert_below, lifting_sweeps});
   }
 
   /// Flips and relocations that lower the sum of eta; true when there is not much left to gain.

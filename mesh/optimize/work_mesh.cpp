@@ -11,7 +11,7 @@ namespace tedit {
 
 // -- copying -----------------------------------------------------------------------
 
-work_mesh::work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets) {
+work_mesh::work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets, bool keep_boundary) {
   std::vector<std::uint32_t> tet_number(mesh.tet_slots(), no_id);
   std::vector<std::uint32_t> vertex_number(mesh.vertex_slots(), no_id);
   for (const auto t : tets) {
@@ -39,7 +39,7 @@ work_mesh::work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets) {
     quality_.push_back(quality_of(corner));
   mark_.assign(tets_.size(), 0);
   link_copied(mesh, tet_number);
-  find_kinds(mesh);
+  find_kinds(mesh, keep_boundary);
 }
 
 void work_mesh::link_copied(const mesh_builder& mesh, const std::vector<std::uint32_t>& number) {
@@ -60,8 +60,9 @@ void work_mesh::link_copied(const mesh_builder& mesh, const std::vector<std::uin
   }
 }
 
-void work_mesh::find_kinds(const mesh_builder& mesh) {
+void work_mesh::find_kinds(const mesh_builder& mesh, bool keep_boundary) {
   kind_.assign(at_.size(), vertex_kind::interior);
+  const auto on_boundary = keep_boundary ? vertex_kind::fixed : vertex_kind::boundary;
   for (std::uint32_t t = 0; t < tet_slots(); ++t)
     for (int face = 0; face < 4; ++face) {
       const auto beyond = behind_[t][face];
@@ -69,9 +70,11 @@ void work_mesh::find_kinds(const mesh_builder& mesh) {
         continue;
       for (const int i : tet_faces[face]) {
         auto& kind = kind_[tets_[t][i]];
-        kind = beyond == wall ? vertex_kind::fixed : std::max(kind, vertex_kind::boundary);
+        kind = beyond == wall ? vertex_kind::fixed : std::max(kind, on_boundary);
       }
     }
+  if (keep_boundary)
+    return;
   // A boundary vertex where several fans meet, here or beyond the copy, must not move.
   std::vector<std::uint32_t> incident(mesh.vertex_slots(), 0);
   for (tet_id t = 0; t < mesh.tet_slots(); ++t)

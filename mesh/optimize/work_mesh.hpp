@@ -44,8 +44,9 @@ public:
   /// What lies behind a face that must stay.
   static constexpr std::uint32_t wall = no_id;
 
-  /// Copies the live ones among `tets`. Cost: O(slots of the mesh).
-  work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets);
+  /// Copies the live ones among `tets`. With `keep_boundary` all vertices on it are fixed, which
+  /// saves counting the tets at them. Cost: O(slots of the mesh), else O(tets) and 8 bytes a slot.
+  work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets, bool keep_boundary = false);
 
   // -- reading -------------------------------------------------------------------
 
@@ -130,7 +131,7 @@ private:
   };
 
   void link_copied(const mesh_builder& mesh, const std::vector<std::uint32_t>& number);
-  void find_kinds(const mesh_builder& mesh);
+  void find_kinds(const mesh_builder& mesh, bool keep_boundary);
   void gather_faces(const work_change& change);
   [[nodiscard]] bool plan(const work_change& change);
   std::uint32_t take_slot();

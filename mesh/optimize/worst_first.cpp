@@ -28,9 +28,6 @@ constexpr std::array<vec3, 14> compass{{{1, 0, 0},
 
 constexpr int compass_rounds = 8;
 
-/// What is worse is lifted only where that lowers the badness.
-constexpr double decent = 0.15;
-
 bool beats(double after, double before) {
   return after > least_gain * before;
 }
@@ -38,8 +35,13 @@ bool beats(double after, double before) {
 }  // namespace
 
 worst_first::worst_first(work_mesh& mesh, const surface_guard& guard, double target,
-                         move_counts& counts)
-    : mesh_(mesh), guard_(guard), target_(target), region_worst_(1), counts_(counts) {
+                         move_counts& counts, bool worst_only)
+    : mesh_(mesh),
+      guard_(guard),
+      target_(target),
+      region_worst_(1),
+      worst_only_(worst_only),
+      counts_(counts) {
   for (std::uint32_t t = 0; t < mesh.tet_slots(); ++t)
     if (mesh.is_live(t))
       region_worst_ = std::min(region_worst_, mesh.quality(t));
@@ -66,7 +68,8 @@ double worst_first::badness_after(const work_change& change) const {
 
 bool worst_first::is_gain(const work_change& change) const {
   return beats(change.worst, mesh_.worst(change.removed)) &&
-         (change.worst >= decent || badness_after(change) < badness_of(change.removed));
+         (worst_only_ || change.worst >= decent_quality ||
+          badness_after(change) < badness_of(change.removed));
 }
 
 /// A strip of facets as thin as the tolerance closes one collapse after the other, and between two
@@ -183,7 +186,8 @@ bool worst_first::move_star(std::uint32_t v, vec3 to) {
   const double before = badness_of(star_);
   mesh_.move(v, to, star_);
   const auto positive = [&](auto t) { return mesh_.positive(mesh_.tet_at(t)); };
-  const bool gain = mesh_.worst(star_) >= decent || badness_of(star_) < before;
+  const bool gain =
+    worst_only_ || mesh_.worst(star_) >= decent_quality || badness_of(star_) < before;
   if (gain && std::ranges::all_of(star_, positive)) {
     mesh_.note_change(star_);
     return true;

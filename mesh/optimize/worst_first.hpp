@@ -24,6 +24,9 @@ struct move_counts {
   }
 };
 
+/// What is worse than this is lifted only where that lowers the badness.
+inline constexpr double decent_quality = 0.15;
+
 /// A change must beat the old worst by this factor, so that no two changes undo each other.
 inline constexpr double least_gain = 1.001;
 
@@ -33,7 +36,9 @@ inline constexpr double least_gain = 1.001;
 /// boundary triangle spoils would be traded for several that are hardly better, again and again.
 class worst_first {
 public:
-  worst_first(work_mesh& mesh, const surface_guard& guard, double target, move_counts& counts);
+  /// @param worst_only leaves out the second clause: more may be lifted, and more become bad.
+  worst_first(work_mesh& mesh, const surface_guard& guard, double target, move_counts& counts,
+              bool worst_only = false);
 
   /// Tries to replace tet t by something better: the best flip; else one of its corners moves;
   /// else one goes into a neighbour. True when something changed.
@@ -64,6 +69,7 @@ private:
   const surface_guard& guard_;
   double target_;
   double region_worst_;
+  bool worst_only_;
   move_counts& counts_;
 
   // Room that is kept between calls.

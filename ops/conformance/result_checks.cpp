@@ -114,6 +114,7 @@ std::string quality(bench& b) {
     claim.touched = edit.touched;
     claim.volume_change = edit.volume_change;
     claim.quality_floor = edit.quality_floor;
+    claim.bodies_added = edit.bodies_added;
     const auto done = finish_edit(b.sample_of(c).mesh, edit.candidate, claim,
                                   {edit.improve, edit.thorough}, {}, {});
     if (!done)

@@ -8,6 +8,7 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/shift_patch.hpp"
 #include "ops/erode/slab.hpp"
+#include "ops/sdk/shift_walls.hpp"
 
 namespace tedit::ops {
 
@@ -69,7 +70,7 @@ expected<void> cut_off(mesh_builder& mesh, const surface_patch& patch, double de
   auto removed = below.tets();
   if (!removed)
     return fail(removed.error());
-  const auto settled = settle_removal(mesh, *removed);
+  const auto settled = settle_removal(mesh, *removed, sum.policy);
   if (!settled)
     return fail(settled.error());
   sum.add(*settled);
@@ -110,10 +111,38 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& done, d
   sum.figures.push_back({"thickness_change_worst_mm", 1e3 * worst, "mm", "furthest from asked"});
 }
 
+/// Round surfaces, with flat ones beside them: all move at once.
+expected<void> lower_walls(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
+                           double depth, context& ctx, erosion_sum& sum) {
+  const auto walls = fit_walls(*mesh.base(), surfaces);
+  if (!walls)
+    return fail(walls.error());
+  if (auto ok = shift_walls(mesh, *walls, -depth, ctx.run); !ok)
+    return fail(ok.error());
+  sum.figures = measure_shift(*mesh.base(), *mesh.freeze(), *walls, -depth);
+  return {};
+}
+
+expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
+  for (const auto surface : surfaces) {
+    const auto patch = find_patch(mesh, surface);
+    if (!patch)
+      return fail(patch.error());
+    if (!patch->flat())
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
                            double depth, context& ctx, erosion_sum& sum) {
+  const auto flat = all_flat(mesh, surfaces);
+  if (!flat)
+    return fail(flat.error());
+  if (!*flat)
+    return lower_walls(mesh, surfaces, depth, ctx, sum);
   std::vector<surface_patch> done;
   bool cut = false;
   for (const auto surface : surfaces) {
@@ -123,9 +152,6 @@ expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& su
     auto patch = find_patch(mesh, surface);
     if (!patch)
       return fail(patch.error());
-    if (!patch->flat())
-      return fail(ec::invalid_argument, "surface " + std::to_string(surface) + " is not flat",
-                  "Take off element layers (parameter layers), or select flat surfaces");
     // A small depth needs no cut: the surface's own vertices go down.
     if (!shift_patch(mesh, *patch, -depth, least_quality)) {
       cut = true;

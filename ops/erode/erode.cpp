@@ -8,21 +8,33 @@ namespace tedit::ops {
 
 namespace {
 
+/// "2 loose crumbs of 3 mm3 together were dropped".
+std::string gone(std::size_t count, const char* what, double volume) {
+  char text[96];
+  std::snprintf(text, sizeof(text), "%zu loose %s%s of %.4g mm3%s dropped", count, what,
+                count == 1 ? "" : "s", 1e9 * volume, count == 1 ? " was" : " together were");
+  return text;
+}
+
 /// Nothing to say where no tet was taken off.
-void add_counts(const removal_report& removal, edit_result& result) {
+void add_counts(const erosion_sum& sum, edit_result& result) {
+  const auto& removal = sum.removal;
   if (removal.pieces == 0)
     return;
-  result.figures.push_back(
-    {"pieces", static_cast<double>(removal.pieces), "", "pieces of the body"});
+  result.figures.push_back({"pieces", static_cast<double>(removal.pieces), "",
+                            "pieces, of " + std::to_string(removal.pieces - sum.bodies_added) +
+                              (removal.pieces - sum.bodies_added == 1 ? " body" : " bodies")});
   result.figures.push_back(
     {"hinges_repaired", static_cast<double>(removal.hinges_mended), "", "hinges repaired"});
+  if (sum.bodies_added > 0)
+    result.notices.push_back("the part fell apart: " + std::to_string(sum.bodies_added) +
+                             " pieces more than before");
+  if (removal.dropped > 0)
+    result.notices.push_back(gone(removal.dropped, "piece", removal.dropped_volume));
   if (removal.crumbs == 0)
     return;
   result.figures.push_back({"crumbs", static_cast<double>(removal.crumbs), "", "crumbs dropped"});
-  char text[96];
-  std::snprintf(text, sizeof(text), "%zu loose crumbs of %.4g mm3 together were dropped",
-                removal.crumbs, 1e9 * removal.crumb_volume);
-  result.notices.emplace_back(text);
+  result.notices.push_back(gone(removal.crumbs, "crumb", removal.crumb_volume));
 }
 
 }  // namespace
@@ -37,6 +49,7 @@ expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_
   // The version outlives the call; the builder only needs a handle without ownership.
   mesh_builder builder(version_ptr(version_ptr{}, &mesh));
   erosion_sum sum;
+  sum.policy = settings.pieces;
   const auto done = settings.depth > 0 ? erode_depth(builder, surfaces, settings.depth, ctx, sum)
                                        : erode_layers(builder, surfaces, settings.layers, ctx, sum);
   if (!done)
@@ -50,7 +63,8 @@ expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_
   result.quality_floor = 0.1;
   result.figures = std::move(sum.figures);
   result.notices = std::move(sum.notices);
-  add_counts(sum.removal, result);
+  result.bodies_added = sum.bodies_added;
+  add_counts(sum, result);
   ctx.run.report(1, "eroded");
   return result;
 }

@@ -72,7 +72,7 @@ expected<void> erode_layers(mesh_builder& mesh, const std::vector<surface_id>& s
     auto removed = layer_below(mesh, inner_vertices(mesh, current));
     if (removed.empty())
       return nothing_to_take(surfaces, layer);
-    const auto settled = settle_removal(mesh, removed);
+    const auto settled = settle_removal(mesh, removed, sum.policy);
     if (!settled)
       return fail(settled.error());
     sum.add(*settled);

@@ -12,7 +12,7 @@ public:
     d.id = "erode";
     d.name = "Erode";
     d.summary = "Takes material off below surfaces: layers of tets, or a given depth.";
-    d.version = "1.0.0";
+    d.version = "1.1.0";
     d.selection.help = "The surfaces to take material off; for a fin its sides, tip and fillets.";
     d.parameters = {
       {"layers",
@@ -33,6 +33,15 @@ public:
        1.0,
        {},
        0.0},
+      {"pieces",
+       "Pieces",
+       "What becomes of a part that falls apart: refuse, keep_largest (of each body) or allow.",
+       ops::parameter_type::choice,
+       "",
+       {},
+       {},
+       {"refuse", "keep_largest", "allow"},
+       std::string("refuse")},
     };
     return d;
   }
@@ -43,10 +52,14 @@ public:
     ops::erode_settings settings;
     settings.layers = static_cast<int>(std::get<std::int64_t>(values.at("layers")));
     settings.depth = std::get<double>(values.at("depth"));
+    const auto& pieces = std::get<std::string>(values.at("pieces"));
+    settings.pieces = pieces == "allow"          ? piece_policy::allow
+                      : pieces == "keep_largest" ? piece_policy::keep_largest
+                                                 : piece_policy::refuse;
     return ops::erode(mesh, ops::as_set(picked), settings, ctx);
   }
 };
 
 }  // namespace
 
-TEDIT_PLUGIN("erode", "1.0.0", erode_operation)
+TEDIT_PLUGIN("erode", "1.1.0", erode_operation)

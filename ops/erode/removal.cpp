@@ -30,7 +30,11 @@ void erosion_sum::add(const removal_report& step) {
   removal.hinges_mended += step.hinges_mended;
   removal.crumbs += step.crumbs;
   removal.crumb_volume += step.crumb_volume;
+  removal.dropped += step.dropped;
+  removal.dropped_volume += step.dropped_volume;
+  removal.bodies = step.bodies;
   removal.pieces = step.pieces;
+  bodies_added += step.pieces - step.bodies;
 }
 
 }  // namespace tedit::ops

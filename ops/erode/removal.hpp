@@ -18,7 +18,9 @@ using surface_of_face = std::function<surface_id(const std::array<vertex_id, 3>&
 
 /// What the steps of an erosion add up to.
 struct erosion_sum {
-  removal_report removal;         ///< Counts summed up; pieces of the last step.
+  piece_policy policy = piece_policy::refuse;
+  removal_report removal;         ///< Counts summed up; bodies and pieces of the last step.
+  std::size_t bodies_added = 0;   ///< Pieces that bodies fell into beyond one each, in all steps.
   std::vector<surface_id> fresh;  ///< Surfaces that the edit made.
   std::vector<std::string> notices;
   std::vector<figure> figures;

@@ -170,6 +170,9 @@ struct edit_result {
   /// Worst q that the touched region may have, unless it was worse before. Operations whose new
   /// surface the host's optimizer may not move can promise 0.1 only; below 0.05 nothing is taken.
   double quality_floor = 0.15;
+  /// Separate bodies more than there were, where the person allowed that; else the edit is rolled
+  /// back.
+  std::size_t bodies_added = 0;
 };
 
 /// One editing operation. Instances are stateless: `apply` may run on several threads at once.
@@ -193,7 +196,7 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 2;
+inline constexpr std::uint32_t sdk_major = 3;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 /// Compiler and standard library that built the plugin: C++ types cross the border.

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/sdk/rolling_ball.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace tedit::ops {
 
 namespace {
 
-constexpr double flatness = 1e-6;   ///< Share of a surface's size: rounding of a CAD file.
-constexpr double roundness = 1e-4;  ///< Share of a cylinder's radius.
-constexpr double widest_facet =
-  0.25;                           ///< Cosine: a facet of a cylinder is less than 75 degrees wide.
-constexpr double steepest = 0.7;  ///< Cosine between a facet of a cylinder and its axis, at most.
 constexpr int newton_steps = 40;
 
 struct equation {
@@ -48,153 +41,7 @@ std::optional<vec3> solve(const std::function<std::array<equation, 3>(vec3)>& sy
   return last <= 1e-9 * reach ? std::optional(x) : std::nullopt;
 }
 
-vec3 to_vec3(const Eigen::Vector3d& v) {
-  return {v[0], v[1], v[2]};
-}
-
-struct cloud {
-  std::vector<vec3> points;
-  vec3 centre;
-  double size = 0;
-  vec3 area;                                          ///< Sum of the area vectors.
-  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();  ///< Area-weighted sum of n n^T.
-};
-
-cloud gather(const mesh_version& mesh, std::span<const facet_id> facets) {
-  cloud result;
-  std::vector<vertex_id> corners;
-  for (const auto f : facets) {
-    const auto& v = mesh.facet(f).v;
-    corners.insert(corners.end(), v.begin(), v.end());
-    const vec3 area = area_vector(mesh, mesh.facet(f));
-    result.area += area;
-    const vec3 n = normalized(area);
-    const Eigen::Vector3d e(n.x, n.y, n.z);
-    result.normals += norm(area) * e * e.transpose();
-  }
-  std::ranges::sort(corners);
-  corners.erase(std::ranges::unique(corners).begin(), corners.end());
-  for (const auto v : corners) {
-    result.points.push_back(mesh.position(v));
-    result.centre += mesh.position(v) / static_cast<double>(corners.size());
-  }
-  for (const auto& p : result.points)
-    result.size = std::max(result.size, norm(p - result.centre));
-  return result;
-}
-
-std::optional<wall_shape> fit_plane(const cloud& points) {
-  wall_shape shape;
-  shape.point = points.centre;
-  shape.axis = normalized(points.area);
-  for (const auto& p : points.points)
-    if (!(std::abs(shape.distance(p)) <= flatness * points.size))
-      return std::nullopt;
-  return shape;
-}
-
-/// Gauss-Newton on the sum of (distance from the axis - R)^2 over the axis' point and direction.
-void refine(const cloud& points, wall_shape& shape) {
-  for (int step = 0; step < 20; ++step) {
-    const vec3 helper = std::abs(shape.axis.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0};
-    const vec3 u = normalized(cross(helper, shape.axis));
-    const vec3 w = cross(shape.axis, u);
-    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-    Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
-    for (const auto& p : points.points) {
-      const vec3 d = p - shape.point;
-      const double along = dot(d, shape.axis);
-      const vec3 off = d - along * shape.axis;
-      const double rho = norm(off);
-      if (!(rho > 0))
-        return;
-      const vec3 radial = off / rho;
-      const double t = along / points.size;
-      Eigen::Matrix<double, 5, 1> row;
-      row << -dot(radial, u), -dot(radial, w), -t * dot(radial, u), -t * dot(radial, w), -1;
-      normal += row * row.transpose();
-      right -= row * (rho - shape.radius);
-    }
-    const Eigen::Matrix<double, 5, 1> x = normal.ldlt().solve(right);
-    if (!x.allFinite())
-      return;
-    shape.point += x[0] * u + x[1] * w;
-    shape.axis = normalized(shape.axis + (x[2] * u + x[3] * w) / points.size);
-    shape.radius += x[4];
-    if (x.norm() <= 1e-14 * points.size)
-      return;
-  }
-}
-
-std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const facet_id> facets,
-                                       const cloud& points) {
-  if (points.points.size() < 6)
-    return std::nullopt;
-  wall_shape shape;
-  shape.type = wall_shape::kind::cylinder;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points.normals);
-  shape.axis = to_vec3(solver.eigenvectors().col(0));
-  const vec3 u = to_vec3(solver.eigenvectors().col(1));
-  const vec3 w = cross(shape.axis, u);
-  // The circle through the points seen along the axis: x^2 + y^2 = 2 a x + 2 b y + c.
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const auto& p : points.points) {
-    const vec3 d = p - points.centre;
-    const Eigen::Vector3d row(2 * dot(d, u), 2 * dot(d, w), 1);
-    normal += row * row.transpose();
-    right += row * 0.25 * (row[0] * row[0] + row[1] * row[1]);
-  }
-  const Eigen::Vector3d circle = normal.fullPivLu().solve(right);
-  shape.point = points.centre + circle[0] * u + circle[1] * w;
-  shape.radius = std::sqrt(circle[2] + circle[0] * circle[0] + circle[1] * circle[1]);
-  if (!(shape.radius > 0) || !(shape.radius < 100 * points.size))
-    return std::nullopt;
-  refine(points, shape);
-  double outward = 0;
-  for (const auto f : facets) {
-    const auto& v = mesh.facet(f).v;
-    const vec3 middle = (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3;
-    const vec3 area = area_vector(mesh, mesh.facet(f));
-    outward += dot(area, shape.normal(middle));
-    // The corners of a square boss lie on a cylinder, too.
-    for (int i = 0; i < 3; ++i)
-      if (dot(shape.normal(mesh.position(v[i])), shape.normal(mesh.position(v[(i + 1) % 3]))) <
-            widest_facet ||
-          std::abs(dot(area, shape.axis)) > steepest * norm(area))
-        return std::nullopt;
-  }
-  shape.side = outward > 0 ? 1 : -1;
-  for (const auto& p : points.points)
-    if (!(std::abs(shape.distance(p)) <= roundness * shape.radius))
-      return std::nullopt;
-  return shape;
-}
-
 }  // namespace
-
-double wall_shape::distance(vec3 p) const {
-  const vec3 d = p - point;
-  if (type == kind::plane)
-    return dot(axis, d);
-  return side * (norm(d - dot(d, axis) * axis) - radius);
-}
-
-vec3 wall_shape::normal(vec3 p) const {
-  if (type == kind::plane)
-    return axis;
-  const vec3 d = p - point;
-  return side * normalized(d - dot(d, axis) * axis);
-}
-
-std::optional<wall_shape> fit_wall(const mesh_version& mesh, std::span<const facet_id> facets) {
-  if (facets.empty())
-    return std::nullopt;
-  const auto points = gather(mesh, facets);
-  if (auto plane = fit_plane(points))
-    return plane;
-  return fit_cylinder(mesh, facets, points);
-}
 
 vec3 rolling_ball::along(vec3 p) const {
   return normalized(cross(a_.normal(p), b_.normal(p)));

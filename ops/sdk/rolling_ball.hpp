@@ -3,37 +3,10 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 
-#include "mesh/version.hpp"
+#include "ops/sdk/wall_shape.hpp"
 
 namespace tedit::ops {
-
-/// The exact surface behind a mesh surface: a plane or a round cylinder, with the side on which the
-/// material lies.
-struct wall_shape {
-  enum class kind { plane, cylinder };
-
-  kind type = kind::plane;
-  vec3 point;         ///< On the plane, or on the cylinder's axis.
-  vec3 axis;          ///< Unit: the outward normal, or the cylinder's direction.
-  double radius = 0;  ///< m; of the cylinder.
-  double side = 1;    ///< +1: material inside the cylinder (a boss), -1: outside (a hole).
-
-  /// Signed distance, m: positive off the material.
-  [[nodiscard]] double distance(vec3 p) const;
-
-  /// Unit, outward, at the nearest point of the shape; the gradient of `distance`.
-  [[nodiscard]] vec3 normal(vec3 p) const;
-
-  /// The nearest point of the shape.
-  [[nodiscard]] vec3 project(vec3 p) const { return p - distance(p) * normal(p); }
-};
-
-/// Fits a plane (within 1e-6 of the surface's size) or a cylinder (within 1e-4 of its radius) to
-/// all corners of the facets. Nothing for any other shape. Cost: O(facets).
-[[nodiscard]] std::optional<wall_shape> fit_wall(const mesh_version& mesh,
-                                                 std::span<const facet_id> facets);
 
 /// A ball of radius r that rolls along the edge between two walls: in the open space (`side` +1,
 /// which rounds an inner corner) or inside the material (-1, an outer edge).

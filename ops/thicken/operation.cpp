@@ -11,9 +11,10 @@ public:
     ops::operation_description d;
     d.id = "thicken";
     d.name = "Thicken";
-    d.summary = "Raises flat surfaces by a given length; neighbours that rise beside are covered.";
+    d.summary = "Puts material of a given thickness on flat and round surfaces.";
     d.version = "1.0.0";
-    d.selection.help = "The flat surfaces to put material on.";
+    d.selection.help =
+      "The flat, cylindrical and conical surfaces to put material on; both halves of a bore.";
     d.parameters = {{"depth",
                      "Thickness",
                      "How much material to put on.",

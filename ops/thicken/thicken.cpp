@@ -7,6 +7,7 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/shift_patch.hpp"
+#include "ops/sdk/shift_walls.hpp"
 #include "ops/thicken/slab_shell.hpp"
 
 namespace tedit::ops {
@@ -68,9 +69,6 @@ expected<surface_patch> raise(mesh_builder& mesh, surface_id surface, double hei
   auto patch = find_patch(mesh, surface);
   if (!patch)
     return fail(patch.error());
-  if (!patch->flat())
-    return fail(ec::invalid_argument, "surface " + std::to_string(surface) + " is not flat",
-                "Select flat surfaces; curved ones cannot be thickened by this version");
   // A small height needs no slab: the surface's own vertices go up.
   constexpr double least_quality = 0.1;
   if (shift_patch(mesh, *patch, height, least_quality))
@@ -126,6 +124,48 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& before,
   result.figures.push_back({"thickness_change_worst_mm", 1e3 * worst, "mm", "furthest from asked"});
 }
 
+/// Flat surfaces, one after the other.
+expected<void> raise_planes(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
+                            double height, context& ctx, edit_result& result) {
+  std::vector<surface_patch> before;
+  for (const auto surface : surfaces) {
+    ctx.run.report(
+      0.1 + 0.7 * static_cast<double>(before.size()) / static_cast<double>(surfaces.size()),
+      "growing the slab");
+    auto raised = raise(mesh, surface, height, ctx);
+    if (!raised)
+      return fail(raised.error());
+    before.push_back(std::move(*raised));
+  }
+  if (const auto tidied = tidy_cut(mesh, mesh.touched(), {}, ctx.run); !tidied)
+    return fail(tidied.error());
+  measure(mesh, before, height, result);
+  return {};
+}
+
+expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
+  for (const auto surface : surfaces) {
+    const auto patch = find_patch(mesh, surface);
+    if (!patch)
+      return fail(patch.error());
+    if (!patch->flat())
+      return false;
+  }
+  return true;
+}
+
+/// Round surfaces, with flat ones beside them: all move at once.
+expected<void> raise_walls(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
+                           double height, context& ctx, edit_result& result) {
+  const auto walls = fit_walls(*mesh.base(), surfaces);
+  if (!walls)
+    return fail(walls.error());
+  if (auto ok = shift_walls(mesh, *walls, height, ctx.run); !ok)
+    return fail(ok.error());
+  result.figures = measure_shift(*mesh.base(), *mesh.freeze(), *walls, height);
+  return {};
+}
+
 }  // namespace
 
 expected<edit_result> thicken(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
@@ -136,20 +176,13 @@ expected<edit_result> thicken(const mesh_version& mesh, const std::vector<surfac
     return fail(ec::cancelled, "the edit was cancelled");
   // The version outlives the call; the builder only needs a handle without ownership.
   mesh_builder builder(version_ptr(version_ptr{}, &mesh));
-  std::vector<surface_patch> before;
-  for (const auto surface : surfaces) {
-    ctx.run.report(
-      0.1 + 0.7 * static_cast<double>(before.size()) / static_cast<double>(surfaces.size()),
-      "growing the slab");
-    auto raised = raise(builder, surface, height, ctx);
-    if (!raised)
-      return fail(raised.error());
-    before.push_back(std::move(*raised));
-  }
-  if (const auto tidied = tidy_cut(builder, builder.touched(), {}, ctx.run); !tidied)
-    return fail(tidied.error());
+  const auto flat = all_flat(builder, surfaces);
+  if (!flat)
+    return fail(flat.error());
   edit_result result;
-  measure(builder, before, height, result);
+  const auto raised = (*flat ? raise_planes : raise_walls)(builder, surfaces, height, ctx, result);
+  if (!raised)
+    return fail(raised.error());
   result.candidate = builder.freeze();
   result.touched = builder.touched();
   result.volume_change = boundary_volume_change(mesh, *result.candidate);

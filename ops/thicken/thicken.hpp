@@ -9,8 +9,9 @@ namespace tedit::ops {
 /// like a plug and glued on. Where the border is convex the sides go straight up, where a neighbour
 /// rises beside the surface it is covered up to the height. The raised surface keeps its id; sides
 /// continue the neighbour's surface where they are coplanar with it, else they get one of their
-/// own. Errors: `invalid_argument` for a surface that is not flat, `cap_intersects` where the slab
-/// would run into another part of the boundary, `not_a_hole` where it does not close,
+/// own. A selection with round surfaces moves as a whole (`shift_walls`). Errors:
+/// `invalid_argument` for a surface of free form or one without room, `cap_intersects` where the
+/// slab would run into another part of the boundary, `not_a_hole` where it does not close,
 /// `mesher_failed`, `timeout`, `cancelled`. Cost: O(boundary + slab).
 [[nodiscard]] expected<edit_result> thicken(const mesh_version& mesh,
                                             const std::vector<surface_id>& surfaces, double height,

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/checks.hpp"
-#include "mesh/optimize/local_moves.hpp"
+#include "tests/support/local_moves.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit {

@@ -72,6 +72,26 @@ TEST(Pieces, ASplitIsRefusedWithTheSizes) {
   EXPECT_THAT(report.error().message, HasSubstr("2 pieces of 2 mm3, 1 mm3"));
 }
 
+TEST(Pieces, WhatFallsApartMayBeKeptOrLoseItsSmallerPieces) {
+  const auto base = test::box_mesh({4, 1, 1}, {0.004, 0.001, 0.001});
+  const mesh_builder builder(base);
+  const auto slice = tets_in(*base, [](vec3 p) { return p.x > 0.001 && p.x < 0.002; });
+  auto kept = slice;
+  auto largest = slice;
+
+  const auto both = settle_removal(builder, kept, piece_policy::allow);
+  const auto one = settle_removal(builder, largest, piece_policy::keep_largest);
+
+  ASSERT_TRUE(both && one);
+  EXPECT_EQ(kept, slice);
+  EXPECT_EQ(both->bodies, 1u);
+  EXPECT_EQ(both->pieces, 2u);
+  EXPECT_EQ(largest.size(), 12u);
+  EXPECT_EQ(one->pieces, 1u);
+  EXPECT_EQ(one->dropped, 1u);
+  EXPECT_NEAR(one->dropped_volume, 1e-9, 1e-18);
+}
+
 TEST(Pieces, ABodyMayNotVanish) {
   const auto base = test::box_mesh({1, 1, 1}, {1, 1, 1});
   const mesh_builder builder(base);

@@ -18,9 +18,9 @@
 
 #include "mesh/builder.hpp"
 #include "mesh/checks.hpp"
-#include "mesh/optimize/local_moves.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/surface_map.hpp"
+#include "tests/support/local_moves.hpp"
 #include "tests/support/meshes.hpp"
 
 // -- what an allocation-bound property measures: live bytes of this thread, and their peak --------

@@ -167,6 +167,7 @@ tried_edit try_edit(const ops::catalogue& plugins, const version_ptr& before,
     claim.touched = result->touched;
     claim.volume_change = result->volume_change;
     claim.quality_floor = result->quality_floor;
+    claim.bodies_added = result->bodies_added;
     const auto done =
       finish_edit(before, result->candidate, claim, {result->improve, result->thorough}, {}, {});
     if (done) {

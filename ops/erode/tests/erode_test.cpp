@@ -22,12 +22,12 @@ class Erode : public ::testing::Test {
 protected:
   expected<edit_result> lower(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               double depth) {
-    return erode(*mesh, surfaces, {depth, 1}, ctx_);
+    return erode(*mesh, surfaces, {depth, 1, piece_policy::refuse}, ctx_);
   }
 
   expected<edit_result> peel(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
-                             int layers) {
-    return erode(*mesh, surfaces, {0, layers}, ctx_);
+                             int layers, piece_policy pieces = piece_policy::refuse) {
+    return erode(*mesh, surfaces, {0, layers, pieces}, ctx_);
   }
 
   /// The postconditions of an edit, with the host's improvement, and the worst q below `floor`.
@@ -35,6 +35,7 @@ protected:
     edit_claim claim;
     claim.touched = result.touched;
     claim.volume_change = result.volume_change;
+    claim.bodies_added = result.bodies_added;
     finish_settings settings;
     settings.quality_floor = floor;
     const auto done = finish_edit(base, result.candidate, claim, improvement::local, settings, {});
@@ -313,6 +314,62 @@ TEST_F(Erode, ASurfaceWithoutInnerVerticesIsRefused) {
   EXPECT_EQ(result.error().code, ec::empty_selection);
   EXPECT_THAT(result.error().message, HasSubstr("surface 6 has no vertex inside its border"));
   EXPECT_THAT(result.error().remedy, HasSubstr("depth"));
+}
+
+// -- pieces ---------------------------------------------------------------------------
+
+/// A bar 8 x 2 x 2; surface 7 runs around its middle third, from x = 2 to 5. One layer below it
+/// cuts the bar in two, the longer part behind.
+version_ptr belted_bar() {
+  const auto bar = test::box_mesh({8, 2, 2}, {8, 2, 2});
+  mesh_builder naming(bar);
+  const auto belt = naming.add_surface("belt");
+  for (facet_id f = 0; f < bar->facet_slots(); ++f) {
+    const auto& v = bar->facet(f).v;
+    const double x = (bar->position(v[0]).x + bar->position(v[1]).x + bar->position(v[2]).x) / 3;
+    if (x > 2 && x < 5)
+      naming.set_surface(f, belt);
+  }
+  return naming.freeze();
+}
+
+TEST_F(Erode, APartThatFallsApartIsRefusedUnlessThatIsWanted) {
+  const auto base = belted_bar();
+
+  const auto refused = peel(base, {7}, 1);
+  const auto largest = peel(base, {7}, 1, piece_policy::keep_largest);
+  const auto both = peel(base, {7}, 1, piece_policy::allow);
+
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("would fall into 2 pieces"));
+  EXPECT_THAT(refused.error().remedy, HasSubstr("parameter pieces"));
+  ASSERT_TRUE(largest) << render(largest.error());
+  expect_good(base, *largest, 0.05);
+  EXPECT_EQ(figure_of(*largest, "pieces"), 1);
+  EXPECT_EQ(largest->bodies_added, 0u);
+  EXPECT_EQ(largest->candidate->find_surface(1), nullptr);
+  EXPECT_THAT(largest->notices, ::testing::Contains(HasSubstr("1 loose piece")));
+  ASSERT_TRUE(both) << render(both.error());
+  expect_good(base, *both, 0.05);
+  EXPECT_EQ(figure_of(*both, "pieces"), 2);
+  EXPECT_EQ(both->bodies_added, 1u);
+  EXPECT_NE(both->candidate->find_surface(1), nullptr);
+  EXPECT_LT(largest->volume_change, both->volume_change);
+}
+
+TEST_F(Erode, APieceMoreThanClaimedIsRolledBack) {
+  const auto base = belted_bar();
+  const auto result = peel(base, {7}, 1, piece_policy::allow);
+  ASSERT_TRUE(result) << render(result.error());
+  edit_claim claim;
+  claim.touched = result->touched;
+  claim.volume_change = result->volume_change;
+  claim.quality_floor = 0.05;
+
+  const auto done = finish_edit(base, result->candidate, claim, improvement::local, {}, {});
+
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, HasSubstr("separate boundary"));
 }
 
 }  // namespace

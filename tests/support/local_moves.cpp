@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/optimize/local_moves.hpp"
+#include "tests/support/local_moves.hpp"
 
 #include <algorithm>
 #include <limits>

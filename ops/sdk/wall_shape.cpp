@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/sdk/wall_shape.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tedit::ops {
+
+namespace {
+
+constexpr double flatness = 1e-6;  ///< Share of a surface's size: rounding of a CAD file.
+constexpr double widest_facet =
+  0.25;                           ///< Cosine: a facet of a cylinder is less than 75 degrees wide.
+constexpr double steepest = 0.7;  ///< Cosine between a facet of a cylinder and its axis, at most.
+constexpr double steepest_cone = 20;  ///< Slope: half an opening of 87 degrees.
+
+vec3 to_vec3(const Eigen::Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+struct cloud {
+  std::vector<vec3> points;
+  vec3 centre;
+  double size = 0;
+  vec3 area;                                          ///< Sum of the area vectors.
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();  ///< Area-weighted sum of n n^T.
+};
+
+cloud gather(const mesh_version& mesh, std::span<const facet_id> facets) {
+  cloud result;
+  std::vector<vertex_id> corners;
+  for (const auto f : facets) {
+    const auto& v = mesh.facet(f).v;
+    corners.insert(corners.end(), v.begin(), v.end());
+    const vec3 area = area_vector(mesh, mesh.facet(f));
+    result.area += area;
+    const vec3 n = normalized(area);
+    const Eigen::Vector3d e(n.x, n.y, n.z);
+    result.normals += norm(area) * e * e.transpose();
+  }
+  std::ranges::sort(corners);
+  corners.erase(std::ranges::unique(corners).begin(), corners.end());
+  for (const auto v : corners) {
+    result.points.push_back(mesh.position(v));
+    result.centre += mesh.position(v) / static_cast<double>(corners.size());
+  }
+  for (const auto& p : result.points)
+    result.size = std::max(result.size, norm(p - result.centre));
+  return result;
+}
+
+std::optional<wall_shape> fit_plane(const cloud& points) {
+  wall_shape shape;
+  shape.point = points.centre;
+  shape.axis = normalized(points.area);
+  for (const auto& p : points.points)
+    if (!(std::abs(shape.distance(p)) <= flatness * points.size))
+      return std::nullopt;
+  return shape;
+}
+
+/// Gauss-Newton on the sum of (distance from the axis - radius there)^2 over the axis' point and
+/// direction, the radius and, for a cone, the slope.
+void refine(const cloud& points, wall_shape& shape) {
+  const bool cone = shape.type == wall_shape::kind::cone;
+  for (int step = 0; step < 20; ++step) {
+    const vec3 helper = std::abs(shape.axis.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0};
+    const vec3 u = normalized(cross(helper, shape.axis));
+    const vec3 w = cross(shape.axis, u);
+    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+    for (const auto& p : points.points) {
+      const vec3 d = p - shape.point;
+      const double along = dot(d, shape.axis);
+      const vec3 off = d - along * shape.axis;
+      const double rho = norm(off);
+      if (!(rho > 0))
+        continue;
+      const vec3 radial = off / rho;
+      const double lever = (along + shape.slope * rho) / points.size;
+      Eigen::Matrix<double, 6, 1> row;
+      row << -dot(radial, u), -dot(radial, w), -lever * dot(radial, u), -lever * dot(radial, w), -1,
+        cone ? -along / points.size : 0;
+      normal += row * row.transpose();
+      right -= row * (rho - shape.radius - shape.slope * along);
+    }
+    if (!cone)
+      normal(5, 5) = 1;
+    const Eigen::Matrix<double, 6, 1> x = normal.ldlt().solve(right);
+    if (!x.allFinite())
+      return;
+    shape.point += x[0] * u + x[1] * w;
+    shape.axis = normalized(shape.axis + (x[2] * u + x[3] * w) / points.size);
+    shape.radius += x[4];
+    shape.slope += x[5] / points.size;
+    if (x.norm() <= 1e-14 * points.size)
+      return;
+  }
+}
+
+/// Is no gap between corners around the axis as wide as a quarter turn, but for an open side? The
+/// corners of a square boss lie on a cylinder, too.
+bool goes_round(const wall_shape& shape, const cloud& points) {
+  const vec3 helper = std::abs(shape.axis.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0};
+  const vec3 u = normalized(cross(helper, shape.axis));
+  const vec3 w = cross(shape.axis, u);
+  std::vector<double> angles;
+  for (const auto& p : points.points)
+    angles.push_back(std::atan2(dot(p - shape.point, w), dot(p - shape.point, u)));
+  std::ranges::sort(angles);
+  std::vector<double> gaps{angles.front() + 2 * std::numbers::pi - angles.back()};
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+    gaps.push_back(angles[i + 1] - angles[i]);
+  std::ranges::sort(gaps, std::greater{});
+  return gaps.size() < 2 || std::cos(gaps[1]) >= widest_facet;
+}
+
+bool facets_are_narrow(const mesh_version& mesh, std::span<const facet_id> facets,
+                       const wall_shape& shape) {
+  return std::ranges::all_of(facets, [&](facet_id f) {
+    const auto& v = mesh.facet(f).v;
+    for (int i = 0; i < 3; ++i)
+      if (dot(shape.normal(mesh.position(v[i])), shape.normal(mesh.position(v[(i + 1) % 3]))) <
+          widest_facet)
+        return false;
+    return true;
+  });
+}
+
+/// On which side of the shape the material lies.
+double side_of(const mesh_version& mesh, std::span<const facet_id> facets,
+               const wall_shape& shape) {
+  double outward = 0;
+  for (const auto f : facets) {
+    const auto& v = mesh.facet(f).v;
+    const vec3 middle = (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3;
+    outward += dot(area_vector(mesh, mesh.facet(f)), shape.normal(middle));
+  }
+  return outward > 0 ? 1 : -1;
+}
+
+bool is_near(const wall_shape& shape, const cloud& points, double roundness) {
+  return std::ranges::all_of(
+    points.points, [&](vec3 p) { return std::abs(shape.distance(p)) <= roundness * shape.radius; });
+}
+
+std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const facet_id> facets,
+                                       const cloud& points, const fit_limits& limits) {
+  if (points.points.size() < 6)
+    return std::nullopt;
+  wall_shape shape;
+  shape.type = wall_shape::kind::cylinder;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points.normals);
+  shape.axis = to_vec3(solver.eigenvectors().col(0));
+  const vec3 u = to_vec3(solver.eigenvectors().col(1));
+  const vec3 w = cross(shape.axis, u);
+  // The circle through the points seen along the axis: x^2 + y^2 = 2 a x + 2 b y + c.
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const auto& p : points.points) {
+    const vec3 d = p - points.centre;
+    const Eigen::Vector3d row(2 * dot(d, u), 2 * dot(d, w), 1);
+    normal += row * row.transpose();
+    right += row * 0.25 * (row[0] * row[0] + row[1] * row[1]);
+  }
+  const Eigen::Vector3d circle = normal.fullPivLu().solve(right);
+  shape.point = points.centre + circle[0] * u + circle[1] * w;
+  shape.radius = std::sqrt(circle[2] + circle[0] * circle[0] + circle[1] * circle[1]);
+  if (!(shape.radius > 0) || !(shape.radius < 100 * points.size))
+    return std::nullopt;
+  refine(points, shape);
+  const bool upright = std::ranges::all_of(facets, [&](facet_id f) {
+    const vec3 area = area_vector(mesh, mesh.facet(f));
+    return std::abs(dot(area, shape.axis)) <= steepest * norm(area);
+  });
+  if (!upright ||
+      !(limits.wide_facets ? goes_round(shape, points) : facets_are_narrow(mesh, facets, shape)))
+    return std::nullopt;
+  shape.side = side_of(mesh, facets, shape);
+  return is_near(shape, points, limits.roundness) ? std::optional(shape) : std::nullopt;
+}
+
+/// The planes of a cone's facets meet near its apex, and their normals lie on a circle around its
+/// axis.
+std::optional<wall_shape> fit_cone(const mesh_version& mesh, std::span<const facet_id> facets,
+                                   const cloud& points, const fit_limits& limits) {
+  if (points.points.size() < 7)
+    return std::nullopt;
+  double total = 0;
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const auto f : facets) {
+    const vec3 area = area_vector(mesh, mesh.facet(f));
+    const vec3 n = normalized(area);
+    total += norm(area);
+    right += norm(area) * dot(n, mesh.position(mesh.facet(f).v[0]) - points.centre) *
+             Eigen::Vector3d(n.x, n.y, n.z);
+  }
+  const Eigen::Vector3d mean = Eigen::Vector3d(points.area.x, points.area.y, points.area.z) / total;
+  const Eigen::Matrix3d spread = points.normals / total - mean * mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const vec3 apex = points.centre + to_vec3(points.normals.fullPivLu().solve(right));
+  wall_shape shape;
+  shape.type = wall_shape::kind::cone;
+  shape.axis = to_vec3(solver.eigenvectors().col(0));
+  const double height = dot(points.centre - apex, shape.axis);
+  shape.point = apex + height * shape.axis;
+  double rho = 0;
+  for (const auto& p : points.points) {
+    const vec3 d = p - shape.point;
+    rho += norm(d - dot(d, shape.axis) * shape.axis) / static_cast<double>(points.points.size());
+  }
+  shape.radius = rho;
+  shape.slope = rho / height;
+  if (!std::isfinite(shape.slope) || std::abs(shape.slope) > steepest_cone)
+    return std::nullopt;
+  refine(points, shape);
+  const bool one_side = std::ranges::all_of(points.points, [&](vec3 p) {
+    return shape.radius + shape.slope * dot(p - shape.point, shape.axis) >=
+           -limits.roundness * shape.radius;
+  });
+  if (!(shape.radius > 0) || !one_side || !goes_round(shape, points))
+    return std::nullopt;
+  shape.side = side_of(mesh, facets, shape);
+  return is_near(shape, points, limits.roundness) ? std::optional(shape) : std::nullopt;
+}
+
+}  // namespace
+
+double wall_shape::distance(vec3 p) const {
+  const vec3 d = p - point;
+  if (type == kind::plane)
+    return dot(axis, d);
+  const double along = dot(d, axis);
+  return side * (norm(d - along * axis) - radius - slope * along) / std::hypot(1, slope);
+}
+
+vec3 wall_shape::normal(vec3 p) const {
+  if (type == kind::plane)
+    return axis;
+  const vec3 d = p - point;
+  return side / std::hypot(1, slope) * (normalized(d - dot(d, axis) * axis) - slope * axis);
+}
+
+std::optional<wall_shape> fit_wall(const mesh_version& mesh, std::span<const facet_id> facets,
+                                   const fit_limits& limits) {
+  if (facets.empty())
+    return std::nullopt;
+  const auto points = gather(mesh, facets);
+  auto shape = fit_plane(points);
+  if (!shape)
+    shape = fit_cylinder(mesh, facets, points, limits);
+  if (!shape && limits.cones)
+    shape = fit_cone(mesh, facets, points, limits);
+  return shape;
+}
+
+}  // namespace tedit::ops
