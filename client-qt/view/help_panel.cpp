@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 namespace tedit::desktop {
@@ -23,6 +24,8 @@ protected:
     return QTextBrowser::loadResource(type, name);
   }
 };
+
+constexpr double list_indent = 18;
 
 QString manual() {
   QFile file(":/help/desktop.md");
@@ -52,6 +55,15 @@ help_panel::help_panel(QWidget* parent) : QWidget(parent) {
   page_->setOpenLinks(false);
   page_->setMarkdown(manual());
   page_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  page_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  page_->document()->setIndentWidth(list_indent);
+  for (auto* frame : page_->document()->rootFrame()->childFrames())
+    if (auto* table = qobject_cast<QTextTable*>(frame)) {
+      auto format = table->format();
+      format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+      format.setCellPadding(3);
+      table->setFormat(format);
+    }
   for (auto block = page_->document()->begin(); block.isValid(); block = block.next()) {
     auto format = block.blockFormat();  // Lines of code, too: the panel is narrow.
     format.setNonBreakableLines(false);

@@ -17,11 +17,11 @@ namespace tedit::desktop {
 namespace {
 
 constexpr QSize thumbnail(132, 84);  // As it is kept.
-constexpr QSize small_thumbnail(80, 51);
+constexpr QSize small_thumbnail(64, 41);
 constexpr int border = 6;
 constexpr int way = 44;  // From one to the next.
 constexpr int words_height = 60;
-constexpr int small_words_height = 36;
+constexpr int small_words_height = 42;
 
 double largest_stress(const version_record& version) {
   if (!version.outcome)
@@ -89,7 +89,9 @@ QString history_strip::describe(const version_record& version) const {
     if (parent != all.end() && largest_stress(parent->second) > 0)
       text += "  " + change(largest_stress(parent->second), stress);
   }
-  const QFontMetrics metrics(font());
+  auto widest = font();
+  widest.setBold(true);  // As the head is written.
+  const QFontMetrics metrics(widest);
   QStringList lines = text.split('\n');
   if (!version.info.note.empty() && !branches_)
     lines << QString::fromStdString(version.info.note).section('\n', 0, 0);
@@ -136,7 +138,7 @@ void history_strip::refresh() {
     auto* row = new QListWidgetItem(describe(version));
     row->setData(Qt::UserRole, number);
     row->setToolTip(details(version));
-    row->setSizeHint(cell() - QSize(way / 2, 8));
+    row->setSizeHint(cell() - QSize(way / 2, 4));
     row->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     const QPixmap shown = picture_of(version);
     QIcon both(shown);
@@ -164,7 +166,7 @@ QSize history_strip::picture_size() const {
 
 QSize history_strip::cell() const {
   return picture_size() +
-         (branches_ ? QSize(way + 24, small_words_height) : QSize(way, words_height));
+         (branches_ ? QSize(way + 56, small_words_height) : QSize(way, words_height));
 }
 
 /// The list lays its rows out in lines; here each has its place in the tree.

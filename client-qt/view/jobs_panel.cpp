@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
@@ -16,19 +18,18 @@ namespace {
 constexpr int tick_ms = 500;
 constexpr int panel_width = 340;
 
-void clear(QLayout* layout) {
-  while (auto* item = layout->takeAt(0)) {
-    if (item->widget())
-      item->widget()->deleteLater();
-    else if (item->layout())
-      clear(item->layout());
-    delete item;
-  }
+QLabel* make_line(const QString& text, const char* role) {
+  auto* line = new QLabel(text);
+  line->setProperty("role", role);
+  line->setWordWrap(true);
+  return line;
 }
 
 /// Whole seconds: what changes more often cannot be read.
 QString for_how_long(double ms) {
-  return duration(ms < 1000 ? 0 : 1000.0 * static_cast<double>(static_cast<long long>(ms / 1000)));
+  const auto seconds = static_cast<long long>(ms / 1000);
+  return seconds < 60 ? QString("%1 s").arg(seconds)
+                      : QString("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
 }
 
 }  // namespace
@@ -40,8 +41,15 @@ jobs_panel::jobs_panel(jobs& work, remote& link, QWidget* parent)
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   setFixedWidth(panel_width);
-  column_ = new QVBoxLayout(this);
-  column_->setSizeConstraint(QLayout::SetMinAndMaxSize);
+  setStyleSheet("#jobs_panel { border: 1px solid palette(mid); }");
+  auto* column = new QVBoxLayout(this);
+  nothing_ = make_line(tr("Nothing runs."), "section");
+  column->addWidget(nothing_);
+  list_ = new QVBoxLayout;
+  column->addLayout(list_);
+  column->addWidget(make_line(tr("Server"), "section"));
+  server_ = make_line({}, "faint");
+  column->addWidget(server_);
   connect(&work_, &jobs::changed, this, &jobs_panel::refresh);
   connect(&link_, &remote::state_changed, this, &jobs_panel::refresh);
   auto* clock = new QTimer(this);
@@ -50,48 +58,51 @@ jobs_panel::jobs_panel(jobs& work, remote& link, QWidget* parent)
   refresh();
 }
 
-QLabel* jobs_panel::add_line(const QString& text, const char* role) {
-  auto* line = new QLabel(text);
-  line->setProperty("role", role);
-  line->setWordWrap(true);
-  column_->addWidget(line);
-  return line;
+jobs_panel::row jobs_panel::make_row(const job& one) {
+  row made;
+  made.box = new QWidget;
+  auto* column = new QVBoxLayout(made.box);
+  column->setContentsMargins(0, 0, 0, 4);
+  auto* top = new QHBoxLayout;
+  top->addWidget(make_line(one.title, "section"), 1);
+  made.cancel = new QPushButton(tr("Cancel"));
+  made.cancel->setObjectName("job_cancel");
+  connect(made.cancel, &QPushButton::clicked, &work_, [this, id = one.id] { work_.cancel(id); });
+  top->addWidget(made.cancel);
+  column->addLayout(top);
+  made.bar = new QProgressBar;
+  made.bar->setRange(0, 1000);
+  made.bar->setTextVisible(false);
+  column->addWidget(made.bar);
+  made.facts = make_line({}, "faint");
+  column->addWidget(made.facts);
+  list_->addWidget(made.box);
+  return made;
 }
 
-void jobs_panel::add_job(const job& one) {
-  auto* row = new QHBoxLayout;
-  auto* title = new QLabel(one.title);
-  title->setProperty("role", "section");
-  row->addWidget(title, 1);
-  if (one.cancel) {
-    auto* cancel = new QPushButton(tr("Cancel"));
-    cancel->setObjectName("job_cancel");
-    connect(cancel, &QPushButton::clicked, &work_, [this, id = one.id] { work_.cancel(id); });
-    row->addWidget(cancel);
-  }
-  column_->addLayout(row);
-  if (one.fraction > 0) {
-    auto* bar = new QProgressBar;
-    bar->setRange(0, 1000);
-    bar->setTextVisible(false);
-    bar->setValue(qRound(1000 * one.fraction));
-    column_->addWidget(bar);
-  }
-  QStringList facts{tr("for %1").arg(for_how_long(one.elapsed_ms()))};
+void jobs_panel::show_job(const job& one) {
+  auto [at, fresh] = rows_.try_emplace(one.id);
+  if (fresh)
+    at->second = make_row(one);
+  const auto& shown = at->second;
+  shown.cancel->setVisible(static_cast<bool>(one.cancel));
+  shown.bar->setVisible(one.fraction > 0);
+  shown.bar->setValue(qRound(1000 * one.fraction));
+  QStringList facts;
   if (!one.stage.isEmpty())
-    facts.prepend(one.stage);
+    facts << one.stage;
+  facts << (one.elapsed_ms() < 1000 ? tr("just begun")
+                                    : tr("for %1").arg(for_how_long(one.elapsed_ms())));
   if (const QString rest = roughly(one.remaining()); !rest.isEmpty())
     facts << rest;
-  add_line(facts.join(QString::fromUtf8("  \u00b7  ")), "faint");
+  shown.facts->setText(facts.join(QString::fromUtf8("  \u00b7  ")));
 }
 
 /// As the server said it last, every three seconds.
-void jobs_panel::add_workers() {
-  add_line(tr("Server"), "section");
-  if (link_.current() != remote::state::connected) {
-    add_line(tr("not connected"), "faint");
-    return;
-  }
+QString jobs_panel::server() const {
+  if (link_.current() != remote::state::connected)
+    return tr("not connected");
+  QStringList lines;
   for (const auto& worker : link_.server().workers) {
     QString text = QString("%1: %2").arg(QString::fromStdString(worker.role),
                                          QString::fromStdString(worker.state));
@@ -101,32 +112,46 @@ void jobs_panel::add_workers() {
       text += tr(", started again: %1").arg(worker.restarts);
     if (!worker.detail.empty())
       text += ", " + QString::fromStdString(worker.detail);
-    add_line(text, "faint");
+    lines << text;
   }
-  add_line(tr("open documents: %1, connections: %2")
+  lines << tr("open documents: %1, connections: %2")
              .arg(link_.server().documents)
-             .arg(link_.server().connections),
-           "faint");
+             .arg(link_.server().connections);
+  return lines.join("\n");
 }
 
 void jobs_panel::refresh() {
-  clear(column_);
-  if (work_.all().empty())
-    add_line(tr("Nothing runs."), "section");
-  for (const auto& one : work_.all())
-    add_job(one);
-  add_workers();
+  const auto& all = work_.all();
+  for (auto at = rows_.begin(); at != rows_.end();) {
+    if (std::ranges::find(all, at->first, &job::id) != all.end()) {
+      ++at;
+      continue;
+    }
+    at->second.box->hide();
+    at->second.box->deleteLater();
+    at = rows_.erase(at);
+  }
+  for (const auto& one : all)
+    show_job(one);
+  nothing_->setVisible(all.empty());
+  server_->setText(server());
+  adjustSize();
+  if (!corner_.isNull())
+    move(corner_ - QPoint(width(), height()));
+}
+
+void jobs_panel::open_above(const QPoint& corner) {
+  corner_ = corner;
+  refresh();
+  show();
 }
 
 QString jobs_panel::text() const {
   QStringList lines;
-  for (int i = 0; i < column_->count(); ++i) {
-    auto* item = column_->itemAt(i);
-    auto* inner = item->layout() ? item->layout()->itemAt(0)->widget() : item->widget();
-    if (const auto* label = qobject_cast<QLabel*>(inner))
+  for (const auto& [id, shown] : rows_)
+    for (const auto* label : shown.box->findChildren<QLabel*>())
       lines << label->text();
-  }
-  return lines.join("\n");
+  return lines.join("\n") + "\n" + server_->text();
 }
 
 // -- the button ----------------------------------------------------------------------
@@ -162,10 +187,7 @@ void jobs_button::refresh() {
 }
 
 void jobs_button::open_panel() {
-  auto* panel = new jobs_panel(work_, link_, this);
-  panel->adjustSize();
-  panel->move(mapToGlobal(QPoint(width() - panel->width(), -panel->height() - 4)));
-  panel->show();
+  (new jobs_panel(work_, link_, this))->open_above(mapToGlobal(QPoint(width(), -4)));
 }
 
 }  // namespace tedit::desktop

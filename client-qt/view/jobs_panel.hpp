@@ -5,9 +5,13 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <map>
+
 #include "client-qt/model/document.hpp"
 
 class QLabel;
+class QProgressBar;
+class QPushButton;
 class QVBoxLayout;
 
 namespace tedit::desktop {
@@ -20,18 +24,32 @@ class jobs_panel : public QFrame {
 public:
   jobs_panel(jobs& work, remote& link, QWidget* parent = nullptr);
 
+  /// `corner`: where its lower right one is to be on the screen, also when it grows.
+  void open_above(const QPoint& corner);
   /// All that it says, line by line.
   [[nodiscard]] QString text() const;
 
 private:
+  /// What shows one job; it stays in place while the job runs, so that its button can be pressed.
+  struct row {
+    QWidget* box = nullptr;
+    QProgressBar* bar = nullptr;
+    QLabel* facts = nullptr;
+    QPushButton* cancel = nullptr;
+  };
+
   void refresh();
-  void add_job(const job& one);
-  void add_workers();
-  QLabel* add_line(const QString& text, const char* role);
+  void show_job(const job& one);
+  [[nodiscard]] row make_row(const job& one);
+  [[nodiscard]] QString server() const;
 
   jobs& work_;
   remote& link_;
-  QVBoxLayout* column_;
+  QPoint corner_;
+  QVBoxLayout* list_;
+  QLabel* nothing_;
+  QLabel* server_;
+  std::map<int, row> rows_;  ///< By the job's id.
 };
 
 /// In the status line: what runs now in a word; a click opens the panel.

@@ -121,7 +121,7 @@ void main_window::build_docks() {
   history->raise();
   resizeDocks({selected, field, loads}, {320, 240, 240}, Qt::Vertical);
   resizeDocks({selected}, {330}, Qt::Horizontal);
-  resizeDocks({history}, {170}, Qt::Vertical);
+  resizeDocks({history}, {190}, Qt::Vertical);
 }
 
 void main_window::build_toolbars() {

@@ -153,7 +153,9 @@ void recorder::fields_changed() {
     if (known != value)
       add({{key, value}});
   };
-  note("case", fields.shown_case(), fields.shown_case().isNull() ? QJsonValue("") : QJsonValue());
+  if (fields.field())  // Else it is only on its way.
+    note("case", fields.shown_case(),
+         fields.shown_case().isEmpty() ? QJsonValue("") : QJsonValue());
   note("field", field_id(fields.wanted().field), field_id(shown_field::von_mises));
   note("deform", fields.deform(), 0.0);
   note("bands", fields.wanted().bands, 0);

@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMouseEvent>
+#include <QPainter>
 
 #include <cmath>
 
@@ -52,6 +53,16 @@ void set_camera(viewport& view, const QJsonObject& wanted) {
                    point_from(wanted["up"]), wanted["scale"].toDouble(1)});
   view.redraw();
   emit view.view_changed();
+}
+
+/// The whole window, with a menu or the like that is open over it.
+QImage with_popup(main_window& window) {
+  QImage image = window.grab().toImage();
+  if (auto* popup = QApplication::activePopupWidget()) {
+    QPainter painter(&image);
+    painter.drawPixmap(window.mapFromGlobal(popup->pos()), popup->grab());
+  }
+  return image;
 }
 
 void draw_box(viewport& view, const QJsonObject& step) {
@@ -263,7 +274,7 @@ expected<void> script::apply(const QJsonObject& step) {
 expected<void> script::take_picture(const QJsonObject& step) {
   const QString path = step["screenshot"].toString();
   const QImage image = step["window"].toBool()
-                         ? window_.grab().toImage()
+                         ? with_popup(window_)
                          : window_.picture(step["width"].toInt(), step["height"].toInt());
   if (!image.save(path))
     return fail(ec::io_error, "cannot write the picture " + path.toStdString(),
