@@ -166,7 +166,7 @@ QSize history_strip::picture_size() const {
 
 QSize history_strip::cell() const {
   return picture_size() +
-         (branches_ ? QSize(way + 76, small_words_height) : QSize(way, words_height));
+         (branches_ ? QSize(way + 72, small_words_height) : QSize(way, words_height));
 }
 
 /// The list lays its rows out in lines; here each has its place in the tree.
