@@ -33,7 +33,7 @@ TEST(Catalogue, LoadsTheBuiltInOperation) {
 TEST(Catalogue, EachFaultyPluginIsRefusedWithItsReason) {
   EXPECT_THAT(refusal("no_entry.so"), HasSubstr("no entry tedit_plugin_query"));
   EXPECT_THAT(refusal("wrong_magic.so"), HasSubstr("wrong magic number"));
-  EXPECT_THAT(refusal("newer_sdk.so"), HasSubstr("SDK 2.1, this host offers 2.0"));
+  EXPECT_THAT(refusal("newer_sdk.so"), HasSubstr("SDK 3.1, this host offers 3.0"));
   EXPECT_THAT(refusal("other_compiler.so"), HasSubstr("built with gcc-1.0"));
   EXPECT_THAT(refusal("throws.so"), HasSubstr("no licence file"));
   EXPECT_THAT(refusal("duplicate.so"), HasSubstr("fill_hole is taken"));
