@@ -219,12 +219,14 @@ void tally::add(const attempt_result& result) {
 }
 
 std::string tally::text(const std::string& what) const {
-  std::string line = what + ": " + std::to_string(done) + " of " + std::to_string(tried) +
-                     " done; CPU ms median " + cli::pretty(percentile(ms, 0.5), 3) + ", worst " +
-                     cli::pretty(percentile(ms, 1), 3) + "; worst q " +
-                     cli::pretty(percentile(worst_after, 0), 3) + ", median of worst " +
-                     cli::pretty(percentile(worst_after, 0.5), 3) + "; volume as claimed to " +
-                     cli::pretty(claimed_error, 2);
+  std::string line =
+    what + ": " + std::to_string(done + with_another) + " of " +
+    std::to_string(tried + with_another) + " done" +
+    (with_another > 0 ? ", " + std::to_string(with_another) + " with another" : "") +
+    "; CPU ms median " + cli::pretty(percentile(ms, 0.5), 3) + ", worst " +
+    cli::pretty(percentile(ms, 1), 3) + "; worst q " + cli::pretty(percentile(worst_after, 0), 3) +
+    ", median of worst " + cli::pretty(percentile(worst_after, 0.5), 3) +
+    "; volume as claimed to " + cli::pretty(claimed_error, 2);
   for (const auto& [reason, count] : reasons)
     line += "; " + reason + " " + std::to_string(count);
   return line;

@@ -77,6 +77,7 @@ private:
 struct tally {
   int tried = 0;
   int done = 0;
+  int with_another = 0;  ///< Holes that were gone with one that they belong to: done, too.
   std::vector<double> ms;
   std::vector<double> worst_after;
   double claimed_error = 0;

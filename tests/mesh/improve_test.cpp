@@ -84,6 +84,25 @@ TEST(Improve, CancelIsObeyed) {
   EXPECT_EQ(report.error().code, ec::cancelled);
 }
 
+TEST(FinishEdit, AFacetOnWhichNoTetCanBeGoodIsNamedAtOnce) {
+  const auto base = test::box_mesh({2, 2, 2}, {1, 1, 1});
+  mesh_builder builder(base);
+  for (vertex_id v = 0; v < base->vertex_slots(); ++v)
+    if (base->position(v) == vec3{0.5, 0.5, 1})
+      builder.set_position(v, {0.995, 0.5, 1});
+  edit_claim claim;
+  claim.touched = builder.touched();
+
+  const auto finished = finish_edit(base, builder.freeze(), claim, improvement::local, {}, {});
+
+  ASSERT_FALSE(finished.has_value());
+  EXPECT_EQ(finished.error().code, ec::postcondition_failed);
+  // Triangle with legs 0.5 and 0.005: r_in / R_circ = 0.0099.
+  EXPECT_NE(finished.error().message.find("surface 6 would get a facet"), std::string::npos);
+  EXPECT_NE(finished.error().message.find("more than q = 0.02"), std::string::npos)
+    << finished.error().message;
+}
+
 TEST(FinishEdit, AFaultyCandidateGivesNoVersion) {
   const auto base = spoiled();
   mesh_builder builder(base);
