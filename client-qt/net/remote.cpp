@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/net/remote.hpp"
 
-#include <QElapsedTimer>
 #include <QMetaObject>
 
 #include <algorithm>
@@ -15,6 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr int watch_ms = 250;
 constexpr int beats_a_status = 12;  // One status request every three seconds.
+constexpr double noticeable_ms = 1000;
 constexpr int first_retry_ms = 500;
 constexpr int longest_retry_ms = 8000;
 constexpr int most_requests = 16;  // Threads that wait for answers; more wait in the pool.
@@ -108,9 +108,18 @@ void remote::watch() {
   } else if (++beats_ % beats_a_status == 0) {
     measure_latency();
   }
+  if (silence_ms() > noticeable_ms)
+    emit state_changed();
+}
+
+double remote::silence_ms() const {
+  return asks_status_ && state_ == state::connected ? static_cast<double>(asked_.elapsed()) : 0;
 }
 
 void remote::measure_latency() {
+  if (std::exchange(asks_status_, true))
+    return;
+  asked_.start();
   auto clock = std::make_shared<QElapsedTimer>();
   using answer = std::pair<double, client::server_status>;
   run<answer>(
@@ -122,6 +131,7 @@ void remote::measure_latency() {
       return answer(static_cast<double>(clock->nsecsElapsed()) * 1e-6, std::move(*status));
     },
     [this](expected<answer> got) {
+      asks_status_ = false;
       if (got)
         std::tie(latency_ms_, server_) = std::move(*got);
       emit state_changed();

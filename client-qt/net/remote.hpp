@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
@@ -56,6 +57,8 @@ public:
   [[nodiscard]] double latency_ms() const noexcept { return latency_ms_; }
   /// How the server and its workers were at the last status request.
   [[nodiscard]] const client::server_status& server() const noexcept { return server_; }
+  /// How long the last status request has been without its answer, ms; 0 when it has it.
+  [[nodiscard]] double silence_ms() const;
   /// The surface of the open document as it is held now. Cheap.
   [[nodiscard]] client::surface_model surface() const;
 
@@ -77,8 +80,8 @@ public:
   }
 
 signals:
-  void state_changed();
-  void connected();  ///< Also again after the connection was lost.
+  void state_changed();  ///< Also while the server is silent.
+  void connected();      ///< Also again after the connection was lost.
   void refused(const tedit::error& reason);
   void surface_arrived(const tedit::client::surface_event& event);
   void field_arrived(std::shared_ptr<const tedit::client::field_event> field);
@@ -112,6 +115,8 @@ private:
   int generation_ = 0;  ///< Of the connection: events of an earlier one are not for us.
   int running_ = 0;
   int beats_ = 0;
+  bool asks_status_ = false;
+  QElapsedTimer asked_;  ///< Since the last status request.
   double latency_ms_ = -1;
   client::server_status server_;
 };

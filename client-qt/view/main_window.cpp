@@ -15,6 +15,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <cmath>
 
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/field_values.hpp"
@@ -42,6 +43,7 @@ constexpr int most_log_lines = 5000;
 constexpr int most_recent = 12;
 constexpr int cube_margin = 12;
 constexpr int widest_banner = 760;
+constexpr double silent_ms = 4000;  // Then a person wonders.
 
 QWidget* scrolled(QWidget* content) {
   auto* area = new QScrollArea;
@@ -256,6 +258,11 @@ void main_window::connection_changed() {
     banner_->show_standing(
       tr("The connection to the server is lost. It is taken up again by itself; nothing that was "
          "done is lost."));
+  else if (link_.silence_ms() > silent_ms)
+    banner_->show_standing(
+      tr("The connection is slow: the server has not answered for %1. What was asked for goes on "
+         "when it does, and can be cancelled.")
+        .arg(duration(1000 * std::floor(link_.silence_ms() / 1000))));
   else if (link_.current() == remote::state::connected)
     banner_->clear_standing();
   place_overlays();

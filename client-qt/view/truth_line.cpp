@@ -9,6 +9,12 @@
 
 namespace tedit::desktop {
 
+namespace {
+
+constexpr double slow_answer_ms = 1000;
+
+}  // namespace
+
 truth_line::truth_line(document& part, remote& link, QWidget* parent)
     : QStatusBar(parent), part_(part), link_(link) {
   setSizeGripEnabled(false);
@@ -117,7 +123,9 @@ QString truth_line::server() const {
       break;
   }
   QStringList parts{link_.address().url.section('/', 2, 2)};
-  if (link_.latency_ms() >= 0)
+  if (link_.silence_ms() > slow_answer_ms)
+    parts << tr("no answer for %1").arg(duration(link_.silence_ms()));
+  else if (link_.latency_ms() >= 0)
     parts << duration(link_.latency_ms());
   if (link_.running() > 0)
     parts << tr("%1 waiting").arg(link_.running());

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   if (lists)
     return RUN_ALL_TESTS();
   setenv("XDG_RUNTIME_DIR", testing::TempDir().c_str(), 0);
+  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // The same pictures wherever they are made.
   const auto display = tedit::virtual_display::open();
   if (!display) {
     std::fprintf(stderr, "%s\n", tedit::render(display.error()).c_str());
