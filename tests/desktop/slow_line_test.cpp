@@ -53,10 +53,14 @@ protected:
     return all.value_or(client::history{});
   }
 
+  /// An edit that was on its way may still be told of.
   void expect_nothing_lost() {
-    const auto all = truth();
+    client::history all;
     ASSERT_NE(part().head(), nullptr);
-    EXPECT_EQ(part().head()->info.number, all.head);
+    EXPECT_TRUE(wait([&] {
+      all = truth();
+      return part().head()->info.number == all.head && shows_head();
+    }));
     ASSERT_LT(all.head, all.versions.size());
     EXPECT_EQ(part().head()->info.version_id, all.versions[all.head].version_id);
     EXPECT_EQ(part().head()->surface->total_facets(), all.versions[all.head].boundary_facets);
