@@ -47,6 +47,7 @@ worst() {
 pair fill_hole ctc01_plate --op fill_hole --surfaces 92,93 -- --range 0,4 --zoom 5 --focus 0.145,0.045,0
 pair remove_surfaces heatsink_125 --op remove_surfaces --surfaces 45 -- --range 0,1 --zoom 2.2 --view z --focus -0.024,0.02,0.0175
 pair erode heatsink_125 --op erode --surfaces 61 --param depth_mm=1.2 -- --range 0,1 --zoom 2.2 --view z --focus -0.012,0.02,0.0175
+pair erode_round ctc01_plate --op erode --surfaces 92,93 --param depth_mm=8 -- --range 0,4 --zoom 5 --focus 0.145,0.045,0
 pair thicken heatsink_125 --op thicken --surfaces 57,61 --param depth_mm=1.2 -- --range 0,1 --zoom 2.2 --view z --focus -0.012,0.02,0.0175
 plate=$parts/ctc01_plate/ctc01_plate.coarse.msh
 "$bin/tedit" edit "$plate" --op improve_mesh --param surface_tolerance_mm=0.02 -o "$work/better.msh" > /dev/null

@@ -97,9 +97,10 @@ TEST(FinishEdit, AFacetOnWhichNoTetCanBeGoodIsNamedAtOnce) {
 
   ASSERT_FALSE(finished.has_value());
   EXPECT_EQ(finished.error().code, ec::postcondition_failed);
-  // Triangle with legs 0.5 and 0.005: r_in / R_circ = 0.0099.
+  // Sides 0.005, 0.7071, 0.7036 and area 0.00125: r_in = 0.001766, R_circ = 0.4975; 3 r_in /
+  // R_circ.
   EXPECT_NE(finished.error().message.find("surface 6 would get a facet"), std::string::npos);
-  EXPECT_NE(finished.error().message.find("more than q = 0.02"), std::string::npos)
+  EXPECT_NE(finished.error().message.find("more than q = 0.0106"), std::string::npos)
     << finished.error().message;
 }
 
