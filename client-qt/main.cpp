@@ -17,6 +17,7 @@
 #include "base/virtual_display.hpp"
 
 #include "client-qt/model/stall_watch.hpp"
+#include "client-qt/view/latencies.hpp"
 #include "client-qt/view/main_window.hpp"
 #include "client-qt/view/script.hpp"
 #include "client-qt/view/theme.hpp"
@@ -102,16 +103,25 @@ expected<QJsonArray> steps_of(const wishes& wanted) {
 }
 
 /// Times in ms; memory is the largest resident size of this process.
-void write_report(const QString& path, const stall_watch& watch, const viewport& view) {
+void write_report(const QString& path, const stall_watch& watch, const latencies& waits,
+                  const viewport& view) {
   const auto stalls = watch.take();
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  const QJsonObject report{{"events", static_cast<qint64>(stalls.samples)},
-                           {"wait_p50_ms", stalls.p50_ms},
-                           {"wait_p99_ms", stalls.p99_ms},
-                           {"wait_worst_ms", stalls.worst_ms},
-                           {"last_frame_ms", view.frame_ms()},
-                           {"memory_mib", static_cast<double>(used.ru_maxrss) / 1024}};
+  QJsonObject report{{"events", static_cast<qint64>(stalls.samples)},
+                     {"wait_p50_ms", stalls.p50_ms},
+                     {"wait_p99_ms", stalls.p99_ms},
+                     {"wait_worst_ms", stalls.worst_ms},
+                     {"last_frame_ms", view.frame_ms()},
+                     {"memory_mib", static_cast<double>(used.ru_maxrss) / 1024}};
+  const std::pair<const char*, std::optional<double>> worst[] = {
+    {"first_field_ms", waits.first_field},
+    {"click_to_frame_ms", waits.click_to_frame},
+    {"commit_to_frame_ms", waits.commit_to_frame},
+    {"preview_to_frame_ms", waits.preview_to_frame}};
+  for (const auto& [name, ms] : worst)
+    if (ms)
+      report[name] = *ms;
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(report).toJson()) < 0)
     std::fprintf(stderr, "tedit-qt: cannot write %s\n", qPrintable(path));
@@ -161,6 +171,7 @@ int main(int argc, char** argv) {
 
   const stall_watch watch;
   main_window window(wanted.state_folder);
+  const latencies waits(window);
   if (wanted.dark)
     window.set_dark(true);
   if (wanted.size.isValid())
@@ -186,6 +197,6 @@ int main(int argc, char** argv) {
     unattended.start();
   QApplication::exec();
   if (!wanted.report.isEmpty())
-    write_report(wanted.report, watch, window.view());
+    write_report(wanted.report, watch, waits, window.view());
   return status;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <QDockWidget>
 #include <QStackedWidget>
+#include <QTimer>
 
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/view/banner.hpp"
@@ -137,7 +138,9 @@ void main_window::wire_view() {
 
 void main_window::wire_panels() {
   connect(&context_->preview(), &live_preview::changed, this, &main_window::show_part);
-  connect(&context_->preview(), &live_preview::changed, this, &main_window::make_room);
+  // Once the form has taken it up and its layout with it.
+  connect(&context_->preview(), &live_preview::changed, this,
+          [this] { QTimer::singleShot(0, this, &main_window::make_room); });
   connect(context_, &context_panel::place_wanted, view_, &viewport::fit);
   connect(welcome_, &welcome_page::example_wanted, this,
           [this](const example& one) { open_file(one.mesh, one.load_cases); });

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/view/latencies.hpp"
+
+#include <algorithm>
+
+#include "client-qt/view/context_panel.hpp"
+#include "client-qt/view/main_window.hpp"
+#include "client-qt/view/viewport.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+/// Ends a wait.
+void note(QElapsedTimer& since, std::optional<double>& worst) {
+  const double ms = static_cast<double>(since.nsecsElapsed()) * 1e-6;
+  worst = std::max(worst.value_or(0), ms);
+  since.invalidate();
+}
+
+}  // namespace
+
+latencies::latencies(main_window& window, QObject* parent) : QObject(parent), window_(window) {
+  since_start_.start();
+  connect(&window.view(), &viewport::clicked, this, [this] { clicked_.start(); });
+  connect(&window.part(), &document::head_changed, this, [this] { committed_.start(); });
+  connect(&window.context().preview(), &live_preview::changed, this, [this] {
+    const auto& preview = window_.context().preview();
+    if (preview.shown() && !preview.is_busy() &&
+        window_.view().current().surface == preview.shown()->surface &&
+        !window_.view().is_settled())
+      previewed_.start();
+  });
+  connect(&window.view(), &vtk_view::drawn, this, &latencies::drawn);
+}
+
+void latencies::drawn() {
+  const auto& view = window_.view();
+  if (clicked_.isValid())
+    note(clicked_, click_to_frame);
+  if (since_start_.isValid() && view.value_extremes())
+    note(since_start_, first_field);
+  if (!view.is_settled())
+    return;
+  const auto* head = window_.part().head();
+  if (committed_.isValid() && head && head->surface && view.current().surface == head->surface)
+    note(committed_, commit_to_frame);
+  if (previewed_.isValid())
+    note(previewed_, preview_to_frame);
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <optional>
+
+namespace tedit::desktop {
+
+class main_window;
+
+/// How long a person waits for a picture. Each figure is the worst so far, ms; none before the
+/// first.
+class latencies : public QObject {
+  Q_OBJECT
+
+public:
+  /// Its time counts from here.
+  explicit latencies(main_window& window, QObject* parent = nullptr);
+
+  std::optional<double> first_field;       ///< From the start to the first field on the screen.
+  std::optional<double> click_to_frame;    ///< From a click to the frame with its surface marked.
+  std::optional<double> commit_to_frame;   ///< From the word of a new head to its frame.
+  std::optional<double> preview_to_frame;  ///< From the answer of a preview to its frame.
+
+private:
+  void drawn();
+
+  main_window& window_;
+  QElapsedTimer since_start_;
+  QElapsedTimer clicked_;
+  QElapsedTimer committed_;
+  QElapsedTimer previewed_;
+};
+
+}  // namespace tedit::desktop
