@@ -169,9 +169,19 @@ void main_window::make_room() {
   auto* dock = findChild<QDockWidget*>("context");
   if (context_->chosen().isEmpty() || !dock || dock->isFloating())
     return;
-  const int wanted = std::min(context_->heightForWidth(context_->width()) + 40, height() / 2);
+  constexpr int title_height = 40;
+  constexpr int least_below = 120;  // Of the loads and the receipt.
+  auto* field = findChild<QDockWidget*>("field");
+  auto* loads = findChild<QDockWidget*>("loads");
+  auto* receipt = findChild<QDockWidget*>("receipt");
+  auto* below = loads->isVisible() && !loads->visibleRegion().isEmpty() ? loads : receipt;
+  const int all = dock->height() + field->height() + below->height();
+  const int shown = std::min(field->height(), fields_->sizeHint().height() + title_height);
+  const int wanted =
+    std::min(context_->sizeHint().height() + title_height, all - shown - least_below);
+  // All three are given: Qt would take part of the room from the field.
   if (dock->height() < wanted)
-    resizeDocks({dock}, {wanted}, Qt::Vertical);
+    resizeDocks({dock, field, below}, {wanted, shown, all - wanted - shown}, Qt::Vertical);
 }
 
 bool main_window::eventFilter(QObject* watched, QEvent* event) {
