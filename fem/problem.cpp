@@ -10,6 +10,7 @@
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
+#include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit::fem {
@@ -171,7 +172,7 @@ expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> te
     const auto c = mesh.corners(bad.front());
     const vec3 at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
     return fail(code, std::to_string(bad.size()) + " tets " + what + ": tet " + list_of(bad),
-                "Repair or remesh the part there", "first at " + point_text(at));
+                "Repair or remesh the part there", "first at " + place_text(at));
   };
   if (!inverted.empty())
     return refuse(ec::inverted_tet, inverted, "are inverted (negative volume)");
@@ -226,12 +227,6 @@ std::uint32_t mid_node(const problem& p, std::uint32_t a, std::uint32_t b) {
                                       static_cast<std::size_t>(found - ordered.begin()));
   const auto late = p.late_edges.find(ends);
   return late == p.late_edges.end() ? no_id : late->second;
-}
-
-std::string point_text(vec3 p) {
-  char text[96];
-  std::snprintf(text, sizeof(text), "(%.4g, %.4g, %.4g) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
-  return text;
 }
 
 namespace {

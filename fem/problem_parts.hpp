@@ -11,9 +11,6 @@
 /// The steps of `make_problem`; internal to fem/.
 namespace tedit::fem {
 
-/// "(1.5, 2, 30) mm" for a message.
-[[nodiscard]] std::string point_text(vec3 p);
-
 /// Adds the middles of all edges to a problem of linear tets: nodes, `edge_ends`, ten nodes per
 /// element. Cost: O(elements), on all cores; 4 bytes per edge of each tet while it works.
 void add_mid_nodes(problem& p);

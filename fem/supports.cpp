@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
+#include "mesh/place_text.hpp"
 
 namespace tedit::fem {
 
@@ -81,7 +82,7 @@ std::string describe_mode(const vector6& mode, vec3 centre, double size) {
   if (norm(turn) * size < 1e-6 * norm(shift))
     return "translation along " + axis_text(shift);
   const vec3 on_axis = centre + cross(turn, shift) / dot(turn, turn);
-  return "rotation about the axis " + axis_text(turn) + " through " + point_text(on_axis);
+  return "rotation about the axis " + axis_text(turn) + " through " + place_text(on_axis);
 }
 
 /// The sum over held directions d at x of w w^T, w = (d, (x-c) x d / size): its null vectors are
@@ -134,7 +135,7 @@ expected<void> check_body(const problem& p, const body_nodes& body, std::size_t 
   if (largest == 0)
     free = "all six rigid-body motions";
   return fail(ec::under_constrained, who + " is not held: free are " + free,
-              "Fix or support more surfaces of it", "around " + point_text(centre));
+              "Fix or support more surfaces of it", "around " + place_text(centre));
 }
 
 }  // namespace

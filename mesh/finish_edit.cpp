@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/stopwatch.hpp"
+#include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit {
@@ -110,14 +111,13 @@ expected<void> check_facets_are_wide(const mesh_version& base, const mesh_versio
   const vec3 p = (candidate.position(facet.v[0]) + candidate.position(facet.v[1]) +
                   candidate.position(facet.v[2])) /
                  3;
-  char text[160];
-  std::snprintf(
-    text, sizeof(text),
-    " would get a facet at (%.4g, %.4g, %.4g) mm that is too thin: no tet on it has more "
-    "than q = %.3g (floor %.3g)",
-    1e3 * p.x, 1e3 * p.y, 1e3 * p.z, worst, std::min(floor, before));
+  char text[96];
+  std::snprintf(text, sizeof(text),
+                " that is too thin: no tet on it has more than q = %.3g (floor %.3g)", worst,
+                std::min(floor, before));
   return fail(ec::postcondition_failed,
-              "the edit was rolled back: surface " + std::to_string(facet.surface) + text,
+              "the edit was rolled back: surface " + std::to_string(facet.surface) +
+                " would get a facet at " + place_text(p) + text,
               "The version is unchanged; try other surfaces or parameters");
 }
 

@@ -49,6 +49,8 @@ pair remove_surfaces heatsink_125 --op remove_surfaces --surfaces 45 -- --range 
 pair erode heatsink_125 --op erode --surfaces 61 --param depth_mm=1.2 -- --range 0,1 --zoom 2.2 --view z --focus -0.012,0.02,0.0175
 pair erode_round ctc01_plate --op erode --surfaces 92,93 --param depth_mm=8 -- --range 0,4 --zoom 5 --focus 0.145,0.045,0
 pair thicken heatsink_125 --op thicken --surfaces 57,61 --param depth_mm=1.2 -- --range 0,1 --zoom 2.2 --view z --focus -0.012,0.02,0.0175
+pair close inch_block --op close --surfaces 1,8 --param radius_mm=1.59 -- --view x --zoom 7 --focus 0.0254,0.0337,0.0254 --range 0.1,1
+pair open inch_block --op open --surfaces 6 --param radius_mm=5 -- --range 0.1,1 --zoom 0.8
 plate=$parts/ctc01_plate/ctc01_plate.coarse.msh
 "$bin/tedit" edit "$plate" --op improve_mesh --param surface_tolerance_mm=0.02 -o "$work/better.msh" > /dev/null
 worst improve_mesh_before "$plate" $parts/ctc01_plate/load_case.json

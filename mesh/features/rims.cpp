@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/features/rims.hpp"
+#include "mesh/place_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +45,9 @@ double material_angle(const mesh_version& mesh, facet_id f, int edge) {
 }
 
 std::string rim::name() const {
-  char text[128];
-  std::snprintf(text, sizeof(text), "the rim at (%.4g, %.4g, %.4g) mm with radius %.4g mm",
-                1e3 * centre.x, 1e3 * centre.y, 1e3 * centre.z, 1e3 * radius);
-  return text;
+  char size[32];
+  std::snprintf(size, sizeof(size), "%.4g mm", 1e3 * radius);
+  return "the rim at " + place_text(centre) + " with radius " + size;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 
 namespace tedit::ops {
@@ -118,12 +119,10 @@ std::vector<placed_triangle> placed_caps(const plug_surface& plug) {
 }
 
 tl::unexpected<error> cuts(const mesh_version& mesh, const boundary_facet& facet) {
-  const vec3 at = mesh.position(facet.v[0]);
-  char where[96];
-  std::snprintf(where, sizeof(where), "(%.4g, %.4g, %.4g) mm", 1e3 * at.x, 1e3 * at.y, 1e3 * at.z);
   return fail(ec::cap_intersects,
               "a cap over the hole would cut surface " + std::to_string(facet.surface),
-              "Select all surfaces inside the hole, or fill what stands in it first", where);
+              "Select all surfaces inside the hole, or fill what stands in it first",
+              place_text(mesh.position(facet.v[0])));
 }
 
 expected<void> check_boundary(const mesh_version& mesh, const std::vector<placed_triangle>& caps,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "mesh/place_text.hpp"
 #include "ops/sdk/caps.hpp"
 
 namespace tedit::ops {
@@ -22,13 +23,10 @@ expected<level> curved_level(const mesh_version& mesh, const protrusion& feature
   for (const auto& p : around)
     off = std::max(off, result.curved ? result.curved->distance(p) : feature.size);
   if (off > smooth_share * feature.size) {
-    char text[160];
-    std::snprintf(
-      text, sizeof(text),
-      "what the selected surfaces stand on at (%.4g, %.4g, %.4g) mm is neither flat nor "
-      "evenly curved",
-      1e3 * result.point.x, 1e3 * result.point.y, 1e3 * result.point.z);
-    return fail(ec::not_a_protrusion, text, "Select up to a clean edge");
+    return fail(ec::not_a_protrusion,
+                "what the selected surfaces stand on at " + place_text(result.point) +
+                  " is neither flat nor evenly curved",
+                "Select up to a clean edge");
   }
   // The gradient points out of the part where the facets do.
   if (result.curved->signed_distance(result.point + 1e-2 * feature.size * result.normal) <

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/place_text.hpp"
 #include "ops/sdk/graded_fill.hpp"
 #include "ops/sdk/round_loops.hpp"
 #include "ops/sdk/wall_map.hpp"
@@ -121,7 +122,7 @@ private:
     return fail(ec::invalid_argument,
                 "the rounding reaches " + length_name(made_.widest) + " onto surface " +
                   std::to_string(part.surface) + ", which has no room for that at " +
-                  place_name(at),
+                  place_text(at),
                 "Take a smaller radius");
   }
 

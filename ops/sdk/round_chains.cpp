@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "mesh/features/rims.hpp"
+#include "mesh/place_text.hpp"
 
 namespace tedit::ops {
 
@@ -272,7 +273,7 @@ private:
     if (fan.sectors.size() != 3 || distinct.size() != 3)
       return fail(ec::invalid_argument,
                   chain.name(mesh_) + " ends where " + std::to_string(fan.sectors.size()) +
-                    " surfaces meet at " + place_name(p) +
+                    " surfaces meet at " + place_text(p) +
                     (fan.sectors.size() == 2 ? ": it runs out there"
                                              : "; only corners of three can be rounded"),
                   "Select other edges");
@@ -285,7 +286,7 @@ private:
       for (const auto s : {chain.a, chain.b})
         if (is_smooth(n, plan_.shapes.at(s).normal(p)))
           return fail(ec::invalid_argument,
-                      chain.name(mesh_) + " runs out at " + place_name(p) + ", where surface " +
+                      chain.name(mesh_) + " runs out at " + place_text(p) + ", where surface " +
                         std::to_string(third(fan, chain)) + " goes on smoothly",
                       "Select other edges");
     } else if (corner.ends.size() == 2) {
@@ -318,15 +319,9 @@ private:
 
 }  // namespace
 
-std::string place_name(vec3 p) {
-  char text[96];
-  std::snprintf(text, sizeof(text), "(%.4g, %.4g, %.4g) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
-  return text;
-}
-
 std::string round_chain::name(const mesh_version& mesh) const {
   return "the edge between surfaces " + std::to_string(a) + " and " + std::to_string(b) + " at " +
-         place_name(mesh.position(path[path.size() / 2]));
+         place_text(mesh.position(path[path.size() / 2]));
 }
 
 bool surface_fan::has(surface_id s) const {

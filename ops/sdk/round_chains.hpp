@@ -73,7 +73,4 @@ struct round_plan {
                                                const std::vector<surface_id>& surfaces,
                                                double side);
 
-/// "(1.5, 2, 0) mm".
-[[nodiscard]] std::string place_name(vec3 p);
-
 }  // namespace tedit::ops

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 #include "ops/sdk/round_boundary.hpp"
 #include "ops/sdk/round_cavity.hpp"
@@ -129,7 +130,7 @@ expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
         return fail(ec::cap_intersects,
                     "the rounding of " + plan.chains.front().name(mesh) +
                       " would run into surface " + std::to_string(mesh.facet(f).surface) + " at " +
-                      place_name(p[0]),
+                      place_text(p[0]),
                     "Take a smaller radius");
     }
   }

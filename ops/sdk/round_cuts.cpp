@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mesh/features/rims.hpp"
+#include "mesh/place_text.hpp"
 #include "ops/sdk/round_boundary.hpp"
 
 namespace tedit::ops {
@@ -113,13 +114,13 @@ private:
                   "rounding " + chain.name(mesh_) + " takes " + length_name(length) +
                     " of the edge between surfaces " + std::to_string(s1) + " and " +
                     std::to_string(s2) + ", which is only " + length_name(whole) + " long, at " +
-                    place_name(from),
+                    place_text(from),
                   "Take a smaller radius");
     if (off > 0.05 * length)
       return fail(ec::invalid_argument,
                   "the rounding of " + chain.name(mesh_) + " leaves the edge between surfaces " +
                     std::to_string(s1) + " and " + std::to_string(s2) + " by " + length_name(off) +
-                    " at " + place_name(to),
+                    " at " + place_text(to),
                   "Select other edges");
     return {};
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/sdk/round_strips.hpp"
+#include "mesh/place_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ private:
                                                 vec3 at) const {
     return fail(ec::invalid_argument,
                 plan_.chains[c].name(mesh_) + " cannot be rounded with a radius of " +
-                  length_name(settings_.radius) + " at " + place_name(at) + ": " + why,
+                  length_name(settings_.radius) + " at " + place_text(at) + ": " + why,
                 "Take a smaller radius");
   }
 

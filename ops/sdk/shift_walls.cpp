@@ -8,6 +8,7 @@
 
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/level_set_tidy.hpp"
+#include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 #include "ops/sdk/swept_facets.hpp"
@@ -35,10 +36,6 @@ std::string text_of(const char* format, double a, double b = 0, double c = 0) {
   char text[96];
   std::snprintf(text, sizeof(text), format, a, b, c);
   return text;
-}
-
-std::string place_of(vec3 p) {
-  return text_of("(%.4g, %.4g, %.4g) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
 }
 
 /// What counts as round here. A vertex that is a little off the shape stays as far off.
@@ -188,8 +185,8 @@ private:
         break;
     }
     return fail(ec::invalid_argument,
-                "surface " + std::to_string(conditions.front().surface) + " at " + place_of(start) +
-                  " finds no place on its neighbours that is " +
+                "surface " + std::to_string(conditions.front().surface) + " at " +
+                  place_text(start) + " finds no place on its neighbours that is " +
                   text_of("%.4g mm", 1e3 * std::abs(distance_)) + " away",
                 "Take a smaller depth");
   }
@@ -227,7 +224,7 @@ private:
     return fail(
       ec::invalid_argument,
       "surface " + std::to_string(c.surface) + " runs on flush with surface " +
-        std::to_string(moved) + " or leaves it no way at " + place_of(x),
+        std::to_string(moved) + " or leaves it no way at " + place_text(x),
       c.moves ? "Select fewer surfaces" : "Select surface " + std::to_string(c.surface) + ", too");
   }
 
@@ -306,14 +303,14 @@ private:
         if (orient3d(p[0], p[1], p[2], p[3]) <= 0 ||
             radius_ratio(p) < std::min(step_floor, before)) {
           obstacle_ =
-            "the mesh at " + place_of(0.25 * (p[0] + p[1] + p[2] + p[3])) + " leaves no room";
+            "the mesh at " + place_text(0.25 * (p[0] + p[1] + p[2] + p[3])) + " leaves no room";
           return false;
         }
       }
     const auto met = first_meeting(mesh_, places);
     if (met)
       obstacle_ =
-        "surface " + std::to_string(met->surface) + " is in the way at " + place_of(met->place);
+        "surface " + std::to_string(met->surface) + " is in the way at " + place_text(met->place);
     return !met;
   }
 
