@@ -36,7 +36,10 @@ QString number(double value) {
 }
 
 QString quantity(double si_value, const QString& si_unit) {
-  const auto unit = shown_as(si_unit);
+  auto unit = shown_as(si_unit);
+  constexpr double large_volume = 1e-3;  // m3; in mm3 it would be written with an exponent.
+  if (si_unit == "m3" && std::abs(si_value) >= large_volume)
+    unit = {QString::fromUtf8("cm³"), 1e6};
   const QString text = number(si_value * unit.scale);
   if (unit.name.isEmpty())
     return text;
