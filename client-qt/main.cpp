@@ -188,6 +188,8 @@ int main(int argc, char** argv) {
 
   int status = 0;
   script unattended(window, *steps);
+  unattended.set_alone(wanted.mesh.isEmpty() && wanted.document.isEmpty() &&
+                       wanted.server.url.isEmpty());
   QObject::connect(&unattended, &script::finished, &app, &QApplication::quit);
   QObject::connect(&unattended, &script::failed, &app, [&](const error& reason) {
     status = complain(reason);

@@ -136,6 +136,8 @@ void script::next() {
 
 bool script::ready_for(const QJsonObject& step) const {
   const auto& part = window_.part();
+  if (alone_ && !part.is_open())
+    return true;
   const auto* head = part.head();
   const auto& preview = window_.context().preview();
   const auto wanted = preview.shown() ? preview.shown()->surface : head ? head->surface : nullptr;

@@ -34,6 +34,8 @@ public:
 
   /// Seconds that one step may wait.
   void set_patience(int seconds) { patience_s_ = seconds; }
+  /// Nothing is opened from outside: steps do not wait for a part while there is none.
+  void set_alone(bool on) { alone_ = on; }
   void start();
 
 signals:
@@ -61,6 +63,7 @@ private:
   int waited_ms_ = 0;
   QTimer poll_;
   bool done_ = false;
+  bool alone_ = false;
 };
 
 /// Reads the steps of a file. Errors: `io_error`, `bad_input` with the place.
