@@ -59,7 +59,7 @@ protected:
     ASSERT_NE(part().head(), nullptr);
     EXPECT_TRUE(wait([&] {
       all = truth();
-      return part().head()->info.number == all.head && shows_head();
+      return part().head()->info.number == all.head && part().head()->surface != nullptr;
     }));
     ASSERT_LT(all.head, all.versions.size());
     EXPECT_EQ(part().head()->info.version_id, all.versions[all.head].version_id);
