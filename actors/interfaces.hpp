@@ -17,6 +17,7 @@ using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
 using held_atom = caf::atom_constant<caf::atom("held")>;
+using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
 using history_atom = caf::atom_constant<caf::atom("history")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
 using status_atom = caf::atom_constant<caf::atom("status")>;
@@ -108,6 +109,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<held_atom>::with<held_result>,
   // Solves the head, and from then on every new head.
   caf::replies_to<solve_request>::with<solved>,
+  // Ends the solve that runs, whoever asked for it; later heads are solved as before.
+  caf::replies_to<end_solve_atom>::with<acknowledged>,
   // Writes a version as a file.
   caf::replies_to<export_request>::with<exported>,
   // Finds surfaces of the head that belong together.

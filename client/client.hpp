@@ -121,6 +121,11 @@ public:
   [[nodiscard]] expected<solve_outcome> solve_cases(const solve_settings& settings,
                                                     const execution& run);
 
+  /// Ends the solve that runs, whoever asked for it, also one that followed a new head by itself;
+  /// calls that wait for it fail with `cancelled`. Later heads are solved as before. Nothing when
+  /// none runs. Errors: also `protocol_error` from a server with protocol_minor below 6.
+  [[nodiscard]] expected<void> cancel_solve();
+
   /// The same, for the report of the first load case or the only one.
   [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
 

@@ -35,6 +35,18 @@ expected<void> client::remove_load_case(const std::string& name) {
   return {};
 }
 
+expected<void> client::cancel_solve() {
+  auto document = impl_->open_document(6, "end a solve that it began by itself");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_cancel_solve()->set_document(*document);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
 expected<void> client::annotate(std::uint32_t number, const std::string& name,
                                 const std::string& note) {
   auto document = impl_->open_document(5, "name versions");

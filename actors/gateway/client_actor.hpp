@@ -102,6 +102,7 @@ struct client_state {
 
   void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
   void remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body);
+  void cancel_solve(std::uint64_t id, const v1::CancelSolve& body);
   void annotate(std::uint64_t id, const v1::AnnotateVersion& body);
   void watch(std::uint64_t id, const v1::WatchFields& body);
   void send_again(const std::string& document, const actors::solved& event);

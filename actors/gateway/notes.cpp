@@ -64,6 +64,11 @@ void client_state::remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& 
               "removing the load case");
 }
 
+void client_state::cancel_solve(std::uint64_t id, const v1::CancelSolve& body) {
+  if (const auto* document = find(id, body.document()))
+    carry_out(id, document->session, end_solve_atom::value, "ending the solve");
+}
+
 void client_state::annotate(std::uint64_t id, const v1::AnnotateVersion& body) {
   if (const auto* document = find(id, body.document()))
     carry_out(id, document->session, annotate_request{body.number(), body.name(), body.note()},

@@ -18,7 +18,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 5;
+constexpr std::uint32_t protocol_minor = 6;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Uploaded and not yet imported, per connection.
@@ -136,6 +136,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
                   {move_kind::go_to, message.go_to_version().number()});
     case body::kCutSection:
       return section(id, message.cut_section());
+    case body::kCancelSolve:
+      return cancel_solve(id, message.cancel_solve());
     case body::kRemoveLoadCase:
       return remove_load_case(id, message.remove_load_case());
     case body::kAnnotateVersion:

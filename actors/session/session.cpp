@@ -159,6 +159,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const annotate_request& request) { return state.annotate(request); },
           [&state](held_atom) { return state.held(); },
           [&state](const solve_request& request) { return state.solve(request); },
+          [&state](end_solve_atom) { return state.end_solve(); },
           [&state](const export_request& request) { return state.write_file(request); },
           [&state](const select_request& request) { return state.select(request); },
           [&state](history_atom) { return state.history(); },

@@ -162,6 +162,7 @@ struct session_state {
 
   caf::result<solved> solve(const solve_request& request);
   [[nodiscard]] held_result held() const;
+  acknowledged end_solve();
   /// Solves the new head when somebody has asked for a solve before.
   void follow_head();
   void start_solve(const solve_request& request,

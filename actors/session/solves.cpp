@@ -145,6 +145,11 @@ void session_state::end_active_solve(ec code, const std::string& why, solve_phas
   note(ended, phase);
 }
 
+acknowledged session_state::end_solve() {
+  end_active_solve(ec::cancelled, "the solve was cancelled", solve_phase::cancelled);
+  return {};
+}
+
 void session_state::open_fields(job_id job, const solve_result& result,
                                 std::function<void(std::shared_ptr<const std::vector<field>>)> use,
                                 std::function<void(const error&)> refuse) {

@@ -143,6 +143,33 @@ TEST_F(WorkerDeath, ACancelledJobOfAFrozenWorkerEndsSoon) {
   EXPECT_EQ(value(fill()).head.number, 1U);
 }
 
+TEST_F(WorkerDeath, ASolveThatFollowedAnEditIsEndedByAnyoneAndTheNextHeadIsSolvedAgain) {
+  std::promise<std::string> ended;
+  client::events handlers;
+  handlers.on_solve_status = [&](const client::solve_status& status) {
+    if (status.phase == client::solve_phase::cancelled)
+      ended.set_value(status.version_id);
+  };
+  const auto other = connect(host->url(), handlers);
+  value(other->open("plate", false, true));
+  value(other->cancel_solve());  // None runs: nothing.
+  value(user->solve({.device = "cpu"}, {}));
+  const auto solver = wait_for("solver", [](const auto& w) { return w.state == "ready"; });
+  ASSERT_EQ(::kill(static_cast<pid_t>(solver.pid), SIGSTOP), 0);
+  const auto filled = value(fill());
+  wait_for("solver", [](const auto& w) { return w.jobs == 1; });
+
+  value(other->cancel_solve());
+  auto told = ended.get_future();
+  ASSERT_EQ(told.wait_for(patience), std::future_status::ready);
+  EXPECT_EQ(told.get(), filled.head.version_id);
+  ::kill(static_cast<pid_t>(solver.pid), SIGCONT);
+
+  const auto next = value(user->edit("fill_hole", {51, 52}, {}, {}));
+  EXPECT_EQ(value(user->wait_field(next.head.version_id, patience)).report.version_id,
+            next.head.version_id);
+}
+
 TEST_F(WorkerDeath, TooManyDeathsDegradeTheRoleAndOthersGoOn) {
   for (int death = 0; death < 4; ++death) {
     const auto ready =
