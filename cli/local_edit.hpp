@@ -4,19 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "client/recipe.hpp"
 #include "fem/load_case.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "protocol/report.hpp"
 
 namespace tedit::cli {
 
-/// One edit to make.
-struct edit_request {
-  std::string operation;
-  std::vector<surface_id> surfaces;
-  ops::parameters parameters;
-  fem::carry_settings loads;  ///< What becomes of loads whose surface goes.
-};
+using client::edit_request;
 
 /// An edit that was made.
 struct edit_outcome {

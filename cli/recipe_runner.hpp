@@ -8,10 +8,19 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "cli/recipe.hpp"
 #include "client/client.hpp"
+#include "client/recipe.hpp"
 
 namespace tedit::cli {
+
+using client::edit_step;
+using client::export_step;
+using client::import_step;
+using client::load_case_step;
+using client::recipe;
+using client::redo_step;
+using client::solve_step;
+using client::undo_step;
 
 /// Versions whose solve failed, as the server tells without being asked. Thread-safe.
 class failed_solves {

@@ -78,7 +78,7 @@ std::string describe(const recipe& steps, const recipe_runner& runner, double ms
 int run_recipe(const run_options& options, session& s) {
   start_logging("warn");
   const stopwatch clock;
-  auto steps = read_recipe(options.recipe);
+  auto steps = client::read_recipe(options.recipe);
   if (!steps)
     return print_error(s, steps.error());
   if (!options.device.empty())

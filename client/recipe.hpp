@@ -7,9 +7,20 @@
 #include <variant>
 #include <vector>
 
-#include "cli/local_edit.hpp"
+#include "base/error.hpp"
+#include "fem/receipt.hpp"
+#include "mesh/types.hpp"
+#include "ops/sdk/operation.hpp"
 
-namespace tedit::cli {
+namespace tedit::client {
+
+/// One edit to make.
+struct edit_request {
+  std::string operation;
+  std::vector<surface_id> surfaces;
+  ops::parameters parameters;
+  fem::carry_settings loads;  ///< What becomes of loads whose surface goes.
+};
 
 // The steps of a recipe, in the order of its file.
 struct import_step {
@@ -43,7 +54,8 @@ struct export_step {
 using recipe_step = std::variant<import_step, load_case_step, edit_step, undo_step, redo_step,
                                  solve_step, export_step>;
 
-/// A list of steps that `tedit run` carries out; docs/recipes.md describes the file.
+/// A list of steps that `tedit run` and the desktop client carry out; docs/recipes.md describes the
+/// file.
 struct recipe {
   std::string name;
   std::string device = "auto";
@@ -56,4 +68,11 @@ struct recipe {
 /// the step and the field.
 [[nodiscard]] expected<recipe> read_recipe(const std::filesystem::path& file);
 
-}  // namespace tedit::cli
+/// The name of a step's kind as it stands in the file: "edit".
+[[nodiscard]] const char* kind_of(const recipe_step& step);
+
+/// Whether a file is JSON with a list of steps: a recipe, maybe one with faults. A load case is
+/// none. Cost: it is read.
+[[nodiscard]] bool is_recipe(const std::filesystem::path& file);
+
+}  // namespace tedit::client

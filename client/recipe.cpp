@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "cli/recipe.hpp"
+#include "client/recipe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
-namespace tedit::cli {
+namespace tedit::client {
 
 namespace {
 
 using nlohmann::json;
+
+/// In the order of `recipe_step`.
+constexpr std::array<const char*, std::variant_size_v<recipe_step>> kind_names{
+  "import", "load_case", "edit", "undo", "redo", "solve", "export"};
 
 /// Reads one step; unknown fields are errors, so that a typing mistake does not pass silently.
 class step_reader {
@@ -138,8 +143,7 @@ recipe_step make_step(const std::string& kind, step_reader& in) {
 }
 
 recipe parse(const json& body, const std::filesystem::path& folder) {
-  static const std::set<std::string> kinds{"import", "load_case", "edit",  "undo",
-                                           "redo",   "solve",     "export"};
+  const std::set<std::string> kinds(kind_names.begin(), kind_names.end());
   recipe result;
   if (!body.is_object() || !body.contains("steps") || !body["steps"].is_array())
     throw error{ec::bad_input, "a recipe is an object with a list \"steps\"", {}, {}};
@@ -173,6 +177,16 @@ recipe parse(const json& body, const std::filesystem::path& folder) {
 
 }  // namespace
 
+const char* kind_of(const recipe_step& step) {
+  return kind_names[step.index()];
+}
+
+bool is_recipe(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  const auto body = json::parse(in, nullptr, false);
+  return body.is_object() && body.contains("steps");
+}
+
 expected<recipe> read_recipe(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in)
@@ -188,4 +202,4 @@ expected<recipe> read_recipe(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace tedit::cli
+}  // namespace tedit::client
