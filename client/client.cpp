@@ -237,7 +237,7 @@ expected<committed> client::redo() {
 }
 
 expected<committed> client::go_to(std::uint32_t number) {
-  auto document = impl_->open_document();
+  auto document = impl_->open_document(4, "go to a version");
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -248,7 +248,7 @@ expected<committed> client::go_to(std::uint32_t number) {
 
 expected<section> client::cut(const vec3& at, const vec3& normal, const std::string& load_case,
                               const execution& run) {
-  auto document = impl_->open_document();
+  auto document = impl_->open_document(4, "cut sections");
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -318,7 +318,7 @@ expected<std::vector<char>> client::export_file(file_format format, const std::s
 
 expected<std::vector<found_feature>> client::select(const selection_query& query,
                                                     const execution& run) {
-  auto document = impl_->open_document();
+  auto document = impl_->open_document(2, "find surfaces");
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
