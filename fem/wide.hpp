@@ -64,7 +64,6 @@ using float4_anywhere [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] 
 
 /// Eight floats: two nodes or two columns of blocks side by side, one lane of each unused.
 using float8 [[gnu::vector_size(32)]] = float;
-using int8 [[gnu::vector_size(32)]] = int;
 
 TEDIT_INLINE float8 pair(float4 first, float4 second) {
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
@@ -81,7 +80,7 @@ TEDIT_INLINE float4 second_of(float8 x) {
 /// Component `i` of each half in all of its lanes.
 template <int i>
 TEDIT_INLINE float8 each(float8 x) {
-  return __builtin_shuffle(x, int8{i, i, i, i, i + 4, i + 4, i + 4, i + 4});
+  return __builtin_shufflevector(x, x, i, i, i, i, i + 4, i + 4, i + 4, i + 4);
 }
 
 /// One float more than 3 per node, so that the last node can be loaded as four.

@@ -47,11 +47,11 @@ TEDIT_INLINE columns<Vector> scaled(float factor, const columns<Vector>& a) {
 
 /// lambda tr(G) I + mu (G + G^T), G by columns.
 TEDIT_INLINE columns<float8> stress(const columns<float8>& g, float8 lambda, float8 mu) {
-  const float8 low = __builtin_shuffle(g.x, g.y, int8{0, 8, 1, 9, 4, 12, 5, 13});
-  const float8 high = __builtin_shuffle(g.x, g.y, int8{2, 10, 3, 11, 6, 14, 7, 15});
-  const float8 row_x = __builtin_shuffle(low, g.z, int8{0, 1, 8, 8, 4, 5, 12, 12});
-  const float8 row_y = __builtin_shuffle(low, g.z, int8{2, 3, 9, 9, 6, 7, 13, 13});
-  const float8 row_z = __builtin_shuffle(high, g.z, int8{0, 1, 10, 10, 4, 5, 14, 14});
+  const float8 low = __builtin_shufflevector(g.x, g.y, 0, 8, 1, 9, 4, 12, 5, 13);
+  const float8 high = __builtin_shufflevector(g.x, g.y, 2, 10, 3, 11, 6, 14, 7, 15);
+  const float8 row_x = __builtin_shufflevector(low, g.z, 0, 1, 8, 8, 4, 5, 12, 12);
+  const float8 row_y = __builtin_shufflevector(low, g.z, 2, 3, 9, 9, 6, 7, 13, 13);
+  const float8 row_z = __builtin_shufflevector(high, g.z, 0, 1, 10, 10, 4, 5, 14, 14);
   const float8 pressure = lambda * (each<0>(g.x) + each<1>(g.y) + each<2>(g.z));
   constexpr float8 unit_x{1, 0, 0, 0, 1, 0, 0, 0};
   constexpr float8 unit_y{0, 1, 0, 0, 0, 1, 0, 0};

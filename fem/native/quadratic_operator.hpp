@@ -32,16 +32,16 @@ public:
 
   /// Calls `sink(i, row i of K x)` for all rows, on all cores; returns the sums of what it returns,
   /// if anything. Not for two threads at once.
-  template <class L = one_case, class Sink>
-  friend case_sums<L> for_rows(const quadratic_operator& k, const float* x, const Sink& sink) {
-    k.sum_patches<L>(x);
-    const auto& shares = k.shares<L>();
+  template <class L, class Sink>
+  case_sums<L> for_rows(const float* x, const Sink& sink) const {
+    sum_patches<L>(x);
+    const auto& sums = shares<L>();
     return sum_lanes<L>(
-      k.rows(), [&](std::size_t first, std::size_t last, typename L::sum& sum) TEDIT_INLINED {
+      rows(), [&](std::size_t first, std::size_t last, typename L::sum& sum) TEDIT_INLINED {
         for (std::size_t i = first; i < last; ++i) {
           typename L::node row{};
-          for (auto s = k.share_first_[i], end = k.share_first_[i + 1]; s < end; ++s)
-            row += shares[k.share_[s]];
+          for (auto s = share_first_[i], end = share_first_[i + 1]; s < end; ++s)
+            row += sums[share_[s]];
           take_row<L>(sink, i, row, sum);
         }
       });
@@ -82,5 +82,11 @@ private:
                      std::vector<cases_of<8>::node>>
     shares_;
 };
+
+/// The same as of a matrix.
+template <class L = one_case, class Sink>
+case_sums<L> for_rows(const quadratic_operator& k, const float* x, const Sink& sink) {
+  return k.for_rows<L>(x, sink);
+}
 
 }  // namespace tedit::fem

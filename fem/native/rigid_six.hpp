@@ -116,7 +116,7 @@ private:
   }
   template <int i>
   TEDIT_INLINE static float8 all(float8 x) {
-    return __builtin_shuffle(x, int8{i, i, i, i, i, i, i, i});
+    return __builtin_shufflevector(x, x, i, i, i, i, i, i, i, i);
   }
   TEDIT_INLINE static float sum_of(float8 x) {
     return ((x[0] + x[1]) + (x[2] + x[3])) + (x[4] + x[5]);
