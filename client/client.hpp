@@ -62,7 +62,8 @@ public:
   [[nodiscard]] expected<committed> import_file(const std::filesystem::path& path,
                                                 const std::string& unit, const execution& run);
 
-  /// Replaces the load case of this name at the head, or adds it.
+  /// Replaces the load case of this name at the head, or adds it. A running solve of the old one
+  /// ends with `superseded`; the new one is solved by itself then.
   [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads);
 
   /// Takes a load case from the head, the last one, too. Errors: also `not_found`,

@@ -107,7 +107,13 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
       texts.emplace_back();
     }
     texts[static_cast<std::size_t>(same)] = request.load_case;
-    return change_load_cases(std::move(texts), std::move(names), "load_case", request.load_case);
+    auto change =
+      change_load_cases(std::move(texts), std::move(names), "load_case", request.load_case);
+    change.done = [=, this, name = given->name, then = std::move(change.done)] {
+      then();
+      restart_solve_of(name, request.load_case);
+    };
+    return change;
   });
 }
 
@@ -133,6 +139,16 @@ caf::result<acknowledged> session_state::remove_load_case(const remove_case_requ
     };
     return change;
   });
+}
+
+/// A field of the old loads would lie; the solve begins anew with the new ones, as after an edit.
+void session_state::restart_solve_of(const std::string& load_case, const std::string& text) {
+  if (!active || std::ranges::find(active->load_cases, load_case) == active->load_cases.end() ||
+      std::ranges::find(active->texts, text) != active->texts.end())
+    return;
+  end_active_solve(ec::superseded, "the load case \"" + load_case + "\" was changed",
+                   solve_phase::superseded);
+  follow_head();
 }
 
 /// A field of loads that are gone must not come; nor must the next head ask for them.

@@ -156,6 +156,7 @@ struct session_state {
   [[nodiscard]] quiet_change change_load_cases(std::vector<std::string> texts,
                                                std::vector<std::string> names,
                                                const std::string& what, const std::string& details);
+  void restart_solve_of(const std::string& load_case, const std::string& text);
   void forget_solve_of(const std::string& load_case);
 
   // -- solves.cpp -----------------------------------------------------------------------------

@@ -94,6 +94,35 @@ TEST_F(WorkerDeath, ASolveWhoseWorkerIsKilledIsDoneAgain) {
   EXPECT_LT(report.true_relative_residual, 1e-6);
 }
 
+TEST_F(WorkerDeath, ALoadCaseThatIsChangedEndsTheSolveOfTheOldOneAndIsSolvedItself) {
+  auto loads = value(protocol::load_case_from_file(plate_loads));
+  const auto ready = wait_for("solver", [](const auto& w) { return w.state == "ready"; });
+  EXPECT_EQ(::kill(static_cast<pid_t>(ready.pid), SIGSTOP), 0);  // It will not end by itself.
+  auto old = std::async(std::launch::async, [&] { return user->solve({.device = "cpu"}, {}); });
+  wait_for("solver", [](const auto& w) { return w.jobs == 1; });
+  value(watcher->open("plate", false, false));
+  value(watcher->set_load_case(loads));  // The same again.
+  loads.name = "another";
+  value(watcher->set_load_case(loads));
+  EXPECT_EQ(old.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout);
+
+  loads = value(protocol::load_case_from_file(plate_loads));
+  loads.materials.front().young_modulus_pa *= 2;
+  value(watcher->set_load_case(loads));
+
+  const auto ended = old.get();
+  ASSERT_FALSE(ended.has_value());
+  EXPECT_EQ(ended.error().code, ec::superseded);
+  EXPECT_THAT(ended.error().message, HasSubstr("was changed"));
+  ::kill(static_cast<pid_t>(ready.pid), SIGCONT);
+  const auto field = value(user->wait_field(imported.head.version_id, patience));
+  const auto again = value(user->solve({.device = "cpu"}, {}));
+  EXPECT_EQ(field.report.compliance_j, again.compliance_j);  // It was solved already.
+  value(user->set_load_case(value(protocol::load_case_from_file(plate_loads))));
+  const auto before = value(user->solve({.device = "cpu"}, {}));
+  EXPECT_NEAR(2 * again.compliance_j, before.compliance_j, 1e-5 * before.compliance_j);
+}
+
 TEST_F(WorkerDeath, KillsAtAnyMomentOfAnEditAndSolveLoseNothing) {
   // No freeze here: the moment of the kill is wherever the work happens to be.
   const std::array roles{"modeling", "optimizer", "solver"};
