@@ -78,6 +78,7 @@ int exit_status(ec code) noexcept {
     case ec::io_error:
       return 65;
     case ec::service_unavailable:
+    case ec::device_unavailable:
       return 69;
     case ec::cancelled:
       return 130;

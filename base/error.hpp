@@ -63,8 +63,8 @@ enum class ec {
 /// The code with this name; `ec::internal` when there is none.
 [[nodiscard]] ec code_from_name(std::string_view name) noexcept;
 
-/// The process exit status for a code: 1 operation failed, 2 usage, 65 bad input, 69 service
-/// unavailable, 130 cancelled.
+/// The process exit status for a code: 1 operation failed, 2 usage, 65 bad input, 69 service or
+/// device unavailable, 130 cancelled.
 [[nodiscard]] int exit_status(ec code) noexcept;
 
 /// A failure that a person can act on.

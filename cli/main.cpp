@@ -32,8 +32,8 @@ void install_signal_handlers(tedit::cancel_token& token) {
 }
 
 constexpr auto footer =
-  R"(Exit status: 0 done, 1 the operation failed, 2 usage, 65 bad input, 69 service unavailable,
-130 interrupted. Progress and messages go to stderr; with --json, stdout holds one object.
+  R"(Exit status: 0 done, 1 the operation failed, 2 usage, 65 bad input, 69 service or device
+unavailable, 130 interrupted. Progress and messages go to stderr; with --json, stdout holds one object.
 "tedit COMMAND --help" explains a command.)";
 
 }  // namespace

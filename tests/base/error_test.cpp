@@ -29,6 +29,8 @@ TEST(Error, ExitStatusFollowsTheDocumentedTable) {
   EXPECT_EQ(exit_status(ec::bad_input), 65);
   EXPECT_EQ(exit_status(ec::unsupported_format), 65);
   EXPECT_EQ(exit_status(ec::service_unavailable), 69);
+  EXPECT_EQ(exit_status(ec::device_unavailable), 69);
+  EXPECT_EQ(exit_status(ec::device_lost), 1);
   EXPECT_EQ(exit_status(ec::cancelled), 130);
   EXPECT_EQ(exit_status(ec::under_constrained), 1);
 }

@@ -344,6 +344,13 @@ TEST(Render, HandsItsOptionsOver) {
   EXPECT_THAT(help.out, HasSubstr("--field"));
 }
 
+TEST(Program, ADeviceThatIsNotThereEndsWith69) {
+  const auto solve = run("solve --json --device nosuch " + plate + " --load-case " + plate_loads);
+
+  EXPECT_EQ(solve.status, 69);
+  EXPECT_EQ(solve.parsed()["error"]["code"], "device_unavailable");
+}
+
 TEST(Ops, ListsFillHoleWithItsParameters) {
   const auto ops = run("ops fill_hole --json").parsed();
 
