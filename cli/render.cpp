@@ -18,6 +18,9 @@ int run_render(const std::vector<std::string>& arguments, session& s) {
   std::vector<char*> list{const_cast<char*>(program.c_str())};
   for (const auto& argument : arguments)
     list.push_back(const_cast<char*>(argument.c_str()));
+  std::string json = "--json";
+  if (s.json)
+    list.push_back(json.data());
   list.push_back(nullptr);
   execv(program.c_str(), list.data());
   return print_error(s, {ec::service_unavailable,

@@ -2,13 +2,23 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/virtual_display.hpp"
 #include "cli/render/scene.hpp"
 
 namespace {
 
-int report(const tedit::error& e) {
+/// As the other commands of "tedit" report a failure.
+int report(const tedit::error& e, bool json) {
+  if (json) {
+    const nlohmann::ordered_json body{{"error",
+                                       {{"code", tedit::code_name(e.code)},
+                                        {"message", e.message},
+                                        {"remedy", e.remedy},
+                                        {"where", e.where}}}};
+    std::cout << body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  }
   std::cerr << "tedit render: " << tedit::render(e) << '\n';
   return tedit::exit_status(e.code);
 }
@@ -20,6 +30,7 @@ int main(int argc, char** argv) {
   std::vector<double> range;
   std::vector<int> size;
   std::vector<double> focus;
+  bool json = false;
   CLI::App app{"Draw the boundary of a VTU file coloured by a field, as PNG."};
   app.name("tedit render");
   app.add_option("input", options.input, "VTU file, for example from \"tedit solve -o\"")
@@ -47,11 +58,14 @@ int main(int argc, char** argv) {
     ->delimiter(',');
   app.add_option("--deform", options.deform, "Draw the displacement times this factor");
   app.add_flag("--edges", options.edges, "Draw the mesh edges");
+  app.add_flag("--json", json, "Print one JSON object on stdout");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    app.exit(e);
-    return e.get_exit_code() == 0 ? 0 : 2;
+    if (e.get_exit_code() == 0)
+      return app.exit(e);
+    return report({tedit::ec::usage, e.what(), "\"tedit render --help\" lists the options", {}},
+                  app.count("--json") > 0);
   }
   if (range.size() == 2)
     options.range = {range[0], range[1]};
@@ -63,8 +77,13 @@ int main(int argc, char** argv) {
   }
   const auto screen = tedit::virtual_display::open();
   if (!screen)
-    return report(screen.error());
+    return report(screen.error(), json);
   if (const auto drawn = tedit::picture::draw_picture(options); !drawn)
-    return report(drawn.error());
+    return report(drawn.error(), json);
+  if (json)
+    std::cout << nlohmann::ordered_json{{"output", options.output},
+                                        {"width", options.width},
+                                        {"height", options.height}}
+              << '\n';
   return 0;
 }

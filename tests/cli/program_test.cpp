@@ -344,6 +344,19 @@ TEST(Render, HandsItsOptionsOver) {
   EXPECT_THAT(help.out, HasSubstr("--field"));
 }
 
+TEST(Render, ItsFailuresAreTheJsonObjectOfTheOtherCommands) {
+  if (!std::filesystem::exists(TEDIT_BIN "/tedit-render"))
+    GTEST_SKIP() << "built without pictures";
+
+  const auto missing = run("--json render /nowhere.vtu -o field.png");
+  const auto wrong = run("render --json /nowhere.vtu -o field.png --zoom -1");
+
+  EXPECT_EQ(missing.status, 65);
+  EXPECT_EQ(missing.parsed()["error"]["code"], "io_error");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.parsed()["error"]["code"], "usage");
+}
+
 TEST(Program, ADeviceThatIsNotThereEndsWith69) {
   const auto solve = run("solve --json --device nosuch " + plate + " --load-case " + plate_loads);
 
