@@ -95,19 +95,13 @@ caf::result<server_status> status(self_pointer self) {
 }
 
 caf::result<std::string> catalogue(self_pointer self) {
-  if (!self->state.catalogue.empty())
-    return self->state.catalogue;
   auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
     self->make_response_promise<std::string>());
   self->request(self->state.parts.workers.modeling, std::chrono::seconds(30), catalog_atom::value)
-    .then(
-      [=](const std::string& json) {
-        self->state.catalogue = json;
-        promise->deliver(json);
-      },
-      [=](const caf::error& e) {
-        promise->deliver(to_caf(from_caf(e, "listing the operations")));
-      });
+    .then([=](const std::string& json) { promise->deliver(json); },
+          [=](const caf::error& e) {
+            promise->deliver(to_caf(from_caf(e, "listing the operations")));
+          });
   return *promise;
 }
 

@@ -28,7 +28,6 @@ struct hub_state {
   hub_parts parts;
   std::map<std::string, session_actor> open;
   std::map<std::string, std::vector<promise>> opening;
-  std::string catalogue;  ///< JSON; asked for once.
   std::uint64_t unnamed = 0;
 
   static inline const char* name = "hub";

@@ -3,6 +3,7 @@
 
 #include <random>
 #include <thread>
+#include <utility>
 
 #include <spdlog/spdlog.h>
 #include <caf/io/middleman.hpp>
@@ -45,9 +46,30 @@ void pool_state::stop() {
   for (const auto& c : children)
     kill_process(c.pid);
   children.clear();
-  for (const auto& j : waiting)
-    j.refuse({ec::service_unavailable, "the server is stopping", {}, {}});
-  waiting.clear();
+  refuse_waiting({ec::service_unavailable, "the server is stopping", {}, {}});
+}
+
+error pool_state::no_worker() const {
+  return {ec::service_unavailable,
+          "no " + options.role + " worker runs: " + last_failure,
+          "They are started again within a minute; the server's log says more",
+          {}};
+}
+
+void pool_state::refuse_waiting(const error& why) {
+  for (const auto& j : std::exchange(waiting, {}))
+    j.refuse(why);
+  for (const auto& q : std::exchange(asked, {}))
+    q.refuse(why);
+}
+
+void pool_state::ask(question q) {
+  const auto there = std::ranges::find_if(children, [](const child& c) { return !!c.worker; });
+  if (there != children.end())
+    return q.ask(there->worker);
+  if (degraded && children.empty())
+    return q.refuse(no_worker());
+  asked.push_back(std::move(q));
 }
 
 // -- jobs --------------------------------------------------------------------------------------
@@ -56,10 +78,7 @@ void pool_state::add(job j) {
   if (const auto why = off.refusal(j.operation))
     return j.refuse(*why);
   if (degraded && children.empty())
-    return j.refuse({ec::service_unavailable,
-                     "no " + options.role + " worker runs: " + last_failure,
-                     "They are started again within a minute; the server's log says more",
-                     {}});
+    return j.refuse(no_worker());
   const auto previews = std::ranges::find(waiting, true, &job::preview);  // They are the last.
   waiting.insert(j.preview ? waiting.end() : previews, std::move(j));
   dispatch();
@@ -185,11 +204,7 @@ void pool_state::spawn_missing() {
   }
   started_once = started_once || children.size() >= options.workers;
   if (degraded && children.empty())
-    while (!waiting.empty()) {
-      auto j = std::move(waiting.front());
-      waiting.pop_front();
-      add(std::move(j));  // Refuses it.
-    }
+    refuse_waiting(no_worker());
 }
 
 bool pool_state::enlist(const enlistment& who) {
@@ -205,6 +220,8 @@ bool pool_state::enlist(const enlistment& who) {
   spdlog::info(
     "{} worker: process {} ready after {} ms", options.role, c->pid,
     std::chrono::duration_cast<std::chrono::milliseconds>(clock::now() - c->started).count());
+  for (const auto& q : std::exchange(asked, {}))
+    q.ask(c->worker);
   dispatch();
   return true;
 }

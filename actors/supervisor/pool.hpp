@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <list>
+#include <vector>
 
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
@@ -72,8 +73,16 @@ struct pool_state {
     std::optional<job> work;
   };
 
+  /// What is asked of a worker beside its jobs.
+  struct question {
+    std::function<void(const caf::actor& worker)> ask;
+    std::function<void(const error&)> refuse;
+  };
+
   void start(caf::scheduled_actor* owner, pool_options with);
   void stop();
+  /// Asks some worker that is there, or the first that comes; refuses when none can be had.
+  void ask(question q);
   /// Takes a job; it is sent as soon as a worker is free.
   void add(job j);
   void cancel(job_id id);
@@ -102,6 +111,8 @@ struct pool_state {
   void blame(const job& work, const std::string& how);
   void bury(std::list<child>::iterator dead, const std::string& how);
   [[nodiscard]] std::list<child>::iterator child_with(job_id id);
+  [[nodiscard]] error no_worker() const;
+  void refuse_waiting(const error& why);
 
   caf::scheduled_actor* self = nullptr;
   pool_options options;
@@ -109,6 +120,8 @@ struct pool_state {
   std::string address;  ///< Where workers enlist, host:port.
   std::list<child> children;
   std::deque<job> waiting;
+  std::vector<question> asked;  ///< While no worker is there.
+  std::string catalogue;        ///< The last that a worker gave; of modeling.
   quarantine off;
   unsigned forgiven = 0;  ///< Restarts that the budget need not pay for.
   std::uint32_t restarts = 0;

@@ -101,26 +101,28 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
   caf::delayed_anon_send(own, tick_interval, tick_atom::value);
 }
 
-/// The catalogue of some worker that is there, without the operations that are switched off.
+/// What the first worker said, without the operations that are switched off since. All workers of a
+/// server say the same.
 caf::result<std::string> catalogue_of(pool_pointer<modeling_actor> self) {
-  for (const auto& c : self->state.children) {
-    if (!c.worker)
-      continue;
-    auto promise = self->make_response_promise<std::string>();
+  auto& state = self->state;
+  if (!state.catalogue.empty())
+    return state.off.apply_to(state.catalogue);
+  const auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
+    self->make_response_promise<std::string>());
+  const auto refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
+  const auto ask = [=](const caf::actor& worker) {
     self
-      ->request(caf::actor_cast<modeling_actor>(c.worker), std::chrono::seconds(30),
+      ->request(caf::actor_cast<modeling_actor>(worker), std::chrono::seconds(30),
                 catalog_atom::value)
       .then(
-        [=](const std::string& json) mutable { promise.deliver(self->state.off.apply_to(json)); },
-        [=](const caf::error& e) mutable {
-          promise.deliver(to_caf(from_caf(e, "the catalogue")));
-        });
-    return promise;
-  }
-  return to_caf({ec::service_unavailable,
-                 "the modeling worker is still starting",
-                 "Try again in a moment",
-                 {}});
+        [=](const std::string& json) {
+          self->state.catalogue = json;
+          promise->deliver(self->state.off.apply_to(json));
+        },
+        [=](const caf::error& e) { refuse(from_caf(e, "the catalogue")); });
+  };
+  state.ask({ask, refuse});
+  return *promise;
 }
 
 modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,

@@ -87,6 +87,7 @@ TEST_F(CrashingPlugin, CostsOneEditAndIsSwitchedOffWhileOthersGoOn) {
   const auto user = connect(host->url());
   value(user->open("plate", true, true));
   const auto imported = value(user->import_file(plate_mesh, "mm", {}));
+  EXPECT_THAT(value(user->catalogue_json()), HasSubstr("rule_breaker"));
 
   const auto crashed = user->edit("rule_breaker", {1}, {}, {});
 

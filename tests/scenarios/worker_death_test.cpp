@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Workers that are killed or frozen in the middle of their work: it is done again, nothing is lost.
 #include <csignal>
+#include <fstream>
 #include <future>
 #include <thread>
 
@@ -214,6 +215,37 @@ TEST_F(WorkerDeath, TooManyDeathsDegradeTheRoleAndOthersGoOn) {
   EXPECT_EQ(refused.error().code, ec::service_unavailable);
   EXPECT_THAT(render(refused.error()), HasSubstr("signal 9"));
   value(user->solve({.device = "cpu"}, {}));
+}
+
+TEST(WorkerStart, WhoAsksForTheOperationsBeforeItGetsThemAfterIt) {
+  const scratch_folder folder;
+  auto options = options_for(folder, true);
+  const auto gate = folder.path() / "gate";
+  options.program = folder.path() / "slow_tedit";
+  std::ofstream(options.program) << "#!/bin/sh\nuntil [ -e " << gate.string()
+                                 << " ]; do sleep 0.05; done\nexec " TEDIT_BIN "/tedit \"$@\"\n";
+  std::filesystem::permissions(options.program, std::filesystem::perms(0700));
+  const auto host = start(options);
+  const auto user = connect(host->url());
+
+  auto asked = std::async(std::launch::async, [&] { return user->catalogue_json(); });
+  EXPECT_EQ(asked.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout);
+  std::ofstream(gate).close();
+
+  EXPECT_THAT(value(asked.get()), HasSubstr("fill_hole"));
+}
+
+TEST(WorkerStart, WhenItFailsWhoAsksForTheOperationsHearsWhy) {
+  const scratch_folder folder;
+  auto options = options_for(folder, true);
+  options.program = "/bin/false";
+  const auto host = start(options);
+
+  const auto refused = connect(host->url())->catalogue_json();
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::service_unavailable);
+  EXPECT_THAT(refused.error().message, HasSubstr("no modeling worker runs: process"));
 }
 
 }  // namespace
