@@ -133,7 +133,7 @@ private:
       const auto j = level_.column[s];
       const matrix6 up = modes(j);
       auto& to = sum.at(memory_.group[j]);
-      run_widest([&] TEDIT_INLINED { six_by_six(level_.block[s]).add_product(up.data(), to); });
+      run_widest([&]() TEDIT_INLINED { six_by_six(level_.block[s]).add_product(up.data(), to); });
     }
     sparse_row row;
     sum.finish(row.column, row.block);
@@ -213,7 +213,7 @@ private:
   }
 
   [[nodiscard]] sparse_row product_row(std::uint32_t i, row_sum& sum) const {
-    run_widest([&] TEDIT_INLINED {
+    run_widest([&]() TEDIT_INLINED {
       for (auto s = level_.rows.begin(i); s < level_.rows.end(i); ++s) {
         const auto k = level_.column[s];
         const six_by_six block(level_.block[s]);
@@ -232,7 +232,7 @@ private:
       const auto i = level_.entry_row[entry];
       const auto at = std::ranges::lower_bound(children_, i) - children_.begin();
       const auto& row = products_[static_cast<std::size_t>(at)];
-      run_widest([&] TEDIT_INLINED {
+      run_widest([&]() TEDIT_INLINED {
         const auto down = six_by_six::transposed(level_.prolongation[entry]);
         for (std::size_t t = 0; t < row.column.size(); ++t)
           down.add_product(row.block[t].data(), sum.at(row.column[t]));

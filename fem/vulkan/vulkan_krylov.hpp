@@ -55,7 +55,7 @@ private:
   /// What is recorded for one number of cases.
   struct recorded_loop {
     const cycle_kernels* kernels;
-    std::optional<vulkan_program> start, preconditioned, first, iteration;
+    std::optional<vulkan_program> start = {}, preconditioned = {}, first = {}, iteration = {};
   };
 
   void make_room(std::uint32_t cases);
