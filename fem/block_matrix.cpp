@@ -4,9 +4,9 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <bit>
 
 #include "base/parallel.hpp"
+#include "fem/column_table.hpp"
 #include "fem/element.hpp"
 #include "fem/polled.hpp"
 
@@ -22,42 +22,6 @@ using double4_anywhere [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]]
 /// between a body for AVX2 and one for any machine.
 struct alignas(32) block3 {
   std::array<double4, 3> column{};
-};
-
-/// The numbers of one row's columns: an open hash table that is emptied at no cost. Sorting all
-/// that a row's elements name took longer than summing their blocks.
-class column_table {
-public:
-  /// For a row that names at most so many columns.
-  void start(std::size_t most) {
-    if (2 * most > slots_.size()) {
-      slots_.assign(std::bit_ceil(2 * most), {});
-      shift_ = 32 - std::bit_width(slots_.size() - 1);
-      row_ = 0;
-    }
-    ++row_;
-  }
-
-  /// Where the number of a column stands, and whether that is new: then it is 0.
-  std::pair<std::uint32_t*, bool> at(std::uint32_t column) {
-    for (std::size_t i = column * 2654435761u >> shift_;; i = (i + 1) % slots_.size()) {
-      auto& slot = slots_[i];
-      if (slot.row == row_ && slot.column == column)
-        return {&slot.number, false};
-      if (slot.row == row_)
-        continue;
-      slot = {row_, column, 0};
-      return {&slot.number, true};
-    }
-  }
-
-private:
-  struct entry {
-    std::uint32_t row = 0, column = 0, number = 0;
-  };
-  std::vector<entry> slots_ = std::vector<entry>(256);
-  int shift_ = 24;
-  std::uint32_t row_ = 0;  ///< Entries of other rows are free places.
 };
 
 TEDIT_INLINE double4 load(const vec3& v) {

@@ -38,7 +38,8 @@ struct inner_case {
   std::span<double> correction;      ///< m, 3 per node; written.
   double reduction = 1e-4;           ///< It ends when sqrt(r.Br) has fallen by this,
   double energy = 0;                 ///< or sqrt(e.Ke) is below this, N^.5 m^.5,
-  double share = 0;                  ///< or below this times the root of what was gained.
+  double share = 0;                  ///< or below this times the root of what was gained,
+  double residual_reduction = 0;     ///< or when |r| has fallen by this.
 };
 
 /// A matrix on a device, with its filter and preconditioner: assembled once per version.

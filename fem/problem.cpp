@@ -67,12 +67,12 @@ void number_nodes(const mesh_version& mesh, std::uint32_t spare, problem& p,
 }
 
 /// A tet whose volume is lost in the rounding of its coordinates cannot carry a stiffness.
-bool is_flat(const std::array<vec3, 4>& c) {
-  double longest = 0;
+bool is_flat(const std::array<vec3, 4>& c, double volume) {
+  double longest2 = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j)
-      longest = std::max(longest, norm(c[i] - c[j]));
-  return std::abs(signed_volume(c)) <= 1e-10 * longest * longest * longest;
+      longest2 = std::max(longest2, dot(c[i] - c[j], c[i] - c[j]));
+  return std::abs(volume) <= 1e-10 * longest2 * std::sqrt(longest2);
 }
 
 std::string list_of(const std::vector<tet_id>& tets) {
@@ -163,9 +163,10 @@ expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> te
   std::vector<tet_id> inverted;
   polled_for(tets.size(), [&](std::size_t i) {
     const auto corners = mesh.corners(tets[i]);
-    if (is_flat(corners))
+    const double volume = signed_volume(corners);
+    if (is_flat(corners, volume))
       flat.push_back(tets[i]);
-    else if (signed_volume(corners) < 0)
+    else if (volume < 0)
       inverted.push_back(tets[i]);
   });
   const auto refuse = [&](ec code, const std::vector<tet_id>& bad, const char* what) {

@@ -76,19 +76,24 @@ double refinement::progress() const {
   return std::clamp(reached / std::log(settings_->tolerance), 0.0, 1.0);
 }
 
-/// The preconditioned norm that steers the inner loop may lag behind the true one.
 inner_case refinement::next(bool early) {
   ++round_;
-  const double wanted =
-    std::max(0.3 * settings_->tolerance / out_->true_relative_residual, settings_->inner_reduction);
+  const double wanted = settings_->tolerance / out_->true_relative_residual;
   double energy = settings_->energy_tolerance;
   if (early && round_ == 1)
     energy = std::max(energy, settings_->preview_energy);
   // Single precision works best near one; its own scale is the residual's norm.
   scale_ = norm_of(residual_);
   polled_for(residual_.size(), [&](std::size_t i) { residual_[i] /= scale_; });
+  inner_case inner{.residual = residual_, .correction = correction_};
+  // The residual of single precision lags a little behind the true one. Should it stay above, the
+  // preconditioned norm says when to look at the true one all the same.
+  inner.residual_reduction = 0.8 * wanted;
+  inner.reduction = std::max(0.1 * wanted, settings_->inner_reduction);
   // From nothing, what is gained is the energy of the field.
-  return {residual_, correction_, wanted, energy * energy_ / scale_, energy_ > 0 ? 0 : energy};
+  inner.energy = energy * energy_ / scale_;
+  inner.share = energy_ > 0 ? 0 : energy;
+  return inner;
 }
 
 bool refinement::take(const inner_result& inner) {

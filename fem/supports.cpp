@@ -19,19 +19,18 @@ using matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Bodies whose tets hang together over faces; hinges at edges and vertices do not join.
 std::vector<std::uint32_t> body_of_tets(const mesh_version& mesh, std::uint32_t& count) {
   std::vector<std::uint32_t> body(mesh.tet_slots(), no_id);
-  std::vector<tet_id> open;
+  std::vector<tet_id>
+    open;  // A queue: its next tets are known, so that their cache misses overlap.
   count = 0;
   for (tet_id seed = 0; seed < mesh.tet_slots(); ++seed) {
     if (!mesh.is_live_tet(seed) || body[seed] != no_id)
       continue;
     body[seed] = count;
-    open.push_back(seed);
-    for (std::size_t done = 1; !open.empty(); ++done) {
+    open.assign(1, seed);
+    for (std::size_t done = 0; done < open.size(); ++done) {
       if (done % parallel_chunk == 0)
         check_cancelled();
-      const auto t = open.back();
-      open.pop_back();
-      for (const auto behind : mesh.neighbours(t))
+      for (const auto behind : mesh.neighbours(open[done]))
         if (!is_facet(behind) && body[behind] == no_id) {
           body[behind] = count;
           open.push_back(behind);
@@ -51,12 +50,17 @@ std::vector<body_nodes> nodes_of_bodies(const mesh_version& mesh, const problem&
   std::uint32_t count = 0;
   const auto body = body_of_tets(mesh, count);
   std::vector<body_nodes> result(count);
+  if (count == 1) {
+    result[0].nodes.resize(p.node_count());
+    std::iota(result[0].nodes.begin(), result[0].nodes.end(), 0u);
+    result[0].tets = p.element_count();
+    return result;
+  }
   std::vector<std::uint32_t> seen_by(p.node_count(), no_id);
   // A node on a hinge belongs to each of its bodies: visit the bodies one after the other.
   std::vector<std::uint32_t> order(p.element_count());
   std::iota(order.begin(), order.end(), 0u);
-  if (count > 1)
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t e) { return body[p.element_tets[e]]; });
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t e) { return body[p.element_tets[e]]; });
   polled_for(order.size(), [&](std::size_t i) {
     const auto e = order[i];
     const auto b = body[p.element_tets[e]];

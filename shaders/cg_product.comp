@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Partial sums of r.z of each case.
+// Partial sums of each case: r.z, then those of r.r behind them.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 #include "group_sum.glsl"
@@ -10,15 +10,19 @@ layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
 layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
 
 void main() {
-  float sums[cases];
+  vec2 sums[cases];
   for (uint c = 0; c < cases; ++c)
-    sums[c] = 0;
+    sums[c] = vec2(0);
   for (uint n = first_row(); n < push.rows; n += stride())
     for (uint c = 0; c < cases; ++c)
-      sums[c] += dot(r[cases * n + c].xyz, z[cases * n + c].xyz);
+      sums[c] += vec2(dot(r[cases * n + c].xyz, z[cases * n + c].xyz), dot(r[cases * n + c].xyz, r[cases * n + c].xyz));
   for (uint c = 0; c < cases; ++c) {
-    const float sum = group_sum(sums[c]);
-    if (gl_LocalInvocationID.x == 0)
-      partials[cases * (push.place + gl_WorkGroupID.x) + c] = sum;
+    const float rz = group_sum(sums[c].x);
+    const float rr = group_sum(sums[c].y);
+    const uint at = 2 * cases * (push.place + gl_WorkGroupID.x) + c;
+    if (gl_LocalInvocationID.x == 0) {
+      partials[at] = rz;
+      partials[at + cases] = rr;
+    }
   }
 }

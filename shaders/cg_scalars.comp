@@ -33,10 +33,11 @@ void note(uint c, uint which, float value) {
     scalars[place(c, TEDIT_CG_HISTORY + 2 * i + which)] = value;
 }
 
-void begin(uint c, float sum, bool finite) {
+void begin(uint c, float sum, float rr, bool finite) {
   scalars[place(c, TEDIT_CG_DELTA)] = sum;
   scalars[place(c, TEDIT_CG_START)] = sum;
   scalars[place(c, TEDIT_CG_THRESHOLD)] = scalars[place(c, TEDIT_CG_REDUCTION2)] * sum;
+  scalars[place(c, TEDIT_CG_ENOUGH)] *= rr;
   scalars[place(c, TEDIT_CG_ITERATIONS)] = 0;
   scalars[place(c, TEDIT_CG_RADAU)] = 1 / scalars[place(c, TEDIT_CG_SMALLEST)];
   scalars[place(c, TEDIT_CG_GAINED)] = 0;
@@ -53,7 +54,7 @@ void find_alpha(uint c, float sum, bool finite) {
     scalars[place(c, TEDIT_CG_STATE)] = 2;
 }
 
-void find_beta(uint c, float sum, bool finite) {
+void find_beta(uint c, float sum, float rr, bool finite) {
   const float beta = sum / scalars[place(c, TEDIT_CG_DELTA)];
   turn_bound(c, scalars[place(c, TEDIT_CG_FACTOR)], beta);
   note(c, 1, beta);
@@ -62,26 +63,34 @@ void find_beta(uint c, float sum, bool finite) {
   scalars[place(c, TEDIT_CG_ITERATIONS)] += 1;
   if (!(sum >= 0) || !finite)
     scalars[place(c, TEDIT_CG_STATE)] = 2;
-  else if (sum <= scalars[place(c, TEDIT_CG_THRESHOLD)] || is_small(c, sum))
+  else if (sum <= scalars[place(c, TEDIT_CG_THRESHOLD)] || rr <= scalars[place(c, TEDIT_CG_ENOUGH)] || is_small(c, sum))
     scalars[place(c, TEDIT_CG_STATE)] = 1;
+}
+
+// Of one of the numbers that each workgroup left.
+float total(uint each, uint which) {
+  float sum = 0;
+  for (uint i = gl_LocalInvocationID.x; i < push.rows; i += group_size)
+    sum += partials[each * i + which];
+  return group_sum(sum);
 }
 
 void main() {
   bool running = false;
+  const bool has_rr = mode != TEDIT_CG_ALPHA;
+  const uint each = has_rr ? 2 * cases : cases;
   for (uint c = 0; c < cases; ++c) {
-    float sum = 0;
-    for (uint i = gl_LocalInvocationID.x; i < push.rows; i += group_size)
-      sum += partials[cases * i + c];
-    sum = group_sum(sum);
+    const float sum = total(each, c);
+    const float rr = has_rr ? total(each, cases + c) : 0;
     if (gl_LocalInvocationID.x == 0) {
       const bool finite = !isnan(sum) && !isinf(sum);
       if (mode == TEDIT_CG_BEGIN)
-        begin(c, sum, finite);
+        begin(c, sum, rr, finite);
       else if (scalars[place(c, TEDIT_CG_STATE)] == 0) {
         if (mode == TEDIT_CG_ALPHA)
           find_alpha(c, sum, finite);
         else
-          find_beta(c, sum, finite);
+          find_beta(c, sum, rr, finite);
       }
       running = running || scalars[place(c, TEDIT_CG_STATE)] == 0;
     }

@@ -29,8 +29,10 @@
 #define TEDIT_CG_ENERGY2 8    // stop when e.Ke is at most this,
 #define TEDIT_CG_SHARE2 9     // or this times what was gained
 #define TEDIT_CG_SMALLEST 10  // at most the smallest eigenvalue of B K
-#define TEDIT_CG_REDUCTION2 11  // square of the wanted reduction: this and the three before are set before the first sum
-#define TEDIT_CG_HISTORY 12   // alpha and beta of the first iterations
+#define TEDIT_CG_REDUCTION2 11  // square of the wanted reduction of sqrt(r.z),
+#define TEDIT_CG_ENOUGH 12    // and of |r|: these and the three before are set before the first sum. Then: stop when r.r
+                              // is at most this
+#define TEDIT_CG_HISTORY 13   // alpha and beta of the first iterations
 #define TEDIT_CG_KEPT 100     // of so many
 #define TEDIT_CG_SCALARS (TEDIT_CG_HISTORY + 2 * TEDIT_CG_KEPT)
 

@@ -20,11 +20,15 @@ matrix36 rigid_modes(vec3 d) {
   return m;
 }
 
-row_sum::block& row_sum::at(std::uint32_t column) {
-  const auto found = std::ranges::find(column_, column);
-  if (found != column_.end())
-    return block_[static_cast<std::size_t>(found - column_.begin())];
+/// A column that had no sum yet; `number` is its place in the table.
+row_sum::block& row_sum::add(std::uint32_t column, std::uint32_t* number) {
+  *number = static_cast<std::uint32_t>(column_.size());
   column_.push_back(column);
+  if (column_.size() == numbers_.most()) {
+    numbers_.start(2 * column_.size());
+    for (std::uint32_t i = 0; i < column_.size(); ++i)
+      *numbers_.at(column_[i]).first = i;
+  }
   if (block_.size() < column_.size())
     block_.resize(2 * column_.size());
   auto& added = block_[column_.size() - 1];
@@ -43,6 +47,7 @@ void row_sum::finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& b
     blocks.emplace_back(view(block_[i].data()));
   }
   column_.clear();
+  numbers_.start(0);
 }
 
 matrix6 remove_null_motions(const matrix6& gram, row_sum::view diagonal) {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "fem/column_table.hpp"
 #include "fem/multilevel/hierarchy.hpp"
 
 /// The steps of `build_hierarchy`; internal to fem/multilevel/.
@@ -22,7 +23,7 @@ struct rigid_frame {
 /// [I, -[arm]x]: the displacement at `arm` of a unit translation or rotation.
 [[nodiscard]] matrix36 rigid_modes(vec3 arm);
 
-/// Sums blocks of one row by column; few columns, so that a linear search wins.
+/// Sums blocks of one row by column.
 class row_sum {
 public:
   /// Column c at 8 c; see six_by_six.hpp.
@@ -30,12 +31,18 @@ public:
   using view = Eigen::Map<matrix6, Eigen::Aligned64, Eigen::OuterStride<8>>;
 
   /// The sum of a column, zero at first. Valid until the next call.
-  [[nodiscard]] block& at(std::uint32_t column);
+  [[nodiscard]] block& at(std::uint32_t column) {
+    const auto [number, is_new] = numbers_.at(column);
+    return is_new ? add(column, number) : block_[*number];
+  }
   [[nodiscard]] view matrix_at(std::uint32_t column) { return view(at(column).data()); }
   /// Appends the row, columns ascending, and begins another one.
   void finish(std::vector<std::uint32_t>& column, std::vector<matrix6>& blocks);
 
 private:
+  block& add(std::uint32_t column, std::uint32_t* number);
+
+  column_table numbers_;
   std::vector<std::uint32_t> column_;
   std::vector<block> block_;  ///< More than columns: memory is kept from row to row.
 };

@@ -218,7 +218,7 @@ private:
         const auto k = level_.column[s];
         const six_by_six block(level_.block[s]);
         for (auto t = level_.prolongation_rows.begin(k); t < level_.prolongation_rows.end(k); ++t)
-          block.add_product(level_.prolongation[t].data(), sum.at(level_.prolongation_column[t]));
+          block.add_product(level_.prolongation[t], sum.at(level_.prolongation_column[t]));
       }
     });
     sparse_row row;

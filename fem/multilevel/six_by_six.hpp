@@ -8,7 +8,7 @@
 /// edit. For code inside `run_widest`.
 namespace tedit::fem {
 
-using double4 [[gnu::vector_size(32)]] = double;
+using double4 [[gnu::vector_size(32), gnu::may_alias]] = double;
 
 /// A 6x6 block whose columns fill two registers each, two lanes of them unused.
 class alignas(64) six_by_six {
@@ -28,14 +28,21 @@ public:
     return result;
   }
 
-  /// sum += this * b, with b column by column: a stored block or a `matrix6`.
-  template <class Scalar>
-  TEDIT_INLINE void add_product(const Scalar* b, row_sum::block& sum) const {
+  /// sum += this * b, for a stored block.
+  TEDIT_INLINE void add_product(const rigid_level::block6& b, row_sum::block& sum) const {
+    // Converted at once: number by number that took as long as the product.
+    alignas(32) std::array<double, 36> wide;
+    for (std::size_t i = 0; i < wide.size(); i += 4)
+      *reinterpret_cast<double4*>(&wide[i]) = __builtin_convertvector(load4(&b[i]), double4);
+    add_product(wide.data(), sum);
+  }
+  /// The same for 36 numbers column by column.
+  TEDIT_INLINE void add_product(const double* b, row_sum::block& sum) const {
     for (std::size_t c = 0; c < 6; ++c) {
       double4 first = four(&sum[8 * c]);
       double4 second = four(&sum[8 * c + 4]);
       for (std::size_t k = 0; k < 6; ++k) {
-        const auto factor = static_cast<double>(b[6 * c + k]);
+        const double factor = b[6 * c + k];
         first += four(&v_[8 * k]) * factor;
         second += four(&v_[8 * k + 4]) * factor;
       }

@@ -44,16 +44,17 @@ public:
       polled_resize(*v, L::size(nodes));
   }
 
-  /// Solves K x = residual for each of at most `L::width` cases until its preconditioned residual
-  /// has fallen by its reduction; `precondition(r, z)` writes z = B r. Contract:
-  /// `linear_system::solve_many`. `smallest` is a lower bound of the eigenvalues of B K; it comes
-  /// back sharper.
+  /// Solves K x = residual for each of at most `L::width` cases until its residual has fallen by
+  /// its reduction; `precondition(r, z)` writes z = B r. Contract: `linear_system::solve_many`.
+  /// `smallest` is a lower bound of the eigenvalues of B K; it comes back sharper.
   template <class Operator, class Precondition>
   expected<void> solve(const Operator& k, const Precondition& precondition,
                        std::span<const inner_case> cases, int max_iterations, const execution& run,
                        double& smallest, std::span<inner_result> results) {
     begin(cases, results);
     bounds_.assign(cases.size(), energy_bound(smallest));
+    rr_ = dots_of<L>(r_, r_);
+    start_rr_ = rr_;
     precondition(r_.data(), z_.data());
     std::ranges::copy(z_, p_.begin());
     rz_ = dots_of<L>(r_, z_);
@@ -94,7 +95,7 @@ private:
           r_[L::width * i + c] = static_cast<float>(cases[c].residual[i]);
     });
     std::ranges::fill(x_, 0.0F);
-    filter_residual();
+    filter(r_);
   }
 
   template <class Operator, class Precondition>
@@ -115,7 +116,8 @@ private:
     }
     if (!any_running())
       return;
-    advance(factor);
+    filter(q_);
+    rr_ = advance(factor);
     precondition(r_.data(), z_.data());
     const auto next = dots_of<L>(r_, z_);
     for (std::size_t c = 0; c < L::width; ++c) {
@@ -139,10 +141,12 @@ private:
   }
 
   [[nodiscard]] bool is_done(std::size_t c) const {
-    const auto& [residual, correction, reduction, energy, share] = cases_[c];
+    const auto& goal = cases_[c];
     const auto& bound = bounds_[c];
-    return results_[c].broke_down || !(rz_[c] > reduction * reduction * start_[c]) ||
-           bound.left(rz_[c]) <= std::max(energy * energy, share * share * bound.gained());
+    return results_[c].broke_down || !(rz_[c] > goal.reduction * goal.reduction * start_[c]) ||
+           rr_[c] <= goal.residual_reduction * goal.residual_reduction * start_rr_[c] ||
+           bound.left(rz_[c]) <=
+             std::max(goal.energy * goal.energy, goal.share * goal.share * bound.gained());
   }
 
   void finish(std::size_t c) {
@@ -172,9 +176,9 @@ private:
     });
   }
 
-  void filter_residual() {
+  void filter(std::vector<float>& x) const {
     for (const auto& [node, s] : held_)
-      L::store(multiply_symmetric(s, L::load(r_.data(), node)), r_.data(), node);
+      L::store(multiply_symmetric(s, L::load(x.data(), node)), x.data(), node);
   }
 
   /// q = K p; returns p.q.
@@ -187,17 +191,20 @@ private:
                        });
   }
 
-  void advance(const std::array<float, L::width>& factor) {
-    for_lanes<L>(x_.size() / L::width, [&](std::size_t first, std::size_t last) TEDIT_INLINED {
+  /// One step along p; returns r.r.
+  case_sums<L> advance(const std::array<float, L::width>& factor) {
+    return sum_lanes<L>(x_.size() / L::width, [&](std::size_t first, std::size_t last,
+                                                  typename L::sum& sum) TEDIT_INLINED {
       const auto alpha = L::load_scalar(factor.data(), 0);
       float* x = x_.data();
       float* r = r_.data();
       for (std::size_t i = first; i < last; ++i) {
         L::store_scalar(L::load_scalar(x, i) + alpha * L::load_scalar(p_.data(), i), x, i);
-        L::store_scalar(L::load_scalar(r, i) - alpha * L::load_scalar(q_.data(), i), r, i);
+        const auto left = L::load_scalar(r, i) - alpha * L::load_scalar(q_.data(), i);
+        L::store_scalar(left, r, i);
+        L::add_product(left, left, sum);
       }
     });
-    filter_residual();
   }
 
   void turn(const std::array<float, L::width>& factor) {
@@ -216,7 +223,7 @@ private:
   std::span<inner_result> results_;
   std::array<bool, L::width> running_{};
   std::array<bool, L::width> written_{};
-  case_sums<L> rz_{}, start_{};
+  case_sums<L> rz_{}, rr_{}, start_{}, start_rr_{};  ///< r.B r, r.r; at first.
   std::vector<energy_bound> bounds_;
 };
 

@@ -39,6 +39,7 @@ private:
   const hierarchy& h_;
   cycle_settings settings_;
   std::vector<vectors> work_;
+  std::vector<float> partial_;  ///< Of a restriction; empty before the first.
 };
 
 /// Vectors of a smoother on nodes with three unknowns.

@@ -78,15 +78,14 @@ struct rigid_six<one_case> {
     v += column<2>(block) * all<2>(x.v) + column<3>(block) * all<3>(x.v);
     v += column<4>(block) * all<4>(x.v) + column<5>(block) * all<5>(x.v);
   }
+  /// `x` as it was loaded, with zeros in the two lanes more.
   TEDIT_INLINE void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
-    v += float8{sum_of(column<0>(block) * x.v),
-                sum_of(column<1>(block) * x.v),
-                sum_of(column<2>(block) * x.v),
-                sum_of(column<3>(block) * x.v),
-                sum_of(column<4>(block) * x.v),
-                sum_of(column<5>(block) * x.v),
-                0,
-                0};
+    const float8 first =
+      sums_of_pairs(sums_of_pairs(column<0>(block) * x.v, column<1>(block) * x.v),
+                    sums_of_pairs(column<2>(block) * x.v, column<3>(block) * x.v));
+    const float8 second =
+      sums_of_pairs(sums_of_pairs(column<4>(block) * x.v, column<5>(block) * x.v), float8{});
+    v += pair(first_of(first) + second_of(first), first_of(second) + second_of(second));
   }
   TEDIT_INLINE void add(float a, float b, float c, float d, float e, float f) {
     v += float8{a, b, c, d, e, f, 0, 0};
@@ -118,8 +117,10 @@ private:
   TEDIT_INLINE static float8 all(float8 x) {
     return __builtin_shufflevector(x, x, i, i, i, i, i, i, i, i);
   }
-  TEDIT_INLINE static float sum_of(float8 x) {
-    return ((x[0] + x[1]) + (x[2] + x[3])) + (x[4] + x[5]);
+  /// Of neighbouring lanes: in each half two of `a`, then two of `b`.
+  TEDIT_INLINE static float8 sums_of_pairs(float8 a, float8 b) {
+    return __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14) +
+           __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15);
   }
 };
 

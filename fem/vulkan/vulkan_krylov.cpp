@@ -41,7 +41,7 @@ void vulkan_krylov::make_room(std::uint32_t cases) {
     memory_.replace(*vector, 16 * cases * with_spare(k_.rows()));
   std::uint64_t sums = 0;
   for (const auto& one : loops_)
-    sums = std::max(sums, std::uint64_t{one.kernels->cases} * k_.most_partials(*one.kernels));
+    sums = std::max(sums, std::uint64_t{2} * one.kernels->cases * k_.most_partials(*one.kernels));
   memory_.replace(partials_, 4 * sums);
   memory_.replace(scalars_, 4 * std::uint64_t{cases} * TEDIT_CG_SCALARS);
 }
@@ -142,6 +142,8 @@ expected<void> vulkan_krylov::begin(recorded_loop& one, std::span<const inner_ca
     if (c >= goals.size())
       continue;
     of[TEDIT_CG_REDUCTION2] = static_cast<float>(goals[c].reduction * goals[c].reduction);
+    of[TEDIT_CG_ENOUGH] =
+      static_cast<float>(goals[c].residual_reduction * goals[c].residual_reduction);
     of[TEDIT_CG_ENERGY2] = static_cast<float>(goals[c].energy * goals[c].energy);
     of[TEDIT_CG_SHARE2] = static_cast<float>(goals[c].share * goals[c].share);
   }

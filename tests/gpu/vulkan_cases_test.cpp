@@ -3,6 +3,7 @@
 #include "fem/load_cases.hpp"
 #include "fem/native/native_backend.hpp"
 #include "tests/gpu/followed_system.hpp"
+#include "tests/support/residual.hpp"
 
 namespace tedit::fem {
 namespace {
@@ -141,6 +142,23 @@ TEST_P(VulkanCases, HaveTheirOwnEnds) {
   EXPECT_TRUE((*results)[4].broke_down);
   EXPECT_FALSE((*results)[1].broke_down);
   expect_near_all(d[1], alone, 1e-4);
+}
+
+TEST_P(VulkanCases, EndByTheResidual) {
+  const auto system = open();
+  const std::vector<double> right(p_.loads.begin(), p_.loads.end());
+  fields d(2, std::vector<double>(p_.dofs()));
+  inner_case early{right, d[0], 1e-6};
+  early.residual_reduction = 1e-2;
+  const std::vector<inner_case> cases{early, {right, d[1], 1e-6}};
+
+  const auto results = system->solve_many(cases, 500, {});
+
+  ASSERT_TRUE(results);
+  EXPECT_LT((*results)[0].iterations, (*results)[1].iterations);
+  const double left = tedit::test::residual_share(p_, d[0]);
+  EXPECT_LE(left, 1.01e-2);
+  EXPECT_GE(left, 1e-4);
 }
 
 TEST_P(VulkanCases, FollowAnEdit) {
