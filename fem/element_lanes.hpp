@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/quadratic.hpp"
+#include "fem/wide.hpp"
 
 /// Nodal forces of elements, two elements at a time: one in each lane of a vector register that
 /// every x86-64 and ARM64 has, so the bits are the same on all of them.
@@ -84,18 +85,16 @@ inline lanes3 traction_of(const lanes6& s, const lanes3& n) {
 /// count, so that rigid translations cancel before they are multiplied.
 inline std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u, const lane_elements& e) {
   std::array<lanes3, 3> row{};
-  for (int b = 1; b < 4; ++b) {
-    const lanes3 d = u[b] - u[0];
-    row[0] = row[0] + d.x * e.gradient[b];
-    row[1] = row[1] + d.y * e.gradient[b];
-    row[2] = row[2] + d.z * e.gradient[b];
-  }
+  unrolled<3>([&](auto i) TEDIT_INLINED {
+    const lanes3 d = u[i + 1] - u[0];
+    row[0] = row[0] + d.x * e.gradient[i + 1];
+    row[1] = row[1] + d.y * e.gradient[i + 1];
+    row[2] = row[2] + d.z * e.gradient[i + 1];
+  });
   auto s = stress_of(row[0], row[1], row[2], e);
-  for (auto& component : s)
-    component *= e.volume;
+  unrolled<6>([&](auto c) TEDIT_INLINED { s[c] *= e.volume; });
   std::array<lanes3, 4> f;
-  for (int a = 1; a < 4; ++a)
-    f[a] = traction_of(s, e.gradient[a]);
+  unrolled<3>([&](auto i) TEDIT_INLINED { f[i + 1] = traction_of(s, e.gradient[i + 1]); });
   f[0] = lanes3{} - (f[1] + f[2] + f[3]);
   return f;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 /// Registers of four and eight floats, and code that exists once for machines with AVX2 and once
 /// for all others.
@@ -36,6 +37,16 @@ void run_widest(const Body& body) {
   body();
 }
 #endif
+
+/// body(0), ..., body(N - 1), each with a constant. A loop is not unrolled before arrays are cut
+/// into registers: what it indexes stays in memory, and sums wait for their own stores.
+template <std::size_t N, class Body>
+TEDIT_INLINE void unrolled(const Body& body) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) TEDIT_INLINED {
+    (body(std::integral_constant<std::size_t, I>{}), ...);
+  }
+  (std::make_index_sequence<N>{});
+}
 
 /// Four floats that live in one register; loads and stores need no alignment.
 using float4 [[gnu::vector_size(16)]] = float;

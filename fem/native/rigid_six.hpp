@@ -13,26 +13,24 @@ struct alignas(4 * L::width) rigid_six {
   std::array<scalar, 6> v{};
 
   [[nodiscard]] TEDIT_INLINE static rigid_six load(const float* x, std::size_t i) {
-    rigid_six result;
-    for (std::size_t c = 0; c < 6; ++c)
-      result.v[c] = L::load_scalar(x, 6 * i + c);
-    return result;
+    return {{L::load_scalar(x, 6 * i), L::load_scalar(x, 6 * i + 1), L::load_scalar(x, 6 * i + 2),
+             L::load_scalar(x, 6 * i + 3), L::load_scalar(x, 6 * i + 4),
+             L::load_scalar(x, 6 * i + 5)}};
   }
   TEDIT_INLINE void store(float* x, std::size_t i) const {
-    for (std::size_t c = 0; c < 6; ++c)
-      L::store_scalar(v[c], x, 6 * i + c);
+    unrolled<6>([&](auto c) TEDIT_INLINED { L::store_scalar(v[c], x, 6 * i + c); });
   }
   /// Adds block * x.
   TEDIT_INLINE void add_product(const rigid_level::block6& block, const rigid_six& x) {
-    for (std::size_t c = 0; c < 6; ++c)
-      for (std::size_t r = 0; r < 6; ++r)
-        v[r] += block[6 * c + r] * x.v[c];
+    unrolled<6>([&](auto c) TEDIT_INLINED {
+      unrolled<6>([&](auto r) TEDIT_INLINED { v[r] += block[6 * c + r] * x.v[c]; });
+    });
   }
   /// Adds block^T * x.
   TEDIT_INLINE void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
-    for (std::size_t c = 0; c < 6; ++c)
-      for (std::size_t r = 0; r < 6; ++r)
-        v[c] += block[6 * c + r] * x.v[r];
+    unrolled<6>([&](auto c) TEDIT_INLINED {
+      unrolled<6>([&](auto r) TEDIT_INLINED { v[c] += block[6 * c + r] * x.v[r]; });
+    });
   }
   /// Adds the components given.
   TEDIT_INLINE void add(scalar a, scalar b, scalar c, scalar d, scalar e, scalar f) {
@@ -41,20 +39,17 @@ struct alignas(4 * L::width) rigid_six {
 
   TEDIT_INLINE friend rigid_six operator+(const rigid_six& a, const rigid_six& b) {
     rigid_six sum;
-    for (std::size_t c = 0; c < 6; ++c)
-      sum.v[c] = a.v[c] + b.v[c];
+    unrolled<6>([&](auto c) TEDIT_INLINED { sum.v[c] = a.v[c] + b.v[c]; });
     return sum;
   }
   TEDIT_INLINE friend rigid_six operator-(const rigid_six& a, const rigid_six& b) {
     rigid_six sum;
-    for (std::size_t c = 0; c < 6; ++c)
-      sum.v[c] = a.v[c] - b.v[c];
+    unrolled<6>([&](auto c) TEDIT_INLINED { sum.v[c] = a.v[c] - b.v[c]; });
     return sum;
   }
   TEDIT_INLINE friend rigid_six operator*(float s, const rigid_six& a) {
     rigid_six product;
-    for (std::size_t c = 0; c < 6; ++c)
-      product.v[c] = s * a.v[c];
+    unrolled<6>([&](auto c) TEDIT_INLINED { product.v[c] = s * a.v[c]; });
     return product;
   }
 };
