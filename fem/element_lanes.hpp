@@ -4,11 +4,12 @@
 #include "fem/quadratic.hpp"
 #include "fem/wide.hpp"
 
-/// Nodal forces of elements, two elements at a time: one in each lane of a vector register that
-/// every x86-64 and ARM64 has, so the bits are the same on all of them.
+/// Nodal forces of elements, four elements at a time, one in each lane of a vector. All is inlined
+/// into a body that exists once for AVX2, without fused products, and once for any machine, so the
+/// bits are the same on all of them.
 namespace tedit::fem {
 
-using lanes = double __attribute__((vector_size(16)));
+using lanes [[gnu::vector_size(32)]] = double;
 inline constexpr std::size_t lane_count = sizeof(lanes) / sizeof(double);
 
 /// Three components, each for all lanes.
@@ -17,27 +18,27 @@ struct lanes3 {
   lanes y{};
   lanes z{};
 
-  void set(std::size_t lane, vec3 v) {
-    x[lane] = v.x;
-    y[lane] = v.y;
-    z[lane] = v.z;
+  [[nodiscard]] TEDIT_INLINE static lanes3 of(vec3 a, vec3 b, vec3 c, vec3 d) {
+    return {lanes{a.x, b.x, c.x, d.x}, lanes{a.y, b.y, c.y, d.y}, lanes{a.z, b.z, c.z, d.z}};
   }
-  [[nodiscard]] vec3 get(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+  [[nodiscard]] TEDIT_INLINE vec3 get(std::size_t lane) const {
+    return {x[lane], y[lane], z[lane]};
+  }
 };
 
-inline lanes3 operator+(const lanes3& a, const lanes3& b) {
+TEDIT_INLINE lanes3 operator+(const lanes3& a, const lanes3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-inline lanes3 operator-(const lanes3& a, const lanes3& b) {
+TEDIT_INLINE lanes3 operator-(const lanes3& a, const lanes3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline lanes3 operator*(const lanes& s, const lanes3& a) {
+TEDIT_INLINE lanes3 operator*(const lanes& s, const lanes3& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
-inline lanes dot(const lanes3& a, const lanes3& b) {
+TEDIT_INLINE lanes dot(const lanes3& a, const lanes3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-inline lanes3 cross(const lanes3& a, const lanes3& b) {
+TEDIT_INLINE lanes3 cross(const lanes3& a, const lanes3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -49,7 +50,7 @@ struct lane_elements {
   lanes mu{};
 
   /// As `gradients_of`.
-  void set_corners(const std::array<lanes3, 4>& p) {
+  TEDIT_INLINE void set_corners(const std::array<lanes3, 4>& p) {
     const lanes3 u = p[1] - p[0];
     const lanes3 v = p[2] - p[0];
     const lanes3 w = p[3] - p[0];
@@ -68,7 +69,8 @@ struct lane_elements {
 using lanes6 = std::array<lanes, 6>;
 
 /// The stress of the displacement gradient with the rows a, b, c.
-inline lanes6 stress_of(const lanes3& a, const lanes3& b, const lanes3& c, const lane_elements& e) {
+TEDIT_INLINE lanes6 stress_of(const lanes3& a, const lanes3& b, const lanes3& c,
+                              const lane_elements& e) {
   const lanes pressure = e.lambda * (a.x + b.y + c.z);
   const lanes twice = e.mu + e.mu;
   return {pressure + twice * a.x, pressure + twice * b.y, pressure + twice * c.z,
@@ -76,14 +78,15 @@ inline lanes6 stress_of(const lanes3& a, const lanes3& b, const lanes3& c, const
 }
 
 /// s n.
-inline lanes3 traction_of(const lanes6& s, const lanes3& n) {
+TEDIT_INLINE lanes3 traction_of(const lanes6& s, const lanes3& n) {
   return {s[0] * n.x + s[3] * n.y + s[5] * n.z, s[3] * n.x + s[1] * n.y + s[4] * n.z,
           s[5] * n.x + s[4] * n.y + s[2] * n.z};
 }
 
 /// Nodal forces of linear tets, N: f_a = V sigma g_a. `u`: displacement, m; only differences
 /// count, so that rigid translations cancel before they are multiplied.
-inline std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u, const lane_elements& e) {
+TEDIT_INLINE std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u,
+                                             const lane_elements& e) {
   std::array<lanes3, 3> row{};
   unrolled<3>([&](auto i) TEDIT_INLINED {
     const lanes3 d = u[i + 1] - u[0];
@@ -101,12 +104,12 @@ inline std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u, const lan
 
 /// Stress at corner k of quadratic tets: see `corner_gradient`.
 template <int K>
-lanes6 corner_stress_of(const std::array<lanes3, 10>& u, const lane_elements& e) {
+TEDIT_INLINE lanes6 corner_stress_of(const std::array<lanes3, 10>& u, const lane_elements& e) {
   std::array<lanes3, 3> row{};
 #pragma GCC unroll 3
   for (int i = 0; i < 3; ++i) {
     const int b = other_corners[K][i];
-    const lanes3 d = lanes{4, 4} * (u[mid_node_of[K][b]] - u[K]) - (u[b] - u[K]);
+    const lanes3 d = lanes{4, 4, 4, 4} * (u[mid_node_of[K][b]] - u[K]) - (u[b] - u[K]);
     row[0] = row[0] + d.x * e.gradient[b];
     row[1] = row[1] + d.y * e.gradient[b];
     row[2] = row[2] + d.z * e.gradient[b];
@@ -118,17 +121,15 @@ lanes6 corner_stress_of(const std::array<lanes3, 10>& u, const lane_elements& e)
 /// corners, and the integral of L_k L_l is V/20 (1 + delta_kl), so the integral is the sum over
 /// corners k of S_k grad N_a(e_k), S_k = V/20 (sigma_k + sum_l sigma_l). With F_kb = S_k g_b:
 /// f_kb += 4 F_kb, f_b -= F_kb, f_k -= 3 F_kb for all b != k.
-inline std::array<lanes3, 10> forces_of(const std::array<lanes3, 10>& u, const lane_elements& e) {
+TEDIT_INLINE std::array<lanes3, 10> forces_of(const std::array<lanes3, 10>& u,
+                                              const lane_elements& e) {
   std::array<lanes6, 4> s{corner_stress_of<0>(u, e), corner_stress_of<1>(u, e),
                           corner_stress_of<2>(u, e), corner_stress_of<3>(u, e)};
   const lanes weight = e.volume * (1.0 / 20);
-#pragma GCC unroll 6
-  for (int c = 0; c < 6; ++c) {
+  unrolled<6>([&](auto c) TEDIT_INLINED {
     const lanes sum = s[0][c] + s[1][c] + s[2][c] + s[3][c];
-#pragma GCC unroll 4
-    for (int k = 0; k < 4; ++k)
-      s[k][c] = weight * (s[k][c] + sum);
-  }
+    unrolled<4>([&](auto k) TEDIT_INLINED { s[k][c] = weight * (s[k][c] + sum); });
+  });
   std::array<lanes3, 10> f{};
 #pragma GCC unroll 4
   for (int k = 0; k < 4; ++k) {
@@ -141,10 +142,10 @@ inline std::array<lanes3, 10> forces_of(const std::array<lanes3, 10>& u, const l
       f[b] = f[b] - force;
       all = all + force;
     }
-    f[k] = f[k] - lanes{3, 3} * all;
+    f[k] = f[k] - lanes{3, 3, 3, 3} * all;
   }
   for (int m = 4; m < 10; ++m)
-    f[m] = lanes{4, 4} * f[m];
+    f[m] = lanes{4, 4, 4, 4} * f[m];
   return f;
 }
 

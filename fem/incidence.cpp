@@ -98,31 +98,36 @@ vec3 vec3_at(const double* x) {
 
 /// Adds the forces of elements to `force`; all arrays are by the chunk's numbers.
 template <std::size_t Nodes>
-void add_forces(const problem& p, std::size_t first, std::size_t last, const std::uint16_t* local,
-                const vec3* position, const vec3* value, vec3* force) {
+TEDIT_INLINE void add_forces(const problem& p, std::size_t first, std::size_t last,
+                             const std::uint16_t* local, const vec3* position, const vec3* value,
+                             vec3* force) {
   for (std::size_t start = first; start < last; start += lane_count) {
-    std::array<lanes3, 4> corners;
-    std::array<lanes3, Nodes> u;
+    // Where elements run out the last one fills the lanes; its forces count once.
+    const auto element = [&](std::size_t lane)
+                           TEDIT_INLINED { return std::min(start + lane, last - 1); };
+    const auto node = [&](std::size_t lane, std::size_t a)
+                        TEDIT_INLINED { return local[Nodes * element(lane) + a]; };
+    const auto gathered = [&](const vec3* x, std::size_t a) TEDIT_INLINED {
+      return lanes3::of(x[node(0, a)], x[node(1, a)], x[node(2, a)], x[node(3, a)]);
+    };
+    const auto constants = [&](std::size_t lane) TEDIT_INLINED -> const lame_constants& {
+      return p.constants[p.element_materials[element(lane)]];
+    };
+    const auto &a = constants(0), &b = constants(1), &c = constants(2), &d = constants(3);
     lane_elements elements;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      // A last element without partner fills both lanes; only the first one counts.
-      const std::size_t e = std::min(start + lane, last - 1);
-      const std::uint16_t* n = local + Nodes * e;
-      for (std::size_t a = 0; a < 4; ++a)
-        corners[a].set(lane, position[n[a]]);
-      for (std::size_t a = 0; a < Nodes; ++a)
-        u[a].set(lane, value[n[a]]);
-      const auto& c = p.constants[p.element_materials[e]];
-      elements.lambda[lane] = c.lambda;
-      elements.mu[lane] = c.mu;
-    }
+    elements.lambda = lanes{a.lambda, b.lambda, c.lambda, d.lambda};
+    elements.mu = lanes{a.mu, b.mu, c.mu, d.mu};
+    std::array<lanes3, 4> corners;
+    unrolled<4>([&](auto i) TEDIT_INLINED { corners[i] = gathered(position, i); });
     elements.set_corners(corners);
+    std::array<lanes3, Nodes> u;
+    unrolled<Nodes>([&](auto i) TEDIT_INLINED { u[i] = gathered(value, i); });
     const auto f = forces_of(u, elements);
-    for (std::size_t lane = 0; lane < std::min(lane_count, last - start); ++lane) {
-      const std::uint16_t* n = local + Nodes * (start + lane);
-      for (std::size_t a = 0; a < Nodes; ++a)
-        force[n[a]] += f[a].get(lane);
-    }
+    const std::size_t count = std::min(lane_count, last - start);
+    unrolled<lane_count>([&](auto lane) TEDIT_INLINED {
+      if (lane < count)
+        unrolled<Nodes>([&](auto i) TEDIT_INLINED { force[node(lane, i)] += f[i].get(lane); });
+    });
   }
 }
 
@@ -225,10 +230,12 @@ void element_operator::apply_chunk(std::span<const double> displacement, std::si
     if (nodes[i] < p.corner_count)
       position[i] = p.nodes[nodes[i]];
   }
-  if (p.element_order == 2)
-    add_forces<10>(p, first, last, local_.data(), position, value, force);
-  else
-    add_forces<4>(p, first, last, local_.data(), position, value, force);
+  run_wide_unfused([&] TEDIT_INLINED {
+    if (p.element_order == 2)
+      add_forces<10>(p, first, last, local_.data(), position, value, force);
+    else
+      add_forces<4>(p, first, last, local_.data(), position, value, force);
+  });
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (slot[i] != no_id) {
       scratch.rims[slot[i]] = force[i];

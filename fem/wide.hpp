@@ -24,6 +24,11 @@ template <class Body>
 }
 
 template <class Body>
+[[gnu::target("avx2")]] void run_with_avx2_unfused(const Body& body) {
+  body();
+}
+
+template <class Body>
 void run_widest(const Body& body) {
   static const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   if (avx2)
@@ -31,7 +36,22 @@ void run_widest(const Body& body) {
   else
     body();
 }
+
+/// The same without fused products: the bits are those of any machine.
+template <class Body>
+void run_wide_unfused(const Body& body) {
+  static const bool avx2 = __builtin_cpu_supports("avx2");
+  if (avx2)
+    run_with_avx2_unfused(body);
+  else
+    body();
+}
 #else
+template <class Body>
+void run_wide_unfused(const Body& body) {
+  body();
+}
+
 template <class Body>
 void run_widest(const Body& body) {
   body();
