@@ -21,7 +21,7 @@ void for_rigid_rows(const rigid_level& level, const float* x, const Sink& sink) 
       for (std::size_t i = first; i < last; ++i) {
         six sum;
         for_blocks(level, i, [&](std::size_t column, const auto& block) TEDIT_INLINED {
-          sum.add_product(block, six::load(x, column));
+          sum.add_product(block, x, column);
         });
         sink(i, sum);
       }
@@ -91,7 +91,7 @@ void prolongate_rigid(const rigid_level& a, const float* up, float* fine) {
       for (std::size_t i = first; i < last; ++i) {
         rigid_six<L> sum;
         for_parents(a, i, [&](std::size_t parent, const auto& block) TEDIT_INLINED {
-          sum.add_product(block, rigid_six<L>::load(up, parent));
+          sum.add_product(block, up, parent);
         });
         sum.store(fine, i);
       }

@@ -26,6 +26,10 @@ struct alignas(4 * L::width) rigid_six {
       unrolled<6>([&](auto r) TEDIT_INLINED { v[r] += block[6 * c + r] * x.v[c]; });
     });
   }
+  /// The same with the i-th motion of `x`.
+  TEDIT_INLINE void add_product(const rigid_level::block6& block, const float* x, std::size_t i) {
+    add_product(block, load(x, i));
+  }
   /// Adds block^T * x.
   TEDIT_INLINE void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
     unrolled<6>([&](auto c) TEDIT_INLINED {
@@ -69,9 +73,17 @@ struct rigid_six<one_case> {
     to[5] = v[5];
   }
   TEDIT_INLINE void add_product(const rigid_level::block6& block, const rigid_six& x) {
-    v += column<0>(block) * all<0>(x.v) + column<1>(block) * all<1>(x.v);
-    v += column<2>(block) * all<2>(x.v) + column<3>(block) * all<3>(x.v);
-    v += column<4>(block) * all<4>(x.v) + column<5>(block) * all<5>(x.v);
+    // One addition to the sum for each block: the next one waits for it.
+    v += (column<0>(block) * all<0>(x.v) + column<2>(block) * all<2>(x.v) +
+          column<4>(block) * all<4>(x.v)) +
+         (column<1>(block) * all<1>(x.v) + column<3>(block) * all<3>(x.v) +
+          column<5>(block) * all<5>(x.v));
+  }
+  /// The same with the i-th motion of `x`, number by number from memory.
+  TEDIT_INLINE void add_product(const rigid_level::block6& block, const float* x, std::size_t i) {
+    const float* at = x + 6 * i;
+    v += (column<0>(block) * at[0] + column<2>(block) * at[2] + column<4>(block) * at[4]) +
+         (column<1>(block) * at[1] + column<3>(block) * at[3] + column<5>(block) * at[5]);
   }
   /// `x` as it was loaded, with zeros in the two lanes more.
   TEDIT_INLINE void add_transposed(const rigid_level::block6& block, const rigid_six& x) {
@@ -103,10 +115,10 @@ private:
   /// The column and what lies behind it, which nobody looks at; behind the last one is nothing.
   template <int c>
   TEDIT_INLINE static float8 column(const rigid_level::block6& block) {
-    if constexpr (c == 5)
-      return six_of(&block[30]);
-    else
+    if constexpr (c < 5)
       return *reinterpret_cast<const anywhere*>(&block[6 * c]);
+    const float8 last = *reinterpret_cast<const anywhere*>(&block[28]);
+    return __builtin_shufflevector(last, float8{}, 2, 3, 4, 5, 6, 7, 8, 9);
   }
   template <int i>
   TEDIT_INLINE static float8 all(float8 x) {
