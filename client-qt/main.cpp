@@ -16,6 +16,8 @@
 
 #include "base/virtual_display.hpp"
 
+#include "client-qt/model/language.hpp"
+#include "client-qt/model/preferences.hpp"
 #include "client-qt/model/stall_watch.hpp"
 #include "client-qt/view/latencies.hpp"
 #include "client-qt/view/main_window.hpp"
@@ -39,6 +41,7 @@ struct wishes {
   QString report;
   QSize size;
   bool dark = false;
+  std::optional<QString> language;
 };
 
 QSize size_from(const QString& text) {
@@ -68,6 +71,7 @@ wishes read_command_line(const QApplication& app) {
   line.addOption({"size", "Size of the window.", "WIDTHxHEIGHT"});
   line.addOption({"state", "Folder of the local server's documents.", "folder"});
   line.addOption({"dark", "Dark colours."});
+  line.addOption({"language", "Language of the window: en, de.", "code"});
   line.process(app);
   wishes result;
   result.mesh = line.value("open");
@@ -82,6 +86,8 @@ wishes read_command_line(const QApplication& app) {
   result.report = line.value("report");
   result.size = size_from(line.value("size"));
   result.dark = line.isSet("dark");
+  if (line.isSet("language"))
+    result.language = line.value("language");
   return result;
 }
 
@@ -102,19 +108,30 @@ expected<QJsonArray> steps_of(const wishes& wanted) {
   return steps;
 }
 
-/// Times in ms; memory is the largest resident size of this process.
+/// Times in ms, processor time in s (of the whole program, and of the thread that all events run
+/// on); memory is the largest resident size of this process.
 void write_report(const QString& path, const stall_watch& watch, const latencies& waits,
                   const viewport& view) {
   const auto stalls = watch.take();
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
+  rusage own{};
+  getrusage(RUSAGE_THREAD, &own);
+  const auto seconds = [](const rusage& of) {
+    return static_cast<double>(of.ru_utime.tv_sec + of.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(of.ru_utime.tv_usec + of.ru_stime.tv_usec);
+  };
   QJsonObject report{{"events", static_cast<qint64>(stalls.samples)},
                      {"wait_p50_ms", stalls.p50_ms},
                      {"wait_p99_ms", stalls.p99_ms},
                      {"wait_worst_ms", stalls.worst_ms},
                      {"last_frame_ms", view.frame_ms()},
+                     {"frames", view.frames()},
+                     {"cpu_s", seconds(used)},
+                     {"window_thread_cpu_s", seconds(own)},
                      {"memory_mib", static_cast<double>(used.ru_maxrss) / 1024}};
   const std::pair<const char*, std::optional<double>> worst[] = {
+    {"window_ms", waits.window_open},
     {"first_field_ms", waits.first_field},
     {"click_to_frame_ms", waits.click_to_frame},
     {"commit_to_frame_ms", waits.commit_to_frame},
@@ -157,7 +174,7 @@ int main(int argc, char** argv) {
   format.setDepthBufferSize(24);
   format.setAlphaBufferSize(8);
   QSurfaceFormat::setDefaultFormat(format);
-  const QApplication app(argc, argv);
+  QApplication app(argc, argv);
   QApplication::setApplicationName("tedit-qt");
   QApplication::setApplicationDisplayName("TEdit");
   QApplication::setApplicationVersion(TEDIT_VERSION);
@@ -165,13 +182,16 @@ int main(int argc, char** argv) {
   QApplication::setStyle("Fusion");
   QApplication::setWindowIcon(window_icon());
   const auto wanted = read_command_line(app);
+  speak(app, wanted.language.value_or(load_preferences(QSettings("tedit", "tedit-qt")).language));
   const auto steps = steps_of(wanted);
   if (!steps)
     return complain(steps.error());
 
-  const stall_watch watch;
+  stall_watch watch;
   main_window window(wanted.state_folder);
   const latencies waits(window);
+  // Before there is a window, none is frozen.
+  QObject::connect(&waits, &latencies::window_shown, &watch, &stall_watch::restart);
   if (wanted.dark)
     window.set_dark(true);
   if (wanted.size.isValid())

@@ -19,6 +19,8 @@ packages=(
   qt6-base-dev libqt6opengl6-dev libqt6openglwidgets6 qt6-svg-dev qt6-qpa-plugins libgl-dev
   # Debian packages
   dpkg-dev file
+  # translations of the window and the HTML manual (the build works without)
+  qt6-l10n-tools python3-markdown
   # tests
   libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx
 )

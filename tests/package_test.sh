@@ -22,10 +22,17 @@ bin=$work/root/usr/bin
   --op fill_hole --surfaces 1,2 -o "$work/closed.msh"
 test -s "$work/closed.msh"
 test -s "$work/root/usr/share/man/man1/tedit.1"
+if [ -d "$build/share/doc/tedit/html" ]; then
+  manual=$work/root/usr/share/doc/tedit/html
+  python3 "$source/tests/scripts/manual_test.py" "$manual"
+fi
 test -s "$work/root/usr/lib/cmake/TEdit/TEditConfig.cmake"
 if [ -x "$bin/tedit-qt" ]; then
   QT_QPA_PLATFORM=offscreen "$bin/tedit-qt" --version
   test -s "$work/root/usr/share/applications/org.tedit.TEdit.desktop"
+  if [ -d "$build/share/tedit/translations" ]; then
+    test -s "$work/root/usr/share/tedit/translations/tedit_de.qm"
+  fi
 fi
 # Only shared objects that other packages bring, and nothing of the build folder.
 ! grep -rl "$build" "$work/root/usr/bin" "$work/root/usr/lib/tedit/plugins"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+#include "client-qt/model/operation_words.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -45,8 +47,8 @@ ops::parameter_value value_from(const QJsonObject& value, ops::parameter_type ty
 ops::parameter_description parameter_from(const QJsonObject& row) {
   ops::parameter_description result;
   result.id = text(row["id"]);
-  result.name = text(row["name"]);
-  result.help = text(row["help"]);
+  result.name = in_users_language(text(row["name"]));
+  result.help = in_users_language(text(row["help"]));
   result.type = type_from(row["type"].toString());
   result.unit = text(row["unit"]);
   if (row.contains("min"))
@@ -63,10 +65,10 @@ offered_operation operation_from(const QJsonObject& row) {
   offered_operation result;
   auto& about = result.about;
   about.id = text(row["id"]);
-  about.name = text(row["name"]);
-  about.summary = text(row["summary"]);
+  about.name = in_users_language(text(row["name"]));
+  about.summary = in_users_language(text(row["summary"]));
   about.version = text(row["version"]);
-  about.selection.help = text(row["selection_help"]);
+  about.selection.help = in_users_language(text(row["selection_help"]));
   about.selection.minimum = static_cast<std::size_t>(row["selection_minimum"].toDouble());
   about.selection.maximum = static_cast<std::size_t>(row["selection_maximum"].toDouble());
   for (const auto& parameter : row["parameters"].toArray())

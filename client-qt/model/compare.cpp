@@ -13,9 +13,9 @@ namespace tedit::desktop {
 
 namespace {
 
-QString say(const char* text) {
-  return QCoreApplication::translate("compare", text);
-}
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(compare)
+};
 
 QString figure(const QString& words, const std::optional<double>& value,
                const std::optional<double>& before, const QString& unit) {
@@ -92,13 +92,14 @@ shared_field field_of(const version_record& version, const std::string& load_cas
 
 QString not_held(const version_record& version, const std::string& load_case, shown_field wanted) {
   if (!version.surface)
-    return say("The surface of version %1 was not seen since the document was opened.")
+    return phrases::tr("The surface of version %1 was not seen since the document was opened.")
       .arg(version.info.number);
   const auto field = field_of(version, load_case);
   if (!field)
-    return say("Version %1 has no field of this load case here yet.").arg(version.info.number);
+    return phrases::tr("Version %1 has no field of this load case here yet.")
+      .arg(version.info.number);
   if (!has(*field, wanted))
-    return say("Version %1 was seen without this quantity: %2.")
+    return phrases::tr("Version %1 was seen without this quantity: %2.")
       .arg(version.info.number)
       .arg(field_title(wanted));
   return {};
@@ -132,8 +133,8 @@ QString title_of(const version_record& version, const version_record* before) {
   const auto now = figures_of(version);
   const auto was = before ? figures_of(*before) : version_figures{};
   return QString("v%1").arg(version.info.number) +
-         figure(say("max %1"), now.stress, was.stress, "Pa") +
-         figure(say("mass %1"), now.mass, was.mass, "kg");
+         figure(phrases::tr("max %1"), now.stress, was.stress, "Pa") +
+         figure(phrases::tr("mass %1"), now.mass, was.mass, "kg");
 }
 
 }  // namespace tedit::desktop

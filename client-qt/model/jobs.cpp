@@ -10,6 +10,14 @@
 
 namespace tedit::desktop {
 
+namespace {
+
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(jobs)
+};
+
+}  // namespace
+
 std::optional<double> remaining_ms(double since_first_ms, double first_fraction, double fraction) {
   const double done = fraction - first_fraction;
   if (since_first_ms < 1000 || done < 0.05 || fraction >= 1)
@@ -20,14 +28,14 @@ std::optional<double> remaining_ms(double since_first_ms, double first_fraction,
 QString roughly(std::optional<double> remaining) {
   if (!remaining)
     return {};
-  const auto say = [](const char* text) { return QCoreApplication::translate("jobs", text); };
   const double seconds = *remaining / 1000;
   if (seconds < 3)
-    return say("nearly done");
+    return phrases::tr("nearly done");
   for (const int step : {5, 10, 15, 20, 30, 45})
     if (seconds <= step)
-      return say("about %1 s left").arg(step);
-  return say("about %1 min left").arg(std::max(1, static_cast<int>(std::lround(seconds / 60))));
+      return phrases::tr("about %1 s left").arg(step);
+  return phrases::tr("about %1 min left")
+    .arg(std::max(1, static_cast<int>(std::lround(seconds / 60))));
 }
 
 std::optional<double> job::remaining() const {
@@ -75,7 +83,7 @@ void jobs::cancel(int id) {
   auto* one = find(id);
   if (!one || !one->cancel)
     return;
-  one->stage = QCoreApplication::translate("jobs", "cancelling");
+  one->stage = phrases::tr("cancelling");
   const auto call = std::exchange(one->cancel, nullptr);
   emit changed();
   call();

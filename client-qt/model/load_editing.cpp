@@ -12,9 +12,9 @@ namespace tedit::desktop {
 
 namespace {
 
-QString say(const char* text) {
-  return QCoreApplication::translate("loads", text);
-}
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(load_editing)
+};
 
 bool all_finite(const vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -26,40 +26,46 @@ struct checker {
 
   void expect(bool holds, const char* field, const char* words) {
     if (!holds)
-      found.push_back({field, say(words)});
+      found.push_back({field, phrases::tr(words)});
   }
 
   void direction(const vec3& v) {
     if (!all_finite(v))
-      expect(false, "components", "Give three numbers");
+      expect(false, "components", QT_TRANSLATE_NOOP("load_editing", "Give three numbers"));
     else
-      expect(dot(v, v) > 0, "components", "Give at least one component that is not 0");
+      expect(dot(v, v) > 0, "components",
+             QT_TRANSLATE_NOOP("load_editing", "Give at least one component that is not 0"));
   }
 
   void operator()(const fem::material& m) {
-    expect(!m.name.empty(), "name", "Give the material a name");
+    expect(!m.name.empty(), "name", QT_TRANSLATE_NOOP("load_editing", "Give the material a name"));
     expect(m.young_modulus_pa > 0 && std::isfinite(m.young_modulus_pa), "young_modulus",
-           "Must be a number above 0");
+           QT_TRANSLATE_NOOP("load_editing", "Must be a number above 0"));
     expect(m.poisson_ratio > -1 && m.poisson_ratio < 0.5, "poisson_ratio",
-           "Must be a number between −1 and 0.5");
+           QT_TRANSLATE_NOOP("load_editing", "Must be a number between −1 and 0.5"));
     expect(m.density_kg_m3 >= 0 && std::isfinite(m.density_kg_m3), "density",
-           "Must be a number, not negative");
-    expect(m.yield_strength_pa >= 0 && std::isfinite(m.yield_strength_pa), "yield_strength",
-           "Must be a number, not negative; 0 when it is not known");
+           QT_TRANSLATE_NOOP("load_editing", "Must be a number, not negative"));
+    expect(
+      m.yield_strength_pa >= 0 && std::isfinite(m.yield_strength_pa), "yield_strength",
+      QT_TRANSLATE_NOOP("load_editing", "Must be a number, not negative; 0 when it is not known"));
   }
 
   void operator()(const fem::constraint& c) {
-    expect(!c.surfaces.empty(), "surfaces", "Pick surfaces and use the selection");
+    expect(!c.surfaces.empty(), "surfaces",
+           QT_TRANSLATE_NOOP("load_editing", "Pick surfaces and use the selection"));
     if (const auto* d = std::get_if<fem::prescribed_displacement>(&c.kind)) {
-      expect(d->x_m || d->y_m || d->z_m, "components", "Tick at least one component");
+      expect(d->x_m || d->y_m || d->z_m, "components",
+             QT_TRANSLATE_NOOP("load_editing", "Tick at least one component"));
       for (const auto& part : {d->x_m, d->y_m, d->z_m})
-        expect(!part || std::isfinite(*part), "components", "Give a number where it is ticked");
+        expect(!part || std::isfinite(*part), "components",
+               QT_TRANSLATE_NOOP("load_editing", "Give a number where it is ticked"));
     }
   }
 
   void operator()(const fem::load& l) {
     const auto* gravity = std::get_if<fem::gravity>(&l.kind);
-    expect(gravity || !l.surfaces.empty(), "surfaces", "Pick surfaces and use the selection");
+    expect(gravity || !l.surfaces.empty(), "surfaces",
+           QT_TRANSLATE_NOOP("load_editing", "Pick surfaces and use the selection"));
     if (gravity)
       direction(gravity->m_s2);
     else if (const auto* force = std::get_if<fem::force>(&l.kind))
@@ -68,7 +74,7 @@ struct checker {
       direction(traction->pa);
     else if (const auto* pressure = std::get_if<fem::pressure>(&l.kind))
       expect(pressure->pa != 0 && std::isfinite(pressure->pa), "components",
-             "Must be a number other than 0");
+             QT_TRANSLATE_NOOP("load_editing", "Must be a number other than 0"));
   }
 };
 
@@ -174,11 +180,11 @@ std::vector<item_fault> faults(const load_item& item) {
 QString missing(const fem::load_case& loads) {
   QStringList result;
   if (loads.materials.empty())
-    result << say("a material");
+    result << phrases::tr("a material");
   if (loads.constraints.empty())
-    result << say("a support");
+    result << phrases::tr("a support");
   if (loads.loads.empty())
-    result << say("a load");
+    result << phrases::tr("a load");
   return result.join(", ");
 }
 

@@ -12,9 +12,9 @@ namespace tedit::desktop {
 
 namespace {
 
-QString say(const char* text) {
-  return QCoreApplication::translate("loads", text);
-}
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(load_words)
+};
 
 /// "along −z" when it is along an axis, else the components.
 QString direction(const vec3& v) {
@@ -22,7 +22,8 @@ QString direction(const vec3& v) {
   const std::pair<double, const char*> axes[] = {{v.x, "x"}, {v.y, "y"}, {v.z, "z"}};
   for (const auto& [component, name] : axes)
     if (size > 0 && std::abs(component) > (1 - 1e-9) * size)
-      return say("along ") + (component < 0 ? QString::fromUtf8("\u2212") : QString("+")) + name;
+      return phrases::tr("along ") + (component < 0 ? QString::fromUtf8("\u2212") : QString("+")) +
+             name;
   return QString("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
 }
 
@@ -31,8 +32,10 @@ double size_of(const vec3& v) {
 }
 
 struct describe {
-  QString operator()(const fem::fixed&) const { return say("Fixed"); }
-  QString operator()(const fem::roller&) const { return say("Roller: slides, does not lift"); }
+  QString operator()(const fem::fixed&) const { return phrases::tr("Fixed"); }
+  QString operator()(const fem::roller&) const {
+    return phrases::tr("Roller: slides, does not lift");
+  }
   QString operator()(const fem::prescribed_displacement& d) const {
     QStringList parts;
     if (d.x_m)
@@ -41,19 +44,19 @@ struct describe {
       parts << "y " + length(*d.y_m);
     if (d.z_m)
       parts << "z " + length(*d.z_m);
-    return say("Displaced by ") + parts.join(", ");
+    return phrases::tr("Displaced by ") + parts.join(", ");
   }
   QString operator()(const fem::force& f) const {
-    return say("Force ") + quantity(size_of(f.total_n), "N") + " " + direction(f.total_n);
+    return phrases::tr("Force ") + quantity(size_of(f.total_n), "N") + " " + direction(f.total_n);
   }
   QString operator()(const fem::traction& t) const {
-    return say("Traction ") + quantity(size_of(t.pa), "Pa") + " " + direction(t.pa);
+    return phrases::tr("Traction ") + quantity(size_of(t.pa), "Pa") + " " + direction(t.pa);
   }
   QString operator()(const fem::pressure& p) const {
-    return say("Pressure ") + quantity(p.pa, "Pa");
+    return phrases::tr("Pressure ") + quantity(p.pa, "Pa");
   }
   QString operator()(const fem::gravity& g) const {
-    return say("Gravity ") + number(size_of(g.m_s2)) + QString::fromUtf8(" m/s\u00b2 ") +
+    return phrases::tr("Gravity ") + number(size_of(g.m_s2)) + QString::fromUtf8(" m/s\u00b2 ") +
            direction(g.m_s2);
   }
 };

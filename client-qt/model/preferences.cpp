@@ -29,6 +29,7 @@ QString shortcut_key(const QString& id) {
 preferences load_preferences(const QSettings& settings) {
   preferences result;
   result.look = read(settings, "look", looks, result.look);
+  result.language = settings.value("language").toString();
   result.device = settings.value("solve/device").toString();
   const int order = settings.value("solve/element_order", result.element_order).toInt();
   result.element_order = order == 1 ? 1 : 2;
@@ -43,6 +44,7 @@ preferences load_preferences(const QSettings& settings) {
 
 void save(const preferences& wanted, QSettings& settings) {
   settings.setValue("look", looks[static_cast<int>(wanted.look)]);
+  settings.setValue("language", wanted.language);
   settings.setValue("solve/device", wanted.device);
   settings.setValue("solve/element_order", wanted.element_order);
   settings.setValue("solve/energy_tolerance", wanted.energy_tolerance);

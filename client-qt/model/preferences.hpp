@@ -19,6 +19,7 @@ enum class log_level { errors, notices, everything };
 
 /// What a person set once for all parts.
 struct preferences {
+  QString language;  ///< "de", ...; empty: the system's.
   look_wish look = look_wish::system;
   QString device;  ///< "cpu", "gpu", ...; empty: the server's default.
   int element_order = 2;

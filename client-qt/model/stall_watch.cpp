@@ -36,7 +36,7 @@ void stall_watch::watch() {
         [this, sent] {
           const std::chrono::duration<float, std::milli> waited = clock::now() - sent;
           const std::lock_guard lock(mutex_);
-          if (waits_ms_.size() < most_samples)
+          if (sent >= since_ && waits_ms_.size() < most_samples)
             waits_ms_.push_back(waited.count());
           answered_ = true;
         },
@@ -64,6 +64,7 @@ stall_watch::figures stall_watch::take() const {
 void stall_watch::restart() {
   const std::lock_guard lock(mutex_);
   waits_ms_.clear();
+  since_ = clock::now();
 }
 
 }  // namespace tedit::desktop

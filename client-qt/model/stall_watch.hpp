@@ -30,6 +30,7 @@ public:
   };
   /// Of all waits since the start or the last `restart`.
   [[nodiscard]] figures take() const;
+  /// Forgets all waits until now, and those that have begun.
   void restart();
 
 private:
@@ -38,7 +39,8 @@ private:
   std::atomic<bool> ends_{false};
   std::atomic<bool> answered_{true};
   mutable std::mutex mutex_;
-  std::vector<float> waits_ms_;  ///< Guarded.
+  std::vector<float> waits_ms_;                  ///< Guarded.
+  std::chrono::steady_clock::time_point since_;  ///< Guarded. What began before does not count.
   QThread* thread_;
 };
 

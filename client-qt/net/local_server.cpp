@@ -2,6 +2,7 @@
 #include "client-qt/net/local_server.hpp"
 
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -17,6 +18,7 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int poll_ms = 40;
+constexpr int behind_the_window = 5;  // Of nice(2).
 constexpr int patience_ms = 20'000;
 constexpr int most_restarts = 3;
 constexpr int restart_window_ms = 60'000;
@@ -38,8 +40,11 @@ local_server::local_server(const QString& folder, QObject* parent)
   poll_.setInterval(poll_ms);
   connect(&poll_, &QTimer::timeout, this, &local_server::look);
   connect(&process_, &QProcess::finished, this, &local_server::ended);
-  // Whatever becomes of us, the server goes too.
-  process_.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
+  // Whatever becomes of us, the server goes too. It solves with all cores: the window comes first.
+  process_.setChildProcessModifier([] {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    [[maybe_unused]] const int now = ::nice(behind_the_window);
+  });
   process_.setProcessChannelMode(QProcess::MergedChannels);
 }
 

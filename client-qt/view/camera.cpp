@@ -156,6 +156,12 @@ bool camera::is_parallel() const {
   return renderer_->GetActiveCamera()->GetParallelProjection() != 0;
 }
 
+bool camera::is_within(const std::array<double, 6>& box) const {
+  const vec3 at = get().position;
+  return !is_parallel() && at.x >= box[0] && at.x <= box[1] && at.y >= box[2] && at.y <= box[3] &&
+         at.z >= box[4] && at.z <= box[5];
+}
+
 camera::pose camera::get() const {
   auto* c = renderer_->GetActiveCamera();
   return {to_vec3(c->GetPosition()), to_vec3(c->GetFocalPoint()), to_vec3(c->GetViewUp()),

@@ -59,6 +59,8 @@ public:
 
   [[nodiscard]] projection to_pixels() const;
 
+  /// Whether the viewer stands in a box: x low, x high, y low, ...; never with parallel rays.
+  [[nodiscard]] bool is_within(const std::array<double, 6>& box) const;
   /// Near and far plane around what is drawn; needed after every change of either.
   void adjust_depth();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/help_panel.hpp"
 
+#include <QComboBox>
+#include <QDesktopServices>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,6 +12,8 @@
 #include <QTextDocument>
 #include <QTextTable>
 #include <QVBoxLayout>
+
+#include "client-qt/model/language.hpp"
 
 namespace tedit::desktop {
 
@@ -27,9 +31,22 @@ protected:
 
 constexpr double list_indent = 18;
 
-QString manual() {
-  QFile file(":/help/desktop.md");
+/// In the order of the tool rail.
+const QStringList operations{"fill_hole", "remove_surfaces", "erode",       "thicken",
+                             "open",      "close",           "improve_mesh"};
+
+QString text_of(const QString& name) {
+  QFile file(":/help/" + name + ".md");
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QString text_of_page(const QString& id) {
+  if (id != "operations")
+    return text_of(id);
+  QStringList all;
+  for (const auto& name : operations)
+    all << text_of(name);
+  return all.join("\n\n");
 }
 
 }  // namespace
@@ -37,10 +54,26 @@ QString manual() {
 help_panel::help_panel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 0);
+  auto* top = new QHBoxLayout;
+  pages_ = new QComboBox;
+  pages_->setObjectName("help_pages");
+  pages_->setAccessibleName(tr("Page of the manual"));
+  pages_->addItem(tr("This window"), "desktop");
+  pages_->addItem(tr("Operations"), "operations");
+  pages_->addItem(tr("Results"), "results");
+  pages_->addItem(tr("Improving a mesh"), "improve");
+  pages_->addItem(tr("Recipes"), "recipes");
+  browser_ = new QPushButton(tr("In the browser"));
+  browser_->setObjectName("help_browser");
+  browser_->setToolTip(tr("The same page, with its pictures"));
+  top->addWidget(pages_, 1);
+  top->addWidget(browser_);
+  column->addLayout(top);
   auto* row = new QHBoxLayout;
   letters_ = new QLineEdit;
   letters_->setObjectName("help_letters");
   letters_->setPlaceholderText(tr("Search the help"));
+  letters_->setAccessibleName(tr("Search the help"));
   letters_->setClearButtonEnabled(true);
   count_ = new QLabel;
   count_->setProperty("role", "faint");
@@ -53,9 +86,45 @@ help_panel::help_panel(QWidget* parent) : QWidget(parent) {
   page_->setObjectName("help_page");
   page_->setOpenExternalLinks(false);
   page_->setOpenLinks(false);
-  page_->setMarkdown(manual());
   page_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   page_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  page_->setAccessibleName(tr("Help"));
+  column->addWidget(page_, 1);
+  connect(letters_, &QLineEdit::textChanged, this, &help_panel::search);
+  connect(letters_, &QLineEdit::returnPressed, this, [this] { step(false); });
+  connect(next, &QPushButton::clicked, this, [this] { step(false); });
+  connect(pages_, &QComboBox::currentIndexChanged, this, [this] { lay_out(); });
+  connect(browser_, &QPushButton::clicked, this,
+          [this] { QDesktopServices::openUrl(in_browser()); });
+  lay_out();
+}
+
+QString help_panel::shown() const {
+  return pages_->currentData().toString();
+}
+
+QUrl help_panel::in_browser() const {
+  const QString file = shared_folder() + "/doc/tedit/html/" + shown() + ".html";
+  return QFile::exists(file) ? QUrl::fromLocalFile(file) : QUrl();
+}
+
+void help_panel::show_page(const QString& id, const QString& heading) {
+  const int index = pages_->findData(id);
+  if (index < 0)
+    return;
+  pages_->setCurrentIndex(index);
+  auto place = QTextCursor(page_->document());
+  for (auto block = page_->document()->begin(); !heading.isEmpty() && block.isValid();
+       block = block.next())
+    if (block.blockFormat().headingLevel() > 0 && block.text() == heading)
+      place = QTextCursor(block);
+  page_->moveCursor(QTextCursor::End);  // So that the heading comes to stand at the top.
+  page_->setTextCursor(place);
+  page_->ensureCursorVisible();
+}
+
+void help_panel::lay_out() {
+  page_->setMarkdown(text_of_page(shown()));
   page_->document()->setIndentWidth(list_indent);
   for (auto* frame : page_->document()->rootFrame()->childFrames())
     if (auto* table = qobject_cast<QTextTable*>(frame)) {
@@ -69,11 +138,8 @@ help_panel::help_panel(QWidget* parent) : QWidget(parent) {
     format.setNonBreakableLines(false);
     QTextCursor(block).setBlockFormat(format);
   }
-  page_->setAccessibleName(tr("Help"));
-  column->addWidget(page_, 1);
-  connect(letters_, &QLineEdit::textChanged, this, &help_panel::search);
-  connect(letters_, &QLineEdit::returnPressed, this, [this] { step(false); });
-  connect(next, &QPushButton::clicked, this, [this] { step(false); });
+  browser_->setVisible(!in_browser().isEmpty());
+  search(letters_->text());
 }
 
 void help_panel::start_typing() {

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QTextBrowser>
+#include <QUrl>
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace tedit::desktop {
 
-/// The manual inside the window, as it is shipped with the program, with a search.
+/// Pages of the manual inside the window, as they are shipped with the program, with a search.
 class help_panel : public QWidget {
   Q_OBJECT
 
@@ -23,11 +26,20 @@ public:
   [[nodiscard]] int hits() const { return static_cast<int>(hits_.size()); }
   [[nodiscard]] QTextBrowser* page() const { return page_; }
   void start_typing();
+  /// Shows a page ("desktop", "operations", "results", ...) from a heading on; empty: from its top.
+  void show_page(const QString& id, const QString& heading = {});
+  /// The page that is shown.
+  [[nodiscard]] QString shown() const;
+  /// The same page of the HTML manual; empty when that is not installed.
+  [[nodiscard]] QUrl in_browser() const;
 
 private:
   void show_hit();
   void mark_hits();
+  void lay_out();
 
+  QComboBox* pages_;
+  QPushButton* browser_;
   QLineEdit* letters_;
   QLabel* count_;
   QTextBrowser* page_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/latencies.hpp"
 
+#include <QEvent>
+#include <QTimer>
+
 #include <algorithm>
 
 #include "client-qt/view/context_panel.hpp"
@@ -32,6 +35,19 @@ latencies::latencies(main_window& window, QObject* parent) : QObject(parent), wi
       previewed_.start();
   });
   connect(&window.view(), &vtk_view::drawn, this, &latencies::drawn);
+  window.installEventFilter(this);
+}
+
+bool latencies::eventFilter(QObject* watched, QEvent* event) {
+  if (!window_open && (event->type() == QEvent::Paint || event->type() == QEvent::UpdateRequest)) {
+    watched->removeEventFilter(this);
+    window_open = 0;  // Asked for once; known when this event is done.
+    QTimer::singleShot(0, this, [this] {
+      window_open = static_cast<double>(since_start_.nsecsElapsed()) * 1e-6;
+      emit window_shown();
+    });
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void latencies::drawn() {

@@ -139,6 +139,8 @@ private:
   void add_isolines();
   void add_history_words();
   void add_help();
+  /// The page of the manual for what is being done, and the heading to begin with.
+  [[nodiscard]] std::pair<QString, QString> help_topic() const;
   void add_recording();
   void ask_recording();
 

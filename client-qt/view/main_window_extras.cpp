@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
@@ -7,11 +8,13 @@
 #include <QStackedWidget>
 
 #include "client-qt/view/banner.hpp"
+#include "client-qt/view/context_panel.hpp"
 #include "client-qt/view/field_panel.hpp"
 #include "client-qt/view/help_panel.hpp"
 #include "client-qt/view/history_strip.hpp"
 #include "client-qt/view/jobs_panel.hpp"
 #include "client-qt/view/main_window.hpp"
+#include "client-qt/view/receipt_panel.hpp"
 #include "client-qt/view/recorder.hpp"
 #include "client-qt/view/truth_line.hpp"
 #include "client-qt/view/viewport.hpp"
@@ -103,11 +106,25 @@ void main_window::add_help() {
                    dock->raise();
                    if (!was_shown)
                      resizeDocks({dock}, {help_width}, Qt::Horizontal);
+                   const auto [page, heading] = help_topic();
+                   help->show_page(page, heading);
                    help->start_typing();
                  },
                  {},
-                 tr("The manual, with a search"),
+                 tr("The manual: the page for what is being done, with a search"),
                  "info"});
+}
+
+std::pair<QString, QString> main_window::help_topic() const {
+  if (!context_->chosen().isEmpty())
+    return {"operations", context_->chosen()};
+  const auto* focus = QApplication::focusWidget();
+  const auto in = [&](const QWidget* panel) {
+    return panel && focus && panel->isAncestorOf(focus);
+  };
+  if (in(fields_) || in(receipt_) || in(findChild<QWidget*>("probes")))
+    return {"results", {}};
+  return {"desktop", {}};
 }
 
 // -- recording -----------------------------------------------------------------------

@@ -21,6 +21,10 @@ namespace tedit::desktop {
 
 namespace {
 
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(operation_form)
+};
+
 /// A spin box for numbers of any size: as many decimals as the value needs.
 class number_box : public QDoubleSpinBox {
 public:
@@ -38,20 +42,16 @@ QString text(const std::string& words) {
 QString what_it_is(const ops::parameter_description& parameter) {
   QString result = "<b>" + text(parameter.name).toHtmlEscaped() + "</b><br>" +
                    text(parameter.help).toHtmlEscaped();
-  const auto say = [](const char* words) {
-    return QCoreApplication::translate("operation_form", words);
-  };
   const QString unit = text(parameter.unit);
   if (parameter.min && parameter.max)
-    result +=
-      "<br>" +
-      say("From %1 to %2").arg(quantity(*parameter.min, unit), quantity(*parameter.max, unit));
+    result += "<br>" + phrases::tr("From %1 to %2")
+                         .arg(quantity(*parameter.min, unit), quantity(*parameter.max, unit));
   else if (parameter.min)
-    result += "<br>" + say("At least %1").arg(quantity(*parameter.min, unit));
+    result += "<br>" + phrases::tr("At least %1").arg(quantity(*parameter.min, unit));
   else if (parameter.max)
-    result += "<br>" + say("At most %1").arg(quantity(*parameter.max, unit));
+    result += "<br>" + phrases::tr("At most %1").arg(quantity(*parameter.max, unit));
   if (const auto* value = std::get_if<double>(&parameter.default_value))
-    result += "<br>" + say("Usually %1").arg(quantity(*value, unit));
+    result += "<br>" + phrases::tr("Usually %1").arg(quantity(*value, unit));
   return result;
 }
 

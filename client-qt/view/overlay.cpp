@@ -3,8 +3,8 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
+#include <QPaintEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,7 @@ constexpr double margin = 16;
 constexpr double bar_width = 16;
 constexpr double legend_height = 240;
 constexpr double legend_width = 140;
+constexpr double title_size = 13;
 constexpr int most_ticks = 7;
 
 QFont sized(const QFont& font, double pixels, bool bold = false) {
@@ -31,6 +32,10 @@ QFont sized(const QFont& font, double pixels, bool bold = false) {
 
 QColor to_colour(const rgb& c) {
   return QColor::fromRgbF(c[0], c[1], c[2]);
+}
+
+QString title_of(const legend& by) {
+  return by.title.isEmpty() ? field_title(by.field) : by.title;
 }
 
 /// The part of [0,1] at which the legend puts a value, ascending with the value.
@@ -45,10 +50,10 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
                   const QColor& ink, double scale) {
   const auto unit = shown_as(field_unit(by.field));
   painter.setPen(ink);
-  painter.setFont(sized(painter.font(), 13 * scale, true));
+  painter.setFont(sized(painter.font(), title_size * scale, true));
   const double line = 18 * scale;
   painter.drawText(QRectF(where.left(), where.top(), 4 * where.width(), line), Qt::AlignLeft,
-                   by.title.isEmpty() ? field_title(by.field) : by.title);
+                   title_of(by));
   painter.setFont(sized(painter.font(), 12 * scale));
   QString second = unit.name;
   if (by.mode == range_mode::locked)
@@ -89,7 +94,7 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
 overlay::overlay(viewport& view) : QWidget(&view), view_(view) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
-  connect(&view, &viewport::view_changed, this, qOverload<>(&QWidget::update));
+  connect(&view, &viewport::view_changed, this, &overlay::follow_camera);
   connect(&view, &viewport::shown, this, qOverload<>(&QWidget::update));
   show_legend(true);
 }
@@ -115,30 +120,57 @@ void overlay::show_legend(bool on) {
   update();
 }
 
-void overlay::mark(QPainter& painter, const vec3& at, const QString& text, double scale,
-                   bool below) {
-  if (view_.section() && view_.section()->takes_away(at))
-    return;
-  const QPointF place = scale * view_.to_widget(at);
-  const QFont font = sized(painter.font(), 12 * scale);
-  painter.setFont(font);
-  const QFontMetricsF metrics(font);
-  QRectF box(place + scale * QPointF(12, below ? 10 : -30),
-             QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
-  const bool leftwards = box.right() > scale * view_.width();  // Else the words were cut off.
-  if (leftwards)
-    box.moveRight(place.x() - 12 * scale);
+std::vector<overlay::tag> overlay::tags(double scale) const {
+  const auto& ends = view_.value_extremes();
+  if (!extremes_ || !ends)
+    return {};
+  const auto& by = view_.current_legend();
+  const QFontMetricsF metrics(sized(font(), 12 * scale));
+  std::vector<tag> result;
+  const auto add = [&](const vec3& at, const QString& text, bool below) {
+    if (view_.section() && view_.section()->takes_away(at))
+      return;
+    const QPointF place = scale * view_.to_widget(at);
+    QRectF box(place + scale * QPointF(12, below ? 10 : -30),
+               QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
+    if (box.right() > scale * view_.width())  // Else the words were cut off.
+      box.moveRight(place.x() - 12 * scale);
+    result.push_back({place, box, below, text});
+  };
+  const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
+  add(ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), true);
+  if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
+    add(ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), false);
+  return result;
+}
+
+void overlay::paint_tag(QPainter& painter, const tag& what, double scale) const {
+  painter.setFont(sized(font(), 12 * scale));
   painter.setPen(QPen(ink_, 1.2 * scale));
   painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(place, 4 * scale, 4 * scale);
-  const double side = leftwards ? box.right() : box.left();
-  painter.drawLine(place + scale * QPointF(leftwards ? -3 : 3, below ? 3 : -3),
-                   QPointF(side, below ? box.top() : box.bottom()));
+  painter.drawEllipse(what.place, 4 * scale, 4 * scale);
+  const bool leftwards = what.box.center().x() < what.place.x();
+  const double side = leftwards ? what.box.right() : what.box.left();
+  painter.drawLine(what.place + scale * QPointF(leftwards ? -3 : 3, what.below ? 3 : -3),
+                   QPointF(side, what.below ? what.box.top() : what.box.bottom()));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(255, 255, 255, 215));
-  painter.drawRoundedRect(box, 4 * scale, 4 * scale);
+  painter.drawRoundedRect(what.box, 4 * scale, 4 * scale);
   painter.setPen(QColor(25, 30, 40));
-  painter.drawText(box, Qt::AlignCenter, text);
+  painter.drawText(what.box, Qt::AlignCenter, what.text);
+}
+
+QRegion overlay::region_of_tags() const {
+  QRegion result;
+  for (const auto& one : tags(1))
+    result += (one.box | QRectF(one.place, one.place).adjusted(-6, -6, 6, 6))
+                .adjusted(-3, -3, 3, 3)
+                .toAlignedRect();
+  return result;
+}
+
+void overlay::follow_camera() {
+  update(marks_ | region_of_tags());
 }
 
 /// Also in pictures: nobody must take what is only looked at for what is.
@@ -154,43 +186,45 @@ void overlay::paint_note(QPainter& painter, double scale) {
   painter.drawText(box, Qt::AlignCenter, note_);
 }
 
-void overlay::paint(QPainter& painter, double scale) {
+void overlay::paint(QPainter& painter, double scale, const QRect& within) {
   painter.setRenderHint(QPainter::Antialiasing);
-  const auto& by = view_.current_legend();
   const auto& ends = view_.value_extremes();
   if (!ends && view_.current().before)
     paint_note(painter, scale);
   if (!ends)
     return;
-  if (legend_)
+  const double longest_title = 3 * legend_width;
+  if (legend_ && scale_box().adjusted(0, 0, longest_title, 0).intersects(within))
     paint_scale(painter, scale);
-  if (!extremes_)
-    return;
-  const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
-  mark(painter, ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), scale,
-       true);
-  if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
-    mark(painter, ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), scale, false);
+  for (const auto& one : tags(scale))
+    paint_tag(painter, one, scale);
+}
+
+/// Around the legend, pixels of the screen.
+QRectF overlay::scale_box() const {
+  const double height = std::min(legend_height, view_.height() - 2 * margin);
+  const auto& by = view_.current_legend();
+  const QFontMetricsF title(sized(font(), title_size, true));
+  const double width = std::max(legend_width, title.horizontalAdvance(title_of(by)) + margin);
+  return {margin / 2, view_.height() - height - 1.5 * margin, width + margin / 2, height + margin};
 }
 
 void overlay::paint_scale(QPainter& painter, double scale) {
-  const double height = std::min(legend_height, view_.height() - 2 * margin);
+  const QRectF box = scale_box();
   QColor ground = ink_.lightness() > 128 ? QColor(20, 24, 28, 110) : QColor(255, 255, 255, 120);
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);
-  painter.drawRoundedRect(
-    QRectF(scale * margin / 2, scale * (view_.height() - height - 1.5 * margin),
-           scale * (legend_width + margin / 2), scale * (height + margin)),
-    6 * scale, 6 * scale);
+  painter.drawRoundedRect(QRectF(scale * box.topLeft(), scale * box.size()), 6 * scale, 6 * scale);
   paint_legend(painter,
-               QRectF(scale * margin, scale * (view_.height() - height - margin),
-                      scale * legend_width, scale * height),
+               QRectF(scale * margin, scale * (box.top() + margin / 2), scale * legend_width,
+                      scale * (box.height() - margin)),
                view_.current_legend(), note_, ink_, scale);
 }
 
-void overlay::paintEvent(QPaintEvent*) {
+void overlay::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
-  paint(painter, 1);
+  paint(painter, 1, event->rect());
+  marks_ = region_of_tags();
 }
 
 QImage overlay::picture(int width, int height) {
@@ -203,7 +237,7 @@ QImage overlay::picture(int width, int height) {
   image.setDevicePixelRatio(1);
   {
     QPainter painter(&image);
-    paint(painter, scale);
+    paint(painter, scale, rect());
   }
   if (other)
     view_.resize(before);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QRegion>
 #include <QWidget>
+
+#include <vector>
 
 #include "client-qt/model/legend.hpp"
 #include "mesh/vec3.hpp"
@@ -39,15 +42,27 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  void paint(QPainter& painter, double scale);
+  /// Words at a place of the part.
+  struct tag {
+    QPointF place;
+    QRectF box;  ///< Around the words.
+    bool below;  ///< The words stand below the place, so that two near each other stay readable.
+    QString text;
+  };
+  void paint(QPainter& painter, double scale, const QRect& within);
+  /// After the camera moved: only the marks did, too. All else stays as it was painted.
+  void follow_camera();
+  [[nodiscard]] std::vector<tag> tags(double scale) const;
+  [[nodiscard]] QRegion region_of_tags() const;
+  [[nodiscard]] QRectF scale_box() const;
   void paint_scale(QPainter& painter, double scale);
   void paint_note(QPainter& painter, double scale);
-  /// `below`: the words stand below the place, so that two near each other stay readable.
-  void mark(QPainter& painter, const vec3& at, const QString& text, double scale, bool below);
+  void paint_tag(QPainter& painter, const tag& what, double scale) const;
 
   viewport& view_;
   QString note_;
   QColor ink_{32, 38, 48};
+  QRegion marks_;  ///< Where marks were painted last.
   bool extremes_ = true;
   bool legend_ = true;
 };

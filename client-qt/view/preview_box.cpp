@@ -19,9 +19,9 @@ namespace {
 
 constexpr const char* setting = "preview";
 
-QString say(const char* text) {
-  return QCoreApplication::translate("preview", text);
-}
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(preview)
+};
 
 QString row(const QString& left, const QString& right) {
   return "<tr><td>" + left + "&nbsp;&nbsp;</td><td>" + right + "</td></tr>";
@@ -49,14 +49,14 @@ std::vector<surface_id> places_of(const error& reason) {
 QString preview_html(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html = "<table>";
-  html += row(say("Volume"),
+  html += row(phrases::tr("Volume"),
               (report.volume_change > 0 ? "+" : "") + quantity(report.volume_change, "m3"));
-  html += row(say("Tets"), say("%1 (%2 new, %3 gone)")
-                             .arg(count(static_cast<double>(made.tets)),
-                                  count(static_cast<double>(report.tets_added)),
-                                  count(static_cast<double>(report.tets_removed))));
-  html += row(say("Worst tet here"),
-              say("%1 before, %2 then")
+  html += row(phrases::tr("Tets"), phrases::tr("%1 (%2 new, %3 gone)")
+                                     .arg(count(static_cast<double>(made.tets)),
+                                          count(static_cast<double>(report.tets_added)),
+                                          count(static_cast<double>(report.tets_removed))));
+  html += row(phrases::tr("Worst tet here"),
+              phrases::tr("%1 before, %2 then")
                 .arg(number(report.touched_min_before), number(report.touched_min_after)));
   for (const auto& figure : report.figures)
     html += row(escaped(figure.help), number(figure.value) + " " + escaped(figure.unit));
@@ -64,8 +64,8 @@ QString preview_html(const client::edit_preview& made) {
   const int changed = changed_loads(report);
   if (!report.receipt.empty())
     html += "<p>" +
-            (changed == 0 ? say("All loads and supports stay as they are.")
-                          : say("Loads and supports that change: %1").arg(changed)) +
+            (changed == 0 ? phrases::tr("All loads and supports stay as they are.")
+                          : phrases::tr("Loads and supports that change: %1").arg(changed)) +
             "</p>";
   for (const auto& line : report.receipt)
     if (line.fate != fem::receipt_fate::kept)

@@ -13,31 +13,32 @@ namespace tedit::desktop {
 
 namespace {
 
-QString say(const char* text) {
-  return QCoreApplication::translate("receipt", text);
-}
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(receipt)
+};
 
 QString row(const QString& left, const QString& right) {
   return "<tr><td>" + left + "&nbsp;&nbsp;</td><td>" + right + "</td></tr>";
 }
 
 QString surface_link(surface_id id, const std::string& name) {
-  const QString shown = name.empty() ? say("Surface %1").arg(id) : QString::fromStdString(name);
+  const QString shown =
+    name.empty() ? phrases::tr("Surface %1").arg(id) : QString::fromStdString(name);
   return QString("<a href=\"surface:%1\">%2</a>").arg(id).arg(shown.toHtmlEscaped());
 }
 
 QString fate_words(const surface_change& change) {
   switch (change.fate) {
     case surface_fate::added:
-      return say("new, %1").arg(quantity(change.area_after, "m2"));
+      return phrases::tr("new, %1").arg(quantity(change.area_after, "m2"));
     case surface_fate::removed:
-      return say("gone");
+      return phrases::tr("gone");
     case surface_fate::merged_into:
-      return say("merged into surface %1").arg(change.other);
+      return phrases::tr("merged into surface %1").arg(change.other);
     case surface_fate::split_from:
-      return say("split from surface %1").arg(change.other);
+      return phrases::tr("split from surface %1").arg(change.other);
     default:
-      return say("area %1").arg(desktop::change(change.area_before, change.area_after));
+      return phrases::tr("area %1").arg(desktop::change(change.area_before, change.area_after));
   }
 }
 
@@ -65,9 +66,9 @@ QString receipt_html(const edit_report& report) {
   QString html;
   const int changed = changed_loads(report);
   html += "<p><b>" +
-          (report.receipt.empty() ? say("There are no loads yet.")
-           : changed == 0         ? say("All loads and supports are as before.")
-                                  : say("Loads and supports that changed: %1").arg(changed)) +
+          (report.receipt.empty() ? phrases::tr("There are no loads yet.")
+           : changed == 0         ? phrases::tr("All loads and supports are as before.")
+                          : phrases::tr("Loads and supports that changed: %1").arg(changed)) +
           "</b></p>";
   if (changed > 0) {
     html += "<ul>";
@@ -77,30 +78,31 @@ QString receipt_html(const edit_report& report) {
     html += "</ul>";
   }
   html += "<table>";
-  html += row(say("Volume"), quantity(report.volume_change, "m3"));
-  html += row(say("Tets"), say("%1 new, %2 gone")
-                             .arg(count(static_cast<double>(report.tets_added)),
-                                  count(static_cast<double>(report.tets_removed))));
-  html += row(say("Worst tet here"),
-              say("%1 before, %2 now")
+  html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
+  html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
+                                     .arg(count(static_cast<double>(report.tets_added)),
+                                          count(static_cast<double>(report.tets_removed))));
+  html += row(phrases::tr("Worst tet here"),
+              phrases::tr("%1 before, %2 now")
                 .arg(number(report.touched_min_before), number(report.touched_min_after)));
   for (const auto& figure : report.figures)
     html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
                 number(figure.value) + " " + QString::fromStdString(figure.unit));
   // An edit takes over what its preview made.
   const bool was_ready = report.total_ms < report.operation_ms;
-  html += row(say("Time"), (was_ready ? say("%1, made by the preview (operation %2, mesh %3, "
-                                            "checks %4)")
-                                      : say("%1 (operation %2, mesh %3, checks %4)"))
-                             .arg(duration(report.total_ms), duration(report.operation_ms),
-                                  duration(report.improve_ms), duration(report.check_ms)));
+  html += row(phrases::tr("Time"),
+              (was_ready ? phrases::tr("%1, made by the preview (operation %2, mesh %3, "
+                                       "checks %4)")
+                         : phrases::tr("%1 (operation %2, mesh %3, checks %4)"))
+                .arg(duration(report.total_ms), duration(report.operation_ms),
+                     duration(report.improve_ms), duration(report.check_ms)));
   html += "</table>";
   QString surfaces;
   for (const auto& one : report.surface_map)
     if (matters(one))
       surfaces += row(surface_link(one.id, one.name), fate_words(one));
   if (!surfaces.isEmpty())
-    html += "<p><b>" + say("Surfaces") + "</b></p><table>" + surfaces + "</table>";
+    html += "<p><b>" + phrases::tr("Surfaces") + "</b></p><table>" + surfaces + "</table>";
   for (const auto& text : report.notices)
     html += "<p>" + QString::fromStdString(text).toHtmlEscaped() + "</p>";
   return html;

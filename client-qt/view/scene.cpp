@@ -209,6 +209,10 @@ void scene::fill_table(const legend& by) {
   table_->SetNanColor(colours_.part[0], colours_.part[1], colours_.part[2], 1);
 }
 
+void scene::cull_backs(bool on) {
+  face_actor_->GetProperty()->SetBackfaceCulling(on);
+}
+
 void scene::clip(const std::optional<section_plane>& plane) {
   if (plane) {  // VTK keeps what the normal points to.
     plane_->SetOrigin(plane->at.x, plane->at.y, plane->at.z);

@@ -70,6 +70,9 @@ public:
   void show_mesh(bool on);
   void show_edges(bool on);
 
+  /// Leaves out faces that are seen from behind: right where the part is closed and looked at from
+  /// outside, and nearly half of a frame where a processor draws.
+  void cull_backs(bool on);
   /// Draws only what lies on the side of the plane that its normal points away from; nothing: all.
   void clip(const std::optional<section_plane>& plane);
   /// The cut surface with one value for each of its points (empty: grey); null: none.

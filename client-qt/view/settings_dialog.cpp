@@ -11,6 +11,10 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
+#include "client-qt/model/language.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -44,8 +48,10 @@ settings_dialog::settings_dialog(const preferences& now, QWidget* parent) : QDia
     choice("look", {tr("As the system"), tr("Light"), tr("Dark")}, static_cast<int>(now.look));
   log_ = choice("log", {tr("Errors only"), tr("Errors and news"), tr("Everything")},
                 static_cast<int>(now.log));
-  add(section(tr("Window")), tr("Colours of the window"), look_,
+  auto* window = section(tr("Window"));
+  add(window, tr("Colours of the window"), look_,
       tr("Light, dark, or as the system has it when the program starts"));
+  build_language(window, now);
   build_solver(now);
   build_legend(now);
   add(section(tr("Log")), tr("The log shows"), log_, tr("What is written to the log panel"));
@@ -58,7 +64,7 @@ settings_dialog::settings_dialog(const preferences& now, QWidget* parent) : QDia
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   column->addWidget(buttons);
-  for (auto* box : {look_, device_, order_, map_, range_, log_})
+  for (auto* box : {look_, language_, device_, order_, map_, range_, log_})
     connect(box, &QComboBox::currentIndexChanged, this, [this] { emit changed(values()); });
   connect(device_->lineEdit(), &QLineEdit::editingFinished, this,
           [this] { emit changed(values()); });
@@ -85,6 +91,24 @@ void settings_dialog::add(QFormLayout* form, const QString& title, QWidget* fiel
   form->addRow(label, field);
   const auto* box = qobject_cast<QGroupBox*>(form->parentWidget());
   entries_.push_back({label, field, box->title() + " " + title + " " + help});
+}
+
+/// A language that is wished for and not there stays wished for.
+void settings_dialog::build_language(QFormLayout* form, const preferences& now) {
+  language_ = choice("language", {tr("As the system")}, 0);
+  language_->setItemData(0, QString());
+  for (const auto& code : languages())
+    language_->addItem(language_name(code), code);
+  if (!now.language.isEmpty() && language_->findData(now.language) < 0)
+    language_->addItem(now.language, now.language);
+  language_->setCurrentIndex(std::max(0, language_->findData(now.language)));
+  add(form, tr("Language"), language_, tr("Holds from the next start of the program"));
+  auto* note = new QLabel(tr("Holds from the next start of the program"));
+  note->setObjectName("language_note");
+  note->setProperty("role", "faint");
+  note->hide();
+  form->addRow(note);
+  connect(language_, &QComboBox::currentIndexChanged, note, &QWidget::show);
 }
 
 void settings_dialog::build_solver(const preferences& now) {
@@ -135,6 +159,7 @@ void settings_dialog::build_legend(const preferences& now) {
 preferences settings_dialog::values() const {
   preferences result;
   result.look = static_cast<look_wish>(look_->currentIndex());
+  result.language = language_->currentData().toString();
   const QString device = device_->currentText().trimmed();
   result.device = device == device_->itemText(0) ? QString() : device;
   result.element_order = order_->currentIndex() + 1;

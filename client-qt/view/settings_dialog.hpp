@@ -39,6 +39,7 @@ private:
 
   [[nodiscard]] QFormLayout* section(const QString& title);
   void add(QFormLayout* form, const QString& title, QWidget* field, const QString& help);
+  void build_language(QFormLayout* form, const preferences& now);
   void build_solver(const preferences& now);
   void build_legend(const preferences& now);
   void search(const QString& letters);
@@ -48,6 +49,7 @@ private:
   QWidget* content_;
   QLabel* nothing_;
   QComboBox* look_;
+  QComboBox* language_;
   QComboBox* device_;
   QComboBox* order_;
   QDoubleSpinBox* tolerance_;

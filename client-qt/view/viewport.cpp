@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client-qt/model/field_values.hpp"
 #include "client-qt/view/box_pick.hpp"
 #include "client-qt/view/isolines.hpp"
+#include "client-qt/view/shown_values.hpp"
 
 namespace tedit::desktop {
 
@@ -23,25 +23,6 @@ constexpr double drag_threshold = 4;  // Pixels: less is a click.
 constexpr double zoom_step = 1.12;    // For a notch of the wheel.
 
 }  // namespace
-
-std::vector<float> values_of(const part_geometry& part, const client::field_event& field,
-                             shown_field wanted) {
-  std::vector<float> result;
-  result.reserve(part.vertices.size());
-  for (const auto slot : part.vertices)
-    result.push_back(desktop::value_at(field, slot, wanted));
-  return result;
-}
-
-std::vector<float> values_of(const client::section& cap, shown_field wanted) {
-  std::vector<float> result;
-  result.reserve(cap.positions.size() / 3);
-  for (std::size_t i = 0; 3 * i < cap.positions.size(); ++i)
-    result.push_back(value_in(cap, i, wanted));
-  if (std::ranges::none_of(result, [](float value) { return std::isfinite(value); }))
-    result.clear();
-  return result;
-}
 
 viewport::viewport(QWidget* parent)
     : vtk_view(parent), camera_(renderer()), scene_(renderer()), preview_(renderer()) {
@@ -263,6 +244,14 @@ void viewport::set_glyphs(vtkPolyData* loads, vtkPolyData* supports) {
   scene_.set_glyphs(loads, supports);
   camera_.adjust_depth();
   redraw();
+}
+
+/// Only a closed part hides the backs of its faces: not one that is cut open, nor one with faces
+/// left out, nor from within.
+void viewport::about_to_draw() {
+  const auto& part = scene_.part();
+  scene_.cull_backs(part && !section_ && scene_.hidden().empty() &&
+                    !camera_.is_within(part->bounds));
 }
 
 // -- the camera ----------------------------------------------------------------------

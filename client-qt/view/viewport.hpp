@@ -107,6 +107,7 @@ signals:
   void view_changed();
 
 protected:
+  void about_to_draw() override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -154,12 +155,5 @@ private:
   bool dragging_ = false;
   std::optional<surface_id> hovered_;
 };
-
-/// One value for each point of a section; none when it has no such field.
-[[nodiscard]] std::vector<float> values_of(const client::section& cap, shown_field wanted);
-
-/// One value for each point of a part: the field's, SI; NaN where it has none. Cost: O(points).
-[[nodiscard]] std::vector<float> values_of(const part_geometry& part,
-                                           const client::field_event& field, shown_field wanted);
 
 }  // namespace tedit::desktop

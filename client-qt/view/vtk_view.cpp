@@ -20,10 +20,16 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int fine_after_ms = 200;
+// A quick frame that takes longer gets fewer pixels, a shorter one more. Twice as many each way
+// cost four times as much at most: the two limits are further apart than that.
+constexpr double slow_ms = 35;
+constexpr double fast_ms = 8;
+constexpr int coarsest = 4;
 
 }  // namespace
 
 vtk_view::vtk_view(QWidget* parent) : QOpenGLWidget(parent) {
+  setTextureFormat(GL_RGB8);  // Without alpha: what lies behind the window must not shine through.
   window_->SetOwnContext(0);
   window_->AddRenderer(renderer_);
   fine_again_.setSingleShot(true);
@@ -91,7 +97,7 @@ void vtk_view::resizeGL(int, int) {
 }
 
 void vtk_view::set_pixels() {
-  const double ratio = devicePixelRatioF() / (quick_ ? 2 : 1);
+  const double ratio = devicePixelRatioF() / (quick_ ? coarseness_ : 1);
   window_->SetSize(std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio)));
   window_->SetDPI(qRound(96 * ratio));
 }
@@ -111,6 +117,7 @@ double vtk_view::pixel_ratio() const {
 void vtk_view::paintGL() {
   QElapsedTimer clock;
   clock.start();
+  about_to_draw();
   auto* state = window_->GetState();
   state->Reset();
   state->Push();
@@ -128,14 +135,23 @@ void vtk_view::paintGL() {
   state->vtkglDisable(GL_SCISSOR_TEST);
   window_->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, shown.width(), shown.height(),
                                   GL_COLOR_BUFFER_BIT, quick_ ? GL_LINEAR : GL_NEAREST);
-  // What lies behind the window must not shine through.
-  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  gl->glClearColor(0, 0, 0, 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->Pop();
   frame_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+  ++frames_;
+  suit_coarseness();
   emit drawn();
+}
+
+void vtk_view::suit_coarseness() {
+  if (!quick_)
+    return;
+  const int before = coarseness_;
+  if (frame_ms_ > slow_ms)
+    coarseness_ = std::min(coarseness_ + 1, coarsest);
+  else if (frame_ms_ < fast_ms)
+    coarseness_ = std::max(coarseness_ - 1, 1);
+  if (coarseness_ != before)
+    set_pixels();
 }
 
 }  // namespace tedit::desktop

@@ -29,8 +29,8 @@ public:
   void redraw() { update(); }
 
   /// Draws quickly rather than finely for a moment: while the part is turned. Only where a
-  /// processor draws by itself: half as many pixels each way, until a fifth of a second after the
-  /// last call.
+  /// processor draws by itself: with as few pixels as the last such frames needed to be quick,
+  /// until a fifth of a second after the last call.
   void draw_quickly();
   [[nodiscard]] bool draws_quickly() const noexcept { return quick_; }
 
@@ -40,10 +40,15 @@ public:
   /// Milliseconds that the last frame took on this thread.
   [[nodiscard]] double frame_ms() const noexcept { return frame_ms_; }
 
+  /// Frames until now.
+  [[nodiscard]] int frames() const noexcept { return frames_; }
+
 signals:
   void drawn();
 
 protected:
+  /// Before each frame.
+  virtual void about_to_draw() {}
   void initializeGL() override;
   void resizeGL(int width, int height) override;
   void paintGL() override;
@@ -51,14 +56,17 @@ protected:
 private:
   void release();
   void set_pixels();
+  void suit_coarseness();
   static void on_make_current(vtkObject* caller, unsigned long event, void* self, void* data);
   static void on_is_current(vtkObject* caller, unsigned long event, void* self, void* data);
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   double frame_ms_ = 0;
+  int frames_ = 0;
   bool software_ = false;
   bool quick_ = false;
+  int coarseness_ = 2;  ///< Of quick frames: pixels of the widget for one that is drawn, each way.
   QTimer fine_again_;
 };
 

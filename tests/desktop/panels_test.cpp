@@ -8,6 +8,8 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTextBlock>
 
 #include "client-qt/view/help_panel.hpp"
 #include "client-qt/view/history_strip.hpp"
@@ -196,6 +198,22 @@ TEST(JobsButton, IsIdleWhenNothingRuns) {
 }
 
 // -- help ----------------------------------------------------------------------------
+
+TEST(HelpPanel, ShowsThePageAndTheHeadingThatIsAskedFor) {
+  help_panel help;
+  help.resize(320, 400);
+  help.show();
+
+  help.show_page("operations", "erode");
+
+  EXPECT_EQ(help.shown(), QString("operations"));
+  EXPECT_EQ(help.page()->textCursor().block().text(), QString("erode"));
+  EXPECT_GT(help.page()->verticalScrollBar()->value(), 0);
+  help.show_page("results");
+  EXPECT_EQ(help.page()->textCursor().position(), 0);
+  help.show_page("no such page");
+  EXPECT_EQ(help.shown(), QString("results"));
+}
 
 TEST(Help, IsTheManualAndFindsWords) {
   help_panel help;

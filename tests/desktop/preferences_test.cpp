@@ -17,6 +17,7 @@ protected:
 TEST_F(Preferences, AreKeptAndRead) {
   preferences wanted;
   wanted.look = look_wish::dark;
+  wanted.language = "de";
   wanted.device = "cpu";
   wanted.element_order = 1;
   wanted.energy_tolerance = 0.05;

@@ -1,0 +1,2582 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_GB">
+<context>
+    <name>about</name>
+    <message>
+        <source>this window</source>
+        <translation>dieses Fenster</translation>
+    </message>
+    <message>
+        <source>the picture of the part</source>
+        <translation>das Bild des Bauteils</translation>
+    </message>
+    <message>
+        <source>messages between window and server</source>
+        <translation>Nachrichten zwischen Fenster und Server</translation>
+    </message>
+    <message>
+        <source>the connection</source>
+        <translation>die Verbindung</translation>
+    </message>
+    <message>
+        <source>the server&apos;s processes</source>
+        <translation>die Prozesse des Servers</translation>
+    </message>
+    <message>
+        <source>exact geometry</source>
+        <translation>exakte Geometrie</translation>
+    </message>
+    <message>
+        <source>filling with tets, a program of its own</source>
+        <translation>Füllen mit Tetraedern, ein eigenes Programm</translation>
+    </message>
+    <message>
+        <source>linear algebra</source>
+        <translation>lineare Algebra</translation>
+    </message>
+    <message>
+        <source>public domain</source>
+        <translation>gemeinfrei</translation>
+    </message>
+    <message>
+        <source>documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>ids of versions</source>
+        <translation>Kennungen der Versionen</translation>
+    </message>
+    <message>
+        <source>checksums of files and tokens</source>
+        <translation>Prüfsummen von Dateien und Token</translation>
+    </message>
+    <message>
+        <source>the solver on GPUs</source>
+        <translation>der Löser auf Grafikkarten</translation>
+    </message>
+    <message>
+        <source>the server&apos;s log</source>
+        <translation>das Protokoll des Servers</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>die Befehlszeile</translation>
+    </message>
+    <message>
+        <source>configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>compare</name>
+    <message>
+        <source>The surface of version %1 was not seen since the document was opened.</source>
+        <translation>Die Oberfläche von Version %1 wurde seit dem Öffnen des Dokuments nicht angezeigt.</translation>
+    </message>
+    <message>
+        <source>Version %1 has no field of this load case here yet.</source>
+        <translation>Version %1 hat hier noch kein Feld dieses Lastfalls.</translation>
+    </message>
+    <message>
+        <source>Version %1 was seen without this quantity: %2.</source>
+        <translation>Version %1 wurde ohne diese Größe angezeigt: %2.</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>max. %1</translation>
+    </message>
+    <message>
+        <source>mass %1</source>
+        <translation>Masse %1</translation>
+    </message>
+</context>
+<context>
+    <name>cube</name>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+</context>
+<context>
+    <name>jobs</name>
+    <message>
+        <source>nearly done</source>
+        <translation>fast fertig</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>cancelling</source>
+        <translation>wird abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>legend</name>
+    <message>
+        <source>No field</source>
+        <translation>Kein Feld</translation>
+    </message>
+    <message>
+        <source>The bare part.</source>
+        <translation>Nur das Bauteil.</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>A colour for each surface: what a pick can mean.</source>
+        <translation>Eine Farbe für jede Fläche: was ein Klick auswählen kann.</translation>
+    </message>
+    <message>
+        <source>von Mises stress</source>
+        <translation>Vergleichsspannung</translation>
+    </message>
+    <message>
+        <source>One number for how near a ductile material is to yielding. It has no sign: tension and compression look alike.</source>
+        <translation>Nach von Mises: eine Zahl dafür, wie nahe ein zäher Werkstoff am Fließen ist. Sie hat kein Vorzeichen: Zug und Druck sehen gleich aus.</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>How far each point moves.</source>
+        <translation>Wie weit sich jeder Punkt bewegt.</translation>
+    </message>
+    <message>
+        <source>Displacement x</source>
+        <translation>Verschiebung x</translation>
+    </message>
+    <message>
+        <source>How far each point moves along x.</source>
+        <translation>Wie weit sich jeder Punkt in x-Richtung bewegt.</translation>
+    </message>
+    <message>
+        <source>Displacement y</source>
+        <translation>Verschiebung y</translation>
+    </message>
+    <message>
+        <source>How far each point moves along y.</source>
+        <translation>Wie weit sich jeder Punkt in y-Richtung bewegt.</translation>
+    </message>
+    <message>
+        <source>Displacement z</source>
+        <translation>Verschiebung z</translation>
+    </message>
+    <message>
+        <source>How far each point moves along z.</source>
+        <translation>Wie weit sich jeder Punkt in z-Richtung bewegt.</translation>
+    </message>
+    <message>
+        <source>Safety factor</source>
+        <translation>Sicherheitsfaktor</translation>
+    </message>
+    <message>
+        <source>Yield strength over von Mises stress. Red, below 1: it yields. Grey: the material has no yield strength.</source>
+        <translation>Streckgrenze durch Vergleichsspannung. Rot, unter 1: der Werkstoff fließt. Grau: der Werkstoff hat keine Streckgrenze.</translation>
+    </message>
+    <message>
+        <source>Principal stress 1</source>
+        <translation>Hauptspannung 1</translation>
+    </message>
+    <message>
+        <source>The largest tension at each point: it opens cracks.</source>
+        <translation>Der größte Zug in jedem Punkt: er öffnet Risse.</translation>
+    </message>
+    <message>
+        <source>Principal stress 2</source>
+        <translation>Hauptspannung 2</translation>
+    </message>
+    <message>
+        <source>The middle one of the principal stresses.</source>
+        <translation>Die mittlere der Hauptspannungen.</translation>
+    </message>
+    <message>
+        <source>Principal stress 3</source>
+        <translation>Hauptspannung 3</translation>
+    </message>
+    <message>
+        <source>The largest compression at each point, negative.</source>
+        <translation>Der größte Druck in jedem Punkt, negativ.</translation>
+    </message>
+    <message>
+        <source>Largest shear</source>
+        <translation>Größte Schubspannung</translation>
+    </message>
+    <message>
+        <source>Half the difference of principal stress 1 and 3 (Tresca).</source>
+        <translation>Die halbe Differenz der Hauptspannungen 1 und 3 (Tresca).</translation>
+    </message>
+    <message>
+        <source>Stress xx</source>
+        <translation>Spannung xx</translation>
+    </message>
+    <message>
+        <source>Along x; tension is positive.</source>
+        <translation>In x-Richtung; Zug ist positiv.</translation>
+    </message>
+    <message>
+        <source>Stress yy</source>
+        <translation>Spannung yy</translation>
+    </message>
+    <message>
+        <source>Along y; tension is positive.</source>
+        <translation>In y-Richtung; Zug ist positiv.</translation>
+    </message>
+    <message>
+        <source>Stress zz</source>
+        <translation>Spannung zz</translation>
+    </message>
+    <message>
+        <source>Along z; tension is positive.</source>
+        <translation>In z-Richtung; Zug ist positiv.</translation>
+    </message>
+    <message>
+        <source>Shear stress xy</source>
+        <translation>Schubspannung xy</translation>
+    </message>
+    <message>
+        <source>In the plane of x and y.</source>
+        <translation>In der xy-Ebene.</translation>
+    </message>
+    <message>
+        <source>Shear stress yz</source>
+        <translation>Schubspannung yz</translation>
+    </message>
+    <message>
+        <source>In the plane of y and z.</source>
+        <translation>In der yz-Ebene.</translation>
+    </message>
+    <message>
+        <source>Shear stress zx</source>
+        <translation>Schubspannung zx</translation>
+    </message>
+    <message>
+        <source>In the plane of z and x.</source>
+        <translation>In der zx-Ebene.</translation>
+    </message>
+    <message>
+        <source>Estimated error</source>
+        <translation>Geschätzter Fehler</translation>
+    </message>
+    <message>
+        <source>How far the stress may be off for want of a finer mesh, in per cent of the part&apos;s mean stress. An indicator, not a bound.</source>
+        <translation>Wie weit die Spannung danebenliegen kann, weil das Netz nicht feiner ist, in Prozent der mittleren Spannung des Bauteils. Ein Anhaltspunkt, keine Schranke.</translation>
+    </message>
+    <message>
+        <source>over 1000</source>
+        <translation>über 1000</translation>
+    </message>
+</context>
+<context>
+    <name>load_editing</name>
+    <message>
+        <source>Give three numbers</source>
+        <translation>Drei Zahlen eingeben</translation>
+    </message>
+    <message>
+        <source>Give at least one component that is not 0</source>
+        <translation>Mindestens eine Komponente ungleich 0 eingeben</translation>
+    </message>
+    <message>
+        <source>Give the material a name</source>
+        <translation>Dem Werkstoff einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Must be a number above 0</source>
+        <translation>Muss eine Zahl größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>Must be a number between −1 and 0.5</source>
+        <translation>Muss eine Zahl zwischen −1 und 0,5 sein</translation>
+    </message>
+    <message>
+        <source>Must be a number, not negative</source>
+        <translation>Muss eine Zahl sein, nicht negativ</translation>
+    </message>
+    <message>
+        <source>Must be a number, not negative; 0 when it is not known</source>
+        <translation>Muss eine Zahl sein, nicht negativ; 0, wenn sie nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Pick surfaces and use the selection</source>
+        <translation>Flächen auswählen und die Auswahl übernehmen</translation>
+    </message>
+    <message>
+        <source>Tick at least one component</source>
+        <translation>Mindestens eine Komponente ankreuzen</translation>
+    </message>
+    <message>
+        <source>Give a number where it is ticked</source>
+        <translation>Wo ein Haken ist, eine Zahl eingeben</translation>
+    </message>
+    <message>
+        <source>Must be a number other than 0</source>
+        <translation>Muss eine Zahl ungleich 0 sein</translation>
+    </message>
+    <message>
+        <source>a material</source>
+        <translation>ein Werkstoff</translation>
+    </message>
+    <message>
+        <source>a support</source>
+        <translation>ein Lager</translation>
+    </message>
+    <message>
+        <source>a load</source>
+        <translation>eine Last</translation>
+    </message>
+</context>
+<context>
+    <name>load_words</name>
+    <message>
+        <source>along </source>
+        <translation>in Richtung </translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest eingespannt</translation>
+    </message>
+    <message>
+        <source>Roller: slides, does not lift</source>
+        <translation>Gleitlager: gleitet, hebt nicht ab</translation>
+    </message>
+    <message>
+        <source>Displaced by </source>
+        <translation>Verschoben um </translation>
+    </message>
+    <message>
+        <source>Force </source>
+        <translation>Kraft </translation>
+    </message>
+    <message>
+        <source>Traction </source>
+        <translation>Flächenlast </translation>
+    </message>
+    <message>
+        <source>Pressure </source>
+        <translation>Druck </translation>
+    </message>
+    <message>
+        <source>Gravity </source>
+        <translation>Schwerkraft </translation>
+    </message>
+</context>
+<context>
+    <name>operation_form</name>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>At least %1</source>
+        <translation>Mindestens %1</translation>
+    </message>
+    <message>
+        <source>At most %1</source>
+        <translation>Höchstens %1</translation>
+    </message>
+    <message>
+        <source>Usually %1</source>
+        <translation>Üblich %1</translation>
+    </message>
+</context>
+<context>
+    <name>operations</name>
+    <message>
+        <source>Fillet inner corners</source>
+        <translation>Innenecken ausrunden</translation>
+    </message>
+    <message>
+        <source>Rounds inner corners with a radius: fills what a ball outside the material cannot reach.</source>
+        <translation>Rundet Innenecken mit einem Radius aus: füllt, was eine Kugel außerhalb des Werkstoffs nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>Two or more walls that meet: the concave edges between them; one wall alone: all its concave edges.</source>
+        <translation>Zwei oder mehr Wände, die zusammenstoßen: die hohlen Kanten dazwischen; eine Wand allein: alle ihre hohlen Kanten.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that rolls along both walls.</source>
+        <translation>Radius der Kugel, die an beiden Wänden entlangrollt.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Facets over an arc of 90 degrees, at least; where the mesh is finer there are more.</source>
+        <translation>Facetten über einen Bogen von 90 Grad, mindestens; wo das Netz feiner ist, sind es mehr.</translation>
+    </message>
+    <message>
+        <source>Erode</source>
+        <translation>Abtragen</translation>
+    </message>
+    <message>
+        <source>Takes material off below surfaces: layers of tets, or a given depth.</source>
+        <translation>Trägt unter Flächen Werkstoff ab: Schichten von Tetraedern oder eine gegebene Tiefe.</translation>
+    </message>
+    <message>
+        <source>The surfaces to take material off; for a fin its sides, tip and fillets.</source>
+        <translation>Die Flächen, an denen abgetragen wird; bei einer Rippe ihre Seiten, die Spitze und die Ausrundungen.</translation>
+    </message>
+    <message>
+        <source>Layers of tets</source>
+        <translation>Tetraederschichten</translation>
+    </message>
+    <message>
+        <source>How many layers of tets to take off. A layer is no length: for one, give a depth.</source>
+        <translation>Wie viele Schichten von Tetraedern abgetragen werden. Eine Schicht ist keine Länge: dafür eine Tiefe angeben.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Lower the surfaces by this length instead; 0 takes off layers.</source>
+        <translation>Stattdessen die Flächen um diese Länge absenken; 0 trägt Schichten ab.</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>What becomes of a part that falls apart: refuse, keep_largest (of each body) or allow.</source>
+        <translation>Was aus einem Bauteil wird, das zerfällt: refuse (ablehnen), keep_largest (das größte Stück jedes Körpers behalten) oder allow (erlauben).</translation>
+    </message>
+    <message>
+        <source>Fill hole</source>
+        <translation>Bohrung schließen</translation>
+    </message>
+    <message>
+        <source>Closes holes: through, blind, stepped, in curved walls or closed inside the part.</source>
+        <translation>Schließt Bohrungen: durchgehend, Sackloch, abgesetzt, in gekrümmten Wänden oder im Inneren des Bauteils.</translation>
+    </message>
+    <message>
+        <source>The wall surfaces of one or more holes; bottoms are found by themselves.</source>
+        <translation>Die Wandflächen einer oder mehrerer Bohrungen; Böden werden von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>Exactly the selected surfaces</source>
+        <translation>Genau die ausgewählten Flächen</translation>
+    </message>
+    <message>
+        <source>Do not complete the selection by bottoms and inner parts of the hole.</source>
+        <translation>Die Auswahl nicht um Böden und innere Teile der Bohrung ergänzen.</translation>
+    </message>
+    <message>
+        <source>Include the entry</source>
+        <translation>Senkung einbeziehen</translation>
+    </message>
+    <message>
+        <source>Also fill the countersink or counterbore around the hole.</source>
+        <translation>Auch die Senkung um die Bohrung füllen.</translation>
+    </message>
+    <message>
+        <source>Improve mesh</source>
+        <translation>Netz verbessern</translation>
+    </message>
+    <message>
+        <source>Gives the tets a better shape: the worst first, then all of them.</source>
+        <translation>Gibt den Tetraedern eine bessere Form: erst den schlechtesten, dann allen.</translation>
+    </message>
+    <message>
+        <source>Surfaces whose surroundings are improved; none: the whole mesh.</source>
+        <translation>Flächen, deren Umgebung verbessert wird; keine: das ganze Netz.</translation>
+    </message>
+    <message>
+        <source>Surface tolerance</source>
+        <translation>Flächentoleranz</translation>
+    </message>
+    <message>
+        <source>How far the boundary may move, to mend tets on thin boundary triangles. 0 keeps it as it is.</source>
+        <translation>Wie weit sich die Oberfläche bewegen darf, um Tetraeder auf schmalen Randdreiecken zu verbessern. 0 lässt sie, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Smooth the whole mesh</source>
+        <translation>Ganzes Netz glätten</translation>
+    </message>
+    <message>
+        <source>Also lower the harmonic energy, which evens out all tets; without, only bad ones change.</source>
+        <translation>Auch die harmonische Energie senken, was alle Tetraeder angleicht; ohne ändern sich nur schlechte.</translation>
+    </message>
+    <message>
+        <source>Target quality</source>
+        <translation>Zielgüte</translation>
+    </message>
+    <message>
+        <source>Tets with a radius ratio (3 r_in / R_circ) below this are lifted, worst first.</source>
+        <translation>Tetraeder mit einem Radienverhältnis (3 r_in / R_circ) darunter werden verbessert, die schlechtesten zuerst.</translation>
+    </message>
+    <message>
+        <source>Round edges</source>
+        <translation>Kanten abrunden</translation>
+    </message>
+    <message>
+        <source>Rounds outer edges with a radius: takes off what a ball inside the material cannot reach.</source>
+        <translation>Rundet Außenkanten mit einem Radius ab: nimmt weg, was eine Kugel im Werkstoff nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>Two or more walls that meet: the convex edges between them; one wall alone: all its convex edges.</source>
+        <translation>Zwei oder mehr Wände, die zusammenstoßen: die vorspringenden Kanten dazwischen; eine Wand allein: alle ihre vorspringenden Kanten.</translation>
+    </message>
+    <message>
+        <source>Remove boss, rib or fin</source>
+        <translation>Auge, Rippe entfernen</translation>
+    </message>
+    <message>
+        <source>Takes off what stands on the part and continues the surface under it.</source>
+        <translation>Nimmt weg, was auf dem Bauteil steht, und setzt die Fläche darunter fort.</translation>
+    </message>
+    <message>
+        <source>A surface of the boss, rib or fin; its other sides are found by themselves.</source>
+        <translation>Eine Fläche des Auges oder der Rippe; die anderen Seiten werden von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>Do not complete the selection by the other sides, the top and the fillets.</source>
+        <translation>Die Auswahl nicht um die anderen Seiten, die Oberseite und die Ausrundungen ergänzen.</translation>
+    </message>
+    <message>
+        <source>Thicken</source>
+        <translation>Aufdicken</translation>
+    </message>
+    <message>
+        <source>Puts material of a given thickness on flat and round surfaces.</source>
+        <translation>Bringt auf ebenen und runden Flächen Werkstoff gegebener Dicke auf.</translation>
+    </message>
+    <message>
+        <source>The flat, cylindrical and conical surfaces to put material on; both halves of a bore.</source>
+        <translation>Die ebenen, zylindrischen und kegeligen Flächen, auf die Werkstoff kommt; bei einer Bohrung beide Hälften.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>How much material to put on.</source>
+        <translation>Wie viel Werkstoff aufgebracht wird.</translation>
+    </message>
+</context>
+<context>
+    <name>overlay</name>
+    <message>
+        <source> · locked</source>
+        <translation> · fest</translation>
+    </message>
+    <message>
+        <source> · log</source>
+        <translation> · log</translation>
+    </message>
+</context>
+<context>
+    <name>preview</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Tets</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1 (%2 new, %3 gone)</source>
+        <translation>%1 (%2 neu, %3 entfallen)</translation>
+    </message>
+    <message>
+        <source>Worst tet here</source>
+        <translation>Schlechtestes Tetraeder hier</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 then</source>
+        <translation>vorher %1, dann %2</translation>
+    </message>
+    <message>
+        <source>All loads and supports stay as they are.</source>
+        <translation>Alle Lasten und Lager bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Loads and supports that change: %1</source>
+        <translation>Lasten und Lager, die sich ändern: %1</translation>
+    </message>
+</context>
+<context>
+    <name>quantities</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>receipt</name>
+    <message>
+        <source>Surface %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>new, %1</source>
+        <translation>neu, %1</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>entfallen</translation>
+    </message>
+    <message>
+        <source>merged into surface %1</source>
+        <translation>in Fläche %1 aufgegangen</translation>
+    </message>
+    <message>
+        <source>split from surface %1</source>
+        <translation>von Fläche %1 abgetrennt</translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation>Inhalt %1</translation>
+    </message>
+    <message>
+        <source>There are no loads yet.</source>
+        <translation>Es gibt noch keine Lasten.</translation>
+    </message>
+    <message>
+        <source>All loads and supports are as before.</source>
+        <translation>Alle Lasten und Lager sind wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Loads and supports that changed: %1</source>
+        <translation>Lasten und Lager, die sich geändert haben: %1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Tets</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1 new, %2 gone</source>
+        <translation>%1 neu, %2 entfallen</translation>
+    </message>
+    <message>
+        <source>Worst tet here</source>
+        <translation>Schlechtestes Tetraeder hier</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 now</source>
+        <translation>vorher %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1, made by the preview (operation %2, mesh %3, checks %4)</source>
+        <translation>%1, von der Vorschau gerechnet (Operation %2, Netz %3, Prüfungen %4)</translation>
+    </message>
+    <message>
+        <source>%1 (operation %2, mesh %3, checks %4)</source>
+        <translation>%1 (Operation %2, Netz %3, Prüfungen %4)</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::about_dialog</name>
+    <message>
+        <source>About TEdit</source>
+        <translation>Über TEdit</translation>
+    </message>
+    <message>
+        <source>Edits tetrahedral meshes of parts and shows the new stress at once.
+
+TEdit is free software under the GNU Affero General Public License, version 3 or (at your option) any later version. It comes without any warranty. Whoever lets others use a changed TEdit over a network must offer them its source.</source>
+        <translation>Ändert Tetraedernetze von Bauteilen und zeigt sofort die neue Spannung.
+
+TEdit ist freie Software unter der GNU Affero General Public License, Version 3 oder (nach Ihrer Wahl) jeder späteren Version. Es gibt keinerlei Gewährleistung. Wer andere ein geändertes TEdit über ein Netzwerk benutzen lässt, muss ihnen dessen Quelltext anbieten.</translation>
+    </message>
+    <message>
+        <source>Built with</source>
+        <translation>Verwendete Bibliotheken</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Wofür</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::banner</name>
+    <message>
+        <source>Where: %1</source>
+        <translation>Wo: %1</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 did not work</source>
+        <translation>%1 ist nicht gelungen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::command_palette</name>
+    <message>
+        <source>Search commands and operations</source>
+        <translation>Befehle und Operationen suchen</translation>
+    </message>
+    <message>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::compare_view</name>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>Zurück (Esc)</translation>
+    </message>
+    <message>
+        <source>Go to version %1</source>
+        <translation>Zu Version %1 gehen</translation>
+    </message>
+    <message>
+        <source>v%1 minus v%2, on the surface of v%1; dark grey: not in both</source>
+        <translation>v%1 minus v%2, auf der Oberfläche von v%1; dunkelgrau: nicht in beiden</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>kein Unterschied</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::context_panel</name>
+    <message>
+        <source>+ smooth</source>
+        <translation>+ glatte</translation>
+    </message>
+    <message>
+        <source>Add all surfaces that continue these without an edge</source>
+        <translation>Alle Flächen dazunehmen, die diese ohne Kante fortsetzen</translation>
+    </message>
+    <message>
+        <source>+ tangent neighbours</source>
+        <translation>+ tangentiale Nachbarn</translation>
+    </message>
+    <message>
+        <source>Add the surfaces next to these</source>
+        <translation>Die Nachbarflächen dazunehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Click a surface of the part: a bore, a rib or a wall is picked whole. Click again for the single surface; Shift adds. Ctrl+drag draws a box.</source>
+        <translation>Auf eine Fläche des Bauteils klicken: Bohrung, Rippe oder Wand wird als Ganzes ausgewählt. Ein zweiter Klick nimmt die einzelne Fläche, Umschalt nimmt dazu. Strg+Ziehen spannt ein Rechteck auf.</translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Surfaces: %1</source>
+        <translation>Flächen: %1</translation>
+    </message>
+    <message>
+        <source>
+Area %1</source>
+        <translation>
+Inhalt %1</translation>
+    </message>
+    <message>
+        <source>The server does not offer this operation any more.</source>
+        <translation>Der Server bietet diese Operation nicht mehr an.</translation>
+    </message>
+    <message>
+        <source>Select: %1</source>
+        <translation>Auswählen: %1</translation>
+    </message>
+    <message>
+        <source>%1 is running.</source>
+        <translation>%1 läuft.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation>Strg+Eingabe</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::document</name>
+    <message>
+        <source>Surface %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source>cancelling</source>
+        <translation>wird abgebrochen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Set the load cases</source>
+        <translation>Lastfälle setzen</translation>
+    </message>
+    <message>
+        <source>The list of operations did not come: %1</source>
+        <translation>Die Liste der Operationen kam nicht an: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Go to version %1</source>
+        <translation>Zu Version %1 gehen</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 exportieren</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>iteration %1, residual %2</source>
+        <translation>Iteration %1, Residuum %2</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Remove the load case</source>
+        <translation>Lastfall entfernen</translation>
+    </message>
+    <message>
+        <source>Name the version</source>
+        <translation>Version benennen</translation>
+    </message>
+    <message>
+        <source>Fields on demand</source>
+        <translation>Felder auf Abruf</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::field_panel</name>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Cool to warm</source>
+        <translation>Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>Safety steps</source>
+        <translation>Sicherheitsstufen</translation>
+    </message>
+    <message>
+        <source>Colours that flow, or steps of one colour each</source>
+        <translation>Fließende Farben oder Stufen von je einer Farbe</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Fließend</translation>
+    </message>
+    <message>
+        <source>%1 bands</source>
+        <translation>%1 Stufen</translation>
+    </message>
+    <message>
+        <source>Isolines</source>
+        <translation>Isolinien</translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the surface, at the edges of the bands</source>
+        <translation>Linien gleichen Werts auf der Oberfläche, an den Grenzen der Stufen</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Wie eingegeben</translation>
+    </message>
+    <message>
+        <source>Locked across versions</source>
+        <translation>Fest für alle Versionen</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>not deformed</source>
+        <translation>unverformt</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Load case</source>
+        <translation>Lastfall</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>No yield strength is known: give the material one in &quot;Loads and supports&quot;.</source>
+        <translation>Es ist keine Streckgrenze bekannt: dem Werkstoff unter „Lasten und Lager“ eine geben.</translation>
+    </message>
+    <message>
+        <source>Envelope of all</source>
+        <translation>Einhüllende aller</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::help_panel</name>
+    <message>
+        <source>Search the help</source>
+        <translation>In der Hilfe suchen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation type="unfinished">Operationen</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Improving a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the browser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same page, with its pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::history_strip</name>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>%1 tets</source>
+        <translation>%1 Tetraeder</translation>
+    </message>
+    <message>
+        <source>mass %1</source>
+        <translation>Masse %1</translation>
+    </message>
+    <message>
+        <source>volume %1</source>
+        <translation>Volumen %1</translation>
+    </message>
+    <message>
+        <source>worst tet where it changed: %1 before, %2 now</source>
+        <translation>schlechtestes Tetraeder im geänderten Bereich: vorher %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Go to this version (Enter)</source>
+        <translation>Zu dieser Version gehen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Name and note ... (F2)</source>
+        <translation>Name und Notiz … (F2)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::jobs_button</name>
+    <message>
+        <source>What runs, and how the server is</source>
+        <translation>Was läuft und wie es dem Server geht</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>  (%1 run)</source>
+        <translation>  (%1 laufen)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::jobs_panel</name>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>Nichts läuft.</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>just begun</source>
+        <translation>gerade begonnen</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>, running and waiting: %1</source>
+        <translation>, laufend und wartend: %1</translation>
+    </message>
+    <message>
+        <source>, started again: %1</source>
+        <translation>, neu gestartet: %1</translation>
+    </message>
+    <message>
+        <source>open documents: %1, connections: %2</source>
+        <translation>offene Dokumente: %1, Verbindungen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::load_editor</name>
+    <message>
+        <source>Use the selection</source>
+        <translation>Auswahl übernehmen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>New load</source>
+        <translation>Neue Last</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Typical values; take those of your data sheet for a real design</source>
+        <translation>Übliche Werte; für eine echte Auslegung die des Datenblatts nehmen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Name des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus in MPa</source>
+        <translation>Elastizitätsmodul in MPa</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Density in kg/m³</source>
+        <translation>Dichte in kg/m³</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Yield strength in MPa</source>
+        <translation>Streckgrenze in MPa</translation>
+    </message>
+    <message>
+        <source>Yield</source>
+        <translation>Streckgr.</translation>
+    </message>
+    <message>
+        <source>Regions of the mesh</source>
+        <translation>Bereiche des Netzes</translation>
+    </message>
+    <message>
+        <source>all that no other material names</source>
+        <translation>alle, die kein anderer Werkstoff nennt</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest eingespannt</translation>
+    </message>
+    <message>
+        <source>Displaced by ...</source>
+        <translation>Verschoben um …</translation>
+    </message>
+    <message>
+        <source>Roller: slides, no lifting</source>
+        <translation>Gleitlager: gleitet, hebt nicht ab</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Not ticked: free to move this way</source>
+        <translation>Ohne Haken: in dieser Richtung frei</translation>
+    </message>
+    <message>
+        <source>Displacement %1 in mm</source>
+        <translation>Verschiebung %1 in mm</translation>
+    </message>
+    <message>
+        <source>Force, spread over the surfaces</source>
+        <translation>Kraft, über die Flächen verteilt</translation>
+    </message>
+    <message>
+        <source>Traction, per area</source>
+        <translation>Flächenlast, je Flächeneinheit</translation>
+    </message>
+    <message>
+        <source>Pressure, along the normal</source>
+        <translation>Druck, längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Gravity, on all mass</source>
+        <translation>Schwerkraft, auf alle Massen</translation>
+    </message>
+    <message>
+        <source>Component %1</source>
+        <translation>Komponente %1</translation>
+    </message>
+    <message>
+        <source>Pressure in MPa</source>
+        <translation>Druck in MPa</translation>
+    </message>
+    <message>
+        <source>Positive pushes on the part, negative pulls</source>
+        <translation>Positiv drückt auf das Bauteil, negativ zieht</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>No surfaces yet</source>
+        <translation>Noch keine Flächen</translation>
+    </message>
+    <message>
+        <source>Surfaces: %1</source>
+        <translation>Flächen: %1</translation>
+    </message>
+    <message>
+        <source>Click surfaces of the part first</source>
+        <translation>Erst Flächen des Bauteils anklicken</translation>
+    </message>
+    <message>
+        <source>Surfaces picked: %1</source>
+        <translation>Ausgewählte Flächen: %1</translation>
+    </message>
+    <message>
+        <source>Give numbers of regions, with commas between</source>
+        <translation>Nummern von Bereichen eingeben, mit Kommas dazwischen</translation>
+    </message>
+    <message>
+        <source>%1 %2 in all</source>
+        <translation>%1 %2 insgesamt</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::loads_panel</name>
+    <message>
+        <source>Load cases</source>
+        <translation>Lastfälle</translation>
+    </message>
+    <message>
+        <source>+ Support</source>
+        <translation>+ Lager</translation>
+    </message>
+    <message>
+        <source>Hold the surfaces that are picked</source>
+        <translation>Die ausgewählten Flächen festhalten</translation>
+    </message>
+    <message>
+        <source>+ Load</source>
+        <translation>+ Last</translation>
+    </message>
+    <message>
+        <source>Load the surfaces that are picked</source>
+        <translation>Die ausgewählten Flächen belasten</translation>
+    </message>
+    <message>
+        <source>+ Material</source>
+        <translation>+ Werkstoff</translation>
+    </message>
+    <message>
+        <source>What the part is made of</source>
+        <translation>Woraus das Bauteil besteht</translation>
+    </message>
+    <message>
+        <source>+ Load case</source>
+        <translation>+ Lastfall</translation>
+    </message>
+    <message>
+        <source>Another set of materials, supports and loads</source>
+        <translation>Ein weiterer Satz aus Werkstoffen, Lagern und Lasten</translation>
+    </message>
+    <message>
+        <source>%1 has changes that the server has not taken yet.</source>
+        <translation>%1 hat Änderungen, die der Server noch nicht übernommen hat.</translation>
+    </message>
+    <message>
+        <source>%1 is not solved yet; it still needs %2.</source>
+        <translation>%1 ist noch nicht gerechnet; es fehlt noch: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is solved too. It was set before this window opened the document, so its items are not known here.</source>
+        <translation>%1 wird auch gerechnet. Der Lastfall wurde gesetzt, bevor dieses Fenster das Dokument öffnete; seine Einträge sind hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>No loads yet. Pick surfaces of the part, then add a support and a load.</source>
+        <translation>Noch keine Lasten. Flächen des Bauteils auswählen, dann ein Lager und eine Last anlegen.</translation>
+    </message>
+    <message>
+        <source>  · reduced</source>
+        <translation>  · verkleinert</translation>
+    </message>
+    <message>
+        <source>  · area changed</source>
+        <translation>  · Flächeninhalt geändert</translation>
+    </message>
+    <message>
+        <source>Surfaces: %1</source>
+        <translation>Flächen: %1</translation>
+    </message>
+    <message>
+        <source>Double-click to change it</source>
+        <translation>Doppelklick zum Ändern</translation>
+    </message>
+    <message>
+        <source>Support dropped</source>
+        <translation>Lager entfallen</translation>
+    </message>
+    <message>
+        <source>Load dropped</source>
+        <translation>Last entfallen</translation>
+    </message>
+    <message>
+        <source>Change ...</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Add a support</source>
+        <translation>Lager anlegen</translation>
+    </message>
+    <message>
+        <source>Add a load</source>
+        <translation>Last anlegen</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Werkstoff anlegen</translation>
+    </message>
+    <message>
+        <source>Rename ...</source>
+        <translation>Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Discard what is not solved yet</source>
+        <translation>Noch nicht Gerechnetes verwerfen</translation>
+    </message>
+    <message>
+        <source>Remove the load case</source>
+        <translation>Lastfall entfernen</translation>
+    </message>
+    <message>
+        <source>Load case</source>
+        <translation>Lastfall</translation>
+    </message>
+    <message>
+        <source>New material</source>
+        <translation>Neuer Werkstoff</translation>
+    </message>
+    <message>
+        <source>New support</source>
+        <translation>Neues Lager</translation>
+    </message>
+    <message>
+        <source>New load</source>
+        <translation>Neue Last</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source> copy</source>
+        <translation> (Kopie)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::local_server</name>
+    <message>
+        <source>it printed nothing</source>
+        <translation>er hat nichts ausgegeben</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::main_window</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Loads and supports</source>
+        <translation>Lasten und Lager</translation>
+    </message>
+    <message>
+        <source>What this edit did</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Hauptleiste</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
+        <source>opening %1</source>
+        <translation>öffne %1</translation>
+    </message>
+    <message>
+        <source>the last session was not closed; opening %1 again</source>
+        <translation>die letzte Sitzung wurde nicht beendet; %1 wird wieder geöffnet</translation>
+    </message>
+    <message>
+        <source>The connection to the server is lost. It is taken up again by itself; nothing that was done is lost.</source>
+        <translation>Die Verbindung zum Server ist unterbrochen. Sie wird von selbst wieder aufgenommen; nichts von dem, was getan wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>The connection is slow: the server has not answered for %1. What was asked for goes on when it does, and can be cancelled.</source>
+        <translation>Die Verbindung ist langsam: der Server antwortet seit %1 nicht. Was angefordert wurde, geht weiter, sobald er antwortet, und kann abgebrochen werden.</translation>
+    </message>
+    <message>
+        <source>Document %1</source>
+        <translation>Dokument %1</translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation>Inhalt %1</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Open a mesh</source>
+        <translation>Netz öffnen</translation>
+    </message>
+    <message>
+        <source>Makes a document of a mesh file</source>
+        <translation>Macht aus einer Netzdatei ein Dokument</translation>
+    </message>
+    <message>
+        <source>Connect to a server</source>
+        <translation>Mit einem Server verbinden</translation>
+    </message>
+    <message>
+        <source>Close the part</source>
+        <translation>Bauteil schließen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Writes the mesh (.msh), its boundary (.stl) or its fields (.vtu)</source>
+        <translation>Schreibt das Netz (.msh), seine Oberfläche (.stl) oder seine Felder (.vtu)</translation>
+    </message>
+    <message>
+        <source>Save a picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>The view with its legend as a PNG</source>
+        <translation>Die Ansicht mit ihrer Legende als PNG</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Apply the operation</source>
+        <translation>Operation anwenden</translation>
+    </message>
+    <message>
+        <source>Cancel what runs</source>
+        <translation>Abbrechen, was läuft</translation>
+    </message>
+    <message>
+        <source>Solve again</source>
+        <translation>Neu rechnen</translation>
+    </message>
+    <message>
+        <source>Stop the solver</source>
+        <translation>Löser anhalten</translation>
+    </message>
+    <message>
+        <source>Search everything</source>
+        <translation>Alles durchsuchen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>All commands and operations</source>
+        <translation>Alle Befehle und Operationen</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>The selection, or the whole part</source>
+        <translation>Die Auswahl oder das ganze Bauteil</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>View from: %1</source>
+        <translation>Ansicht von: %1</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Cuts the part and shows the field inside</source>
+        <translation>Schneidet das Bauteil und zeigt das Feld im Inneren</translation>
+    </message>
+    <message>
+        <source>Section parallel to the last click</source>
+        <translation>Schnitt parallel zum letzten Klick</translation>
+    </message>
+    <message>
+        <source>Hide the selection</source>
+        <translation>Auswahl ausblenden</translation>
+    </message>
+    <message>
+        <source>Isolate the selection</source>
+        <translation>Nur die Auswahl zeigen</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Parallel or perspective</source>
+        <translation>Parallel oder perspektivisch</translation>
+    </message>
+    <message>
+        <source>Show or hide the mesh</source>
+        <translation>Netz ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide the edges</source>
+        <translation>Kanten ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Mark smallest and largest value</source>
+        <translation>Kleinsten und größten Wert markieren</translation>
+    </message>
+    <message>
+        <source>Dark or light</source>
+        <translation>Dunkel oder hell</translation>
+    </message>
+    <message>
+        <source>Show: %1</source>
+        <translation>Zeigen: %1</translation>
+    </message>
+    <message>
+        <source>Open a mesh and its load cases</source>
+        <translation>Ein Netz und seine Lastfälle öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes, load cases, documents (*.msh *.json *.tedit)</source>
+        <translation>Netze, Lastfälle, Dokumente (*.msh *.json *.tedit)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Address and token, as &quot;tedit serve&quot; prints them: ws://HOST:PORT/v1 TOKEN</source>
+        <translation>Adresse und Token, wie „tedit serve“ sie ausgibt: ws://HOST:PORT/v1 TOKEN</translation>
+    </message>
+    <message>
+        <source>Mesh (*.msh)</source>
+        <translation>Netz (*.msh)</translation>
+    </message>
+    <message>
+        <source>Fields for ParaView (*.vtu)</source>
+        <translation>Felder für ParaView (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Boundary (*.stl)</source>
+        <translation>Oberfläche (*.stl)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>What runs</source>
+        <translation>Was läuft</translation>
+    </message>
+    <message>
+        <source>Jobs with their progress, and the server&apos;s workers</source>
+        <translation>Aufträge mit ihrem Fortschritt und die Arbeitsprozesse des Servers</translation>
+    </message>
+    <message>
+        <source>Draw a box. To the right: what lies in it altogether; to the left: all that it touches. Shift adds, Esc ends. Ctrl+drag does it at any time.</source>
+        <translation>Ein Rechteck aufziehen. Nach rechts: was ganz darin liegt; nach links: alles, was es berührt. Umschalt nimmt dazu, Esc beendet. Strg+Ziehen geht jederzeit.</translation>
+    </message>
+    <message>
+        <source>Select with a box</source>
+        <translation>Mit einem Rechteck auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag in the view does the same</source>
+        <translation>Strg+Ziehen in der Ansicht tut dasselbe</translation>
+    </message>
+    <message>
+        <source>Select all that can be seen</source>
+        <translation>Alles Sichtbare auswählen</translation>
+    </message>
+    <message>
+        <source>Show or hide isolines</source>
+        <translation>Isolinien ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the surface</source>
+        <translation>Linien gleichen Werts auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Name and note of a version</source>
+        <translation>Name und Notiz einer Version</translation>
+    </message>
+    <message>
+        <source>Of the one that is chosen in the history</source>
+        <translation>Von der, die im Verlauf gewählt ist</translation>
+    </message>
+    <message>
+        <source>recording, steps: %1</source>
+        <translation>Aufzeichnung, Schritte: %1</translation>
+    </message>
+    <message>
+        <source>Record steps</source>
+        <translation>Schritte aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Writes down what is done, for &quot;tedit-qt --script&quot;; again: ends and saves</source>
+        <translation>Zeichnet auf, was getan wird, für „tedit-qt --script“; noch einmal: beendet und speichert</translation>
+    </message>
+    <message>
+        <source>Save the recorded steps</source>
+        <translation>Aufgezeichnete Schritte speichern</translation>
+    </message>
+    <message>
+        <source>Steps (*.json)</source>
+        <translation>Schritte (*.json)</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Show or hide loads and supports</source>
+        <translation>Lasten und Lager ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Arrows and support marks of the load case that is shown</source>
+        <translation>Pfeile und Lagersymbole des gezeigten Lastfalls</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Add a support</source>
+        <translation>Lager anlegen</translation>
+    </message>
+    <message>
+        <source>Add a load</source>
+        <translation>Last anlegen</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Werkstoff anlegen</translation>
+    </message>
+    <message>
+        <source>New load case</source>
+        <translation>Neuer Lastfall</translation>
+    </message>
+    <message>
+        <source>Remove the chosen load, support or load case</source>
+        <translation>Gewählte Last, gewähltes Lager oder gewählten Lastfall entfernen</translation>
+    </message>
+    <message>
+        <source>What is chosen in &quot;Loads and supports&quot;</source>
+        <translation>Was unter „Lasten und Lager“ gewählt ist</translation>
+    </message>
+    <message>
+        <source>Compare with the version before</source>
+        <translation>Mit der Version davor vergleichen</translation>
+    </message>
+    <message>
+        <source>Side by side with linked cameras, or their difference</source>
+        <translation>Nebeneinander mit gekoppelter Ansicht oder als Differenz</translation>
+    </message>
+    <message>
+        <source>Comparison: difference or side by side</source>
+        <translation>Vergleich: Differenz oder nebeneinander</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Colours, solver, legend, log</source>
+        <translation>Farben, Löser, Legende, Protokoll</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, to look up and to change</source>
+        <translation>Alle Befehle mit ihren Tasten, zum Nachsehen und Ändern</translation>
+    </message>
+    <message>
+        <source>About TEdit</source>
+        <translation>Über TEdit</translation>
+    </message>
+    <message>
+        <source>Version, licence, libraries</source>
+        <translation>Version, Lizenz, Bibliotheken</translation>
+    </message>
+    <message>
+        <source>Probes and plots</source>
+        <translation>Messpunkte und Diagramme</translation>
+    </message>
+    <message>
+        <source>Probe: values at places that are clicked</source>
+        <translation>Messen: Werte an angeklickten Stellen</translation>
+    </message>
+    <message>
+        <source>Numbered pins that stay over edits; two give a distance and a line</source>
+        <translation>Nummerierte Punkte, die Änderungen überdauern; zwei ergeben einen Abstand und eine Linie</translation>
+    </message>
+    <message>
+        <source>Remove all probes</source>
+        <translation>Alle Messpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>The field by area, along a line, and the quality of tets</source>
+        <translation>Das Feld über dem Flächeninhalt, längs einer Linie, und die Güte der Tetraeder</translation>
+    </message>
+    <message>
+        <source>Start the server</source>
+        <translation>Server starten</translation>
+    </message>
+    <message>
+        <source>connected to %1</source>
+        <translation>verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>%1: version %2 in %3</source>
+        <translation>%1: Version %2 in %3</translation>
+    </message>
+    <message>
+        <source>Loads and supports that this edit reduced or dropped: %1. See &quot;What this edit did&quot;.</source>
+        <translation>Lasten und Lager, die diese Änderung verkleinert oder entfernt hat: %1. Siehe „Was sich geändert hat“.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>The manual: the page for what is being done, with a search</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::overlay</name>
+    <message>
+        <source>min %1</source>
+        <translation>min. %1</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>max. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::plot_panel</name>
+    <message>
+        <source>Shown field by area</source>
+        <translation>Gezeigtes Feld über dem Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>Shown field between two probes</source>
+        <translation>Gezeigtes Feld zwischen zwei Messpunkten</translation>
+    </message>
+    <message>
+        <source>Tets that the edit touched, by quality</source>
+        <translation>Tetraeder, die die Änderung berührt hat, nach Güte</translation>
+    </message>
+    <message>
+        <source>No field is shown.</source>
+        <translation>Es wird kein Feld gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1, v%2</source>
+        <translation>%1, v%2</translation>
+    </message>
+    <message>
+        <source>% of area</source>
+        <translation>% des Flächeninhalts</translation>
+    </message>
+    <message>
+        <source>Set two probes (P, then click the part).</source>
+        <translation>Zwei Messpunkte setzen (P, dann auf das Bauteil klicken).</translation>
+    </message>
+    <message>
+        <source>There is no field on this line.</source>
+        <translation>Auf dieser Linie gibt es kein Feld.</translation>
+    </message>
+    <message>
+        <source>Set the deformation to 0: the line runs through the part as it is.</source>
+        <translation>Die Verformung auf 0 stellen: die Linie läuft durch das unverformte Bauteil.</translation>
+    </message>
+    <message>
+        <source>%1 from probe %2 to %3</source>
+        <translation>%1 von Messpunkt %2 bis %3</translation>
+    </message>
+    <message>
+        <source>No edit has been made yet.</source>
+        <translation>Es wurde noch nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Worst tet: %1 before, %2 now; median now %3.
+How many have which quality is counted by a thorough improvement only (&quot;Improve mesh&quot;).</source>
+        <translation>Schlechtestes Tetraeder: vorher %1, jetzt %2; Median jetzt %3.
+Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz verbessern“).</translation>
+    </message>
+    <message>
+        <source>Radius ratio of the tets, v%1; the outline: before</source>
+        <translation>Radienverhältnis der Tetraeder, v%1; die Umrisslinie: vorher</translation>
+    </message>
+    <message>
+        <source>radius ratio, 1 is best</source>
+        <translation>Radienverhältnis, 1 ist das beste</translation>
+    </message>
+    <message>
+        <source>% of tets</source>
+        <translation>% der Tetraeder</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::preview_box</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Shows what the edit would make while its values move</source>
+        <translation>Zeigt, was die Änderung ergäbe, während ihre Werte verstellt werden</translation>
+    </message>
+    <message>
+        <source>Preview now</source>
+        <translation>Jetzt Vorschau</translation>
+    </message>
+    <message>
+        <source>Shows what these values would make</source>
+        <translation>Zeigt, was diese Werte ergäben</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Making the preview</source>
+        <translation>Vorschau wird gerechnet</translation>
+    </message>
+    <message>
+        <source>Making the preview: %1</source>
+        <translation>Vorschau wird gerechnet: %1</translation>
+    </message>
+    <message>
+        <source>Not applied. Orange: new. Blue: taken away. Made in %1.</source>
+        <translation>Nicht angewandt. Orange: neu. Blau: entfernt. Gerechnet in %1.</translation>
+    </message>
+    <message>
+        <source>The part stays as it is.</source>
+        <translation>Das Bauteil bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>The last preview took longer than %1: ask for it.</source>
+        <translation>Die letzte Vorschau dauerte länger als %1: sie kommt nur auf Wunsch.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::probe_panel</name>
+    <message>
+        <source>Probes</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>surface gone</source>
+        <translation>Fläche entfallen</translation>
+    </message>
+    <message>
+        <source>At the nearest point of the same surface: its triangle was changed</source>
+        <translation>Am nächsten Punkt derselben Fläche: sein Dreieck wurde geändert</translation>
+    </message>
+    <message>
+        <source>P, then click places of the part. Two of them give a distance.</source>
+        <translation>P, dann Stellen des Bauteils anklicken. Zwei davon ergeben einen Abstand.</translation>
+    </message>
+    <message>
+        <source>A second probe gives the distance.</source>
+        <translation>Ein zweiter Messpunkt ergibt den Abstand.</translation>
+    </message>
+    <message>
+        <source>Distance %1 to %2: %3</source>
+        <translation>Abstand %1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>The surface of one of them is gone.</source>
+        <translation>Die Fläche von einem der beiden ist entfallen.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::receipt_panel</name>
+    <message>
+        <source>What this edit did</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>No edit has been made yet.</source>
+        <translation>Es wurde noch nichts geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::section_bar</name>
+    <message>
+        <source>Section across x</source>
+        <translation>Schnitt quer zu x</translation>
+    </message>
+    <message>
+        <source>Section across y</source>
+        <translation>Schnitt quer zu y</translation>
+    </message>
+    <message>
+        <source>Section across z</source>
+        <translation>Schnitt quer zu z</translation>
+    </message>
+    <message>
+        <source>Parallel to the picked surface</source>
+        <translation>Parallel zur ausgewählten Fläche</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Lage des Schnitts</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::selection</name>
+    <message>
+        <source>Nothing selected</source>
+        <translation>Nichts ausgewählt</translation>
+    </message>
+    <message>
+        <source>Bore, Ø %1</source>
+        <translation>Bohrung, Ø %1</translation>
+    </message>
+    <message>
+        <source>Hole or pocket</source>
+        <translation>Loch oder Tasche</translation>
+    </message>
+    <message>
+        <source>Rib or boss</source>
+        <translation>Rippe oder Auge</translation>
+    </message>
+    <message>
+        <source>%1 surfaces</source>
+        <translation>%1 Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::settings_dialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Search the settings</source>
+        <translation>In den Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>Nur Fehler</translation>
+    </message>
+    <message>
+        <source>Errors and news</source>
+        <translation>Fehler und Neues</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>Light, dark, or as the system has it when the program starts</source>
+        <translation>Hell, dunkel oder wie das System beim Start des Programms</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>The log shows</source>
+        <translation>Das Protokoll zeigt</translation>
+    </message>
+    <message>
+        <source>What is written to the log panel</source>
+        <translation>Was in das Protokoll geschrieben wird</translation>
+    </message>
+    <message>
+        <source>No setting has these letters.</source>
+        <translation>Keine Einstellung enthält diese Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Holds from the next start of the program</source>
+        <translation>Gilt ab dem nächsten Start des Programms</translation>
+    </message>
+    <message>
+        <source>The server&apos;s choice</source>
+        <translation>Wahl des Servers</translation>
+    </message>
+    <message>
+        <source>Linear tets: a quick look</source>
+        <translation>Lineare Tetraeder: ein schneller Blick</translation>
+    </message>
+    <message>
+        <source>Quadratic tets: accurate</source>
+        <translation>Quadratische Tetraeder: genau</translation>
+    </message>
+    <message>
+        <source>solve to the end</source>
+        <translation>bis zum Ende rechnen</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Where the stress is computed: auto, cpu, or a part of a device&apos;s name</source>
+        <translation>Wo die Spannung gerechnet wird: auto, cpu oder ein Teil eines Gerätenamens</translation>
+    </message>
+    <message>
+        <source>Element order</source>
+        <translation>Elementordnung</translation>
+    </message>
+    <message>
+        <source>Linear tets are several times faster, but too stiff in bending: their stress is too low</source>
+        <translation>Lineare Tetraeder sind mehrfach schneller, aber zu steif bei Biegung: ihre Spannung ist zu klein</translation>
+    </message>
+    <message>
+        <source>Stop as a preview at</source>
+        <translation>Als Vorschau anhalten bei</translation>
+    </message>
+    <message>
+        <source>Stops at this estimated error in energy: less exact and faster</source>
+        <translation>Hält bei diesem geschätzten Fehler der Energie an: ungenauer und schneller</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Cool to warm</source>
+        <translation>Kalt bis warm</translation>
+    </message>
+    <message>
+        <source>Automatic, anew with each field</source>
+        <translation>Automatisch, neu für jedes Feld</translation>
+    </message>
+    <message>
+        <source>Locked to that of the first field</source>
+        <translation>Fest auf den des ersten Felds</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>The scale that a field is drawn with</source>
+        <translation>Die Skala, mit der ein Feld gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>From where to where the colours go; locked, versions can be compared by colour</source>
+        <translation>Von wo bis wo die Farben reichen; mit festem Bereich lassen sich Versionen nach der Farbe vergleichen</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Equal factors get equal room on the scale</source>
+        <translation>Gleiche Faktoren bekommen gleich viel Platz auf der Skala</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::shortcuts_dialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>Befehle und Tasten suchen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>New keys</source>
+        <translation>Neue Tasten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>The command has no keys any more</source>
+        <translation>Der Befehl hat keine Tasten mehr</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The keys that the command came with</source>
+        <translation>Die Tasten, die der Befehl von Anfang an hatte</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 belongs to &quot;%2&quot; already. Give that one other keys first.</source>
+        <translation>%1 gehört schon zu „%2“. Diesem zuerst andere Tasten geben.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::truth_line</name>
+    <message>
+        <source>no part</source>
+        <translation>kein Bauteil</translation>
+    </message>
+    <message>
+        <source>preview of an edit, not applied</source>
+        <translation>Vorschau einer Änderung, nicht angewandt</translation>
+    </message>
+    <message>
+        <source>waiting for the solver</source>
+        <translation>wartet auf den Löser</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>wird gerechnet</translation>
+    </message>
+    <message>
+        <source>preview, converging</source>
+        <translation>Vorschau, konvergiert</translation>
+    </message>
+    <message>
+        <source>not solved</source>
+        <translation>nicht gerechnet</translation>
+    </message>
+    <message>
+        <source>no field</source>
+        <translation>kein Feld</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>final</source>
+        <translation>endgültig</translation>
+    </message>
+    <message>
+        <source>stresses follow when it is applied</source>
+        <translation>Spannungen folgen beim Anwenden</translation>
+    </message>
+    <message>
+        <source>residual %1</source>
+        <translation>Residuum %1</translation>
+    </message>
+    <message>
+        <source>error est. %1 %</source>
+        <translation>geschätzter Fehler %1 %</translation>
+    </message>
+    <message>
+        <source>%1 unknowns</source>
+        <translation>%1 Unbekannte</translation>
+    </message>
+    <message>
+        <source>solved in %1 on %2</source>
+        <translation>gerechnet in %1 auf %2</translation>
+    </message>
+    <message>
+        <source>%1 load cases</source>
+        <translation>%1 Lastfälle</translation>
+    </message>
+    <message>
+        <source>iteration %1</source>
+        <translation>Iteration %1</translation>
+    </message>
+    <message>
+        <source>%1 tets</source>
+        <translation>%1 Tetraeder</translation>
+    </message>
+    <message>
+        <source>edit %1</source>
+        <translation>Änderung %1</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbinde</translation>
+    </message>
+    <message>
+        <source>connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>no answer for %1</source>
+        <translation>keine Antwort seit %1</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 warten</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::version_editor</name>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Enter keeps, Esc drops</source>
+        <translation>Eingabe behält, Esc verwirft</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::view_cube</name>
+    <message>
+        <source>Standard views</source>
+        <translation>Standardansichten</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::viewport</name>
+    <message>
+        <source>The part</source>
+        <translation>Das Bauteil</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::welcome_page</name>
+    <message>
+        <source>Change a part, see its stress at once</source>
+        <translation>Ein Bauteil ändern und sofort seine Spannung sehen</translation>
+    </message>
+    <message>
+        <source>Open a tetrahedral mesh with surface ids (Gmsh .msh) by dropping it here, or start with a shipped part:</source>
+        <translation>Ein Tetraedernetz mit Flächennummern (Gmsh .msh) hierher ziehen oder mit einem mitgelieferten Bauteil beginnen:</translation>
+    </message>
+    <message>
+        <source>Open a mesh ...</source>
+        <translation>Netz öffnen …</translation>
+    </message>
+    <message>
+        <source>Connect to a server ...</source>
+        <translation>Mit einem Server verbinden …</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Weiter mit</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+</TS>

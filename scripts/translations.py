@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Checks the window's translations, or takes new words of the sources into them.
+
+usage: scripts/translations.py [--update] [--lupdate PROGRAM]
+
+Checks that every word of client-qt is in client-qt/translations/tedit_*.ts, that every translation but the template
+(tedit_en.ts) is complete, and that placeholders (%1), shortcuts' leading and trailing blanks and line breaks are kept.
+With --update it runs lupdate first, which changes the files. Without lupdate (package qt6-l10n-tools) the words of the
+sources are not compared. Exit status: 0 all is well, 1 something is not, 2 usage.
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDER = ROOT / "client-qt" / "translations"
+TEMPLATE = "tedit_en.ts"
+
+
+def run_lupdate(program, targets):
+    command = [program, "-I", ".", "-locations", "none", "-no-obsolete", "-silent", "client-qt", "-ts"]
+    subprocess.run(command + [str(one) for one in targets], cwd=ROOT, check=True)
+
+
+def messages(path):
+    """(context, source) to (translation, whether it is finished)."""
+    result = {}
+    for context in ElementTree.parse(path).getroot().findall("context"):
+        for message in context.findall("message"):
+            translation = message.find("translation")
+            key = (context.findtext("name"), message.findtext("source"))
+            result[key] = (translation.text or "", translation.get("type") is None)
+    return result
+
+
+def faults_of(source, translation, finished):
+    if not finished or not translation:
+        yield "is not translated"
+        return
+    places = [sorted(re.findall(r"%(?:n|L?[0-9]+)", text)) for text in (source, translation)]
+    if places[0] != places[1]:
+        yield f"has other placeholders: {translation!r}"
+    if source.count("\n") != translation.count("\n"):
+        yield f"has other line breaks: {translation!r}"
+    for strip in (str.lstrip, str.rstrip):
+        if (strip(source) == source) != (strip(translation) == translation):
+            yield f"has other blanks at an end: {translation!r}"
+
+
+def check(path, wanted):
+    found = messages(path)
+    for context, source in sorted(wanted - found.keys()):
+        yield f"{path.name}: {context}: {source!r} is missing"
+    for context, source in sorted(found.keys() - wanted):
+        yield f"{path.name}: {context}: {source!r} is no word of the window any more"
+    if path.name == TEMPLATE:
+        return
+    for (context, source), (translation, finished) in found.items():
+        for fault in faults_of(source, translation, finished):
+            yield f"{path.name}: {context}: {source!r} {fault}"
+
+
+def words_of_the_sources(lupdate):
+    with tempfile.TemporaryDirectory() as folder:
+        fresh = pathlib.Path(folder) / TEMPLATE
+        run_lupdate(lupdate, [fresh])
+        return messages(fresh).keys()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--update", action="store_true", help="take new words into the files first")
+    parser.add_argument("--lupdate", default="/usr/lib/qt6/bin/lupdate", help="the program of qt6-l10n-tools")
+    wanted = parser.parse_args()
+    files = sorted(FOLDER.glob("tedit_*.ts"))
+    has_lupdate = pathlib.Path(wanted.lupdate).exists()
+    if wanted.update:
+        if not has_lupdate:
+            print(f"translations.py: {wanted.lupdate} is not there; install qt6-l10n-tools", file=sys.stderr)
+            return 2
+        run_lupdate(wanted.lupdate, files)
+    words = words_of_the_sources(wanted.lupdate) if has_lupdate else messages(FOLDER / TEMPLATE).keys()
+    faults = [fault for path in files for fault in check(path, words)]
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    if faults:
+        print("run scripts/translations.py --update, then fill in what is missing", file=sys.stderr)
+        return 1
+    print(f"translations: {len(words)} words, {len(files) - 1} languages besides English")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/language.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include "client-qt/model/legend.hpp"
+#include "client-qt/model/operation_words.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+class Language : public testing::Test {
+protected:
+  ~Language() override { qDeleteAll(qApp->findChildren<QTranslator*>()); }
+};
+
+TEST_F(Language, EnglishIsAlwaysThereAndTakenForWhatIsNot) {
+  EXPECT_EQ(languages().front(), QString("en"));
+  EXPECT_EQ(speak(*qApp, "tlh"), QString("en"));
+  EXPECT_EQ(field_title(shown_field::safety_factor), QString("Safety factor"));
+}
+
+TEST_F(Language, GermanIsSpokenAlsoOfOperationsThatTheServerDescribes) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+
+  EXPECT_EQ(speak(*qApp, "de"), QString("de"));
+
+  EXPECT_EQ(field_title(shown_field::safety_factor), QString("Sicherheitsfaktor"));
+  EXPECT_EQ(in_users_language("Fill hole"), "Bohrung schließen");
+  EXPECT_EQ(in_users_language("What a plugin says"), "What a plugin says");
+}
+
+}  // namespace
+}  // namespace tedit::desktop
