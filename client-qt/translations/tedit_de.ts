@@ -1075,35 +1075,35 @@ Inhalt %1</translation>
     </message>
     <message>
         <source>Page of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite des Handbuchs</translation>
     </message>
     <message>
         <source>This window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Fenster</translation>
     </message>
     <message>
         <source>Operations</source>
-        <translation type="unfinished">Operationen</translation>
+        <translation>Operationen</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Improving a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz verbessern</translation>
     </message>
     <message>
         <source>Recipes</source>
-        <translation type="unfinished"></translation>
+        <translation>Rezepte</translation>
     </message>
     <message>
         <source>In the browser</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Browser</translation>
     </message>
     <message>
         <source>The same page, with its pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieselbe Seite, mit ihren Bildern</translation>
     </message>
 </context>
 <context>
@@ -1956,7 +1956,7 @@ Inhalt %1</translation>
     </message>
     <message>
         <source>The manual: the page for what is being done, with a search</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch: die Seite zu dem, was gerade getan wird, mit Suche</translation>
     </message>
 </context>
 <context>

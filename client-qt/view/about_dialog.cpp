@@ -69,6 +69,7 @@ about_dialog::about_dialog(QWidget* parent) : QDialog(parent) {
   column->addWidget(title);
   auto* list = new QTreeWidget;
   list->setObjectName("libraries");
+  list->setAccessibleName(tr("Built with"));
   list->setRootIsDecorated(false);
   list->setSelectionMode(QAbstractItemView::NoSelection);
   list->setHeaderLabels({tr("Library"), tr("Version"), tr("Licence"), tr("For")});

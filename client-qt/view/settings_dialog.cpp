@@ -36,6 +36,7 @@ settings_dialog::settings_dialog(const preferences& now, QWidget* parent) : QDia
   auto* letters = new QLineEdit;
   letters->setObjectName("search");
   letters->setPlaceholderText(tr("Search the settings"));
+  letters->setAccessibleName(letters->placeholderText());
   letters->setClearButtonEnabled(true);
   connect(letters, &QLineEdit::textChanged, this, &settings_dialog::search);
   column->addWidget(letters);

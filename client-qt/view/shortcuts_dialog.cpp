@@ -22,6 +22,7 @@ shortcuts_dialog::shortcuts_dialog(shortcut_table table, QWidget* parent)
   auto* letters = new QLineEdit;
   letters->setObjectName("search");
   letters->setPlaceholderText(tr("Search commands and keys"));
+  letters->setAccessibleName(letters->placeholderText());
   letters->setClearButtonEnabled(true);
   connect(letters, &QLineEdit::textChanged, this, &shortcuts_dialog::search);
   column->addWidget(letters);

@@ -26,6 +26,7 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   server_->setObjectName("server");
   addWidget(verdict_);
   addWidget(facts_, 1);
+  server_->setContentsMargins(0, 0, 8, 0);  // No words at the very edge.
   addPermanentWidget(server_);
   connect(&part_, &document::solve_changed, this, &truth_line::refresh);
   connect(&part_, &document::field_changed, this, &truth_line::refresh);
