@@ -127,14 +127,17 @@ void client_state::begin_section(open_document& document, const section_request&
   document.cutting = true;
   const bool fits = document.last_solved && document.last_solved->version &&
                     document.last_solved->version->id() == document.head->id();
+  // The request is an argument: CAF 0.17 dereferences a null pointer when there is none.
   self->spawn<caf::detached>(
-    [request, mesh = document.head, watched = document.watched,
+    [mesh = document.head, watched = document.watched,
      fields = fits ? document.last_solved : std::optional<actors::solved>(),
-     home = caf::actor_cast<caf::actor>(self)](caf::event_based_actor*) {
+     home = caf::actor_cast<caf::actor>(self)](caf::event_based_actor*,
+                                               const section_request& wanted) {
       auto made = std::make_shared<const expected<bulk>>(
-        make_section(*mesh, fields ? &*fields : nullptr, watched, request.body));
-      caf::anon_send(home, section_cut{request.id, request.body.document(), std::move(made)});
-    });
+        make_section(*mesh, fields ? &*fields : nullptr, watched, wanted.body));
+      caf::anon_send(home, section_cut{wanted.id, wanted.body.document(), std::move(made)});
+    },
+    request);
 }
 
 void client_state::on_section(const section_cut& cut) {
