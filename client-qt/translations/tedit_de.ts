@@ -312,7 +312,7 @@
     </message>
     <message>
         <source>Give at least one component that is not 0</source>
-        <translation>Mindestens eine Komponente ungleich 0 eingeben</translation>
+        <translation>Komponente ungleich 0 eingeben</translation>
     </message>
     <message>
         <source>Give the material a name</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Fill hole</source>
-        <translation>Bohrung schließen</translation>
+        <translation>Loch schließen</translation>
     </message>
     <message>
         <source>Closes holes: through, blind, stepped, in curved walls or closed inside the part.</source>

@@ -30,7 +30,7 @@ TEST_F(Language, GermanIsSpokenAlsoOfOperationsThatTheServerDescribes) {
   EXPECT_EQ(speak(*qApp, "de"), QString("de"));
 
   EXPECT_EQ(field_title(shown_field::safety_factor), QString("Sicherheitsfaktor"));
-  EXPECT_EQ(in_users_language("Fill hole"), "Bohrung schließen");
+  EXPECT_EQ(in_users_language("Fill hole"), "Loch schließen");
   EXPECT_EQ(in_users_language("What a plugin says"), "What a plugin says");
 }
 
