@@ -150,14 +150,26 @@ void field_panel::map_chosen() {
   read_form();
 }
 
-/// Why the chosen quantity cannot be seen, where it is not only on its way.
-void field_panel::say_what_is_missing() {
+bool field_panel::lacks_yield() const {
   const auto now = field();
+  return now && legend_.field == shown_field::safety_factor && now->safety_factor.empty() &&
+         !(now->envelope ? now->envelope->min_safety_factor.has_value()
+                         : now->report.min_safety_factor.has_value());
+}
+
+/// Whether the field is there, but came before this quantity was asked for.
+bool field_panel::is_on_its_way() const {
+  const auto now = field();
+  return now && !has(*now, legend_.field) && !lacks_yield();
+}
+
+/// Why the chosen quantity cannot be seen.
+void field_panel::say_what_is_missing() {
   QString why;
-  if (now && legend_.field == shown_field::safety_factor && now->safety_factor.empty() &&
-      !(now->envelope ? now->envelope->min_safety_factor.has_value()
-                      : now->report.min_safety_factor.has_value()))
+  if (lacks_yield())
     why = tr("No yield strength is known: give the material one in \"Loads and supports\".");
+  else if (is_on_its_way())
+    why = tr("Loading: the server was asked for it.");
   missing_->setText(why);
   missing_->setVisible(!why.isEmpty());
 }
@@ -267,9 +279,16 @@ void field_panel::read_form() {
   emit changed();
 }
 
-void field_panel::take_range(const legend& shown) {
+void field_panel::take_range(const legend& shown, bool has_values) {
+  for (auto* edit : {low_, high_})
+    edit->setPlaceholderText(!has_values && is_on_its_way() ? tr("loading") : QString());
   if (legend_.mode != range_mode::automatic)
     return;
+  if (!has_values) {
+    low_->clear();
+    high_->clear();
+    return;
+  }
   legend_.low = shown.low;
   legend_.high = shown.high;
   const double scale = shown_as(field_unit(shown.field)).scale;

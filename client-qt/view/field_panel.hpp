@@ -40,8 +40,8 @@ public:
   /// How fields are drawn unless something else is chosen. `locked`: to the range of the first
   /// converged field of a document.
   void set_look(colour_map map, bool locked, bool logarithmic);
-  /// Shows the range that the view took from the values.
-  void take_range(const legend& shown);
+  /// Shows the range that the view took from the values; without any there is none.
+  void take_range(const legend& shown, bool has_values);
 
 signals:
   void changed();
@@ -53,6 +53,8 @@ private:
   void case_chosen();
   void map_chosen();
   void say_what_is_missing();
+  [[nodiscard]] bool lacks_yield() const;
+  [[nodiscard]] bool is_on_its_way() const;
   void read_form();
 
   document& part_;

@@ -102,8 +102,9 @@ void main_window::wire_messages() {
 
 void main_window::wire_view() {
   connect(fields_, &field_panel::changed, this, &main_window::show_part);
-  connect(view_, &viewport::legend_changed, this,
-          [this] { fields_->take_range(view_->current_legend()); });
+  connect(view_, &viewport::legend_changed, this, [this] {
+    fields_->take_range(view_->current_legend(), view_->value_extremes().has_value());
+  });
   connect(view_, &viewport::shown, this, [this] {
     overlay_->set_note(truth_->verdict());
     const auto* head = part_.head();

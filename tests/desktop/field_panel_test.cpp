@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLabel>
+#include <QLineEdit>
 
 namespace tedit::desktop {
 namespace {
@@ -29,7 +30,7 @@ protected:
     legend shown = panel_.wanted();
     shown.low = 1e6;
     shown.high = interim ? 2e6 : 3e6;
-    panel_.take_range(shown);  // As the view tells it.
+    panel_.take_range(shown, true);  // As the view tells it.
     QCoreApplication::processEvents();
   }
 
@@ -101,6 +102,27 @@ TEST_F(FieldPanel, TheEnvelopeIsLeftForAFieldThatItHasNotAndThatFieldForTheEnvel
   panel_.set_case("");
   EXPECT_TRUE(panel_.field()->envelope);
   EXPECT_EQ(panel_.wanted().field, shown_field::von_mises);
+}
+
+TEST_F(FieldPanel, NamesNoRangeOfWhatHasNotArrived) {
+  auto* low = panel_.findChildren<QLineEdit*>().front();
+  auto* missing = panel_.findChild<QLabel*>("field_missing");
+  arrive(false);
+  EXPECT_EQ(low->text(), "1");  // MPa.
+  panel_.set_field(shown_field::principal_1);
+
+  legend nothing = panel_.wanted();
+  nothing.fit({});
+  panel_.take_range(nothing, false);
+  EXPECT_TRUE(low->text().isEmpty()) << low->text().toStdString();
+  EXPECT_EQ(low->placeholderText(), "loading");
+  EXPECT_TRUE(missing->text().startsWith("Loading")) << missing->text().toStdString();
+
+  panel_.set_field(shown_field::von_mises);
+  panel_.take_range(panel_.wanted(), true);
+  EXPECT_FALSE(low->text().isEmpty());
+  EXPECT_TRUE(low->placeholderText().isEmpty());
+  EXPECT_TRUE(missing->text().isEmpty());
 }
 
 TEST_F(FieldPanel, SaysWhyThereIsNoSafetyFactor) {

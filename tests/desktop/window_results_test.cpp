@@ -2,6 +2,7 @@
 // Results and history as a person uses them: fields on demand, boxes, names, load cases, recording.
 #include "tests/desktop/window_fixture.hpp"
 
+#include <QLineEdit>
 #include <QTreeWidget>
 
 #include "client-qt/model/field_values.hpp"
@@ -16,8 +17,13 @@ TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
   open_plate();
   EXPECT_TRUE(view().current().field->stress.empty());
 
+  const auto* low = window->fields().findChildren<QLineEdit*>().front();
+  EXPECT_FALSE(low->text().isEmpty());
   window->fields().set_field(shown_field::principal_1);
+  EXPECT_TRUE(low->text().isEmpty()) << "a range of values that are not there";
+  EXPECT_EQ(low->placeholderText(), "loading");
   ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  EXPECT_FALSE(low->text().isEmpty());
   const auto& by = view().current_legend();
   EXPECT_EQ(by.map, colour_map::coolwarm);
   EXPECT_DOUBLE_EQ(by.low, -by.high);
