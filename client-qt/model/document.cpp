@@ -188,6 +188,7 @@ void document::reopen() {
       take_state(state);
       send_watch();
       emit opened();
+      take_surface();  // It may have come before this answer.
       refresh_history();
       if (state.head && !state.head->load_cases.empty())
         solve();
@@ -419,16 +420,28 @@ void document::select(const selection_query& query,
 
 void document::cut(const vec3& at, const vec3& normal, const std::string& load_case,
                    remote::reply<client::section> done) {
-  auto asked = std::make_shared<ticket>();
-  const int shown = work_.begin(tr("Section"), [asked] { asked->cancel(); });
-  *asked = link_.run<client::section>(
+  // The server cuts in one go: an answer that comes after a cancel is dropped.
+  struct question {
+    int job = 0;
+    ticket asked;
+    remote::reply<client::section> done;
+  };
+  auto open = std::make_shared<question>();
+  const auto finish = [this, open](expected<client::section> got) {
+    work_.end(open->job);
+    if (auto then = std::exchange(open->done, nullptr))
+      then(std::move(got));
+  };
+  open->done = std::move(done);
+  open->job = work_.begin(tr("Section"), [open, finish] {
+    open->asked.cancel();
+    finish(fail(ec::cancelled, "the section was cancelled"));
+  });
+  open->asked = link_.run<client::section>(
     [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
-    [this, shown, done = std::move(done)](expected<client::section> got) {
-      work_.end(shown);
-      done(std::move(got));
-    },
-    [this, shown](double fraction, const QString& stage) {
-      work_.progress(shown, fraction, stage);
+    finish,
+    [this, open](double fraction, const QString& stage) {
+      work_.progress(open->job, fraction, stage);
     });
 }
 

@@ -44,7 +44,7 @@ struct activity {
 };
 
 /// How far the field of the head is.
-enum class field_state { none, waiting, solving, interim, converged, failed };
+enum class field_state { none, waiting, solving, interim, converged, failed, stopped };
 
 /// The document that is open, as the server has it: its versions, load cases, surface and fields,
 /// and every request about it. Nothing here waits; what happened is told by signals. It survives a
@@ -111,8 +111,10 @@ public:
   [[nodiscard]] const client::solve_settings& solve_settings() const { return settings_; }
   /// Ends what `current_activity` shows.
   void cancel();
-  /// Ends the solve that runs.
+  /// Ends the solve that runs, also one that followed an edit by itself.
   void cancel_solve();
+  /// Whether one runs or is about to.
+  [[nodiscard]] bool is_solving() const noexcept { return solve_job_ != 0; }
   /// Writes the head to a file, by its suffix: .msh, .stl or .vtu.
   void export_file(const QString& path);
   void refresh_history();
@@ -120,7 +122,8 @@ public:
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
 
   /// A plane through the head, with the field of a load case as `client::cut` says. A newer
-  /// question makes an older one `superseded`.
+  /// question makes an older one `superseded`; one that is cancelled in `work` is `cancelled` at
+  /// once.
   void cut(const vec3& at, const vec3& normal, const std::string& load_case,
            remote::reply<client::section> done);
 
@@ -184,8 +187,8 @@ private:
   int activity_job_ = 0;
   int solve_job_ = 0;  ///< 0: no solve runs.
   ticket running_;
-  ticket solving_;
-  int solves_ = 0;  ///< Solve requests without an answer.
+  int solves_ = 0;         ///< Solve requests without an answer.
+  int load_requests_ = 0;  ///< The same for load cases.
   field_state field_state_ = field_state::none;
   client::solve_status solve_status_;
   int opening_ = 0;  ///< Answers to an earlier opening are not for us.

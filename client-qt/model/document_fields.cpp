@@ -57,7 +57,7 @@ void document::take_status(const client::solve_status& status) {
     if (solves_ == 0)  // Else the answer to the request says it.
       emit failed(tr("Solve"), {ec::not_converged, status.message, {}, {}});
   } else if (status.phase == phase::cancelled) {
-    set_field_state(field_state::none);
+    set_field_state(field_state::stopped);
   }
   emit solve_changed();
 }
@@ -69,8 +69,7 @@ void document::set_field_state(field_state next) {
     emit solve_changed();
 }
 
-/// The solve among what runs. One that follows an edit by itself is the session's: only one that
-/// was asked for from here can be cancelled.
+/// The solve among what runs.
 void document::note_solve() {
   const bool runs = field_state_ == field_state::waiting || field_state_ == field_state::solving ||
                     field_state_ == field_state::interim;
@@ -79,8 +78,7 @@ void document::note_solve() {
     return;
   }
   if (solve_job_ == 0)
-    solve_job_ =
-      work_.begin(tr("Solve"), solves_ > 0 ? std::function([this] { cancel_solve(); }) : nullptr);
+    solve_job_ = work_.begin(tr("Solve"), [this] { cancel_solve(); });
 }
 
 // -- load cases and names ------------------------------------------------------------
@@ -173,7 +171,7 @@ void document::solve() {
   const int mine = opening_;
   ++solves_;
   set_field_state(field_state::waiting);
-  solving_ = link_.run<solve_outcome>(
+  link_.run<solve_outcome>(
     [settings = settings_](client::client& c, const execution& run) {
       return c.solve_cases(settings, run);
     },
@@ -192,7 +190,18 @@ void document::solve() {
 }
 
 void document::cancel_solve() {
-  solving_.cancel();
+  if (!is_solving())
+    return;
+  link_.run<bool>(
+    [](client::client& c, const execution&) -> expected<bool> {
+      if (auto ok = c.cancel_solve(); !ok)
+        return fail(std::move(ok.error()));
+      return true;
+    },
+    [this](const expected<bool>& ok) {  // That it ended comes as an event.
+      if (!ok)
+        emit failed(tr("Stop the solver"), ok.error());
+    });
 }
 
 }  // namespace tedit::desktop

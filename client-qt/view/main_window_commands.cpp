@@ -91,8 +91,10 @@ void main_window::add_commands() {
                      part_.cancel();
                    else if (!context_->chosen().isEmpty())
                      context_->choose({});
-                   else
+                   else if (!selection_.surfaces().empty())
                      selection_.clear();
+                   else
+                     part_.cancel_solve();
                  },
                  {},
                  {},

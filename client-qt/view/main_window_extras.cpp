@@ -22,7 +22,7 @@
 namespace tedit::desktop {
 
 static constexpr int help_width = 420;
-static constexpr int beside_server = 2;  // After the verdict and the facts.
+static constexpr int beside_server = 3;  // After the verdict, its button and the facts.
 
 void main_window::add_extras() {
   add_jobs();

@@ -133,6 +133,8 @@ void section_bar::ask() {
     asking_ = false;
     if (got && on_)
       view_.show_cap(std::make_shared<const client::section>(std::move(*got)));
+    else if (!got && got.error().code == ec::cancelled)
+      again_ = false;  // Until the plane is moved.
     else if (!got && got.error().code != ec::superseded &&
              got.error().code != ec::service_unavailable)
       emit part_.failed(tr("Section"), got.error());

@@ -2,6 +2,7 @@
 #include "client-qt/view/truth_line.hpp"
 
 #include <QLabel>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -20,11 +21,22 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   setSizeGripEnabled(false);
   verdict_ = new QLabel;
   verdict_->setObjectName("verdict");
+  stop_ = new QToolButton;
+  stop_->setObjectName("stop_solve");
+  stop_->setAutoRaise(true);
+  stop_->setStyleSheet("padding: 0 6px; margin: 0;");  // As high as the words beside it.
+  connect(stop_, &QToolButton::clicked, this, [this] {
+    if (part_.is_solving())
+      part_.cancel_solve();
+    else
+      part_.solve();
+  });
   facts_ = new QLabel;
   facts_->setObjectName("facts");
   server_ = new QLabel;
   server_->setObjectName("server");
   addWidget(verdict_);
+  addWidget(stop_);
   addWidget(facts_, 1);
   server_->setContentsMargins(0, 0, 8, 0);  // No words at the very edge.
   addPermanentWidget(server_);
@@ -64,6 +76,8 @@ QString truth_line::verdict() const {
       return tr("preview, converging");
     case field_state::failed:
       return tr("not solved");
+    case field_state::stopped:
+      return part_.head()->fields.empty() ? tr("solver stopped") : tr("preview, solver stopped");
     case field_state::none:
       return tr("no field");
     case field_state::converged:
@@ -147,6 +161,11 @@ void truth_line::refresh() {
   verdict_->setStyleSheet(
     QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink.name()));
   verdict_->setText(now);
+  const bool stopped = part_.head() && part_.field_progress() == field_state::stopped;
+  stop_->setVisible(part_.head() && (part_.is_solving() || stopped));
+  stop_->setText(stopped ? tr("Solve") : tr("Stop"));
+  stop_->setToolTip(stopped ? tr("Solves the part as it is now (F5)")
+                            : tr("Stops the solver; the next edit is solved again"));
   facts_->setText(facts());
   server_->setText(server());
 }

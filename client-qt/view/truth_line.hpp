@@ -7,11 +7,12 @@
 #include "client-qt/view/theme.hpp"
 
 class QLabel;
+class QToolButton;
 
 namespace tedit::desktop {
 
 /// What is true of the picture: preview or final, residual, estimated error, size, times; and how
-/// the server is reached.
+/// the server is reached. While the solver runs a button stops it; once stopped, it goes on again.
 class truth_line : public QStatusBar {
   Q_OBJECT
 
@@ -36,6 +37,7 @@ private:
   theme look_;
   bool candidate_ = false;
   QLabel* verdict_;
+  QToolButton* stop_;
   QLabel* facts_;
   QLabel* server_;
 };

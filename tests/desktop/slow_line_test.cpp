@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "client-qt/model/stall_watch.hpp"
+#include "client-qt/view/section_bar.hpp"
 #include "tests/support/slow_proxy.hpp"
 
 namespace tedit::desktop {
@@ -105,6 +106,30 @@ TEST_F(SlowLine, AnEditThatIsHeldUpCanBeCancelled) {
 
   EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
   expect_nothing_lost();
+}
+
+TEST_F(SlowLine, ASectionThatIsHeldUpCanBeCancelledAndItsLateAnswerIsDropped) {
+  open_plate(false);
+  line->stall(true);
+  ASSERT_TRUE(window->all_commands().trigger("view.section"));
+  ASSERT_TRUE(window->all_commands().trigger("view.jobs"));
+  auto* jobs = QApplication::activePopupWidget();
+  ASSERT_NE(jobs, nullptr);
+  auto* cancel = jobs->findChild<QPushButton*>("job_cancel");
+  ASSERT_NE(cancel, nullptr);
+
+  QTest::mouseClick(cancel, Qt::LeftButton);
+  EXPECT_TRUE(part().work().all().empty());
+  jobs->close();
+  line->stall(false);
+  ASSERT_TRUE(wait([&] { return window->link().running() == 0; }));
+  const auto hollow = window->picture();
+  EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
+
+  window->section().set_place(0.5);  // Where it is.
+  window->section().set_on(true);    // Asks anew.
+  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && part().work().all().empty(); }));
+  EXPECT_NE(window->picture(), hollow);
 }
 
 TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
