@@ -237,9 +237,10 @@ void document::import(const QString& mesh, const QStringList& load_cases, const 
 }
 
 /// One after the other, then the solve of them all.
-void document::send_load_cases(std::vector<fem::load_case> loads) {
+void document::send_load_cases(std::vector<fem::load_case> loads, std::function<void()> then) {
   if (loads.empty())
     return;
+  ++load_requests_;
   auto names = std::make_shared<std::vector<fem::load_case>>(std::move(loads));
   link_.run<bool>(
     [names](client::client& c, const execution&) -> expected<bool> {
@@ -248,17 +249,20 @@ void document::send_load_cases(std::vector<fem::load_case> loads) {
           return fail(std::move(ok.error()));
       return true;
     },
-    [this](const expected<bool>& ok) {
+    [this, then = std::move(then)](const expected<bool>& ok) {
+      --load_requests_;
       if (!ok) {
         emit failed(tr("Set the load cases"), ok.error());
         return;
       }
+      if (then)
+        then();
       solve();
     });
 }
 
 void document::set_load_case(const fem::load_case& loads) {
-  send_load_cases({loads});
+  send_load_cases({loads}, [this, loads] { emit load_case_set(loads); });
 }
 
 void document::load_catalogue() {

@@ -88,6 +88,8 @@ public:
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
   void close();
   void set_load_case(const fem::load_case& loads);
+  /// Whether a load case is on its way to the server.
+  [[nodiscard]] bool changes_loads() const noexcept { return load_requests_ > 0; }
   /// Takes a load case from the head, and solves what is left.
   void remove_load_case(const std::string& name);
   /// Gives a version another name and note.
@@ -142,6 +144,9 @@ signals:
   /// An operation was asked for; `edited` or `failed` follows.
   void applied(const QString& operation, const std::vector<tedit::surface_id>& surfaces,
                const tedit::ops::parameters& values);
+  /// A load case that was asked for from here is the head's, or is gone from it.
+  void load_case_set(const tedit::fem::load_case& loads);
+  void load_case_removed(const std::string& name);
   void exported(const QString& path);
   void notice(const QString& text);
   /// What was tried, and why it did not work.
@@ -170,7 +175,7 @@ private:
   void load_catalogue();
   void set_field_state(field_state next);
   [[nodiscard]] version_record* find(const std::string& version_id);
-  void send_load_cases(std::vector<fem::load_case> loads);
+  void send_load_cases(std::vector<fem::load_case> loads, std::function<void()> then = {});
   void forget();
 
   remote& link_;

@@ -100,18 +100,23 @@ void document::take_other_load_cases(const std::vector<fem::load_case>& loads) {
 }
 
 void document::remove_load_case(const std::string& name) {
+  ++load_requests_;
   link_.run<bool>(
     [name](client::client& c, const execution&) -> expected<bool> {
       if (auto ok = c.remove_load_case(name); !ok)
         return fail(std::move(ok.error()));
       return true;
     },
-    [this, mine = opening_](const expected<bool>& ok) {
+    [this, name, mine = opening_](const expected<bool>& ok) {
+      --load_requests_;
       if (mine != opening_)
         return;
-      if (!ok)
+      if (!ok) {
         emit failed(tr("Remove the load case"), ok.error());
-      else if (!load_cases().empty())
+        return;
+      }
+      emit load_case_removed(name);
+      if (!load_cases().empty())
         solve();
     });
 }

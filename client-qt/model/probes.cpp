@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "client-qt/model/field_values.hpp"
 
@@ -127,19 +128,39 @@ void probes::add(surface_id surface, const std::array<std::uint32_t, 3>& vertice
     return;
   all_.push_back(make_probe(++last_, surface, vertices, weights, *head->surface));
   emit changed();
+  emit added(all_.back());
+}
+
+bool probes::put(int number, surface_id surface, const vec3& at) {
+  const auto* head = part_.head();
+  probe wanted;
+  wanted.surface = surface;
+  wanted.place.at = at;
+  const auto place = head && head->surface ? locate(wanted, *head->surface) : std::nullopt;
+  if (!place)
+    return false;
+  remove(number);
+  last_ = number - 1;
+  add(surface, place->vertices, place->weights);
+  last_ = std::ranges::max(all_, {}, &probe::number).number;
+  return true;
 }
 
 void probes::remove(int number) {
-  std::erase_if(all_, [number](const probe& one) { return one.number == number; });
   std::erase_if(found_, [number](const auto& one) { return one.first.first == number; });
+  if (std::erase_if(all_, [number](const probe& one) { return one.number == number; }) == 0)
+    return;
   emit changed();
+  emit removed(number);
 }
 
 void probes::clear() {
-  all_.clear();
+  const auto gone = std::exchange(all_, {});
   found_.clear();
   last_ = 0;
   emit changed();
+  for (const auto& one : gone)
+    emit removed(one.number);
 }
 
 std::optional<probe_place> probes::place(const probe& what, const version_record& in) const {

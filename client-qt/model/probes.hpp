@@ -54,6 +54,9 @@ public:
 
   void add(surface_id surface, const std::array<std::uint32_t, 3>& vertices,
            const std::array<double, 3>& weights);
+  /// At the place of the surface that is nearest to a point, m; one with the number is replaced.
+  /// False: the head has no such surface.
+  bool put(int number, surface_id surface, const vec3& at);
   void remove(int number);
   void clear();
 
@@ -66,6 +69,8 @@ public:
 
 signals:
   void changed();
+  void added(const tedit::desktop::probe& what);
+  void removed(int number);
 
 private:
   document& part_;

@@ -29,6 +29,8 @@ class field_panel;
 class history_strip;
 class loads_panel;
 class overlay;
+class probe_panel;
+class probes;
 class receipt_panel;
 class recorder;
 class section_bar;
@@ -67,6 +69,11 @@ public:
   [[nodiscard]] banner& messages() { return *banner_; }
   [[nodiscard]] section_bar& section() { return *section_; }
   [[nodiscard]] recorder& recording() { return *recorder_; }
+  [[nodiscard]] probes& pins() { return *probes_; }
+  [[nodiscard]] probe_panel& probe_list() { return *probe_list_; }
+  /// Surfaces that are not drawn.
+  [[nodiscard]] const std::set<surface_id>& hidden() const noexcept { return hidden_; }
+  void set_hidden(std::set<surface_id> surfaces);
 
   /// The view with legend and marks. Width and height 0: as on the screen.
   [[nodiscard]] QImage picture(int width = 0, int height = 0);
@@ -75,6 +82,7 @@ signals:
   /// The view shows the head with all that is known of it.
   void settled();
   void theme_changed(const tedit::desktop::theme& look);
+  void hidden_changed();
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -179,6 +187,8 @@ private:
   QToolBar* rail_;
   QToolBar* bar_;
   QLabel* title_;
+  probes* probes_ = nullptr;
+  probe_panel* probe_list_ = nullptr;
   recorder* recorder_ = nullptr;
 };
 

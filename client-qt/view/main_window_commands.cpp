@@ -122,6 +122,13 @@ void main_window::add_commands() {
   refresh_actions();
 }
 
+void main_window::set_hidden(std::set<surface_id> surfaces) {
+  hidden_ = std::move(surfaces);
+  view_->hide(hidden_);
+  refresh_actions();
+  emit hidden_changed();
+}
+
 void main_window::add_view_commands() {
   const auto has_part = [this] { return part_.head() != nullptr; };
   const auto picked = [this] { return !selection_.surfaces().empty(); };
@@ -155,8 +162,9 @@ void main_window::add_view_commands() {
                  view,
                  "H",
                  [this] {
-                   hidden_.insert(selection_.surfaces().begin(), selection_.surfaces().end());
-                   view_->hide(hidden_);
+                   auto all = hidden_;
+                   all.insert(selection_.surfaces().begin(), selection_.surfaces().end());
+                   set_hidden(std::move(all));
                    selection_.clear();
                  },
                  picked,
@@ -167,22 +175,18 @@ void main_window::add_view_commands() {
                  view,
                  "I",
                  [this] {
-                   hidden_.clear();
+                   std::set<surface_id> others;
                    if (const auto* head = part_.head(); head && head->surface)
                      for (const auto& [id, row] : head->surface->surfaces())
                        if (!selection_.contains(id))
-                         hidden_.insert(id);
-                   view_->hide(hidden_);
+                         others.insert(id);
+                   set_hidden(std::move(others));
                  },
                  picked,
                  {},
                  "isolate"});
   commands_.add({"view.show_all", tr("Show everything"), view, "Shift+H",
-                 [this] {
-                   hidden_.clear();
-                   view_->hide(hidden_);
-                 },
-                 [this] { return !hidden_.empty(); }});
+                 [this] { set_hidden({}); }, [this] { return !hidden_.empty(); }});
   commands_.add({"view.parallel", tr("Parallel or perspective"), view, "O",
                  [this] {
                    view_->view().set_parallel(!view_->view().is_parallel());

@@ -252,9 +252,9 @@ void main_window::take_shortcuts() {
 // -- probes and plots ----------------------------------------------------------------
 
 void main_window::add_probes() {
-  auto* all = new probes(part_, this);
+  auto* all = probes_ = new probes(part_, this);
   auto* marks = new probe_marks(*view_, part_, *all);
-  auto* list = new probe_panel(part_, *all, *fields_);
+  auto* list = probe_list_ = new probe_panel(part_, *all, *fields_);
   auto* curves = new plot_panel(part_, *all, *list, *fields_, *view_);
   auto* both = new QSplitter;
   both->addWidget(list);

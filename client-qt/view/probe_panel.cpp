@@ -97,6 +97,7 @@ probe_panel::probe_panel(document& part, probes& all, field_panel& fields, QWidg
   connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
     show_distance();
     emit pair_changed();
+    emit chosen_changed();
   });
   column->addWidget(list_, 1);
   auto* row = new QHBoxLayout;
@@ -106,10 +107,7 @@ probe_panel::probe_panel(document& part, probes& all, field_panel& fields, QWidg
   row->addWidget(distance_, 1);
   remove_ = new QPushButton(tr("Remove"));
   connect(remove_, &QPushButton::clicked, this, [this] {
-    std::vector<int> numbers;
-    for (const auto* one : list_->selectedItems())
-      numbers.push_back(one->data(0, Qt::UserRole).toInt());
-    for (const int number : numbers)
+    for (const int number : chosen())
       all_.remove(number);
   });
   clear_ = new QPushButton(tr("Remove all"));
@@ -122,10 +120,30 @@ probe_panel::probe_panel(document& part, probes& all, field_panel& fields, QWidg
   refresh();
 }
 
-void probe_panel::refresh() {
-  std::vector<int> chosen;
+std::vector<int> probe_panel::chosen() const {
+  std::vector<int> numbers;
   for (const auto* one : list_->selectedItems())
-    chosen.push_back(one->data(0, Qt::UserRole).toInt());
+    numbers.push_back(one->data(0, Qt::UserRole).toInt());
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+void probe_panel::choose(const std::vector<int>& numbers) {
+  {
+    const QSignalBlocker quiet(list_);
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+      auto* row = list_->topLevelItem(i);
+      row->setSelected(std::ranges::find(numbers, row->data(0, Qt::UserRole).toInt()) !=
+                       numbers.end());
+    }
+  }
+  show_distance();
+  emit pair_changed();
+  emit chosen_changed();
+}
+
+void probe_panel::refresh() {
+  const auto before = chosen();
   const shown_field quantity_shown = fields_.wanted().field;
   const auto shown = fields_.field();
   const std::string load_case = shown && !shown->envelope ? shown->report.load_case : std::string();
@@ -159,7 +177,7 @@ void probe_panel::refresh() {
         }
         row->setText(column++, text);
       }
-      row->setSelected(std::ranges::find(chosen, one.number) != chosen.end());
+      row->setSelected(std::ranges::find(before, one.number) != before.end());
     }
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
   }

@@ -45,9 +45,13 @@ public:
 
   /// The two that are chosen, else the last two; fewer when there are not so many.
   [[nodiscard]] std::vector<probe> pair() const;
+  /// The numbers of those that are chosen in the list, ascending.
+  [[nodiscard]] std::vector<int> chosen() const;
+  void choose(const std::vector<int>& numbers);
 
 signals:
   void pair_changed();
+  void chosen_changed();
 
 private:
   void refresh();

@@ -3,12 +3,15 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <set>
 
 #include "client-qt/view/field_panel.hpp"
 #include "client-qt/view/main_window.hpp"
+#include "client-qt/view/probe_panel.hpp"
 #include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -39,19 +42,29 @@ QJsonArray to_json(const std::vector<surface_id>& ids) {
 
 /// Commands that change how the part is drawn and nothing else that is noted by itself.
 bool worth_a_step(const QString& id) {
-  static const std::set<QString> wanted{
-    "view.hide",  "view.isolate",  "view.show_all", "view.mesh",    "view.edges",
-    "view.loads", "view.extremes", "view.dark",     "view.compare", "view.compare_difference"};
+  static const std::set<QString> wanted{"view.mesh",
+                                        "view.edges",
+                                        "view.loads",
+                                        "view.extremes",
+                                        "view.dark",
+                                        "view.compare",
+                                        "view.compare_difference"};
   return wanted.contains(id);
 }
 
 /// A step that says how something is, not what is done: a later one of its kind replaces it.
 bool is_state(const QJsonObject& step) {
-  for (const auto* key :
-       {"select", "field", "case", "deform", "bands", "isolines", "camera", "section"})
+  for (const auto* key : {"select", "field", "case", "deform", "bands", "isolines", "camera",
+                          "section", "hidden", "measure"})
     if (step.contains(key))
       return true;
   return false;
+}
+
+/// The same load case again, as while its numbers are typed: only the last one counts.
+bool same_case(const QJsonObject& a, const QJsonObject& b) {
+  return a.contains("load_case") && b.contains("load_case") &&
+         a["load_case"]["name"] == b["load_case"]["name"];
 }
 
 }  // namespace
@@ -87,6 +100,42 @@ void recorder::wire() {
               parameters[QString::fromStdString(id)] = to_json(value);
             pending_ = QJsonObject{{"apply", operation}, {"parameters", parameters}};
           });
+  connect(&window_, &main_window::hidden_changed, this, &recorder::add_hidden);
+  wire_loads();
+  wire_probes();
+}
+
+void recorder::wire_loads() {
+  connect(&window_.part(), &document::load_case_set, this, [this](const fem::load_case& loads) {
+    const auto text = QByteArray::fromStdString(protocol::load_case_to_json(loads));
+    add({{"load_case", QJsonDocument::fromJson(text).object()}});
+  });
+  connect(&window_.part(), &document::load_case_removed, this, [this](const std::string& name) {
+    add({{"remove_load_case", QString::fromStdString(name)}});
+  });
+}
+
+void recorder::wire_probes() {
+  connect(&window_.pins(), &probes::added, this, &recorder::add_probe);
+  connect(&window_.pins(), &probes::removed, this, [this](int number) {
+    add({{"remove_probe", number}});
+  });
+  connect(&window_.probe_list(), &probe_panel::chosen_changed, this, [this] {
+    QJsonArray numbers;
+    for (const int number : window_.probe_list().chosen())
+      numbers.append(number);
+    add({{"measure", numbers}});
+  });
+}
+
+void recorder::add_hidden() {
+  add({{"hidden", to_json({window_.hidden().begin(), window_.hidden().end()})}});
+}
+
+void recorder::add_probe(const probe& what) {
+  add({{"probe", QJsonObject{{"number", what.number},
+                             {"surface", static_cast<qint64>(what.surface)},
+                             {"at", to_json(what.place.at)}}}});
 }
 
 void recorder::start() {
@@ -98,6 +147,9 @@ void recorder::start() {
   fields_changed();
   look();
   add({{"select", to_json(window_.picked().surfaces())}});
+  add_hidden();
+  for (const auto& one : window_.pins().all())
+    add_probe(one);
   emit changed();
 }
 
@@ -113,6 +165,8 @@ void recorder::stop() {
 void recorder::add(const QJsonObject& step) {
   if (!on_)
     return;
+  if (!steps_.isEmpty() && same_case(steps_.last().toObject(), step))
+    steps_.removeLast();
   for (auto i = steps_.size(); i-- > 0;) {
     const auto before = steps_[i].toObject();
     if (before == step && is_state(step))

@@ -9,13 +9,15 @@
 #include <optional>
 
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/probes.hpp"
 
 namespace tedit::desktop {
 
 class main_window;
 
 /// Writes down what a person does, as steps for `script`: selections, edits that were made, undo,
-/// what is drawn and how it is looked at. Not: loads, probes and what was refused.
+/// load cases that were set or removed, probes, what is drawn and how it is looked at. Not: what
+/// was refused.
 class recorder : public QObject {
   Q_OBJECT
 
@@ -35,6 +37,10 @@ signals:
 
 private:
   void wire();
+  void wire_loads();
+  void wire_probes();
+  void add_hidden();
+  void add_probe(const probe& what);
   void add(const QJsonObject& step);
   void look();
   void fields_changed();

@@ -14,8 +14,10 @@
 #include "client-qt/view/field_panel.hpp"
 #include "client-qt/view/main_window.hpp"
 #include "client-qt/view/overlay.hpp"
+#include "client-qt/view/probe_panel.hpp"
 #include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -45,6 +47,14 @@ ops::parameters parameters_from(const QJsonObject& values,
 vec3 point_from(const QJsonValue& value) {
   const auto all = value.toArray();
   return {all[0].toDouble(), all[1].toDouble(), all[2].toDouble()};
+}
+
+template <class Ids>
+Ids ids_from(const QJsonValue& value) {
+  Ids result;
+  for (const auto& id : value.toArray())
+    result.insert(result.end(), static_cast<typename Ids::value_type>(id.toInteger()));
+  return result;
 }
 
 void set_camera(viewport& view, const QJsonObject& wanted) {
@@ -84,7 +94,7 @@ expected<QJsonArray> read_script(const QString& path) {
   if (fault.error != QJsonParseError::NoError || !json.isArray())
     return fail(ec::bad_input,
                 "the script is no JSON array of steps: " + fault.errorString().toStdString(),
-                "See \"tedit-qt --help\" for the steps",
+                "See docs/desktop.md (F1 in the window) for the steps",
                 path.toStdString() + ":" + std::to_string(fault.offset));
   return json.array();
 }
@@ -145,6 +155,8 @@ bool script::ready_for(const QJsonObject& step) const {
                          window_.view().current().surface == wanted;
   if (!shows_all || part.current_activity() || part.operations().operations.empty())
     return false;
+  if (step.contains("case") && part.is_solving())
+    return false;  // It can be chosen once it has a field.
   if (step["wait"].toString() != "final")
     return true;
   const auto field = window_.view().current().field;
@@ -172,10 +184,7 @@ expected<void> script::perform(const QJsonObject& step) {
   if (look(step))
     return {};
   if (step.contains("select")) {
-    std::vector<surface_id> ids;
-    for (const auto& id : step["select"].toArray())
-      ids.push_back(id.toInteger());
-    window_.picked().set(ids);
+    window_.picked().set(ids_from<std::vector<surface_id>>(step["select"]));
   } else if (step.contains("choose")) {
     window_.context().choose(step["choose"].toString());
   } else if (step.contains("apply")) {
@@ -186,6 +195,12 @@ expected<void> script::perform(const QJsonObject& step) {
     window_.part().redo();
   } else if (step.contains("go_to")) {
     window_.part().go_to(static_cast<std::uint32_t>(step["go_to"].toInteger()));
+  } else if (step.contains("load_case")) {
+    return set_load_case(step["load_case"].toObject());
+  } else if (step.contains("remove_load_case")) {
+    window_.part().remove_load_case(step["remove_load_case"].toString().toStdString());
+  } else if (step.contains("probe")) {
+    return put_probe(step["probe"].toObject());
   } else if (step.contains("screenshot")) {
     return take_picture(step);
   } else if (!step.contains("wait")) {
@@ -214,6 +229,12 @@ bool script::look(const QJsonObject& step) {
     set_camera(window_.view(), step["camera"].toObject());
   else if (step.contains("box"))
     draw_box(window_.view(), step);
+  else if (step.contains("hidden"))
+    window_.set_hidden(ids_from<std::set<surface_id>>(step["hidden"]));
+  else if (step.contains("measure"))
+    window_.probe_list().choose(ids_from<std::vector<int>>(step["measure"]));
+  else if (step.contains("remove_probe"))
+    window_.pins().remove(step["remove_probe"].toInt());
   else if (step["section"].isObject())
     window_.section().set_plane(point_from(step["section"]["at"]),
                                 point_from(step["section"]["normal"]));
@@ -270,6 +291,26 @@ expected<void> script::apply(const QJsonObject& step) {
   if (auto* form = window_.context().form())
     form->set_values(parameters_from(step["parameters"].toObject(), offered->about));
   window_.context().apply();
+  return {};
+}
+
+expected<void> script::set_load_case(const QJsonObject& loads) {
+  const auto read =
+    protocol::load_case_from_json(QJsonDocument(loads).toJson().toStdString(), "load_case");
+  if (!read)
+    return fail(read.error());
+  window_.part().set_load_case(*read);
+  return {};
+}
+
+expected<void> script::put_probe(const QJsonObject& probe) {
+  const auto surface = probe["surface"].toInteger();
+  if (probe["number"].toInt() < 1)
+    return fail(ec::invalid_argument, "a probe needs a number from 1 on",
+                "Write {\"number\": 1, \"surface\": 7, \"at\": [0, 0, 0]}");
+  if (!window_.pins().put(probe["number"].toInt(), surface, point_from(probe["at"])))
+    return fail(ec::surface_not_found, "there is no surface " + std::to_string(surface),
+                "Name one that the part has at this step");
   return {};
 }
 

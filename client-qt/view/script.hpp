@@ -22,7 +22,10 @@ class main_window;
 ///   the palette "field": id, "case": load case or "" for the envelope, "deform": factor, "bands":
 ///   count, "isolines": bool           what is drawn "view": front|...|isometric, "camera":
 ///   {"position", "focus", "up", "scale", "parallel"} "section": {"at", "normal"} or null "box":
-///   [left, top, width, height] in parts of the view, "enclosed": bool "wait": "ready" | "final"
+///   [left, top, width, height] in parts of the view, "enclosed": bool "hidden": [ids] that are not
+///   drawn "load_case": {...} as in its files, replaces the one of its name "remove_load_case":
+///   name "probe": {"number", "surface", "at"} "remove_probe": number "measure": [numbers] of the
+///   two probes whose distance is said "wait": "ready" | "final"
 ///   until nothing runs; until the field is converged "screenshot": file, "width", "height";
 ///   "window": true takes the whole window
 /// Every step first waits for what runs. The first that fails ends the script.
@@ -49,6 +52,8 @@ private:
   [[nodiscard]] expected<void> perform(const QJsonObject& step);
   /// Steps that say how the part is looked at; false: it is none of them.
   [[nodiscard]] bool look(const QJsonObject& step);
+  [[nodiscard]] expected<void> set_load_case(const QJsonObject& loads);
+  [[nodiscard]] expected<void> put_probe(const QJsonObject& probe);
   [[nodiscard]] expected<void> click(qint64 surface);
   void drag_on();
   [[nodiscard]] expected<void> apply(const QJsonObject& step);

@@ -6,12 +6,45 @@
 #include <QTreeWidget>
 
 #include "client-qt/model/field_values.hpp"
+#include "client-qt/model/probes.hpp"
 #include "client-qt/view/loads_panel.hpp"
+#include "client-qt/view/probe_panel.hpp"
 #include "client-qt/view/recorder.hpp"
 #include "client-qt/view/script.hpp"
+#include "client-qt/view/section_bar.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 namespace {
+
+class Recording : public Window {
+protected:
+  std::optional<double> probed;  ///< The distance of two probes.
+
+  /// As in the panel: a load case is made harder, gets another name, and one is added and removed.
+  void record_loads_and_probes() {
+    auto twice = part().load_cases().front();
+    const std::string before = twice.name;
+    std::get<fem::force>(twice.loads.front().kind).total_n.z *= 2;
+    part().set_load_case(twice);
+    twice.name = "twice";
+    ASSERT_TRUE(wait([&] { return !part().changes_loads(); }));
+    part().set_load_case(twice);
+    ASSERT_TRUE(wait([&] { return !part().changes_loads(); }));
+    part().remove_load_case(before);
+    ASSERT_TRUE(wait([&] { return is_final() && part().load_cases().size() == 1; }));
+
+    auto& pins = window->pins();
+    int number = 0;
+    for (const surface_id id : {98, 7, 3})
+      ASSERT_TRUE(pins.put(++number, id, {})) << id;
+    pins.remove(2);
+    window->probe_list().choose({1, 3});
+    probed = pins.distance(pins.all()[0], pins.all()[1], *part().head());
+    window->picked().set({98});
+    ASSERT_TRUE(window->all_commands().trigger("view.hide"));
+  }
+};
 
 TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
   open_plate();
@@ -114,7 +147,7 @@ TEST_F(Window, ALoadCaseCanBeRemovedTheLastOneToo) {
   EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
 }
 
-TEST_F(Window, WhatIsRecordedCanBePlayed) {
+TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   open_plate();
   window->recording().start();
   window->picked().set({1, 2});
@@ -123,6 +156,8 @@ TEST_F(Window, WhatIsRecordedCanBePlayed) {
   window->fields().set_field(shown_field::max_shear);
   window->fields().set_bands(8);
   ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  record_loads_and_probes();
+  const auto loads = part().load_cases();
   part().apply("erode", {98}, {{"depth", 0.5}});  // Refused: no step.
   ASSERT_TRUE(wait([&] { return !part().current_activity() && shows_head(); }));
   ASSERT_TRUE(window->all_commands().trigger("view.top"));
@@ -147,6 +182,20 @@ TEST_F(Window, WhatIsRecordedCanBePlayed) {
   const vec3 off = view().view().get().position - pose.position;
   EXPECT_LT(dot(off, off), 1e-12);
   EXPECT_EQ(part().versions().size(), 2U);
+  ASSERT_EQ(loads.size(), 1U);
+  ASSERT_EQ(part().load_cases().size(), 1U);
+  EXPECT_EQ(protocol::load_case_to_json(part().load_cases().front()),
+            protocol::load_case_to_json(loads.front()));
+  EXPECT_EQ(loads.front().name, "twice");
+  EXPECT_EQ(window->hidden(), (std::set<surface_id>{98}));
+  ASSERT_EQ(window->pins().all().size(), 2U);
+  EXPECT_EQ(window->pins().all()[0].number, 1);
+  EXPECT_EQ(window->pins().all()[1].number, 3);
+  EXPECT_EQ(window->probe_list().chosen(), (std::vector<int>{1, 3}));
+  const auto way =
+    window->pins().distance(window->pins().all()[0], window->pins().all()[1], *part().head());
+  ASSERT_TRUE(way && probed);
+  EXPECT_NEAR(*way, *probed, 1e-9);
 }
 
 }  // namespace
