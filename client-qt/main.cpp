@@ -58,7 +58,9 @@ wishes read_command_line(const QApplication& app) {
   line.addHelpOption();
   line.addVersionOption();
   line.addPositionalArgument("mesh", "A mesh to open (as --open).", "[mesh]");
-  line.addOption({"open", "Open a mesh file with surface ids, or a document (.tedit).", "mesh"});
+  line.addOption(
+    {"open", "Open a mesh file with surface ids, a document (.tedit), or run a recipe (.json).",
+     "mesh"});
   line.addOption({"load-case", "A load case for it (JSON); may be given more than once.", "file"});
   line.addOption({"document", "Open a document that is there.", "name"});
   line.addOption({"server", "Connect to a server instead of running one.", "ws://host:port/v1"});

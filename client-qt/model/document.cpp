@@ -294,7 +294,7 @@ void document::connection_changed() {
 // -- edits ---------------------------------------------------------------------------
 
 void document::apply(const QString& operation, const std::vector<surface_id>& surfaces,
-                     const ops::parameters& values) {
+                     const ops::parameters& values, const fem::carry_settings& loads) {
   const auto* offered = operations_.find(operation);
   const QString title = offered ? QString::fromStdString(offered->about.name) : operation;
   const auto* now = head();
@@ -303,7 +303,7 @@ void document::apply(const QString& operation, const std::vector<surface_id>& su
   ask<client::committed>(
     title,
     [=, id = operation.toStdString()](client::client& c, const execution& run) {
-      return c.edit(id, surfaces, values, run, expected_version);
+      return c.edit(id, surfaces, values, run, expected_version, loads);
     },
     [this](client::committed& what) { take_commit(what); });
 }

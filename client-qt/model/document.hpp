@@ -97,8 +97,9 @@ public:
   /// Fields bring this, too, from now on, and the one of the head comes again with it. What was
   /// watched before stays so until the document is closed.
   void watch(const client::watched_quantities& wanted);
+  /// `loads`: what becomes of loads whose surface goes.
   void apply(const QString& operation, const std::vector<surface_id>& surfaces,
-             const ops::parameters& values);
+             const ops::parameters& values, const fem::carry_settings& loads = {});
   /// What `apply` would make of the head. A newer question makes an older one `superseded`.
   ticket preview(const QString& operation, const std::vector<surface_id>& surfaces,
                  const ops::parameters& values, remote::reply<shared_preview> done,

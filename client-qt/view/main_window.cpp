@@ -34,6 +34,7 @@
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/view/viewport.hpp"
 #include "client-qt/view/welcome_page.hpp"
+#include "client/recipe.hpp"
 
 namespace tedit::desktop {
 
@@ -230,12 +231,38 @@ void main_window::when_connected(std::function<void()> then) {
     local_.start();
 }
 
+/// Meshes are opened with the load cases that came beside them.
+void main_window::open_files(const QStringList& files) {
+  QString mesh;
+  QString recipe;
+  QStringList loads;
+  for (const auto& file : files) {
+    if (!file.endsWith(".json"))
+      mesh = mesh.isEmpty() ? file : mesh;
+    else if (client::is_recipe(file.toStdString()))
+      recipe = file;
+    else
+      loads << file;
+  }
+  if (!recipe.isEmpty())
+    run_recipe(recipe);
+  else if (!mesh.isEmpty())
+    open_file(mesh, loads);
+  else if (!loads.isEmpty())
+    emit part_.failed(
+      tr("Open %1").arg(loads.first()),
+      {ec::bad_input,
+       "this is no recipe: it has no \"steps\"",
+       "Give a load case together with its mesh; docs/recipes.md says what a recipe is",
+       {}});
+}
+
 void main_window::open_file(const QString& mesh, const QStringList& load_cases) {
   log(tr("opening %1").arg(mesh));
-  if (mesh.endsWith(".tedit")) {
-    open_document_file(mesh);
-    return;
-  }
+  if (mesh.endsWith(".tedit"))
+    return open_document_file(mesh);
+  if (mesh.endsWith(".json"))
+    return run_recipe(mesh);
   when_connected([=, this] { part_.import(mesh, load_cases); });
 }
 
@@ -368,19 +395,11 @@ void main_window::dragEnterEvent(QDragEnterEvent* event) {
     event->acceptProposedAction();
 }
 
-/// Meshes are opened with the load cases that were dropped beside them.
 void main_window::dropEvent(QDropEvent* event) {
-  QString mesh;
-  QStringList loads;
-  for (const auto& url : event->mimeData()->urls()) {
-    const QString path = url.toLocalFile();
-    if (path.endsWith(".json"))
-      loads << path;
-    else if (mesh.isEmpty())
-      mesh = path;
-  }
-  if (!mesh.isEmpty())
-    open_file(mesh, loads);
+  QStringList files;
+  for (const auto& url : event->mimeData()->urls())
+    files << url.toLocalFile();
+  open_files(files);
 }
 
 }  // namespace tedit::desktop

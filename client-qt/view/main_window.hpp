@@ -3,6 +3,7 @@
 
 #include <QHash>
 #include <QMainWindow>
+#include <QPointer>
 #include <QSettings>
 
 #include "client-qt/model/commands.hpp"
@@ -32,6 +33,7 @@ class overlay;
 class probe_panel;
 class probes;
 class receipt_panel;
+class recipe_player;
 class recorder;
 class section_bar;
 class truth_line;
@@ -49,7 +51,9 @@ public:
   explicit main_window(const QString& state_folder = {});
   ~main_window() override;
 
-  /// A mesh with load cases, or a document file (.tedit).
+  /// What a person dropped or chose: a mesh with load cases, a document, or a recipe that is run.
+  void open_files(const QStringList& files);
+  /// A mesh with load cases, a document file (.tedit) or a recipe.
   void open_file(const QString& mesh, const QStringList& load_cases);
   void open_document(const QString& name);
   /// Opens what was open when the program ended without being closed: after a crash.
@@ -68,6 +72,7 @@ public:
   [[nodiscard]] field_panel& fields() { return *fields_; }
   [[nodiscard]] banner& messages() { return *banner_; }
   [[nodiscard]] section_bar& section() { return *section_; }
+  [[nodiscard]] bool runs_recipe() const;
   [[nodiscard]] recorder& recording() { return *recorder_; }
   [[nodiscard]] probes& pins() { return *probes_; }
   [[nodiscard]] probe_panel& probe_list() { return *probe_list_; }
@@ -133,6 +138,7 @@ private:
   void add_tools();
   void before_cancel(std::function<bool()> then);
   void open_document_file(const QString& path);
+  void run_recipe(const QString& path);
   void add_load_commands();
   void add_compare();
   void add_settings();
@@ -190,6 +196,7 @@ private:
   probes* probes_ = nullptr;
   probe_panel* probe_list_ = nullptr;
   recorder* recorder_ = nullptr;
+  QPointer<recipe_player> recipe_;  ///< The one that runs.
 };
 
 }  // namespace tedit::desktop

@@ -48,12 +48,12 @@ void main_window::add_commands() {
   const QString file = tr("File");
   const QString edit = tr("Edit");
   commands_.add({"file.open",
-                 tr("Open a mesh"),
+                 tr("Open"),
                  file,
                  "Ctrl+O",
                  [this] { ask_file(); },
                  {},
-                 tr("Makes a document of a mesh file"),
+                 tr("A mesh with its load cases, a document, or a recipe, which is run"),
                  "file_open"});
   commands_.add({"file.connect", tr("Connect to a server"), file, {}, [this] { ask_server(); }});
   commands_.add(
@@ -241,23 +241,13 @@ void main_window::add_operation_commands() {
 // -- questions -----------------------------------------------------------------------
 
 void main_window::ask_file() {
-  auto* dialog = new QFileDialog(this, tr("Open a mesh and its load cases"));
+  auto* dialog =
+    new QFileDialog(this, tr("Open a mesh and its load cases, a document or a recipe"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   dialog->setNameFilters(
-    {tr("Meshes, load cases, documents (*.msh *.json *.tedit)"), tr("All files (*)")});
-  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
-    QString mesh;
-    QStringList loads;
-    for (const auto& file : files) {
-      if (file.endsWith(".json"))
-        loads << file;
-      else
-        mesh = file;
-    }
-    if (!mesh.isEmpty())
-      open_file(mesh, loads);
-  });
+    {tr("Meshes, load cases, recipes, documents (*.msh *.json *.tedit)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::filesSelected, this, &main_window::open_files);
   dialog->open();
 }
 

@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QThreadPool>
 
+#include "client-qt/model/recipe_player.hpp"
 #include "client-qt/view/about_dialog.hpp"
 #include "client-qt/view/compare_view.hpp"
 #include "client-qt/view/field_panel.hpp"
@@ -80,6 +81,44 @@ void main_window::open_document_file(const QString& path) {
           {ec::io_error, "cannot copy the document to " + to.toStdString(),
            "Check that it can be read and that there is room", path.toStdString()});
     });
+  });
+}
+
+bool main_window::runs_recipe() const {
+  return recipe_ && recipe_->is_running();
+}
+
+/// On the open part, or on the one that it imports.
+void main_window::run_recipe(const QString& path) {
+  const QString what = tr("Run the recipe %1").arg(QFileInfo(path).fileName());
+  if (runs_recipe()) {
+    emit part_.failed(what, {ec::conflict,
+                             "another recipe is running",
+                             "Wait for it, or cancel it in \"What runs\" (J)",
+                             {}});
+    return;
+  }
+  auto steps = client::read_recipe(path.toStdString());
+  if (!steps) {
+    emit part_.failed(what, steps.error());
+    return;
+  }
+  when_connected([=, this, read = std::move(*steps)] {
+    auto* player = new recipe_player(part_, read, this);
+    recipe_ = player;
+    connect(player, &recipe_player::began, this, [this](const QString& step) { log(step); });
+    connect(player, &recipe_player::finished, this, [this, what](int exports) {
+      emit part_.notice(exports == 0 ? tr("%1: done").arg(what)
+                                     : tr("%1: done. Its exports (%2) were left out: export by "
+                                          "hand, or use \"tedit run\".")
+                                         .arg(what)
+                                         .arg(exports));
+    });
+    connect(player, &recipe_player::stopped, this, [this, what](const QString& step) {
+      log(tr("%1: stopped at %2").arg(what, step), log_level::errors);
+    });
+    connect(player, &recipe_player::ended, player, &QObject::deleteLater);
+    player->start();
   });
 }
 

@@ -153,7 +153,8 @@ bool script::ready_for(const QJsonObject& step) const {
   const auto wanted = preview.shown() ? preview.shown()->surface : head ? head->surface : nullptr;
   const bool shows_all = wanted && window_.view().is_settled() && !preview.is_busy() &&
                          window_.view().current().surface == wanted;
-  if (!shows_all || part.current_activity() || part.operations().operations.empty())
+  if (!shows_all || window_.runs_recipe() || part.current_activity() || part.changes_loads() ||
+      part.operations().operations.empty())
     return false;
   if (step.contains("case") && part.is_solving())
     return false;  // It can be chosen once it has a field.
