@@ -41,36 +41,61 @@ void add_lines(const std::array<corner, 3>& c, std::span<const double> levels, v
   }
 }
 
+/// The lines of some triangles of a mesh.
+class line_maker {
+public:
+  line_maker(vtkPolyData& mesh, std::span<const float> values, std::span<const double> levels)
+      : mesh_(mesh), values_(values), levels_(levels) {}
+
+  void add(vtkIdType triangle) {
+    vtkIdType count = 0;
+    const vtkIdType* at = nullptr;
+    mesh_.GetCellPoints(triangle, count, at);
+    std::array<corner, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k].value = values_[static_cast<std::size_t>(at[k])];
+      mesh_.GetPoints()->GetPoint(at[k], corners[k].at.data());
+    }
+    if (std::ranges::any_of(corners, [](const corner& c) { return !std::isfinite(c.value); }))
+      return;
+    std::ranges::sort(corners, {}, &corner::value);
+    add_lines(corners, levels_, points_, lines_);
+  }
+
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> take() {
+    auto result = vtkSmartPointer<vtkPolyData>::New();
+    result->SetPoints(points_);
+    result->SetLines(lines_);
+    return result;
+  }
+
+private:
+  vtkPolyData& mesh_;
+  std::span<const float> values_;
+  std::span<const double> levels_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkCellArray> lines_;
+};
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> make_isolines(const part_geometry& part, std::span<const float> values,
                                            std::span<const double> levels,
                                            const std::set<surface_id>& hidden) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
-  auto* from = part.faces->GetPoints();
-  for (const auto& [id, range] : part.cells) {
-    if (hidden.contains(id))
-      continue;
-    for (auto i = range.first; i < range.second; ++i) {
-      vtkIdType count = 0;
-      const vtkIdType* at = nullptr;
-      part.faces->GetCellPoints(i, count, at);
-      std::array<corner, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        corners[k].value = values[static_cast<std::size_t>(at[k])];
-        from->GetPoint(at[k], corners[k].at.data());
-      }
-      if (std::ranges::any_of(corners, [](const corner& c) { return !std::isfinite(c.value); }))
-        continue;
-      std::ranges::sort(corners, {}, &corner::value);
-      add_lines(corners, levels, points, lines);
-    }
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  result->SetLines(lines);
-  return result;
+  line_maker lines(*part.faces, values, levels);
+  for (const auto& [id, range] : part.cells)
+    for (auto i = range.first; !hidden.contains(id) && i < range.second; ++i)
+      lines.add(i);
+  return lines.take();
+}
+
+vtkSmartPointer<vtkPolyData> make_isolines(vtkPolyData& mesh, std::span<const float> values,
+                                           std::span<const double> levels) {
+  line_maker lines(mesh, values, levels);
+  mesh.BuildCells();
+  for (vtkIdType i = 0; i < mesh.GetNumberOfCells(); ++i)
+    lines.add(i);
+  return lines.take();
 }
 
 }  // namespace tedit::desktop

@@ -16,4 +16,9 @@ namespace tedit::desktop {
                                                          std::span<const double> levels,
                                                          const std::set<surface_id>& hidden);
 
+/// The same on all triangles of a mesh, as of a section.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> make_isolines(vtkPolyData& mesh,
+                                                         std::span<const float> values,
+                                                         std::span<const double> levels);
+
 }  // namespace tedit::desktop

@@ -79,7 +79,7 @@ void main_window::add_isolines() {
   commands_.add({"view.isolines", tr("Show or hide isolines"), tr("View"), "N",
                  [this] { fields_->set_isolines(!fields_->isolines()); },
                  [this] { return part_.head() != nullptr; },
-                 tr("Lines of equal value on the surface")});
+                 tr("Lines of equal value on the surface and on a section")});
 }
 
 void main_window::add_history_words() {

@@ -86,13 +86,16 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   edge_actor_->SetMapper(edge_mapper_);
   edge_actor_->GetProperty()->SetLineWidth(1.2F);
   edge_actor_->GetProperty()->LightingOff();
-  iso_mapper_->ScalarVisibilityOff();
-  iso_actor_->SetMapper(iso_mapper_);
-  iso_actor_->GetProperty()->SetLineWidth(1.4F);
-  iso_actor_->GetProperty()->LightingOff();
-  iso_actor_->PickableOff();
-  iso_actor_->VisibilityOff();
-  renderer_->AddActor(iso_actor_);
+  for (auto [mapper, actor] : {std::pair(iso_mapper_.Get(), iso_actor_.Get()),
+                               std::pair(cap_iso_mapper_.Get(), cap_iso_actor_.Get())}) {
+    mapper->ScalarVisibilityOff();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetLineWidth(1.4F);
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    actor->VisibilityOff();
+    renderer_->AddActor(actor);
+  }
   for (auto* highlight : {selected_actor_.Get(), hover_actor_.Get()}) {
     matt(highlight->GetProperty());
     highlight->PickableOff();
@@ -109,6 +112,8 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   cap_mapper_->SetLookupTable(table_);
   cap_mapper_->SetScalarRange(0, 1);
   cap_mapper_->InterpolateScalarsBeforeMappingOn();
+  cap_mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  cap_mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
   cap_actor_->SetMapper(cap_mapper_);
   cap_actor_->GetProperty()->LightingOff();  // Flat: the colours can be compared with the legend.
   cap_actor_->VisibilityOff();
@@ -133,7 +138,8 @@ void scene::set_colours(const scene_colours& colours) {
   set(face_actor_->GetProperty(), colours.part);
   set(cap_actor_->GetProperty(), colours.part);
   set(edge_actor_->GetProperty(), colours.edges);
-  set(iso_actor_->GetProperty(), colours.edges);
+  for (auto* lines : {iso_actor_.Get(), cap_iso_actor_.Get()})
+    set(lines->GetProperty(), colours.edges);
   set(selected_actor_->GetProperty(), colours.accent);
   set(hover_actor_->GetProperty(), colours.hover);
   for (auto* marks : {load_actor_.Get(), support_actor_.Get()}) {
@@ -271,6 +277,12 @@ void scene::set_isolines(vtkPolyData* lines) {
   iso_actor_->SetVisibility(lines != nullptr);
   if (lines)
     iso_mapper_->SetInputData(lines);
+}
+
+void scene::set_cap_isolines(vtkPolyData* lines) {
+  cap_iso_actor_->SetVisibility(lines != nullptr);
+  if (lines)
+    cap_iso_mapper_->SetInputData(lines);
 }
 
 void scene::set_glyphs(vtkPolyData* loads, vtkPolyData* supports) {

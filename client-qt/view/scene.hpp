@@ -80,6 +80,8 @@ public:
 
   /// Lines of equal value on the part; null: none.
   void set_isolines(vtkPolyData* lines);
+  /// The same on the cut surface.
+  void set_cap_isolines(vtkPolyData* lines);
 
   /// Arrows and support marks, drawn unlit by their own colours; null for none.
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
@@ -104,6 +106,8 @@ private:
   vtkNew<vtkActor> edge_actor_;
   vtkNew<vtkPolyDataMapper> iso_mapper_;
   vtkNew<vtkActor> iso_actor_;
+  vtkNew<vtkPolyDataMapper> cap_iso_mapper_;
+  vtkNew<vtkActor> cap_iso_actor_;
   vtkNew<vtkPolyDataMapper> selected_mapper_;
   vtkNew<vtkActor> selected_actor_;
   vtkNew<vtkPolyDataMapper> hover_mapper_;

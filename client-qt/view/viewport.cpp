@@ -159,8 +159,10 @@ void viewport::contour() {
 }
 
 void viewport::show_isolines(bool on) {
-  if (std::exchange(isolines_, on) != on && scene_.part() && !building_)
-    contour();
+  if (std::exchange(isolines_, on) == on || !scene_.part() || building_)
+    return;
+  paint_cap();
+  contour();
 }
 
 /// A cap of another version than the one that is drawn would lie: it is left out until its own
@@ -169,9 +171,15 @@ void viewport::paint_cap() {
   const auto& part = scene_.part();
   if (!section_ || !cap_ || !part || cap_->version_id != part->version_id) {
     scene_.set_cap(nullptr, {}, legend_);
+    scene_.set_cap_isolines(nullptr);
     return;
   }
-  scene_.set_cap(make_cap(*cap_, shown_.deform), values_of(*cap_, legend_.field), legend_);
+  const auto cap = make_cap(*cap_, shown_.deform);
+  const auto values = values_of(*cap_, legend_.field);
+  scene_.set_cap(cap, values, legend_);
+  // Some ten thousand triangles at most: no work for another thread.
+  const bool lines = isolines_ && !values.empty() && !values_.empty();
+  scene_.set_cap_isolines(lines ? make_isolines(*cap, values, legend_.levels()).Get() : nullptr);
 }
 
 void viewport::set_section(const std::optional<section_plane>& plane) {
@@ -410,44 +418,6 @@ void viewport::mouseReleaseEvent(QMouseEvent* event) {
     emit clicked(hit, event->modifiers());
   else if (event->button() == Qt::RightButton)
     emit menu_wanted(hit, event->globalPosition().toPoint());
-}
-
-// -- boxes ---------------------------------------------------------------------------
-
-void viewport::set_boxing(bool on) {
-  boxing_ = on;
-  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
-}
-
-/// As in other programs: to the right only what is wholly inside, to the left all that is touched.
-void viewport::finish_box(QPointF to, Qt::KeyboardModifiers modifiers) {
-  band_->hide();
-  pick_box_at(QRectF(*pressed_, to).normalized(), to.x() >= pressed_->x(),
-              modifiers.testFlag(Qt::ShiftModifier));
-}
-
-void viewport::pick_box_at(const QRectF& where, bool enclosed, bool add) {
-  const auto& part = scene_.part();
-  if (!part)
-    return;
-  const double ratio = pixel_ratio();
-  pick_box box;
-  box.by = enclosed ? pick_box::rule::enclosed : pick_box::rule::touched;
-  box.left = where.left() * ratio;
-  box.bottom = (height() - where.bottom()) * ratio;
-  box.width = where.width() * ratio;
-  box.height = where.height() * ratio;
-  for (std::size_t i = 0; i < 4; ++i)
-    box.rays[i] =
-      camera_.ray(box.left + (i % 2 == 0 ? 0 : box.width), box.bottom + (i < 2 ? 0 : box.height));
-  box.to_pixels = camera_.to_pixels();
-  box.hidden = scene_.hidden();
-  box.section = section_;
-  builders_.start([this, part, box, add] {
-    QMetaObject::invokeMethod(
-      this, [this, found = surfaces_in(*part, box), add] { emit boxed(found, add); },
-      Qt::QueuedConnection);
-  });
 }
 
 void viewport::mouseDoubleClickEvent(QMouseEvent* event) {

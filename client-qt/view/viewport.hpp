@@ -54,7 +54,7 @@ public:
   void hide(const std::set<surface_id>& hidden);
   void show_mesh(bool on);
   void show_edges(bool on);
-  /// Lines of equal value on the part, at the legend's levels.
+  /// Lines of equal value on the part and the cut surface, at the legend's levels.
   void show_isolines(bool on);
   /// A left drag draws a box, also without Ctrl.
   void set_boxing(bool on);

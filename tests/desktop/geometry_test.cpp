@@ -109,6 +109,8 @@ TEST(Isolines, LieWhereTheFieldHasTheLevel) {
       length_at_first += box[3] - box[2];
   }
   EXPECT_NEAR(length_at_first, 1, 1e-6);  // All across the plate, without a gap.
+  EXPECT_EQ(make_isolines(*drawn->faces, values, levels)->GetNumberOfCells(),
+            lines->GetNumberOfCells());
   EXPECT_EQ(make_isolines(*drawn, values, levels, {1})->GetNumberOfCells(), 0);
   std::ranges::fill(values, NAN);
   EXPECT_EQ(make_isolines(*drawn, values, levels, {})->GetNumberOfCells(), 0);

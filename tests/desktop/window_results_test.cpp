@@ -88,6 +88,31 @@ TEST_F(Window, IsolinesAreDrawnAndTakenAwayAgain) {
   EXPECT_EQ(window->picture(), bare);
 }
 
+TEST_F(Window, IsolinesAndBandsAreDrawnOnASection) {
+  open_plate();
+  std::set<surface_id> all;
+  for (const auto& [id, row] : part().head()->surface->surfaces())
+    all.insert(id);
+  ASSERT_TRUE(window->all_commands().trigger("view.edges"));
+  window->set_hidden(all);  // Only the cut surface is left.
+  const auto bare = window->picture();
+  window->section().set_plane({0, 0, 0.001}, {0, 0, 1});
+  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && view().is_settled(); }));
+  const auto smooth = window->picture();
+  ASSERT_NE(smooth, bare);
+
+  window->fields().set_isolines(true);
+  ASSERT_TRUE(wait([&] { return view().is_settled() && window->link().running() == 0; }));
+  const auto lined = window->picture();
+  EXPECT_NE(lined, smooth);
+  window->fields().set_isolines(false);
+  ASSERT_TRUE(wait([&] { return view().is_settled() && window->link().running() == 0; }));
+  EXPECT_EQ(window->picture(), smooth);
+  window->fields().set_bands(8);
+  ASSERT_TRUE(wait([&] { return view().is_settled() && window->link().running() == 0; }));
+  EXPECT_NE(window->picture(), smooth);
+}
+
 TEST_F(Window, ABoxToTheRightTakesWhatLiesInItAndOneToTheLeftWhatItTouches) {
   open_plate(false);
   ASSERT_TRUE(window->all_commands().trigger("view.top"));
