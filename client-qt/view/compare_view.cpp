@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "client-qt/model/field_values.hpp"
+#include "client-qt/view/legend_strip.hpp"
 #include "client-qt/view/overlay.hpp"
 
 namespace tedit::desktop {
@@ -51,6 +52,8 @@ compare_view::compare_view(document& part, QWidget* parent) : QWidget(parent), p
   row->addWidget(before_.box, 1);
   row->addWidget(after_.box, 1);
   column->addWidget(panes_, 1);
+  legend_ = new legend_strip;
+  column->addWidget(legend_);
   link(before_, after_);
   link(after_, before_);
 
@@ -90,6 +93,7 @@ compare_view::pane compare_view::make_pane(const char* name) {
   made.view->setObjectName(name);
   made.over = new overlay(*made.view);
   made.over->show_extremes(true);
+  made.over->show_legend(false);
   made.view->installEventFilter(this);
   column->addWidget(made.title);
   column->addWidget(made.view, 1);
@@ -152,6 +156,7 @@ void compare_view::set_theme(const theme& look) {
     one->view->set_colours(look.scene);
     one->over->set_ink(look.ink);
   }
+  legend_->set_ink(look.ink);
   if (isVisible())
     refresh();
 }
@@ -179,6 +184,25 @@ void compare_view::take_start_pose() {
   after_.view->redraw();
   emit after_.view->view_changed();
   step_back(distance_for(after_.view->size()));
+  const auto asked = after_.view->view().get();
+  const auto whole = whole_pose();
+  const auto far = [&](const camera::pose& one) {
+    const vec3 away = one.position - one.focus;
+    return after_.view->view().is_parallel() ? one.parallel_scale : std::sqrt(dot(away, away));
+  };
+  after_.view->view().set(far(whole) < far(asked) ? whole : asked);
+  after_.view->redraw();
+  emit after_.view->view_changed();
+}
+
+/// What shows both parts, from the same side.
+camera::pose compare_view::whole_pose() {
+  auto all = *after_.view->bounds();
+  const auto other = *before_.view->bounds();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = i % 2 == 0 ? std::min(all[i], other[i]) : std::max(all[i], other[i]);
+  after_.view->view().fit(all);
+  return after_.view->view().get();
 }
 
 void compare_view::refresh() {
@@ -197,6 +221,7 @@ void compare_view::refresh() {
       wanted_ = one->info.number;
   missing_->setVisible(!why.isEmpty());
   panes_->setVisible(why.isEmpty());
+  legend_->setVisible(why.isEmpty());
   why_->setText(why);
   go_->setText(tr("Go to version %1").arg(wanted_));
   const auto* head = part_.head();
@@ -204,13 +229,16 @@ void compare_view::refresh() {
   if (!why.isEmpty())
     return;
   before_.box->setVisible(!difference_);
-  after_.over->show_legend(difference_);  // One for both.
-  before_.title->setText(title_of(before->second, nullptr));
+  const auto state = [&](const version_record& one) {
+    const auto field = field_of(one, what_->load_case);
+    return field && field->interim() ? tr("  (preview)") : QString();
+  };
+  before_.title->setText(title_of(before->second, nullptr) + state(before->second));
   after_.title->setText(difference_
                           ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")
                               .arg(what_->after)
                               .arg(what_->before)
-                          : title_of(after->second, &before->second));
+                          : title_of(after->second, &before->second) + state(after->second));
   show_both(before->second, after->second);
 }
 
@@ -225,9 +253,9 @@ void compare_view::show_both(const version_record& before, const version_record&
       by.high = range->second;
       by.mode = range_mode::manual;
     }
+  legend_->set_legend(by);
   before_.view->set_legend(by);
   before_.view->show_part({before.surface, a, what_->deform});
-  before_.over->set_note(a->interim() ? tr("preview") : QString());
   // The middle of the diverging map is grey as well: what has no value must be darker.
   auto colours = look_.scene;
   if (difference_)
@@ -239,7 +267,6 @@ void compare_view::show_both(const version_record& before, const version_record&
   }
   after_.view->set_legend(by);
   after_.view->show_part({after.surface, b, what_->deform});
-  after_.over->set_note(b->interim() ? tr("preview") : QString());
 }
 
 void compare_view::show_change(const version_record& before, const version_record& after) {
@@ -262,9 +289,11 @@ void compare_view::show_change(const version_record& before, const version_recor
     what_->by.field != shown_field::none && what_->by.field != shown_field::surfaces;
   const QString of = field_title(drawn ? what_->by.field : as);
   by.title = QString::fromUtf8("Δ ") + of;
+  legend_->set_legend(by);
   after_.view->set_legend(by);
   after_.view->show_part({after.surface, change_, 0});
-  after_.over->set_note(most > 0 ? QString() : tr("no difference"));
+  if (most == 0)
+    after_.title->setText(after_.title->text() + tr(" (no difference)"));
 }
 
 // -- dragging ------------------------------------------------------------------------

@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace tedit::desktop {
 
+class legend_strip;
 class overlay;
 
 /// What two versions are compared by.
@@ -28,8 +29,9 @@ struct comparison {
   double aspect = 1;  ///< in a view of this width to height.
 };
 
-/// Two versions side by side with linked cameras and one range of colours, or their difference on
-/// the later one's surface.
+/// Two versions side by side with linked cameras and one legend below, or their difference on the
+/// later one's surface. They begin as near as the part was looked at, and no farther away than what
+/// shows all of both.
 class compare_view : public QWidget {
   Q_OBJECT
 
@@ -65,6 +67,7 @@ private:
   void show_change(const version_record& before, const version_record& after);
   void take_start_pose();
   void step_back(double factor);
+  [[nodiscard]] camera::pose whole_pose();
   [[nodiscard]] double distance_for(const QSize& size) const;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -79,6 +82,7 @@ private:
   QPushButton* both_;
   QPushButton* change_button_;
   QWidget* panes_;
+  legend_strip* legend_;  ///< One for both.
   pane before_;
   pane after_;
   QWidget* missing_;

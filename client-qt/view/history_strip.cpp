@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -17,11 +18,32 @@ namespace tedit::desktop {
 namespace {
 
 constexpr QSize thumbnail(132, 84);  // As it is kept.
-constexpr QSize small_thumbnail(64, 41);
+constexpr QSize small_thumbnail(84, 54);
 constexpr int border = 6;
 constexpr int way = 44;  // From one to the next.
 constexpr int words_height = 60;
-constexpr int small_words_height = 42;
+constexpr int words_beside = 164;  // Their width, where they stand beside the picture.
+constexpr int small_height = 64;
+
+/// Where branches share the room, words stand beside their picture.
+class card_delegate : public QStyledItemDelegate {
+public:
+  card_delegate(const bool& beside, QObject* parent)
+      : QStyledItemDelegate(parent), beside_(beside) {}
+
+protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (!beside_)
+      return;
+    option->decorationPosition = QStyleOptionViewItem::Left;
+    option->decorationAlignment = Qt::AlignVCenter | Qt::AlignLeft;
+    option->displayAlignment = Qt::AlignVCenter | Qt::AlignLeft;
+  }
+
+private:
+  const bool& beside_;
+};
 
 double largest_stress(const version_record& version) {
   if (!version.outcome)
@@ -45,6 +67,7 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
   setTextElideMode(Qt::ElideRight);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setItemDelegate(new card_delegate(branches_, this));
   setAccessibleName(tr("Versions"));
   setMinimumHeight(thumbnail.height() + words_height + 16);
   connect(&part_, &document::history_changed, this, &history_strip::refresh);
@@ -93,10 +116,11 @@ QString history_strip::describe(const version_record& version) const {
   widest.setBold(true);  // As the head is written.
   const QFontMetrics metrics(widest);
   QStringList lines = text.split('\n');
-  if (!version.info.note.empty() && !branches_)
+  if (!version.info.note.empty())
     lines << QString::fromStdString(version.info.note).section('\n', 0, 0);
   for (auto& line : lines)
-    line = metrics.elidedText(line, Qt::ElideRight, cell().width() - way / 2 - 16);
+    line = metrics.elidedText(line, Qt::ElideRight,
+                              branches_ ? words_beside - 20 : cell().width() - way / 2 - 16);
   return lines.join('\n');
 }
 
@@ -138,7 +162,7 @@ void history_strip::refresh() {
     auto* row = new QListWidgetItem(describe(version));
     row->setData(Qt::UserRole, number);
     row->setToolTip(details(version));
-    row->setSizeHint(cell() - QSize(way / 2, 4));
+    row->setSizeHint(cell() - (branches_ ? QSize(way, 6) : QSize(way / 2, 4)));
     row->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     const QPixmap shown = picture_of(version);
     QIcon both(shown);
@@ -159,14 +183,14 @@ void history_strip::refresh() {
   }
 }
 
-/// Branches share the room: smaller pictures, fewer words.
+/// Branches share the room: smaller pictures, with the words beside them.
 QSize history_strip::picture_size() const {
   return branches_ ? small_thumbnail : thumbnail;
 }
 
 QSize history_strip::cell() const {
-  return picture_size() +
-         (branches_ ? QSize(way + 72, small_words_height) : QSize(way, words_height));
+  return branches_ ? QSize(small_thumbnail.width() + words_beside + way, small_height + 6)
+                   : thumbnail + QSize(way, words_height);
 }
 
 /// The list lays its rows out in lines; here each has its place in the tree.
@@ -199,14 +223,22 @@ void history_strip::paintEvent(QPaintEvent* event) {
     painter.setBrush(Qt::NoBrush);
     auto ink = palette().color(QPalette::WindowText);
     ink.setAlpha(110);
+    if (branches_) {  // Words beside pictures: what belongs together has a frame.
+      auto faint = ink;
+      faint.setAlpha(45);
+      painter.setPen(QPen(faint, 1));
+      for (const auto& [number, row] : rows_)
+        painter.drawRoundedRect(QRectF(visualItemRect(row)).adjusted(1.5, 1.5, -1.5, -1.5), 4, 4);
+    }
     painter.setPen(QPen(ink, 1.6));
     for (const auto& [number, version] : part_.versions()) {
       if (!version.info.parent || !rows_.contains(*version.info.parent))
         continue;
       const QRect from = frame_of(*version.info.parent);
       const QRect to = frame_of(number);
-      const QPointF a(from.right() - 2, from.top() + picture_size().height() / 2.0);
-      const QPointF b(to.left() + 3, to.top() + picture_size().height() / 2.0);
+      const double down = branches_ ? from.height() / 2.0 : picture_size().height() / 2.0;
+      const QPointF a(from.right() - 2, from.top() + down);
+      const QPointF b(to.left() + 3, to.top() + down);
       const double middle = (a.x() + b.x()) / 2;
       QPainterPath line(a);
       if (std::abs(a.y() - b.y()) < 1) {

@@ -12,7 +12,8 @@
 namespace tedit::desktop {
 
 /// The versions of the document as a tree: edits go to the right, branches stand below. Each has a
-/// small picture and what changed: operation or name, largest stress, note. The head has a frame.
+/// small picture and what changed: operation or name, largest stress, note, below it or, once there
+/// are branches, beside it. The head has a frame.
 /// Arrow keys go from place to place, Enter goes to a version, F2 names it.
 class history_strip : public QListWidget {
   Q_OBJECT

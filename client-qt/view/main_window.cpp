@@ -44,6 +44,7 @@ constexpr int most_log_lines = 5000;
 constexpr int most_recent = 12;
 constexpr int cube_margin = 12;
 constexpr int widest_banner = 760;
+constexpr int below_titles = 70;    // Of a comparison.
 constexpr double silent_ms = 4000;  // Then a person wonders.
 
 QWidget* scrolled(QWidget* content) {
@@ -160,7 +161,9 @@ void main_window::place_overlays() {
   const int width = std::clamp(room, 320, widest_banner);
   const int height =
     banner_->hasHeightForWidth() ? banner_->heightForWidth(width) : banner_->sizeHint().height();
-  banner_->setGeometry((pages_->width() - width) / 2, cube_margin, width, height);
+  const auto* page = pages_->currentWidget();
+  const int top = page == view_ || page == welcome_ ? cube_margin : below_titles;
+  banner_->setGeometry((pages_->width() - width) / 2, top, width, height);
   banner_->raise();
 }
 

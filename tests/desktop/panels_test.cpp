@@ -75,6 +75,28 @@ TEST_F(History, EditsGoToTheRightAndABranchStandsBelow) {
   EXPECT_GT(place(3).top(), place(1).bottom());
 }
 
+TEST_F(History, NamesAndNotesAreReadInATreeWithBranches) {
+  auto named = version(3, 0);
+  named.name = "thin ribs";
+  named.note = "too weak at the bore\nsee the report";
+  emit link_.annotated(named);
+  QCoreApplication::processEvents();
+
+  ASSERT_EQ(strip_.count(), 4);
+  for (int i = 0; i < strip_.count(); ++i) {
+    if (strip_.item(i)->data(Qt::UserRole).toInt() != 3)
+      continue;
+    const QString text = strip_.item(i)->text();
+    EXPECT_TRUE(text.contains("thin ribs")) << text.toStdString();
+    EXPECT_TRUE(text.contains("too weak")) << text.toStdString();
+    const QRect words = strip_.visualItemRect(strip_.item(i)).adjusted(90, 0, 0, 0);
+    const QFontMetrics metrics(strip_.item(i)->font());
+    for (const auto& line : text.split('\n'))
+      EXPECT_LE(metrics.horizontalAdvance(line), words.width()) << line.toStdString();
+    EXPECT_GE(words.height(), 3 * metrics.height());
+  }
+}
+
 TEST_F(History, KeysGoFromPlaceToPlaceAndEnterGoesToTheVersion) {
   QList<quint32> wanted;
   QObject::connect(&strip_, &history_strip::version_wanted,
