@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/document_name.hpp"
 
+#include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 #include <QRegularExpression>
 
 namespace tedit::desktop {
@@ -24,6 +26,19 @@ document_title title_of(const QString& name) {
   const auto match = dated.match(name);
   const auto made = QDateTime::fromString(match.captured(2), time_format);
   return made.isValid() ? document_title{match.captured(1), made} : document_title{name, {}};
+}
+
+QString moment(const QDateTime& when, const QDateTime& now) {
+  const auto say = [](const char* text) { return QCoreApplication::translate("moment", text); };
+  const QLocale locale;
+  const QString time =
+    locale.toString(when.time(), locale.timeFormat(QLocale::ShortFormat).remove(":ss"));
+  const auto days = when.date().daysTo(now.date());
+  if (days == 0)
+    return say("today, %1").arg(time);
+  if (days == 1)
+    return say("yesterday, %1").arg(time);
+  return locale.toString(when.date(), QLocale::ShortFormat);
 }
 
 }  // namespace tedit::desktop

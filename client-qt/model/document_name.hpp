@@ -17,4 +17,7 @@ struct document_title {
 };
 [[nodiscard]] document_title title_of(const QString& name);
 
+/// A time as a person says it: "today, 14:02", "yesterday, 9:30", else the date.
+[[nodiscard]] QString moment(const QDateTime& when, const QDateTime& now);
+
 }  // namespace tedit::desktop

@@ -41,7 +41,6 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int most_log_lines = 5000;
-constexpr int most_recent = 12;
 constexpr int cube_margin = 12;
 constexpr int widest_banner = 760;
 constexpr int below_titles = 70;    // Of a comparison.
@@ -82,9 +81,12 @@ main_window::main_window(const QString& state_folder)
   system_dark_ = palette().color(QPalette::Window).lightness() < 128;
   apply_preferences(load_preferences(settings_));
   take_shortcuts();
-  welcome_->set_recent(settings_.value("recent").toStringList());
+  show_recent();
   if (settings_.contains("geometry"))
     restoreGeometry(settings_.value("geometry").toByteArray());
+  if (settings_.contains("layout"))
+    restoreState(settings_.value("layout").toByteArray());
+  show_docks(false);
   show_title();
 }
 
@@ -188,6 +190,26 @@ void main_window::make_room() {
     resizeDocks({dock, field, below}, {wanted, shown, all - wanted - shown}, Qt::Vertical);
 }
 
+/// Docks and operations are about a part: beside the start page they would be empty. The help is
+/// about everything and stays as it is.
+void main_window::show_docks(bool on) {
+  if (std::exchange(docks_shown_, on) == on)
+    return;
+  auto* help = findChild<QDockWidget*>("help");
+  const bool helps = help->isVisible();
+  if (on) {
+    restoreState(layout_);
+    help->setVisible(helps);
+  } else {
+    layout_ = saveState();
+    for (auto* dock : findChildren<QDockWidget*>())
+      dock->setVisible(dock == help && helps);
+  }
+  rail_->setVisible(on);
+  // The menu of the bars would bring them back.
+  setContextMenuPolicy(on ? Qt::DefaultContextMenu : Qt::NoContextMenu);
+}
+
 bool main_window::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_ && event->type() == QEvent::Resize)
     place_overlays();
@@ -286,13 +308,6 @@ void main_window::connect_to(const server_address& address) {
   link_.connect_to(address);
 }
 
-void main_window::remember(const QString& document) {
-  auto recent = settings_.value("recent").toStringList();
-  recent.removeAll(document);
-  recent.prepend(document);
-  settings_.setValue("recent", QStringList(recent.mid(0, most_recent)));
-}
-
 void main_window::connection_changed() {
   if (link_.current() == remote::state::lost)
     banner_->show_standing(
@@ -389,6 +404,7 @@ void main_window::log(const QString& line, log_level level) {
 
 void main_window::closeEvent(QCloseEvent* event) {
   settings_.setValue("geometry", saveGeometry());
+  settings_.setValue("layout", docks_shown_ ? saveState() : layout_);
   settings_.remove("unfinished");
   event->accept();
 }

@@ -104,6 +104,7 @@ private:
                         Qt::DockWidgetArea area);
   void place_overlays();
   void make_room();
+  void show_docks(bool on);
   void show_part();
   void show_title();
   void show_tooltip(const std::optional<picked_point>& at, QPoint global);
@@ -111,6 +112,10 @@ private:
   void connection_changed();
   void when_connected(std::function<void()> then);
   void remember(const QString& document);
+  void show_recent();
+  void take_pictures();
+  void keep_picture(const QImage& frame);
+  [[nodiscard]] QString picture_file(const QString& document) const;
   void log(const QString& line, log_level level = log_level::everything);
   void step_to(std::uint32_t version);
   void highlight(const QList<qint64>& surfaces);
@@ -169,10 +174,13 @@ private:
   std::function<void()> once_connected_;
   std::set<surface_id> hidden_;
   std::string thumbnail_due_;  ///< The version whose picture the next frame gives.
+  QString pictured_;           ///< Document, version and field of the picture that was kept.
   std::optional<picked_point> last_click_;
   QString local_url_;         ///< Of this computer's server, once it runs.
   bool probing_ = false;      ///< A click sets a probe and picks nothing.
   bool system_dark_ = false;  ///< As it was when the program started.
+  bool docks_shown_ = true;
+  QByteArray layout_;  ///< Of docks and bars, while they are hidden.
   log_level log_level_ = log_level::everything;
 
   QStackedWidget* pages_;

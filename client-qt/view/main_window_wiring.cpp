@@ -51,7 +51,7 @@ void main_window::wire_document() {
   connect(&part_, &document::closed, this, [this] {
     pages_->setCurrentWidget(welcome_);
     settings_.remove("unfinished");
-    welcome_->set_recent(settings_.value("recent").toStringList());
+    show_recent();
   });
   connect(&part_, &document::edited, this, [this](const client::committed& what) {
     if (what.report)
@@ -68,6 +68,15 @@ void main_window::wire_document() {
       place_overlays();
     }
   });
+  connect(pages_, &QStackedWidget::currentChanged, this, [this] {
+    show_docks(pages_->currentWidget() != welcome_);
+    place_overlays();
+  });
+  connect(&part_, &document::activity_changed, welcome_,
+          [this] { welcome_->show_activity(part_.current_activity()); });
+  connect(welcome_, &welcome_page::recent_changed, this,
+          [this](const QStringList& names) { settings_.setValue("recent", names); });
+  connect(welcome_, &welcome_page::cancel_wanted, &part_, &document::cancel);
   connect(&part_, &document::head_changed, this, &main_window::show_title);
   connect(&part_, &document::surface_changed, this, &main_window::show_part);
   connect(&part_, &document::operations_changed, this, &main_window::add_operation_commands);
@@ -115,11 +124,7 @@ void main_window::wire_view() {
       whole && !history_->has_thumbnail(head->info.version_id) ? head->info.version_id : "";
     emit settled();
   });
-  // While a frame is on the screen it is only read; at any other time it would be drawn again.
-  connect(view_, &viewport::drawn, this, [this] {
-    if (!thumbnail_due_.empty() && !view_->draws_quickly())
-      history_->set_thumbnail(std::exchange(thumbnail_due_, {}), view_->grabFramebuffer());
-  });
+  connect(view_, &viewport::drawn, this, &main_window::take_pictures);
   connect(&part_, &document::solve_changed, this,
           [this] { overlay_->set_note(truth_->verdict()); });
   connect(view_, &viewport::clicked, this,

@@ -9,11 +9,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
-#include <QLocale>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "client-qt/model/document_name.hpp"
+#include "client-qt/view/recent_documents.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -94,7 +95,7 @@ welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
   }
   column->addSpacing(8);
   auto* row = new QHBoxLayout;
-  auto* open = new QPushButton(tr("Open a mesh ..."));
+  auto* open = new QPushButton(tr("Open ..."));
   open->setProperty("role", "primary");
   connect(open, &QPushButton::clicked, this, &welcome_page::file_wanted);
   auto* connect_to = new QPushButton(tr("Connect to a server ..."));
@@ -103,35 +104,46 @@ welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
   row->addWidget(connect_to);
   row->addStretch();
   column->addLayout(row);
+  column->addWidget(make_activity());
   column->addSpacing(12);
-  recent_box_ = new QWidget;
-  recent_ = new QVBoxLayout(recent_box_);
-  recent_->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(recent_box_);
+  recent_ = new recent_documents;
+  connect(recent_, &recent_documents::document_wanted, this, &welcome_page::document_wanted);
+  connect(recent_, &recent_documents::changed, this, &welcome_page::recent_changed);
+  column->addWidget(recent_);
   column->addStretch(2);
-  recent_box_->hide();
+  recent_->hide();
 }
 
-void welcome_page::set_recent(const QStringList& documents) {
-  while (auto* item = recent_->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-  recent_box_->setVisible(!documents.isEmpty());
-  auto* title = new QLabel(tr("Go on with"));
-  title->setProperty("role", "section");
-  recent_->addWidget(title);
-  for (const auto& name : documents.mid(0, 6)) {
-    const auto shown = title_of(name);
-    auto* button = new QPushButton(
-      shown.made.isValid()
-        ? tr("%1, %2").arg(shown.words, QLocale().toString(shown.made, QLocale::ShortFormat))
-        : shown.words);
-    button->setToolTip(name);
-    button->setProperty("role", "link");
-    connect(button, &QPushButton::clicked, this, [this, name] { emit document_wanted(name); });
-    recent_->addWidget(button, 0, Qt::AlignLeft);
-  }
+QWidget* welcome_page::make_activity() {
+  running_ = new QWidget;
+  auto* row = new QHBoxLayout(running_);
+  row->setContentsMargins(0, 12, 0, 0);
+  stage_ = new QLabel;
+  stage_->setObjectName("welcome_stage");
+  fraction_ = new QProgressBar;
+  fraction_->setRange(0, 1000);
+  fraction_->setTextVisible(false);
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("welcome_cancel");
+  connect(cancel_, &QPushButton::clicked, this, &welcome_page::cancel_wanted);
+  row->addWidget(stage_);
+  row->addWidget(fraction_, 1);
+  row->addWidget(cancel_);
+  running_->hide();
+  return running_;
+}
+
+void welcome_page::show_activity(const std::optional<activity>& now) {
+  running_->setVisible(now.has_value());
+  if (!now)
+    return;
+  stage_->setText(now->stage.isEmpty() ? now->title : now->title + ": " + now->stage);
+  fraction_->setValue(qRound(1000 * now->fraction));
+  cancel_->setEnabled(now->can_cancel);
+}
+
+void welcome_page::set_recent(std::vector<recent_document> documents) {
+  recent_->show_documents(std::move(documents));
 }
 
 void welcome_page::set_theme(const theme& look) {

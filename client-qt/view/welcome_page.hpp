@@ -3,11 +3,17 @@
 
 #include <QWidget>
 
+#include "client-qt/model/document.hpp"
 #include "client-qt/view/theme.hpp"
 
-class QVBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
 
 namespace tedit::desktop {
+
+class recent_documents;
+struct recent_document;
 
 /// A shipped part with its load case.
 struct example {
@@ -28,18 +34,28 @@ public:
   explicit welcome_page(QWidget* parent = nullptr);
 
   /// Names of documents on this computer, the latest first.
-  void set_recent(const QStringList& documents);
+  void set_recent(std::vector<recent_document> documents);
   void set_theme(const theme& look);
+  /// What is being opened; nothing: none.
+  void show_activity(const std::optional<activity>& now);
 
 signals:
   void example_wanted(const tedit::desktop::example& which);
   void document_wanted(const QString& name);
   void file_wanted();
   void server_wanted();
+  void cancel_wanted();  ///< Of what is being opened.
+  /// Documents were taken from the list, or brought back.
+  void recent_changed(const QStringList& names);
 
 private:
-  QVBoxLayout* recent_;
-  QWidget* recent_box_;
+  [[nodiscard]] QWidget* make_activity();
+
+  QWidget* running_;
+  QLabel* stage_;
+  QProgressBar* fraction_;
+  QPushButton* cancel_;
+  recent_documents* recent_;
 };
 
 }  // namespace tedit::desktop

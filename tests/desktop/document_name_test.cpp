@@ -23,4 +23,12 @@ TEST(DocumentName, IsATitleAsItIsWhenItWasGivenByAPerson) {
   }
 }
 
+TEST(Moment, IsSaidAsAPersonWould) {
+  const QDateTime now(QDate(2026, 3, 2), QTime(8, 0));
+  EXPECT_TRUE(moment(QDateTime(QDate(2026, 3, 2), QTime(7, 5)), now).startsWith("today, "));
+  EXPECT_TRUE(moment(QDateTime(QDate(2026, 3, 1), QTime(23, 5)), now).startsWith("yesterday, "));
+  const auto earlier = moment(QDateTime(QDate(2026, 2, 27), QTime(23, 5)), now);
+  EXPECT_TRUE(earlier.contains("27")) << earlier.toStdString();
+}
+
 }  // namespace

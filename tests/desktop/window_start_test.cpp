@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The window before a part is open, and as it is found again.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QDockWidget>
+#include <QListWidget>
+#include <QToolBar>
+
+namespace tedit::desktop {
+namespace {
+
+class Start : public Window {
+protected:
+  [[nodiscard]] QStringList shown_docks() {
+    QStringList result;
+    for (const auto* dock : window->findChildren<QDockWidget*>())
+      if (!dock->isHidden())
+        result << dock->objectName();
+    result.sort();
+    return result;
+  }
+  [[nodiscard]] QDockWidget* dock(const char* name) {
+    return window->findChild<QDockWidget*>(name);
+  }
+  [[nodiscard]] bool has_rail() { return !window->findChild<QToolBar*>("rail")->isHidden(); }
+};
+
+TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {
+  EXPECT_TRUE(shown_docks().isEmpty()) << shown_docks().join(" ").toStdString();
+  EXPECT_FALSE(has_rail());
+
+  open_plate(false);
+  EXPECT_EQ(shown_docks(),
+            (QStringList{"context", "field", "history", "loads", "log", "probes", "receipt"}));
+  EXPECT_TRUE(has_rail());
+  EXPECT_EQ(window->dockWidgetArea(dock("context")), Qt::RightDockWidgetArea);
+  EXPECT_FALSE(dock("history")->visibleRegion().isEmpty());  // In front of its tabs.
+}
+
+TEST_F(Start, TheLayoutIsAsItWasWhenAPartIsOpenedAgain) {
+  open_plate(false);
+  dock("loads")->hide();
+  window->addDockWidget(Qt::LeftDockWidgetArea, dock("field"));
+  const auto name = part().name();
+  const auto shown = shown_docks();
+
+  part().close();
+  EXPECT_TRUE(shown_docks().isEmpty()) << shown_docks().join(" ").toStdString();
+  EXPECT_FALSE(has_rail());
+  window->open_document(name);
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  EXPECT_EQ(shown_docks(), shown);
+  EXPECT_EQ(window->dockWidgetArea(dock("field")), Qt::LeftDockWidgetArea);
+
+  part().close();
+  window->close();
+  window = std::make_unique<main_window>(state.path());
+  window->show();
+  EXPECT_TRUE(shown_docks().isEmpty());
+  window->open_document(name);
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  EXPECT_EQ(shown_docks(), shown);
+  EXPECT_EQ(window->dockWidgetArea(dock("field")), Qt::LeftDockWidgetArea);
+}
+
+TEST_F(Start, WhatWasOpenIsFoundWithItsPictureAndCanBeTakenFromTheList) {
+  open_plate();
+  const auto name = part().name();
+  const QString picture = state.path() + "/pictures/" + name + ".png";
+  ASSERT_TRUE(wait([&] { return QFile::exists(picture); }));
+  part().close();
+
+  auto* list = window->findChild<QListWidget*>("recent");
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_TRUE(list->isVisible());
+  EXPECT_TRUE(list->item(0)->text().contains("today")) << list->item(0)->text().toStdString();
+  list->setCurrentRow(0);
+  QTest::keyClick(list, Qt::Key_Delete);
+  EXPECT_EQ(list->count(), 0);
+  window->close();
+  window = std::make_unique<main_window>(state.path());
+  window->show();
+  EXPECT_EQ(window->findChild<QListWidget*>("recent")->count(), 0);
+
+  window->open_document(name);  // It is still there.
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  EXPECT_EQ(part().load_cases().size(), 1U);
+}
+
+TEST_F(Start, TheHelpStaysBesideTheStartPageAndThePart) {
+  ASSERT_TRUE(window->all_commands().trigger("help.manual"));
+  EXPECT_EQ(shown_docks(), QStringList{"help"});
+  open_plate(false);
+  EXPECT_TRUE(shown_docks().contains("help"));
+  part().close();
+  EXPECT_EQ(shown_docks(), QStringList{"help"});
+}
+
+TEST_F(Start, WhatIsBeingOpenedIsSaidOnTheStartPageAndCanBeCancelled) {
+  window->open_file(plate(), {});
+  auto* stage = window->findChild<QLabel*>("welcome_stage");
+  ASSERT_TRUE(wait([&] { return part().current_activity().has_value(); }));
+  EXPECT_TRUE(stage->isVisible());
+  EXPECT_TRUE(stage->text().contains("ctc01_plate.coarse.msh")) << stage->text().toStdString();
+
+  press("welcome_cancel");
+  ASSERT_TRUE(wait([&] { return !part().current_activity(); }));
+  EXPECT_FALSE(stage->isVisible());
+}
+
+}  // namespace
+}  // namespace tedit::desktop
