@@ -812,12 +812,12 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>v%1 minus v%2, auf der Oberfläche von v%1; dunkelgrau: nicht in beiden</translation>
     </message>
     <message>
-        <source>preview</source>
-        <translation>Vorschau</translation>
+        <source>  (preview)</source>
+        <translation>  (Vorschau)</translation>
     </message>
     <message>
-        <source>no difference</source>
-        <translation>kein Unterschied</translation>
+        <source> (no difference)</source>
+        <translation> (kein Unterschied)</translation>
     </message>
 </context>
 <context>
@@ -951,6 +951,10 @@ Inhalt %1</translation>
         <source>Fields on demand</source>
         <translation>Felder auf Abruf</translation>
     </message>
+    <message>
+        <source>Stop the solver</source>
+        <translation>Solver anhalten</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::field_panel</name>
@@ -1049,6 +1053,14 @@ Inhalt %1</translation>
     <message>
         <source>Envelope of all</source>
         <translation>Einhüllende aller</translation>
+    </message>
+    <message>
+        <source>Loading: the server was asked for it.</source>
+        <translation>Wird geladen: der Server wurde danach gefragt.</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>wird geladen</translation>
     </message>
 </context>
 <context>
@@ -1193,6 +1205,13 @@ Inhalt %1</translation>
     <message>
         <source>open documents: %1, connections: %2</source>
         <translation>offene Dokumente: %1, Verbindungen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::legend_strip</name>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
     </message>
 </context>
 <context>
@@ -1571,14 +1590,6 @@ Inhalt %1</translation>
         <translation>Bearbeiten</translation>
     </message>
     <message>
-        <source>Open a mesh</source>
-        <translation>Netz öffnen</translation>
-    </message>
-    <message>
-        <source>Makes a document of a mesh file</source>
-        <translation>Macht aus einer Netzdatei ein Dokument</translation>
-    </message>
-    <message>
         <source>Connect to a server</source>
         <translation>Mit einem Server verbinden</translation>
     </message>
@@ -1735,14 +1746,6 @@ Inhalt %1</translation>
         <translation>Zeigen: %1</translation>
     </message>
     <message>
-        <source>Open a mesh and its load cases</source>
-        <translation>Ein Netz und seine Lastfälle öffnen</translation>
-    </message>
-    <message>
-        <source>Meshes, load cases, documents (*.msh *.json *.tedit)</source>
-        <translation>Netze, Lastfälle, Dokumente (*.msh *.json *.tedit)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -1793,10 +1796,6 @@ Inhalt %1</translation>
     <message>
         <source>Show or hide isolines</source>
         <translation>Isolinien ein- oder ausblenden</translation>
-    </message>
-    <message>
-        <source>Lines of equal value on the surface</source>
-        <translation>Linien gleichen Werts auf der Oberfläche</translation>
     </message>
     <message>
         <source>Name and note of a version</source>
@@ -1957,6 +1956,42 @@ Inhalt %1</translation>
     <message>
         <source>The manual: the page for what is being done, with a search</source>
         <translation>Das Handbuch: die Seite zu dem, was gerade getan wird, mit Suche</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>A mesh with its load cases, a document, or a recipe, which is run</source>
+        <translation>Ein Netz mit seinen Lastfällen, ein Dokument oder ein Rezept, das ausgeführt wird</translation>
+    </message>
+    <message>
+        <source>Open a mesh and its load cases, a document or a recipe</source>
+        <translation>Netz mit Lastfällen, Dokument oder Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes, load cases, recipes, documents (*.msh *.json *.tedit)</source>
+        <translation>Netze, Lastfälle, Rezepte, Dokumente (*.msh *.json *.tedit)</translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the surface and on a section</source>
+        <translation>Linien gleichen Werts auf der Oberfläche und auf einem Schnitt</translation>
+    </message>
+    <message>
+        <source>Run the recipe %1</source>
+        <translation>Rezept %1 ausführen</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1: fertig</translation>
+    </message>
+    <message>
+        <source>%1: done. Its exports (%2) were left out: export by hand, or use &quot;tedit run&quot;.</source>
+        <translation>%1: fertig. Seine Exporte (%2) wurden ausgelassen: von Hand exportieren, oder „tedit run“ verwenden.</translation>
+    </message>
+    <message>
+        <source>%1: stopped at %2</source>
+        <translation>%1: angehalten bei %2</translation>
     </message>
 </context>
 <context>
@@ -2138,6 +2173,52 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>No edit has been made yet.</source>
         <translation>Es wurde noch nichts geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::recent_documents</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Weiter mit</translation>
+    </message>
+    <message>
+        <source>Documents that were open before</source>
+        <translation>Dokumente, die früher offen waren</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>%1 was taken from the list; the document itself stays.</source>
+        <translation>%1 wurde aus der Liste genommen; das Dokument selbst bleibt.</translation>
+    </message>
+    <message>
+        <source>Open (Enter)</source>
+        <translation>Öffnen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Take from this list (Del)</source>
+        <translation>Aus der Liste nehmen (Entf)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::recipe_player</name>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Run the recipe</source>
+        <translation>Rezept ausführen</translation>
+    </message>
+    <message>
+        <source>before the first step</source>
+        <translation>vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 (%3)</source>
+        <translation>Schritt %1 von %2 (%3)</translation>
     </message>
 </context>
 <context>
@@ -2518,6 +2599,30 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <source>%1 waiting</source>
         <translation>%1 warten</translation>
     </message>
+    <message>
+        <source>solver stopped</source>
+        <translation>Solver angehalten</translation>
+    </message>
+    <message>
+        <source>preview, solver stopped</source>
+        <translation>Vorschau, Solver angehalten</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Solves the part as it is now (F5)</source>
+        <translation>Löst das Teil, wie es jetzt ist (F5)</translation>
+    </message>
+    <message>
+        <source>Stops the solver; the next edit is solved again</source>
+        <translation>Hält den Solver an; nach der nächsten Änderung wird wieder gelöst</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::version_editor</name>
@@ -2563,20 +2668,16 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Ein Tetraedernetz mit Flächennummern (Gmsh .msh) hierher ziehen oder mit einem mitgelieferten Bauteil beginnen:</translation>
     </message>
     <message>
-        <source>Open a mesh ...</source>
-        <translation>Netz öffnen …</translation>
-    </message>
-    <message>
         <source>Connect to a server ...</source>
         <translation>Mit einem Server verbinden …</translation>
     </message>
     <message>
-        <source>Go on with</source>
-        <translation>Weiter mit</translation>
+        <source>Open ...</source>
+        <translation>Öffnen ...</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 </TS>

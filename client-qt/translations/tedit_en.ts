@@ -810,11 +810,11 @@ TEdit is free software under the GNU Affero General Public License, version 3 or
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>preview</source>
+        <source>  (preview)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no difference</source>
+        <source> (no difference)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -948,6 +948,10 @@ Area %1</source>
         <source>Fields on demand</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Stop the solver</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::field_panel</name>
@@ -1045,6 +1049,14 @@ Area %1</source>
     </message>
     <message>
         <source>Envelope of all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loading: the server was asked for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loading</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1189,6 +1201,13 @@ Area %1</source>
     </message>
     <message>
         <source>open documents: %1, connections: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::legend_strip</name>
+    <message>
+        <source>Legend</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1568,14 +1587,6 @@ Area %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Makes a document of a mesh file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Connect to a server</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1732,14 +1743,6 @@ Area %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a mesh and its load cases</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Meshes, load cases, documents (*.msh *.json *.tedit)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1789,10 +1792,6 @@ Area %1</source>
     </message>
     <message>
         <source>Show or hide isolines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lines of equal value on the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1953,6 +1952,42 @@ Area %1</source>
     </message>
     <message>
         <source>The manual: the page for what is being done, with a search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mesh with its load cases, a document, or a recipe, which is run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a mesh and its load cases, a document or a recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes, load cases, recipes, documents (*.msh *.json *.tedit)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the surface and on a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the recipe %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: done. Its exports (%2) were left out: export by hand, or use &quot;tedit run&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: stopped at %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2133,6 +2168,52 @@ How many have which quality is counted by a thorough improvement only (&quot;Imp
     </message>
     <message>
         <source>No edit has been made yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::recent_documents</name>
+    <message>
+        <source>Go on with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Documents that were open before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was taken from the list; the document itself stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take from this list (Del)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::recipe_player</name>
+    <message>
+        <source>Recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before the first step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 of %2 (%3)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2514,6 +2595,30 @@ How many have which quality is counted by a thorough improvement only (&quot;Imp
         <source>%1 waiting</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>solver stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>preview, solver stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solves the part as it is now (F5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the solver; the next edit is solved again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::version_editor</name>
@@ -2559,19 +2664,15 @@ How many have which quality is counted by a thorough improvement only (&quot;Imp
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a mesh ...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Connect to a server ...</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go on with</source>
+        <source>Open ...</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, %2</source>
+        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
