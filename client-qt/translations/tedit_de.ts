@@ -2601,11 +2601,11 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
     <message>
         <source>solver stopped</source>
-        <translation>Solver angehalten</translation>
+        <translation>Löser angehalten</translation>
     </message>
     <message>
         <source>preview, solver stopped</source>
-        <translation>Vorschau, Solver angehalten</translation>
+        <translation>Vorschau, Löser angehalten</translation>
     </message>
     <message>
         <source>Solve</source>
@@ -2621,7 +2621,7 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
     <message>
         <source>Stops the solver; the next edit is solved again</source>
-        <translation>Hält den Solver an; nach der nächsten Änderung wird wieder gelöst</translation>
+        <translation>Hält den Löser an; nach der nächsten Änderung wird wieder gelöst</translation>
     </message>
 </context>
 <context>
