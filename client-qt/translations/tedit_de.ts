@@ -953,7 +953,7 @@ Inhalt %1</translation>
     </message>
     <message>
         <source>Stop the solver</source>
-        <translation>Solver anhalten</translation>
+        <translation>Löser anhalten</translation>
     </message>
 </context>
 <context>
