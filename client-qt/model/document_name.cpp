@@ -29,15 +29,14 @@ document_title title_of(const QString& name) {
 }
 
 QString moment(const QDateTime& when, const QDateTime& now) {
-  const auto say = [](const char* text) { return QCoreApplication::translate("moment", text); };
   const QLocale locale;
   const QString time =
     locale.toString(when.time(), locale.timeFormat(QLocale::ShortFormat).remove(":ss"));
   const auto days = when.date().daysTo(now.date());
   if (days == 0)
-    return say("today, %1").arg(time);
+    return QCoreApplication::translate("moment", "today, %1").arg(time);
   if (days == 1)
-    return say("yesterday, %1").arg(time);
+    return QCoreApplication::translate("moment", "yesterday, %1").arg(time);
   return locale.toString(when.date(), QLocale::ShortFormat);
 }
 

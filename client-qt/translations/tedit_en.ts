@@ -399,6 +399,17 @@
     </message>
 </context>
 <context>
+    <name>moment</name>
+    <message>
+        <source>today, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>operation_form</name>
     <message>
         <source>From %1 to %2</source>
