@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/load_editing.hpp"
@@ -340,7 +341,7 @@ void document::take_commit(const client::committed& what) {
   row.info = what.head;
   if (what.report)
     row.report = what.report;
-  head_ = what.head.number;
+  const bool again = std::exchange(head_, what.head.number) == what.head.number;
   can_undo_ = what.can_undo;
   can_redo_ = what.can_redo;
   for (const auto& warning : what.warnings)
@@ -350,7 +351,9 @@ void document::take_commit(const client::committed& what) {
       emit notice(QString::fromStdString(text));
   take_load_cases(what.load_cases);
   take_surface();
-  set_field_state(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
+  // An event tells it, and then the answer to who asked: a field may have come in between.
+  if (!again)
+    set_field_state(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
   emit head_changed();
   emit edited(what);
   refresh_history();

@@ -53,8 +53,10 @@ local_server::~local_server() {
   if (!ours_ || process_.state() == QProcess::NotRunning)
     return;
   process_.terminate();
-  if (!process_.waitForFinished(3000))
-    process_.kill();
+  if (process_.waitForFinished(3000))
+    return;
+  process_.kill();  // It is in the middle of a solve; what was acknowledged is stored.
+  process_.waitForFinished(3000);
 }
 
 /// Beside this program, as it is built and installed; else wherever the shell would find it.

@@ -111,7 +111,7 @@ TEST_F(SlowLine, AnEditThatIsHeldUpCanBeCancelled) {
 TEST_F(SlowLine, ASectionThatIsHeldUpCanBeCancelledAndItsLateAnswerIsDropped) {
   open_plate(false);
   line->stall(true);
-  ASSERT_TRUE(window->all_commands().trigger("view.section"));
+  window->section().set_plane({0, 0, 0.001}, {0, 0, 1});  // Its cap is seen from here.
   ASSERT_TRUE(window->all_commands().trigger("view.jobs"));
   auto* jobs = QApplication::activePopupWidget();
   ASSERT_NE(jobs, nullptr);
@@ -126,8 +126,7 @@ TEST_F(SlowLine, ASectionThatIsHeldUpCanBeCancelledAndItsLateAnswerIsDropped) {
   const auto hollow = window->picture();
   EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
 
-  window->section().set_place(0.5);  // Where it is.
-  window->section().set_on(true);    // Asks anew.
+  window->section().set_on(true);  // Asks anew.
   ASSERT_TRUE(wait([&] { return window->link().running() == 0 && part().work().all().empty(); }));
   EXPECT_NE(window->picture(), hollow);
 }
