@@ -407,7 +407,7 @@ TEST(Verify, AllFiguresHoldAndThePageIsWritten) {
 TEST(Verify, NeedsToBeToldWhatToVerify) {
   EXPECT_EQ(run("verify").status, 2);
   EXPECT_EQ(run("verify --suite --part " + plate).status, 2);
-  EXPECT_EQ(run("verify --suite --device nosuchdevice").status, 1);
+  EXPECT_EQ(run("verify --suite --device nosuchdevice").status, 69);
   EXPECT_EQ(run("verify --suite --parts " + parts).status, 2) << "only with --calculix";
   const auto nothing = run("verify --suite --json --calculix --parts /nowhere");
   EXPECT_EQ(nothing.parsed()["error"]["code"], "not_found");

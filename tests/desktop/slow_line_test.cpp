@@ -159,8 +159,8 @@ TEST_F(SlowLine, PreviewsFollowTheLastValueOverIt) {
   open_plate(false);
   window->picked().set({7});
   window->context().choose("thicken");
-  for (const double thickness : {0.0005, 0.0015, 0.001}) {
-    window->context().form()->set_values({{"thickness", thickness}});
+  for (const double depth : {0.0005, 0.0015, 0.001}) {
+    window->context().form()->set_values({{"depth", depth}});
     QTest::qWait(live_preview::quiet_ms + 50);  // Each is asked for.
   }
   auto& preview = window->context().preview();
