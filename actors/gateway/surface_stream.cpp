@@ -185,8 +185,9 @@ std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_v
       return arrays.removed.push_back(f);
     touched.insert(mesh.facet(f).surface);
     arrays.add_facet(f, mesh.facet(f));
+    // What the client knows of a vertex that was not there before is of another version's.
     for (const auto v : mesh.facet(f).v)
-      if (!known.contains(v))
+      if (!known.contains(v) || v >= before.vertex_slots() || !before.is_live_vertex(v))
         moved.insert(v);
   });
   // Known vertices that have moved, or whose slot holds another vertex now.
