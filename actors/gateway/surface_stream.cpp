@@ -161,8 +161,9 @@ void for_each_dirty_slot(const mesh_version& before, const mesh_version& after, 
       visit(static_cast<std::uint32_t>(s));
 }
 
-/// Fills `update` and its stream with the difference between two versions. `known`: vertices whose
-/// positions the client has; returns those that it has besides when it has taken the update.
+/// Fills `update` and its stream with the difference between two versions. `known`: vertices of
+/// `before` whose positions the client has; returns those that it has besides when it has taken the
+/// update.
 std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_version& mesh,
                                         const std::unordered_set<vertex_id>& known, bulk& result,
                                         v1::SurfaceUpdate* update) {
@@ -185,9 +186,8 @@ std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_v
       return arrays.removed.push_back(f);
     touched.insert(mesh.facet(f).surface);
     arrays.add_facet(f, mesh.facet(f));
-    // What the client knows of a vertex that was not there before is of another version's.
     for (const auto v : mesh.facet(f).v)
-      if (!known.contains(v) || v >= before.vertex_slots() || !before.is_live_vertex(v))
+      if (!known.contains(v))
         moved.insert(v);
   });
   // Known vertices that have moved, or whose slot holds another vertex now.
@@ -227,6 +227,9 @@ std::optional<bulk> surface_stream::update_to(const std::string& document,
   update->set_document(document);
   const auto sent = write_difference(*held_, *mesh, vertices_, result, update);
   vertices_.insert(sent.begin(), sent.end());
+  // A slot that is free now may hold another vertex the next time.
+  std::erase_if(vertices_,
+                [&](vertex_id v) { return v >= mesh->vertex_slots() || !mesh->is_live_vertex(v); });
   held_ = mesh;
   return result;
 }

@@ -39,7 +39,7 @@ private:
   bulk whole(const std::string& document, const mesh_version& mesh);
 
   version_ptr held_;
-  std::unordered_set<vertex_id> vertices_;  ///< Whose positions the client has.
+  std::unordered_set<vertex_id> vertices_;  ///< Of `held_`; the client has their positions.
 };
 
 }  // namespace tedit::gateway

@@ -83,4 +83,19 @@ inline void value(expected<void> result) {
     throw std::runtime_error(render(result.error()));
 }
 
+/// Facets, their positions and the rows of surfaces agree to the last bit.
+inline void expect_same(const client::surface_model& a, const client::surface_model& b) {
+  EXPECT_EQ(a.version_id(), b.version_id());
+  EXPECT_EQ(a.total_facets(), b.total_facets());
+  b.facets().for_each([&](std::uint32_t slot, const client::surface_facet& facet) {
+    const auto* mine = a.facets().find(slot);
+    ASSERT_TRUE(mine && *mine == facet) << slot;
+    for (const auto v : facet.v)
+      ASSERT_EQ(*a.positions().find(v), *b.positions().find(v)) << v;
+  });
+  ASSERT_EQ(a.surfaces().size(), b.surfaces().size());
+  for (const auto& [id, row] : b.surfaces())
+    EXPECT_EQ(a.surfaces().at(id).area_m2, row.area_m2) << id;
+}
+
 }  // namespace tedit::test

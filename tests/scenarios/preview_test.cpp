@@ -25,20 +25,6 @@ std::map<std::string, std::string> contents(const std::filesystem::path& folder)
   return result;
 }
 
-void expect_same(const client::surface_model& a, const client::surface_model& b) {
-  EXPECT_EQ(a.version_id(), b.version_id());
-  EXPECT_EQ(a.total_facets(), b.total_facets());
-  b.facets().for_each([&](std::uint32_t slot, const client::surface_facet& facet) {
-    const auto* mine = a.facets().find(slot);
-    ASSERT_TRUE(mine && *mine == facet) << slot;
-    for (const auto v : facet.v)
-      ASSERT_EQ(*a.positions().find(v), *b.positions().find(v)) << v;
-  });
-  ASSERT_EQ(a.surfaces().size(), b.surfaces().size());
-  for (const auto& [id, row] : b.surfaces())
-    EXPECT_EQ(a.surfaces().at(id).area_m2, row.area_m2) << id;
-}
-
 class Preview : public ::testing::Test {
 protected:
   scratch_folder folder;
