@@ -164,6 +164,9 @@ expected<void> measure(const version_ptr& base, const fem::load_case& loads,
   if (!edited)
     return fail(edited.error());
   out.edit.add("total_ms", clock.milliseconds());
+  out.edit.add("operation_ms", edited->report.operation_ms);
+  out.edit.add("improve_ms", edited->report.improve_ms);
+  out.edit.add("check_ms", edited->report.check_ms);
   const auto& after = edited->load_cases.front();
   const auto again = timed_solve(session, edited->version, after, o, device, out.after_edit);
   if (!again)
