@@ -15,6 +15,7 @@
 #include "base/memory.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/local_edit.hpp"
+#include "fem/fields.hpp"
 #include "fem/solve_session.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
@@ -123,6 +124,9 @@ expected<fem::solution> timed_solve(fem::solve_session& session, const version_p
   times.add("recovery_ms", s.recovery_ms);
   times.add("iterations", s.iterations);
   times.add("assembled", result->assembled ? 1 : 0);
+  const stopwatch making;
+  const auto fields = fem::make_fields(*mesh, session.last_problem(), s);
+  times.add("fields_ms", fields.empty() ? 0 : making.milliseconds());
   return std::move(result->solution);
 }
 

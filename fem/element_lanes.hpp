@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "fem/element_operator.hpp"
 #include "fem/quadratic.hpp"
 #include "fem/wide.hpp"
 
@@ -83,10 +84,9 @@ TEDIT_INLINE lanes3 traction_of(const lanes6& s, const lanes3& n) {
           s[5] * n.x + s[4] * n.y + s[2] * n.z};
 }
 
-/// Nodal forces of linear tets, N: f_a = V sigma g_a. `u`: displacement, m; only differences
-/// count, so that rigid translations cancel before they are multiplied.
-TEDIT_INLINE std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u,
-                                             const lane_elements& e) {
+/// Stress of linear tets. `u`: displacement, m; only differences count, so that rigid translations
+/// cancel before they are multiplied.
+TEDIT_INLINE lanes6 stress_of(const std::array<lanes3, 4>& u, const lane_elements& e) {
   std::array<lanes3, 3> row{};
   unrolled<3>([&](auto i) TEDIT_INLINED {
     const lanes3 d = u[i + 1] - u[0];
@@ -94,7 +94,13 @@ TEDIT_INLINE std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u,
     row[1] = row[1] + d.y * e.gradient[i + 1];
     row[2] = row[2] + d.z * e.gradient[i + 1];
   });
-  auto s = stress_of(row[0], row[1], row[2], e);
+  return stress_of(row[0], row[1], row[2], e);
+}
+
+/// Nodal forces of linear tets, N: f_a = V sigma g_a.
+TEDIT_INLINE std::array<lanes3, 4> forces_of(const std::array<lanes3, 4>& u,
+                                             const lane_elements& e) {
+  auto s = stress_of(u, e);
   unrolled<6>([&](auto c) TEDIT_INLINED { s[c] *= e.volume; });
   std::array<lanes3, 4> f;
   unrolled<3>([&](auto i) TEDIT_INLINED { f[i + 1] = traction_of(s, e.gradient[i + 1]); });
@@ -147,6 +153,74 @@ TEDIT_INLINE std::array<lanes3, 10> forces_of(const std::array<lanes3, 10>& u,
   for (int m = 4; m < 10; ++m)
     f[m] = lanes{4, 4, 4, 4} * f[m];
   return f;
+}
+
+/// Elements of one chunk, with the positions (m) and displacements (m) of its nodes by their place.
+struct chunk_elements {
+  const problem& p;
+  const std::uint16_t* places;
+  std::size_t first, last;
+  std::vector<vec3> position;  ///< Of corners.
+  std::vector<vec3> value;
+
+  chunk_elements(const problem& of, const element_chunks& chunks, std::size_t chunk,
+                 std::size_t begin, std::size_t end, std::span<const double> displacement)
+      : p(of), places(chunks.places()), first(begin), last(end) {
+    const auto nodes = chunks.nodes_of(chunk);
+    position.resize(nodes.size());
+    value.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double* u = &displacement[3 * std::size_t{nodes[i]}];
+      value[i] = {u[0], u[1], u[2]};
+      if (nodes[i] < p.corner_count)
+        position[i] = p.nodes[nodes[i]];
+    }
+  }
+};
+
+/// Up to four elements. Where a chunk runs out of them the last one fills the lanes: only the first
+/// `count` are to be used.
+template <std::size_t Nodes>
+struct lane_group {
+  const chunk_elements& chunk;
+  std::size_t start, count;
+  lane_elements elements;
+  std::array<lanes3, Nodes> value;  ///< Displacement of the nodes, m.
+
+  [[nodiscard]] TEDIT_INLINE std::size_t element(std::size_t lane) const {
+    return std::min(start + lane, chunk.last - 1);
+  }
+  /// The place of local node a among the chunk's nodes.
+  [[nodiscard]] TEDIT_INLINE std::size_t place(std::size_t lane, std::size_t a) const {
+    return chunk.places[Nodes * element(lane) + a];
+  }
+  /// The node itself.
+  [[nodiscard]] TEDIT_INLINE std::uint32_t node(std::size_t lane, std::size_t a) const {
+    return chunk.p.element_nodes[Nodes * element(lane) + a];
+  }
+};
+
+/// Calls `visit` for every group of a chunk, in the elements' order.
+template <std::size_t Nodes, class Visit>
+TEDIT_INLINE void for_each_lanes(const chunk_elements& chunk, const Visit& visit) {
+  for (std::size_t start = chunk.first; start < chunk.last; start += lane_count) {
+    lane_group<Nodes> group{chunk, start, std::min(lane_count, chunk.last - start), {}, {}};
+    const auto gathered = [&](const std::vector<vec3>& x, std::size_t a) TEDIT_INLINED {
+      return lanes3::of(x[group.place(0, a)], x[group.place(1, a)], x[group.place(2, a)],
+                        x[group.place(3, a)]);
+    };
+    const auto constants = [&](std::size_t lane) TEDIT_INLINED -> const lame_constants& {
+      return chunk.p.constants[chunk.p.element_materials[group.element(lane)]];
+    };
+    const auto &a = constants(0), &b = constants(1), &c = constants(2), &d = constants(3);
+    group.elements.lambda = lanes{a.lambda, b.lambda, c.lambda, d.lambda};
+    group.elements.mu = lanes{a.mu, b.mu, c.mu, d.mu};
+    std::array<lanes3, 4> corners;
+    unrolled<4>([&](auto i) TEDIT_INLINED { corners[i] = gathered(chunk.position, i); });
+    group.elements.set_corners(corners);
+    unrolled<Nodes>([&](auto i) TEDIT_INLINED { group.value[i] = gathered(chunk.value, i); });
+    visit(group);
+  }
 }
 
 }  // namespace tedit::fem

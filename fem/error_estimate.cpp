@@ -3,43 +3,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.hpp"
-#include "fem/element.hpp"
+#include "fem/element_lanes.hpp"
+#include "fem/incidence.hpp"
 #include "fem/polled.hpp"
 
 namespace tedit::fem {
 
 namespace {
 
-/// s : C^-1 : s for a stress, J/m^3.
-double energy_of(const std::array<double, 6>& s, const lame_constants& c) {
-  const double trace = s[0] + s[1] + s[2];
-  const double square =
-    s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
-  return (square - c.lambda / (3 * c.lambda + 2 * c.mu) * trace * trace) / (2 * c.mu);
+/// s : C^-1 : s of stresses, J/m^3.
+TEDIT_INLINE lanes energy_of(const lanes6& s, const lane_elements& e) {
+  const lanes trace = s[0] + s[1] + s[2];
+  const lanes shears = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+  const lanes square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + (shears + shears);
+  const lanes twice = e.mu + e.mu;
+  return (square - e.lambda / (3.0 * e.lambda + twice) * trace * trace) / twice;
 }
 
 /// eta_e^2 by the exact integral of a field d that is linear between corner values: V/20 (sum of
 /// d_k.d_k + (sum of d_k).(sum of d_l)).
-double element_error(const problem& p, const nodal_patches& patches, const corner_flux& stress,
-                     std::span<const double> means, std::size_t e) {
-  const auto* nodes = &p.element_nodes[static_cast<std::size_t>(p.nodes_per_element) * e];
-  const auto& constants = p.constants[p.element_materials[e]];
-  std::array<double, 6> sum{};
-  double result = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double* mean = &means[6 * patches.patch_in(nodes[k], e)];
-    const double* own = stress.at(e, k);
-    std::array<double, 6> d;
-    for (int c = 0; c < 6; ++c) {
-      d[c] = mean[c] - own[c];
-      sum[c] += d[c];
+template <std::size_t Nodes>
+TEDIT_INLINE lanes error_of(const nodal_patches& patches, const lane_group<Nodes>& group) {
+  const auto stress_at = [&](auto corner) TEDIT_INLINED {
+    if constexpr (Nodes == 4)
+      return stress_of(group.value, group.elements);
+    else
+      return corner_stress_of<corner>(group.value, group.elements);
+  };
+  lanes6 sum{};
+  lanes result{};
+  unrolled<4>([&](auto corner) TEDIT_INLINED {
+    const auto mean = [&](std::size_t lane) TEDIT_INLINED -> const std::array<double, 6>& {
+      return patches.mean_of(patches.patch_in(group.node(lane, corner), group.element(lane)));
+    };
+    const auto &a = mean(0), &b = mean(1), &c = mean(2), &d = mean(3);
+    lanes6 gap = stress_at(corner);
+    unrolled<6>([&](auto i) TEDIT_INLINED {
+      gap[i] = lanes{a[i], b[i], c[i], d[i]} - gap[i];
+      sum[i] += gap[i];
+    });
+    result += energy_of(gap, group.elements);
+  });
+  return group.elements.volume * (1.0 / 20) * (result + energy_of(sum, group.elements));
+}
+
+/// Fills the errors of elements and adds their squares to the nodes; returns the sum of squares.
+template <std::size_t Nodes>
+TEDIT_INLINE double add_errors(const nodal_patches& patches, const chunk_elements& elements,
+                               std::array<double, 1>* sums, std::vector<float>& element_error) {
+  double all = 0;
+  for_each_lanes<Nodes>(elements, [&](const lane_group<Nodes>& group) TEDIT_INLINED {
+    const lanes squares = error_of(patches, group);
+    for (std::size_t lane = 0; lane < group.count; ++lane) {
+      const double square = std::max(0.0, squares[lane]);  // Rounding can make it negative.
+      element_error[group.element(lane)] = static_cast<float>(std::sqrt(square));
+      all += square;
+      for (std::size_t corner = 0; corner < 4; ++corner)
+        sums[group.place(lane, corner)][0] += square;
     }
-    result += energy_of(d, constants);
-  }
-  // Rounding must not make it negative.
-  return std::max(0.0, patches.volume_of(e) / 20 * (result + energy_of(sum, constants)));
+  });
+  return all;
 }
 
 /// A boundary triangle at a node: its other corners and the outward normal.
@@ -50,11 +76,11 @@ struct rim_triangle {
 
 /// Faces around a node that one element only has. All elements with a face at the node are around
 /// the node, so no search over the mesh is needed.
-std::vector<rim_triangle> boundary_around(const problem& p, const incidence& corners,
+std::vector<rim_triangle> boundary_around(const problem& p, std::span<const std::uint32_t> corners,
                                           std::size_t node) {
   const auto per = static_cast<std::size_t>(p.nodes_per_element);
   std::vector<rim_triangle> faces;
-  for (const auto corner : corners.of_node(node)) {
+  for (const auto corner : corners) {
     const auto* n = &p.element_nodes[per * (corner / per)];
     for (std::size_t opposite = 0; opposite < 4; ++opposite) {
       if (opposite == corner % per)
@@ -125,44 +151,56 @@ bool on_reentrant_edge(const problem& p, const std::vector<rim_triangle>& around
   return false;
 }
 
-}  // namespace
-
-void estimate_error(const problem& p, const nodal_patches& patches, const corner_flux& stress,
-                    std::span<const double> means, solution& out) {
-  polled_resize(out.element_error, p.element_count());
-  const double sum = parallel_sum(p.element_count(), [&](std::size_t first, std::size_t last) {
-    double part = 0;
+/// Nodes of at least `wanted` von Mises stress beside an element whose error density is above
+/// `limit`, ascending.
+std::vector<std::uint32_t> suspicious_nodes(const problem& p, const solution& out, double wanted,
+                                            double limit) {
+  const auto per = static_cast<std::size_t>(p.nodes_per_element);
+  std::vector<std::vector<std::uint32_t>> found(chunk_count(p.element_count()));
+  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t chunk) {
     for (std::size_t e = first; e < last; ++e) {
-      const double square = element_error(p, patches, stress, means, e);
-      out.element_error[e] = std::sqrt(square);
-      part += square;
+      const auto corners = std::span(p.element_nodes).subspan(per * e, 4);
+      const auto high = [&](std::uint32_t n) { return out.von_mises[n] >= wanted; };
+      const double eta = out.element_error[e];
+      if (std::ranges::any_of(corners, high) && eta * eta > limit * gradients_of(p, e).volume)
+        std::ranges::copy_if(corners, std::back_inserter(found[chunk]), high);
     }
-    return part;
   });
-  const double whole = 2 * out.strain_energy_j + sum;
-  out.relative_error = whole > 0 ? std::sqrt(sum / whole) : 0;
+  std::vector<std::uint32_t> nodes;
+  for (const auto& part : found)
+    nodes.insert(nodes.end(), part.begin(), part.end());
+  sort_unique(nodes);
+  return nodes;
 }
 
-std::vector<double> nodal_error(const problem& p, const solution& result) {
-  std::vector<double> volumes(p.corner_count, 0);
-  std::vector<double> errors(p.corner_count, 0);
-  double volume = 0;
-  double energy = 2 * result.strain_energy_j;
-  polled_for(p.element_count(), [&](std::size_t e) {
-    const double v = gradients_of(p, e).volume;
-    const double square = result.element_error[e] * result.element_error[e];
-    volume += v;
-    energy += square;
-    const auto* nodes = &p.element_nodes[static_cast<std::size_t>(p.nodes_per_element) * e];
-    for (int k = 0; k < 4; ++k) {
-      volumes[nodes[k]] += v;
-      errors[nodes[k]] += square;
-    }
+}  // namespace
+
+void estimate_error(const problem& p, const nodal_patches& patches, const element_chunks& chunks,
+                    solution& out) {
+  polled_resize(out.element_error, p.element_count());
+  polled_resize(out.nodal_error, p.corner_count);
+  std::vector<double> parts(chunk_count(p.element_count()));
+  const auto fill = [&](std::size_t first, std::size_t last, std::size_t c,
+                        std::array<double, 1>* sums) {
+    const chunk_elements elements(p, chunks, c, first, last, out.displacement);
+    run_wide_unfused([&] TEDIT_INLINED {
+      parts[c] = p.element_order == 2 ? add_errors<10>(patches, elements, sums, out.element_error)
+                                      : add_errors<4>(patches, elements, sums, out.element_error);
+    });
+  };
+  chunks.sum_at_nodes<1>(fill, [&](std::size_t node, const std::array<double, 1>& sum) {
+    if (node < p.corner_count)
+      out.nodal_error[node] = sum[0];
   });
-  for (std::size_t n = 0; n < errors.size(); ++n)
-    errors[n] =
-      volumes[n] > 0 && energy > 0 ? std::sqrt(errors[n] / volumes[n] * volume / energy) : 0;
-  return errors;
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  const double whole = 2 * out.strain_energy_j + sum;
+  out.relative_error = whole > 0 ? std::sqrt(sum / whole) : 0;
+  const double density = whole > 0 ? patches.volume() / whole : 0;
+  parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n)
+      if (auto& error = out.nodal_error[n]; error > 0)
+        error = std::sqrt(error / patches.volume_around(n) * density);
+  });
 }
 
 void find_singular_places(const problem& p, const nodal_patches& patches, solution& out) {
@@ -171,26 +209,23 @@ void find_singular_places(const problem& p, const nodal_patches& patches, soluti
   // Below this the estimate is rounding.
   if (out.relative_error < 1e-6)
     return;
-  double sum = 0;
-  for (const double eta : out.element_error)
-    sum += eta * eta;
-  const double limit = dense * sum / patches.volume();
-  const double wanted = high * *std::ranges::max_element(out.von_mises);
-  const auto per = static_cast<std::size_t>(p.nodes_per_element);
-  polled_for(p.corner_count, [&](std::size_t at) {
-    const auto n = static_cast<std::uint32_t>(at);
-    const auto is_dense = [&](std::uint32_t corner) {
-      const auto e = corner / per;
-      return out.element_error[e] * out.element_error[e] > limit * patches.volume_of(e);
-    };
-    if (out.von_mises[n] < wanted || std::ranges::none_of(patches.corners().of_node(n), is_dense))
-      return;
-    const auto around = boundary_around(p, patches.corners(), n);
+  const double sum = parallel_sum(p.element_count(), [&](std::size_t first, std::size_t last) {
+    double part = 0;
+    for (std::size_t e = first; e < last; ++e)
+      part += double{out.element_error[e]} * double{out.element_error[e]};
+    return part;
+  });
+  const auto nodes = suspicious_nodes(p, out, high * *std::ranges::max_element(out.von_mises),
+                                      dense * sum / patches.volume());
+  const auto corners = corners_at(p, nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto n = nodes[i];
+    const auto around = boundary_around(p, corners[i], n);
     if (on_clamp_rim(p, around, n))
       out.singular_places.push_back({n, singularity::clamp_rim, p.nodes[n], out.von_mises[n]});
     else if (on_reentrant_edge(p, around, n))
       out.singular_places.push_back({n, singularity::reentrant_edge, p.nodes[n], out.von_mises[n]});
-  });
+  }
   std::ranges::stable_sort(out.singular_places, std::greater{}, &singular_place::von_mises_pa);
 }
 

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "fem/recovery.hpp"
+#include "fem/nodal_patches.hpp"
+#include "fem/solver.hpp"
 
 namespace tedit::fem {
 
 /// Estimates the discretisation error after Zienkiewicz & Zhu (1987): per element eta_e^2 =
-/// integral of (s* - s) : C^-1 : (s* - s), where s* is linear between the nodal means `means`
-/// (6 per patch, Pa), which are never taken across materials. Fills `element_error` and
-/// `relative_error`; needs `strain_energy_j`. For linear tets the estimate is known to approach the
-/// true error; for quadratic ones s is itself linear, and the estimate measures its jumps between
-/// elements, which is an indicator, not a bound. Cost: O(elements), on all cores.
-void estimate_error(const problem& p, const nodal_patches& patches, const corner_flux& stress,
-                    std::span<const double> means, solution& out);
-
-/// The estimated error at each corner node, relative: the density of the error around it,
-/// sqrt(sum eta_e^2 / sum V_e) over its elements, over that of the energy of the whole part,
-/// sqrt((2 U + sum eta^2) / V). So 0.05 says that the error there is 5 % of the part's mean stress
-/// in that norm, and the mean square over the volume is `relative_error` squared. 0 at nodes
-/// without elements, and everywhere without any energy. Cost: O(elements).
-[[nodiscard]] std::vector<double> nodal_error(const problem& p, const solution& result);
+/// integral of (s* - s) : C^-1 : (s* - s), where s* is linear between the nodal means of the
+/// patches, which are never taken across materials. For linear tets the estimate is known to
+/// approach the true error; for quadratic ones s is itself linear, and the estimate measures its
+/// jumps between elements, which is an indicator, not a bound. Fills `element_error`,
+/// `relative_error` and `nodal_error`; needs `displacement` and `strain_energy_j`. Cost:
+/// O(elements), on all cores.
+void estimate_error(const problem& p, const nodal_patches& patches, const element_chunks& chunks,
+                    solution& out);
 
 /// Fills `singular_places`: corner nodes where the stress will go on growing when the mesh gets
 /// finer, in linear elasticity without bound. A node is listed when all of this holds:

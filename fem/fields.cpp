@@ -1,46 +1,102 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/fields.hpp"
 
-#include "fem/error_estimate.hpp"
+#include "base/parallel.hpp"
+#include "fem/recovery.hpp"
 
 namespace tedit::fem {
 
 namespace {
 
-field scatter(const char* name, field_location location, int components, std::size_t slots,
-              const std::vector<std::uint32_t>& owners, const std::vector<double>& values) {
-  const auto width = static_cast<std::size_t>(components);
-  std::vector<double> by_slot(slots * width, 0.0);
-  for (std::size_t i = 0; i < owners.size(); ++i)
-    for (std::size_t c = 0; c < width && owners[i] != no_id; ++c)
-      by_slot[owners[i] * width + c] = values[i * width + c];
-  return {name, location, components, paged_array<double>::from(by_slot)};
+/// An array over the slots of a version whose pages several threads fill; zeros where they do not.
+class slot_array {
+public:
+  slot_array(std::size_t slots, std::size_t width) : size_(slots * width), width_(width) {
+    using array = paged_array<double>;
+    pages_.resize((size_ + array::items_per_page - 1) / array::items_per_page);
+    parallel_for(
+      pages_.size(),
+      [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t p = first; p < last; ++p)
+          pages_[p] = std::make_shared<page>(
+            sizeof(double) * std::min(array::items_per_page, size_ - p * array::items_per_page));
+      },
+      16);
+  }
+
+  void set(std::size_t slot, const double* values) {
+    using array = paged_array<double>;
+    for (std::size_t i = slot * width_; i < (slot + 1) * width_; ++i, ++values) {
+      auto* items = reinterpret_cast<double*>(pages_[i >> array::shift]->mutable_bytes().data());
+      items[i & array::mask] = *values;
+    }
+  }
+
+  [[nodiscard]] paged_array<double> freeze() {
+    return *paged_array<double>::from_pages({pages_.begin(), pages_.end()}, size_);
+  }
+
+private:
+  std::size_t size_, width_;
+  std::vector<std::shared_ptr<page>> pages_;
+};
+
+/// Calls `set(slot, i)` for every owner that is a slot, on all cores.
+template <class Set>
+void for_each_owner(const std::vector<std::uint32_t>& owners, const Set& set) {
+  parallel_for(owners.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i)
+      if (owners[i] != no_id)
+        set(owners[i], i);
+  });
+}
+
+field at_vertices(const mesh_version& mesh, const problem& p, const char* name,
+                  std::span<const double> values, std::size_t width = 1, std::size_t stride = 0) {
+  slot_array array(mesh.vertex_slots(), width);
+  for_each_owner(p.node_vertices, [&](std::size_t slot, std::size_t n) {
+    array.set(slot, &values[(stride == 0 ? width : stride) * n]);
+  });
+  return {name, field_location::vertex, static_cast<int>(width), array.freeze()};
+}
+
+void add_at_tets(const mesh_version& mesh, const problem& p, const solution& result,
+                 std::vector<field>& fields) {
+  slot_array largest(mesh.tet_slots(), 1);
+  slot_array stresses(mesh.tet_slots(), 6);
+  slot_array errors(mesh.tet_slots(), 1);
+  for_each_owner(p.element_tets, [&](std::size_t slot, std::size_t e) {
+    const auto stress = element_stress(p, result.displacement, e);
+    const double equivalent = von_mises(stress.data());
+    const double error = result.element_error[e];
+    largest.set(slot, &equivalent);
+    stresses.set(slot, stress.data());
+    errors.set(slot, &error);
+  });
+  using enum field_location;
+  fields.push_back({"element_von_mises_pa", tet, 1, largest.freeze()});
+  fields.push_back({"element_stress_pa", tet, 6, stresses.freeze()});
+  fields.push_back({"element_error_sqrt_j", tet, 1, errors.freeze()});
 }
 
 }  // namespace
 
-std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const solution& result) {
-  using enum field_location;
-  const auto at_vertices = [&](const char* name, int components, const auto& values) {
-    return scatter(name, vertex, components, mesh.vertex_slots(), p.node_vertices, values);
+std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const solution& result,
+                               field_range range) {
+  const auto vertices = [&](const char* name, const auto& values, std::size_t width = 1,
+                            std::size_t stride = 0) {
+    return at_vertices(mesh, p, name, values, width, stride);
   };
-  const auto at_tets = [&](const char* name, int components, const auto& values) {
-    return scatter(name, tet, components, mesh.tet_slots(), p.element_tets, values);
-  };
-  std::vector<double> largest(p.corner_count);
-  for (std::size_t n = 0; n < largest.size(); ++n)
-    largest[n] = result.principal_stress[3 * n];
-  std::vector<field> fields{at_vertices("displacement_m", 3, result.displacement),
-                            at_vertices("von_mises_pa", 1, result.von_mises),
-                            at_vertices("stress_pa", 6, result.nodal_stress),
-                            at_vertices("reaction_n", 3, result.reactions),
-                            at_tets("element_von_mises_pa", 1, result.element_von_mises),
-                            at_tets("element_stress_pa", 6, result.element_stress),
-                            at_vertices("principal_stress_pa", 1, largest),
-                            at_vertices("relative_error", 1, nodal_error(p, result)),
-                            at_tets("element_error_sqrt_j", 1, result.element_error)};
+  std::vector<field> fields{vertices("displacement_m", result.displacement, 3),
+                            vertices("von_mises_pa", result.von_mises),
+                            vertices("stress_pa", result.nodal_stress, 6),
+                            vertices("reaction_n", result.reactions, 3),
+                            vertices("principal_stress_pa", result.principal_stress, 1, 3),
+                            vertices("relative_error", result.nodal_error)};
   if (!result.safety_factor.empty())
-    fields.push_back(at_vertices("safety_factor", 1, result.safety_factor));
+    fields.push_back(vertices("safety_factor", result.safety_factor));
+  if (range == field_range::all)
+    add_at_tets(mesh, p, result, fields);
   return fields;
 }
 
@@ -49,24 +105,24 @@ std::string case_field(std::string_view name, std::string_view load_case) {
 }
 
 std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
-                               const solved_cases& result) {
+                               const solved_cases& result, field_range range) {
   const auto& p = set.problem;
   if (result.cases.size() == 1)
-    return make_fields(mesh, p, result.cases.front());
-  const auto at_vertices = [&](const char* name, const std::vector<double>& values) {
-    return scatter(name, field_location::vertex, 1, mesh.vertex_slots(), p.node_vertices, values);
+    return make_fields(mesh, p, result.cases.front(), range);
+  const auto vertices = [&](const char* name, const std::vector<double>& values) {
+    return at_vertices(mesh, p, name, values);
   };
   const auto& worst = result.envelope;
   std::vector<field> fields{
-    at_vertices("envelope_von_mises", worst.von_mises),
-    at_vertices("envelope_case", {worst.von_mises_case.begin(), worst.von_mises_case.end()})};
+    vertices("envelope_von_mises", worst.von_mises),
+    vertices("envelope_case", {worst.von_mises_case.begin(), worst.von_mises_case.end()})};
   if (!worst.safety_factor.empty()) {
-    fields.push_back(at_vertices("envelope_safety_factor", worst.safety_factor));
-    fields.push_back(at_vertices("envelope_safety_factor_case", {worst.safety_factor_case.begin(),
-                                                                 worst.safety_factor_case.end()}));
+    fields.push_back(vertices("envelope_safety_factor", worst.safety_factor));
+    fields.push_back(vertices("envelope_safety_factor_case",
+                              {worst.safety_factor_case.begin(), worst.safety_factor_case.end()}));
   }
   for (std::size_t c = 0; c < result.cases.size(); ++c)
-    for (auto& one : make_fields(mesh, p, result.cases[c])) {
+    for (auto& one : make_fields(mesh, p, result.cases[c], range)) {
       one.name = case_field(one.name, set.cases[c].name);
       fields.push_back(std::move(one));
     }

@@ -10,13 +10,18 @@
 
 namespace tedit::fem {
 
+/// Which arrays: those of tets are the larger part, and nothing that shows a surface needs them.
+enum class field_range { vertices, all };
+
 /// The arrays of a solution by the slots of its version: displacement_m (3), von_mises_pa,
-/// stress_pa (6), reaction_n (3), principal_stress_pa (the largest), relative_error (`nodal_error`)
-/// and, when a yield strength is known, safety_factor at vertices; element_von_mises_pa,
-/// element_stress_pa (6), element_error_sqrt_j at tets. Mid nodes of order 2 have no vertex and are
-/// left out: their reactions, too, so take totals from the solution. Cost: O(mesh).
+/// stress_pa (6), reaction_n (3), principal_stress_pa (the largest), relative_error
+/// (`solution::nodal_error`) and, when a yield strength is known, safety_factor at vertices;
+/// element_von_mises_pa, element_stress_pa (6), element_error_sqrt_j at tets. Mid nodes of order 2
+/// have no vertex and are left out: their reactions, too, so take totals from the solution. Cost:
+/// O(mesh), on all cores.
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const problem& p,
-                                             const solution& result);
+                                             const solution& result,
+                                             field_range range = field_range::all);
 
 /// The name of a load case's array among those of several: "von_mises_pa (braking)".
 [[nodiscard]] std::string case_field(std::string_view name, std::string_view load_case);
@@ -26,6 +31,7 @@ namespace tedit::fem {
 /// it is of) and, when a yield strength is known, envelope_safety_factor (the smallest) and
 /// envelope_safety_factor_case. Of a single one: as above. Cost: O(mesh) per case.
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
-                                             const solved_cases& result);
+                                             const solved_cases& result,
+                                             field_range range = field_range::all);
 
 }  // namespace tedit::fem

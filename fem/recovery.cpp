@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "base/parallel.hpp"
 #include "fem/error_estimate.hpp"
+#include "fem/nodal_patches.hpp"
 #include "fem/polled.hpp"
-#include "fem/quadratic.hpp"
 
 namespace tedit::fem {
 
@@ -32,84 +31,38 @@ void for_each(std::size_t items, const Work& work) {
 
 }  // namespace
 
-corner_flux corner_stress(const problem& p, std::span<const double> displacement) {
-  corner_flux result(p.element_order == 2 ? 4 : 1, p.element_count());
-  for_each(p.element_count(), [&](std::size_t e) {
-    const auto g = gradients_of(p, e);
-    const auto& c = p.constants[p.element_materials[e]];
-    double* to = &result.storage[6 * result.per_element * e];
-    if (p.element_order == 1) {
-      std::ranges::copy(stress_of(displacement_gradient(p, e, g, displacement.data()), c), to);
-      return;
-    }
-    std::array<vec3, 10> u;
-    for (std::size_t a = 0; a < 10; ++a)
-      u[a] = node_vector(displacement, p.element_nodes[10 * e + a]);
-    for (const auto& stress : stress_at_corners(u, g, c))
-      to = std::ranges::copy(stress, to).out;
-  });
-  return result;
+namespace {
+
+std::array<double, 6> linear_stress(const problem& p, std::span<const double> displacement,
+                                    std::size_t element) {
+  const auto g = gradients_of(p, element);
+  return stress_of(displacement_gradient(p, element, g, displacement.data()),
+                   p.constants[p.element_materials[element]]);
 }
 
-// -- means over the elements around a node -------------------------------------------------
+}  // namespace
 
-nodal_patches::nodal_patches(const problem& p)
-    : problem_(p), corners_(p, 4), volumes_(p.element_count()), first_(p.corner_count + 1, 0) {
-  for_each(p.element_count(), [&](std::size_t e) { volumes_[e] = gradients_of(p, e).volume; });
-  const auto per = static_cast<std::size_t>(p.nodes_per_element);
-  if (p.constants.size() == 1) {
-    polled_for(p.corner_count, [&](std::size_t n) {
-      first_[n + 1] = first_[n] + (corners_.of_node(n).empty() ? 0 : 1);
-    });
-    material_.assign(first_.back(), 0);
-    share_.assign(first_.back(), 1);
-    return;
+corner_stresses corner_stress(const problem& p, std::span<const double> displacement,
+                              std::size_t element) {
+  if (p.element_order == 1) {
+    const auto s = linear_stress(p, displacement, element);
+    return {s, s, s, s};
   }
-  std::vector<std::uint32_t> found;
-  polled_for(p.corner_count, [&](std::size_t n) {
-    found.clear();
-    for (const auto corner : corners_.of_node(n))
-      if (const auto m = p.element_materials[corner / per];
-          std::ranges::find(found, m) == found.end())
-        found.push_back(m);
-    material_.insert(material_.end(), found.begin(), found.end());
-    first_[n + 1] = material_.size();
-  });
-  share_.assign(material_.size(), 0);
-  for_each(p.corner_count, [&](std::size_t n) {
-    double all = 0;
-    for (const auto corner : corners_.of_node(n)) {
-      share_[patch_in(n, corner / per)] += volumes_[corner / per];
-      all += volumes_[corner / per];
-    }
-    for (std::size_t i = first_[n]; i < first_[n + 1]; ++i)
-      share_[i] /= all;
-  });
+  std::array<vec3, 10> u;
+  for (std::size_t a = 0; a < 10; ++a)
+    u[a] = node_vector(displacement, p.element_nodes[10 * element + a]);
+  return stress_at_corners(u, gradients_of(p, element), p.constants[p.element_materials[element]]);
 }
 
-double nodal_patches::volume() const {
-  return std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
-}
-
-std::vector<double> nodal_patches::means_of(const corner_flux& flux) const {
-  const auto per = static_cast<std::size_t>(problem_.nodes_per_element);
-  std::vector<double> means;
-  polled_resize(means, 6 * count());
-  for_each(problem_.corner_count, [&](std::size_t n) {
-    double all = 0;
-    for (const auto corner : corners_.of_node(n)) {
-      const std::size_t e = corner / per;
-      const double* value = flux.at(e, corner % per);
-      double* sum = &means[6 * patch_in(n, e)];
-      for (int c = 0; c < 6; ++c)
-        sum[c] += volumes_[e] * value[c];
-      all += volumes_[e];
-    }
-    for (std::size_t i = first_[n]; i < first_[n + 1]; ++i)
-      for (int c = 0; c < 6; ++c)
-        means[6 * i + c] /= share_[i] * all;
-  });
-  return means;
+std::array<double, 6> element_stress(const problem& p, std::span<const double> displacement,
+                                     std::size_t element) {
+  if (p.element_order == 1)
+    return linear_stress(p, displacement, element);
+  const auto at = corner_stress(p, displacement, element);
+  std::array<double, 6> mean;
+  for (std::size_t c = 0; c < 6; ++c)
+    mean[c] = 0.25 * (at[0][c] + at[1][c] + at[2][c] + at[3][c]);
+  return mean;
 }
 
 std::array<double, 3> principal_values(const double* s) {
@@ -147,85 +100,70 @@ void fill_mid_nodes(const problem& p, std::vector<double>& values, std::size_t w
   });
 }
 
-/// Mean of each element: the stress at its centroid.
-void fill_element_stress(const problem& p, corner_flux& stress, solution& out) {
-  if (stress.per_element == 1) {
-    out.element_stress = std::move(stress.storage);
-    return;
-  }
-  polled_resize(out.element_stress, 6 * p.element_count());
-  for_each(p.element_count(), [&](std::size_t e) {
-    for (std::size_t c = 0; c < 6; ++c)
-      out.element_stress[6 * e + c] =
-        0.25 * (stress.at(e, 0)[c] + stress.at(e, 1)[c] + stress.at(e, 2)[c] + stress.at(e, 3)[c]);
-  });
-}
-
 /// Nodal stress and strain from the patches.
-void fill_nodal(const problem& p, const nodal_patches& patches, std::span<const double> means,
-                solution& out) {
-  polled_assign(out.nodal_strain, 6 * p.node_count(), 0.0);
-  polled_assign(out.nodal_stress, 6 * p.node_count(), 0.0);
+void fill_nodal(const problem& p, const nodal_patches& patches, solution& out) {
+  polled_resize(out.nodal_strain, 6 * p.node_count());
+  polled_resize(out.nodal_stress, 6 * p.node_count());
   for_each(p.corner_count, [&](std::size_t n) {
+    std::array<double, 6> strain{};
+    std::array<double, 6> stress{};
     for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i) {
-      const auto strain = strain_of(&means[6 * i], p.constants[patches.material_of(i)]);
+      const auto& mean = patches.mean_of(i);
+      const auto its_strain = strain_of(mean.data(), p.constants[patches.material_of(i)]);
       for (std::size_t c = 0; c < 6; ++c) {
-        out.nodal_strain[6 * n + c] += patches.share_of(i) * strain[c];
-        out.nodal_stress[6 * n + c] += patches.share_of(i) * means[6 * i + c];
+        strain[c] += patches.share_of(i) * its_strain[c];
+        stress[c] += patches.share_of(i) * mean[c];
       }
     }
+    std::ranges::copy(strain, &out.nodal_strain[6 * n]);
+    std::ranges::copy(stress, &out.nodal_stress[6 * n]);
   });
   fill_mid_nodes(p, out.nodal_strain, 6);
   fill_mid_nodes(p, out.nodal_stress, 6);
 }
 
-void fill_von_mises(const problem& p, const nodal_patches& patches, std::span<const double> means,
-                    solution& out) {
+void fill_von_mises(const problem& p, const nodal_patches& patches, solution& out) {
   polled_resize(out.von_mises, p.node_count());
   polled_resize(out.principal_stress, 3 * p.node_count());
   for_each(p.node_count(), [&](std::size_t n) {
     out.von_mises[n] = von_mises(&out.nodal_stress[6 * n]);
     if (p.element_order == 2 && n < p.corner_count)
       for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i)
-        out.von_mises[n] = std::max(out.von_mises[n], von_mises(&means[6 * i]));
+        out.von_mises[n] = std::max(out.von_mises[n], von_mises(patches.mean_of(i).data()));
     if (n < p.corner_count)
       std::ranges::copy(principal_values(&out.nodal_stress[6 * n]), &out.principal_stress[3 * n]);
   });
   fill_mid_nodes(p, out.principal_stress, 3);
-  out.element_von_mises.resize(p.element_count());
-  for_each(p.element_count(), [&](std::size_t e) {
-    out.element_von_mises[e] = von_mises(&out.element_stress[6 * e]);
-  });
 }
 
-void find_max_von_mises(const problem& p, solution& out) {
-  out.max_von_mises_pa = 0;
-  out.max_von_mises_at = {};
-  const auto& values = p.element_order == 2 ? out.von_mises : out.element_von_mises;
-  const auto largest = std::ranges::max_element(values);
-  if (largest == values.end() || !(*largest > 0))
+void find_max_von_mises(const problem& p, const nodal_patches& patches, solution& out) {
+  if (p.element_order == 1) {
+    if (patches.worst_element() == no_id)
+      return;
+    out.max_von_mises_element = patches.worst_element();
+    out.max_von_mises_pa = patches.worst_von_mises();
+    for (std::size_t a = 0; a < 4; ++a)
+      out.max_von_mises_at += p.nodes[p.element_nodes[4 * out.max_von_mises_element + a]] / 4;
+    return;
+  }
+  const auto largest = std::ranges::max_element(out.von_mises);
+  if (largest == out.von_mises.end() || !(*largest > 0))
     return;
   out.max_von_mises_pa = *largest;
-  const auto at = static_cast<std::size_t>(largest - values.begin());
-  if (p.element_order == 2)
-    out.max_von_mises_at = p.nodes[at];
-  else
-    for (std::size_t a = 0; a < 4; ++a)
-      out.max_von_mises_at += p.nodes[p.element_nodes[4 * at + a]] / 4;
+  out.max_von_mises_at = p.nodes[static_cast<std::size_t>(largest - out.von_mises.begin())];
 }
 
 /// Smallest over the materials at a node with known yield strength; mid nodes take the smaller of
 /// their ends.
-void fill_safety(const problem& p, const nodal_patches& patches, std::span<const double> means,
-                 solution& out) {
+void fill_safety(const problem& p, const nodal_patches& patches, solution& out) {
   if (std::ranges::none_of(p.yield_strengths, [](double y) { return y > 0; }))
     return;
   const auto smaller = [](double a, double b) { return a == 0 || (b > 0 && b < a) ? b : a; };
-  polled_assign(out.safety_factor, p.node_count(), 0.0);
+  polled_resize(out.safety_factor, p.node_count());
   for_each(p.corner_count, [&](std::size_t n) {
     for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i) {
       const double yield = p.yield_strengths[patches.material_of(i)];
-      const double stress = von_mises(&means[6 * i]);
+      const double stress = von_mises(patches.mean_of(i).data());
       const double factor =
         stress * solution::most_safety > yield ? yield / stress : solution::most_safety;
       if (yield > 0)
@@ -278,15 +216,16 @@ void add_reactions(const problem& p, const element_operator& k, solution& out) {
   out.surface_reactions = reactions_by_surface(p, out.reactions);
 }
 
+/// Known when every material that an element has says its density.
 void add_mass(const problem& p, const nodal_patches& patches, solution& out) {
+  std::vector<std::uint8_t> used(p.densities.size(), p.densities.size() == 1 ? 1 : 0);
+  if (used.size() > 1)
+    for (const auto material : p.element_materials)
+      used[material] = 1;
   out.mass_known = true;
-  polled_for(p.element_count(), [&](std::size_t e) {
-    const double density = p.densities[p.element_materials[e]];
-    out.mass_known = out.mass_known && density > 0;
-    out.mass_kg += density * patches.volume_of(e);
-  });
-  if (!out.mass_known)
-    out.mass_kg = 0;
+  for (std::size_t m = 0; m < used.size(); ++m)
+    out.mass_known = out.mass_known && (used[m] == 0 || p.densities[m] > 0);
+  out.mass_kg = out.mass_known ? patches.mass() : 0;
 }
 
 Eigen::Matrix3d symmetric(const std::array<double, 6>& s) {
@@ -325,18 +264,15 @@ std::vector<surface_reaction> reactions_by_surface(const problem& p,
 }
 
 void recover(const problem& p, const element_operator& k, solution& out) {
-  auto stress = corner_stress(p, out.displacement);
-  fill_element_stress(p, stress, out);
-  const nodal_patches patches(p);
-  const auto means = patches.means_of(stress);
-  fill_nodal(p, patches, means, out);
-  fill_von_mises(p, patches, means, out);
-  find_max_von_mises(p, out);
-  fill_safety(p, patches, means, out);
+  const nodal_patches patches(p, k.chunks(), out.displacement);
+  fill_nodal(p, patches, out);
+  fill_von_mises(p, patches, out);
+  find_max_von_mises(p, patches, out);
+  fill_safety(p, patches, out);
   summarise_displacement(p, out);
   add_reactions(p, k, out);
   add_mass(p, patches, out);
-  estimate_error(p, patches, stress, means, out);
+  estimate_error(p, patches, k.chunks(), out);
   find_singular_places(p, patches, out);
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "fem/incidence.hpp"
+#include "fem/element_operator.hpp"
 #include "fem/kernels.hpp"
 
 namespace tedit::fem {
@@ -62,20 +62,24 @@ struct solution {
   /// Cap of safety factors, so that a place without stress has a number, too.
   static constexpr double most_safety = 1e6;
 
-  std::vector<double> displacement;    ///< m, 3 per node.
-  std::vector<double> element_stress;  ///< Pa, 6 per element: its mean, at the centroid.
-  std::vector<double> nodal_stress;    ///< Pa, 6 per node.
+  std::vector<double> displacement;  ///< m, 3 per node.
+  std::vector<double> nodal_stress;  ///< Pa, 6 per node.
   /// Pa, per node: of the nodal stress; order 2: where materials meet the largest of any one.
   std::vector<double> von_mises;
-  std::vector<double> element_von_mises;  ///< Pa, per element, of its mean stress.
-  std::vector<double> reactions;          ///< N, 3 per node: K u - f on constrained directions.
+  std::vector<double> reactions;     ///< N, 3 per node: K u - f on constrained directions.
   std::vector<double> nodal_strain;  ///< 6 per node as the stress; shears are engineering shears.
   std::vector<double> principal_stress;  ///< Pa, 3 per node, descending.
   /// Yield strength over von Mises stress per node, at most `most_safety`; 0 where the yield
   /// strength is unknown. Empty when it is unknown everywhere.
   std::vector<double> safety_factor;
   /// Estimated error of each element in the energy norm, sqrt(J): fem/error_estimate.hpp.
-  std::vector<double> element_error;
+  std::vector<float> element_error;
+  /// The same at each corner node, relative: the density of the error around it, sqrt(sum eta_e^2 /
+  /// sum V_e) over its elements, over that of the energy of the whole part, sqrt((2 U + sum eta^2)
+  /// / V). So 0.05 says that the error there is 5 % of the part's mean stress in that norm, and the
+  /// mean square over the volume is `relative_error` squared. 0 at nodes without elements, and
+  /// everywhere without any energy.
+  std::vector<double> nodal_error;
 
   int element_order = 1;
   bool converged = false;  ///< The true residual is within the tolerance.
@@ -89,8 +93,9 @@ struct solution {
   vec3 max_displacement_at;
   double compliance_j =
     0;  ///< f.u, work of the loads (strain energy x 2 without prescribed motion).
-  double max_von_mises_pa = 0;   ///< Order 1: largest element value. Order 2: largest nodal value.
-  vec3 max_von_mises_at;         ///< Centroid of the element, or the node.
+  double max_von_mises_pa = 0;  ///< Order 1: largest element value. Order 2: largest nodal value.
+  vec3 max_von_mises_at;        ///< Centroid of the element, or the node.
+  std::uint32_t max_von_mises_element = no_id;  ///< Order 1: the element.
   double min_safety_factor = 0;  ///< Smallest nodal one; 0 when no yield strength is known.
   vec3 min_safety_factor_at;
   double strain_energy_j = 0;  ///< u.Ku / 2.

@@ -29,12 +29,10 @@ std::vector<named_reaction> name_reactions(const mesh_version& mesh,
 
 /// Whether the element with the largest stress has `node` as a corner.
 bool has_largest_stress(const fem::problem& p, const fem::solution& result, std::uint32_t node) {
-  const auto largest = std::ranges::max_element(result.element_von_mises);
-  if (largest == result.element_von_mises.end())
+  if (result.max_von_mises_element == no_id)
     return false;
-  const auto e = static_cast<std::size_t>(largest - result.element_von_mises.begin());
   const auto width = static_cast<std::size_t>(p.nodes_per_element);
-  const auto corners = std::span(p.element_nodes).subspan(e * width, 4);
+  const auto corners = std::span(p.element_nodes).subspan(result.max_von_mises_element * width, 4);
   return std::ranges::find(corners, node) != corners.end();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/recovery.hpp"
 #include "mesh/quality.hpp"
 #include "verification/cases.hpp"
 #include "verification/fields.hpp"
@@ -99,7 +100,8 @@ double le11_stress(const fem::problem& p, const fem::solution& s, std::uint32_t 
       continue;
     const vec3 centroid = 0.25 * (p.nodes[n[0]] + p.nodes[n[1]] + p.nodes[n[2]] + p.nodes[n[3]]);
     const double v = signed_volume(p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]);
-    sum += v * (s.element_stress[6 * e + 2] - le11_hindered * le11_temperature(centroid));
+    sum += v * (fem::element_stress(p, s.displacement, e)[2] -
+                le11_hindered * le11_temperature(centroid));
     volume += v;
   }
   return sum / volume;

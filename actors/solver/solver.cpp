@@ -73,10 +73,12 @@ struct report_facts {
   std::string notice;
 };
 
-/// Fields and reports as others get them.
+/// Fields and reports as others get them; what is interim goes to surfaces only.
 job_output<solve_result> package(const mesh_version& mesh, const fem::case_set& set,
                                  const fem::solved_cases& solved, report_facts facts) {
-  auto fields = std::make_shared<const std::vector<field>>(fem::make_fields(mesh, set, solved));
+  const auto range = facts.interim ? fem::field_range::vertices : fem::field_range::all;
+  auto fields =
+    std::make_shared<const std::vector<field>>(fem::make_fields(mesh, set, solved, range));
   auto outcome = make_outcome(mesh, set, solved, facts.interim, facts.total_ms);
   for (auto& report : outcome.cases)
     report.notice = facts.notice;

@@ -5,6 +5,7 @@
 
 #include "bench/peers/system.hpp"
 #include "bench/peers/system_magic.hpp"
+#include "fem/element_operator.hpp"
 #include "fem/incidence.hpp"
 #include "fem/quadratic.hpp"
 #include "mesh/io/file.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fem/element.hpp"
+#include "fem/element_operator.hpp"
 #include "fem/multilevel/cluster_inverse.hpp"
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"

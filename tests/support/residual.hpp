@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fem/incidence.hpp"
+#include "fem/element_operator.hpp"
 
 namespace tedit::test {
 
