@@ -2,17 +2,20 @@
 // bench_solve MESH LOAD_CASE [--device NAME] [--order N] [--tolerance T] [--repeat N] [--cases N]
 // [--cancel-sweep N] [--write-system FILE]: solves cold, several times, and prints one JSON object:
 // accuracy first, then the median of wall and CPU seconds of set-up, solve and recovery together
-// (from the problem to the displacement and stresses), the CPU seconds before the solve and before
-// the recovery, and the memory. With --cases, the file's loads turned and weighted in N ways are
-// solved together. With --cancel-sweep, N solves are cancelled at moments spread over a whole one,
-// and how long each takes to come back is printed (bench/cancel_sweep.hpp). With --write-system
-// nothing is solved: the equations go to a file that other solvers read (bench/peers/system.hpp).
+// (from the problem to the displacement and stresses), the CPU seconds of the assembly (native),
+// before the solve and before the recovery, and the memory: before all that, and at its peak. With
+// --cases, the file's loads turned and weighted in N ways are solved together. With --cancel-sweep,
+// N solves are cancelled at moments spread over a whole one, and how long each takes to come back
+// is printed (bench/cancel_sweep.hpp). With --write-system nothing is solved: the equations go to a
+// file that other solvers read (bench/peers/system.hpp).
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <fstream>
 #include <iostream>
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -42,6 +45,20 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// What the process holds now.
+long resident_mib() {
+  long all = 0;
+  long resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return resident * sysconf(_SC_PAGESIZE) / (1 << 20);
+}
+
+long peak_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
 /// Another load for each case: its components exchanged, and by and by more uneven along x.
 fem::case_set make_set(fem::problem p, int count) {
   fem::case_set set;
@@ -58,20 +75,25 @@ fem::case_set make_set(fem::problem p, int count) {
 }
 
 struct run_figures {
-  std::vector<double> wall, cpu, cpu_setup, cpu_before_recovery;
+  std::vector<double> wall, cpu, cpu_assembly, cpu_setup, cpu_before_recovery;
+  long before_mib = 0;
   fem::solution last;
 };
 
 expected<run_figures> measure(fem::case_set& set, fem::backend& device,
                               const fem::solve_settings& settings, int repeats) {
   run_figures result;
+  result.before_mib = resident_mib();
   for (int i = 0; i < repeats; ++i) {
     const stopwatch clock;
     const double before = cpu_seconds();
+    double assembled_at = before;
     double ready_at = 0;
     double solved_at = 0;
     execution run;
     run.progress = [&](double, std::string_view stage) {
+      if (stage == "preparing the preconditioner")
+        assembled_at = cpu_seconds();
       if (stage == "solving" && ready_at == 0)
         ready_at = cpu_seconds();
       if (stage == "recovering stresses")
@@ -90,6 +112,7 @@ expected<run_figures> measure(fem::case_set& set, fem::backend& device,
     }
     result.wall.push_back(clock.milliseconds() / 1000);
     result.cpu.push_back(cpu_seconds() - before);
+    result.cpu_assembly.push_back(assembled_at - before);
     result.cpu_setup.push_back(ready_at - before);
     result.cpu_before_recovery.push_back(solved_at - before);
   }
@@ -97,8 +120,6 @@ expected<run_figures> measure(fem::case_set& set, fem::backend& device,
 }
 
 nlohmann::json describe(const fem::problem& p, const run_figures& runs) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   const auto& s = runs.last;
   return {{"tets", p.element_count()},
           {"dofs", p.dofs()},
@@ -110,13 +131,15 @@ nlohmann::json describe(const fem::problem& p, const run_figures& runs) {
           {"iterations", s.iterations},
           {"wall_s", median(runs.wall)},
           {"cpu_s", median(runs.cpu)},
+          {"cpu_assembly_s", median(runs.cpu_assembly)},
           {"cpu_setup_s", median(runs.cpu_setup)},
           {"cpu_before_recovery_s", median(runs.cpu_before_recovery)},
           {"assembly_ms", s.assembly_ms},
           {"setup_ms", s.setup_ms},
           {"solve_ms", s.solve_ms},
           {"recovery_ms", s.recovery_ms},
-          {"peak_mib", usage.ru_maxrss / 1024}};
+          {"before_mib", runs.before_mib},
+          {"peak_mib", peak_mib()}};
 }
 
 int write_equations(const fem::problem& p, const std::string& file) {

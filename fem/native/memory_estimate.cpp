@@ -6,7 +6,7 @@ namespace tedit::fem {
 std::uint64_t native_solve_bytes(const problem& p) {
   const std::uint64_t elements = p.element_count();
   const std::uint64_t nodes = p.node_count();
-  return p.element_order == 1 ? 420 * elements + 735 * nodes : 525 * elements + 755 * nodes;
+  return p.element_order == 1 ? 140 * elements + 860 * nodes : 170 * elements + 630 * nodes;
 }
 
 }  // namespace tedit::fem

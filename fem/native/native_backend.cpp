@@ -372,6 +372,7 @@ private:
   expected<std::unique_ptr<linear_system>> make(const problem& p, const stopwatch& clock,
                                                 const execution& run) {
     auto system = std::make_unique<System>(p, settings_, clock);
+    run.report(0.05, "preparing the preconditioner");
     if (auto ok = system->prepare(p.filter, run); !ok)
       return fail(ok.error());
     // Rows of coarse matrices were made by the ten thousand.
