@@ -96,6 +96,32 @@ private:
   std::vector<block3> blocks_;
 };
 
+/// Gradients of the elements that were asked for last: the rows around an element follow closely,
+/// and an array of them all would be larger than the matrix.
+class recent_gradients {
+public:
+  explicit recent_gradients(const problem& p) : p_(p), slots_(slot_count) {}
+
+  TEDIT_INLINE const tet_gradients& of(std::size_t e) {
+    auto& kept = slots_[e % slot_count];
+    if (kept.element != e) {
+      kept.element = e;
+      kept.value = gradients_of(p_, e);
+    }
+    return kept.value;
+  }
+
+private:
+  static constexpr std::size_t slot_count = 4096;  // Half a second-level cache.
+  struct slot {
+    std::size_t element = static_cast<std::size_t>(-1);
+    tet_gradients value;
+  };
+
+  const problem& p_;
+  std::vector<slot> slots_;
+};
+
 /// The places of all rows and their columns; no values.
 block_matrix make_pattern(const problem& p, const incidence& corners) {
   const std::size_t rows = p.corner_count;
@@ -124,20 +150,15 @@ block_matrix make_pattern(const problem& p, const incidence& corners) {
 }  // namespace
 
 block_matrix assemble_blocks(const problem& p, const incidence& corners) {
-  std::vector<tet_gradients> gradients;
-  polled_resize(gradients, p.element_count());
-  parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t e = first; e < last; ++e)
-      gradients[e] = gradients_of(p, e);
-  });
   auto k = make_pattern(p, corners);
   reserve_for_edits(k.value, 9 * std::size_t{k.places.room()});
   polled_resize(k.value, 9 * std::size_t{k.places.room()} + 1);
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     row_gatherer gatherer(p, corners);
+    recent_gradients gradients(p);
     run_widest([&]() TEDIT_INLINED {
       const auto gradients_at = [&](std::size_t e)
-                                  TEDIT_INLINED -> const tet_gradients& { return gradients[e]; };
+                                  TEDIT_INLINED -> const tet_gradients& { return gradients.of(e); };
       for (std::size_t row = first; row < last; ++row)
         gatherer.write(row, gradients_at, k);
     });

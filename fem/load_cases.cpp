@@ -5,6 +5,7 @@
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
+#include "fem/problem_parts.hpp"
 #include "fem/recovery.hpp"
 #include "fem/refinement.hpp"
 
@@ -209,13 +210,23 @@ expected<solved_cases> assemble_and_solve(case_set& set, backend& device,
   return solve_cases(set, on, std::vector(set.cases.size(), settings), run);
 }
 
-/// The cases that the set does not have yet; then the first one stands.
+using filter = std::vector<std::array<double, 6>>;
+
+/// The cases that the set does not have yet; then the first one stands. `sound`: supports that are
+/// known to hold the part, as those of the set's cases are.
 expected<void> add_cases(const mesh_version& mesh, std::span<const load_case> loads,
-                         case_set& set) {
+                         std::vector<filter> sound, case_set& set) {
+  auto& p = set.problem;
   for (std::size_t c = set.cases.size(); c < loads.size(); ++c) {
-    if (auto ok = set_conditions(mesh, loads[c], set.problem); !ok)
+    if (auto ok = place_conditions(mesh, loads[c], p); !ok)
       return fail_in_case(loads, c, ok.error());
-    set.cases.push_back(take_conditions(set.problem, loads[c].name));
+    const bool known =
+      std::ranges::find(sound, p.filter) != sound.end() ||
+      std::ranges::find(set.cases, p.filter, &conditions::filter) != set.cases.end();
+    if (!known)
+      if (auto ok = check_supports(mesh, p); !ok)
+        return fail_in_case(loads, c, ok.error());
+    set.cases.push_back(take_conditions(p, loads[c].name));
   }
   set.let_stand(0);
   return {};
@@ -268,15 +279,20 @@ expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_cas
     return fail_in_case(loads, 0, p.error());
   case_set set{std::move(*p), {}};
   set.cases.push_back(take_conditions(set.problem, loads.front().name));
-  if (auto ok = add_cases(mesh, loads, set); !ok)
+  if (auto ok = add_cases(mesh, loads, {}, set); !ok)
     return fail(ok.error());
   return set;
 }
 
 expected<void> set_cases(const mesh_version& mesh, std::span<const load_case> loads,
                          case_set& set) {
+  std::vector<filter> sound;
+  set.stand(0);
+  sound.push_back(std::move(set.problem.filter));
+  for (std::size_t c = 1; c < set.cases.size(); ++c)
+    sound.push_back(std::move(set.cases[c].filter));
   set.cases.clear();
-  return add_cases(mesh, loads, set);
+  return add_cases(mesh, loads, std::move(sound), set);
 }
 
 envelope make_envelope(std::span<const solution> cases) {
