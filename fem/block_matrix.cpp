@@ -152,7 +152,8 @@ block_matrix make_pattern(const problem& p, const incidence& corners) {
 block_matrix assemble_blocks(const problem& p, const incidence& corners) {
   auto k = make_pattern(p, corners);
   reserve_for_edits(k.value, 9 * std::size_t{k.places.room()});
-  polled_resize(k.value, 9 * std::size_t{k.places.room()} + 1);
+  k.value.resize(9 * std::size_t{k.places.room()} + 1);
+  k.value.back() = 0;
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     row_gatherer gatherer(p, corners);
     recent_gradients gradients(p);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/raw_vector.hpp"
 #include "fem/incidence.hpp"
 #include "fem/rows.hpp"
 #include "fem/wide.hpp"
@@ -19,7 +20,7 @@ namespace tedit::fem {
 struct block_matrix {
   row_places places;                  ///< Of the rows in `column` and `value`.
   std::vector<std::uint32_t> column;  ///< Ascending within a row, without the diagonal.
-  std::vector<float> value;           ///< 9 per entry, column by column, and 1 of padding; N/m.
+  raw_vector<float> value;            ///< 9 per entry, column by column, and 1 of padding; N/m.
 
   [[nodiscard]] std::size_t rows() const { return places.size(); }
   [[nodiscard]] std::uint32_t begin(std::size_t row) const { return places.begin(row); }

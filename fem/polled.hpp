@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/guard.hpp"
+#include "base/parallel.hpp"
 
 namespace tedit::fem {
 
@@ -24,8 +25,8 @@ void polled_for(std::size_t items, const Work& work, std::size_t between = 16384
 
 /// Gives the vector another size, in pieces: memory that was never touched comes from the system
 /// page by page, 100 MB in 50 ms and more.
-template <class T>
-void polled_resize(std::vector<T>& items, std::size_t size) {
+template <class T, class Allocator>
+void polled_resize(std::vector<T, Allocator>& items, std::size_t size) {
   constexpr std::size_t piece = (std::size_t{4} << 20) / sizeof(T);
   if (items.empty())
     items.reserve(size);  // What is there already has room to grow by little.
@@ -47,17 +48,18 @@ void polled_assign(std::vector<T>& items, std::size_t size, const T& value) {
   }
 }
 
-/// Sorts as `std::ranges::sort` does; equal items in any order. Pieces are sorted, then merged.
+/// Sorts as `std::ranges::sort` does; equal items in any order. Pieces are sorted, on all cores,
+/// then merged.
 template <class T, class Less>
 void polled_sort(std::vector<T>& items, const Less& less) {
   constexpr std::size_t piece = 16384;
   const auto at = [&](std::size_t i) {
     return items.begin() + static_cast<std::ptrdiff_t>(std::min(i, items.size()));
   };
-  for (std::size_t first = 0; first < items.size(); first += piece) {
-    check_cancelled();
-    std::sort(at(first), at(first + piece), less);
-  }
+  parallel_for(
+    items.size(),
+    [&](std::size_t first, std::size_t last, std::size_t) { std::sort(at(first), at(last), less); },
+    piece);
   for (std::size_t width = piece; width < items.size(); width *= 2)
     for (std::size_t first = 0; first + width < items.size(); first += 2 * width) {
       check_cancelled();

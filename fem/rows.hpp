@@ -83,8 +83,8 @@ inline void sort_unique(std::vector<std::uint32_t>& list) {
 
 /// Address space for rows that will be replaced: a vector that grows copies itself, and then a
 /// small edit would cost as much as a pass over the whole. Untouched memory costs nothing.
-template <class T>
-void reserve_for_edits(std::vector<T>& items, std::size_t size) {
+template <class T, class Allocator>
+void reserve_for_edits(std::vector<T, Allocator>& items, std::size_t size) {
   items.reserve(size + size / 16 + 1024);
 }
 

@@ -2,9 +2,10 @@
 #include "fem/multilevel/aggregation.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
-#include <numeric>
 
+#include "base/parallel.hpp"
 #include "fem/polled.hpp"
 #include "mesh/types.hpp"
 
@@ -47,16 +48,27 @@ private:
         visit(graph_.column[s]);
   }
 
+  /// Calls `visit` for every node, on all cores.
+  template <class Visit>
+  void for_each_node(const Visit& visit) const {
+    parallel_for(graph_.nodes(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t n = first; n < last; ++n)
+        visit(static_cast<std::uint32_t>(n));
+    });
+  }
+
   void choose_roots() {
-    std::vector<std::uint32_t> order(graph_.nodes());
-    std::iota(order.begin(), order.end(), 0u);
-    std::vector<std::uint64_t> key(order.size());
-    for (std::uint32_t n = 0; n < key.size(); ++n)
-      key[n] = mix(n);
-    polled_sort(order, [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+    struct candidate {
+      std::uint64_t key;
+      std::uint32_t node;
+    };
+    std::vector<candidate> order(graph_.nodes());
+    for (std::uint32_t n = 0; n < order.size(); ++n)
+      order[n] = {mix(n), n};
+    polled_sort(order, [](const candidate& a, const candidate& b) { return a.key < b.key; });
     std::vector<std::uint8_t> covered(order.size(), 0);
     polled_for(order.size(), [&](std::size_t i) {
-      const auto root = order[i];
+      const auto root = order[i].node;
       if (covered[root] != 0 || excluded_[root] != 0)
         return;
       covered[root] = 1;
@@ -85,13 +97,12 @@ private:
 
   bool join_leftovers() {
     const auto before = result_.of;
-    bool joined = false;
-    polled_for(before.size(), [&](std::size_t i) {
-      const auto n = static_cast<std::uint32_t>(i);
+    std::atomic<bool> joined = false;
+    for_each_node([&](std::uint32_t n) {
       if (before[n] == no_id && excluded_[n] == 0)
         if (const auto there = strongest(n, before, weak_); there != no_id) {
           result_.of[n] = there;
-          joined = true;
+          joined.store(true, std::memory_order_relaxed);
         }
     });
     return joined;
@@ -120,9 +131,9 @@ private:
     for (auto& a : kept)
       if (a != no_id && size[a] < least)
         a = no_id;
-    polled_for(kept.size(), [&](std::size_t n) {
+    for_each_node([&](std::uint32_t n) {
       if (result_.of[n] != no_id && kept[n] == no_id)
-        if (const auto there = strongest(static_cast<std::uint32_t>(n), kept, 0); there != no_id)
+        if (const auto there = strongest(n, kept, 0); there != no_id)
           result_.of[n] = there;
     });
   }

@@ -167,10 +167,9 @@ void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span fil
       },
       8);
     check_cancelled();
-    for (std::size_t i = 0; i < part.size(); ++i) {
+    for (std::size_t i = 0; i < part.size(); ++i)
       memory.keep[part[i]] = fresh[i].keep;
-      replace_row(level, part[i], fresh[i].column, fresh[i].block);
-    }
+    replace_rows(level, part, [&](std::size_t i) -> const galerkin_row& { return fresh[i]; });
   }
   renew_inverses(level, rows);
 }

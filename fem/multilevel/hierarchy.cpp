@@ -116,14 +116,16 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
   result.memory->cluster_of = clusters.of;
   auto& frames = result.memory->levels.emplace_back().frames;
   frames.resize(aggregates.count);
-  polled_for(
+  parallel_for(
     aggregates.count,
-    [&](std::size_t a) {
-      frames[a] = frame_of(p, result.members.of(a));
-      for (const auto n : result.members.of(a))
-        store_transfer(p, filter, frames[a], n, result);
+    [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t a = begin; a < end; ++a)
+        frames[a] = frame_of(p, result.members.of(a));
     },
-    1024);
+    256);
+  for (std::size_t a = 0; a < aggregates.count; ++a)
+    for (const auto n : result.members.of(a))
+      store_transfer(p, filter, frames[a], n, result);
   auto& first = result.levels.emplace_back();
   constexpr std::size_t usual_blocks = 32;  // Of a row.
   reserve_for_edits(first.column, usual_blocks * aggregates.count);

@@ -53,14 +53,14 @@ struct rigid_level {
 
   row_places rows;
   std::vector<std::uint32_t> column;  ///< The diagonal included.
-  std::vector<block6> block;
-  std::vector<block6> inverse;  ///< Of the diagonal blocks.
+  raw_vector<block6> block;
+  raw_vector<block6> inverse;  ///< Of the diagonal blocks.
   float lambda = 1;
 
   /// The prolongation from the next level, empty at the coarsest.
   row_places prolongation_rows;
   std::vector<std::uint32_t> prolongation_column;
-  std::vector<block6> prolongation;
+  raw_vector<block6> prolongation;
   /// The same entries by column, for the restriction: `entries.of(parent)`, and the row of each.
   member_lists entries;
   std::vector<std::uint32_t> entry_row;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 #include "fem/column_table.hpp"
@@ -81,9 +82,41 @@ inline void store(const matrix6& from, rigid_level::block6& to) {
 /// Factors the coarsest matrix.
 [[nodiscard]] std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest);
 
-/// Gives a row of a level another content, or adds it; `renew_inverses` comes after all rows.
-void replace_row(rigid_level& level, std::uint32_t row, std::span<const std::uint32_t> column,
-                 std::span<const matrix6> block);
+/// Room for `rows` (each once) of so many items, `length(i)` of rows[i], new rows included; where
+/// each starts.
+template <class Length>
+[[nodiscard]] std::vector<std::uint32_t> make_room(row_places& places,
+                                                   std::span<const std::uint32_t> rows,
+                                                   const Length& length) {
+  std::vector<std::uint32_t> at(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    while (rows[i] >= places.size())
+      places.add(0);
+    at[i] = places.replace(rows[i], static_cast<std::uint32_t>(length(i)));
+  }
+  return at;
+}
+
+/// Gives rows of a level (each once) another content, or adds them: `content(i)` has the columns
+/// and blocks of rows[i]. On all cores; `renew_inverses` comes after it.
+template <class Content>
+void replace_rows(rigid_level& level, std::span<const std::uint32_t> rows, const Content& content) {
+  const auto at =
+    make_room(level.rows, rows, [&](std::size_t i) { return content(i).column.size(); });
+  level.column.resize(level.rows.room());
+  level.block.resize(level.rows.room());
+  constexpr std::size_t rows_per_chunk = 64;
+  parallel_for(
+    rows.size(),
+    [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) {
+        std::ranges::copy(content(i).column, &level.column[at[i]]);
+        for (std::size_t s = 0; s < content(i).block.size(); ++s)
+          store(content(i).block[s], level.block[at[i] + s]);
+      }
+    },
+    rows_per_chunk);
+}
 
 /// Inverts the diagonal blocks of these rows, on all cores.
 void renew_inverses(rigid_level& level, std::span<const std::uint32_t> rows);

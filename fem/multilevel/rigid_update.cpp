@@ -36,13 +36,8 @@ public:
     reserve_for_edits(level_.prolongation_column, blocks);
     reserve_for_edits(level_.prolongation, blocks);
     reserve_for_edits(level_.entry_row, blocks);
-    polled_for(
-      rows.size(),
-      [&](std::size_t i) {
-        place_prolongation(rows[i], fresh[i]);
-        fresh[i] = {};
-      },
-      1024);
+    place_prolongation(rows, fresh);
+    fresh = {};
     level_.entries = member_lists(level_.prolongation_column, count);
     parents_ = numbers(count);
     std::vector<std::uint32_t> reframed;
@@ -53,12 +48,11 @@ public:
   /// motions.
   std::vector<std::uint32_t> update(std::span<const std::uint32_t> rows,
                                     std::vector<std::uint32_t>& reframed) {
-    const auto fresh = prolongation_of(rows);
-    for (std::size_t at = 0; at < rows.size(); ++at) {
-      note_parents(rows[at]);
-      place_prolongation(rows[at], fresh[at]);
-      note_parents(rows[at]);
-    }
+    for (const auto i : rows)
+      note_parents(i);
+    place_prolongation(rows, prolongation_of(rows));
+    for (const auto i : rows)
+      note_parents(i);
     relink(rows);
     for (const auto i : with_neighbours(rows))
       note_parents(i);
@@ -147,19 +141,19 @@ private:
     return row;
   }
 
-  void place_prolongation(std::uint32_t i, const sparse_row& row) {
+  void place_prolongation(std::span<const std::uint32_t> rows, std::span<const sparse_row> fresh) {
     auto& places = level_.prolongation_rows;
-    while (i >= places.size())
-      places.add(0);
-    const auto at = places.replace(i, static_cast<std::uint32_t>(row.column.size()));
+    const auto at = make_room(places, rows, [&](std::size_t i) { return fresh[i].column.size(); });
     level_.prolongation_column.resize(places.room());
     level_.prolongation.resize(places.room());
     level_.entry_row.resize(places.room());
-    for (std::uint32_t s = 0; s < row.column.size(); ++s) {
-      level_.prolongation_column[at + s] = row.column[s];
-      level_.entry_row[at + s] = i;
-      store(row.block[s], level_.prolongation[at + s]);
-    }
+    for_each(rows.size(), [&](std::size_t i, row_sum&) {
+      for (std::uint32_t s = 0; s < fresh[i].column.size(); ++s) {
+        level_.prolongation_column[at[i] + s] = fresh[i].column[s];
+        level_.entry_row[at[i] + s] = rows[i];
+        store(fresh[i].block[s], level_.prolongation[at[i] + s]);
+      }
+    });
   }
 
   /// The lists of entries of all parents that had or have some of `rows`.
@@ -189,14 +183,14 @@ private:
              [&](std::size_t at, row_sum& sum) { fresh[at] = make_row(parents_[at], sum); });
     reframed.clear();
     above_.keep.resize(above_.frames.size(), matrix6::Identity());
-    const auto place = [&](std::size_t at) {
-      const auto parent = parents_[at];
-      replace_row(coarser_, parent, fresh[at].row.column, fresh[at].row.block);
-      if ((fresh[at].keep - above_.keep[parent]).norm() > 1e-6)
-        reframed.push_back(parent);
-      above_.keep[parent] = fresh[at].keep;
-    };
-    polled_for(fresh.size(), place, 1024);
+    for (std::size_t at = 0; at < fresh.size(); ++at) {
+      auto& keep = above_.keep[parents_[at]];
+      if ((fresh[at].keep - keep).norm() > 1e-6)
+        reframed.push_back(parents_[at]);
+      keep = fresh[at].keep;
+    }
+    replace_rows(coarser_, parents_,
+                 [&](std::size_t at) -> const sparse_row& { return fresh[at].row; });
     renew_inverses(coarser_, parents_);
   }
 
@@ -259,19 +253,6 @@ private:
 };
 
 }  // namespace
-
-void replace_row(rigid_level& level, std::uint32_t row, std::span<const std::uint32_t> column,
-                 std::span<const matrix6> block) {
-  while (row >= level.rows.size())
-    level.rows.add(0);
-  const auto at = level.rows.replace(row, static_cast<std::uint32_t>(column.size()));
-  level.column.resize(level.rows.room());
-  level.block.resize(level.rows.room());
-  for (std::size_t s = 0; s < column.size(); ++s) {
-    level.column[at + s] = column[s];
-    store(block[s], level.block[at + s]);
-  }
-}
 
 void renew_inverses(rigid_level& level, std::span<const std::uint32_t> rows) {
   level.inverse.resize(level.rows.size());
