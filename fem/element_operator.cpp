@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fem/element_lanes.hpp"
+#include "fem/rows.hpp"
 
 namespace tedit::fem {
 
@@ -42,6 +43,7 @@ private:
 
 element_chunks::element_chunks(const problem& p)
     : problem_(p), chunks_(chunk_count(p.element_count())) {
+  reserve_for_edits(places_, p.element_nodes.size());
   polled_resize(places_, p.element_nodes.size());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t c) {
     list_nodes(first, last, chunks_[c].nodes);
