@@ -7,16 +7,22 @@ cd "$(dirname "$0")/.."
 
 version=0.17.6  # Of libcaf-dev: headers and libraries must match.
 hash=e2bf5bd243f08bb7d8adde197cfe3e6d71314ed3378fe0692f8932f4c3b3928c
-# Where apt gets the package from, its source lies, too.
-pool=$(apt-get --print-uris download libcaf-dev | cut -d"'" -f2)
-url=$(dirname "$pool")/actor-framework_$version.orig.tar.gz
 folder=build/caf-tsan
 [ -e "$folder/lib/libcaf_io.so.$version" ] && exit 0
 
-mkdir -p "$folder/source"
-curl -fsSL "$url" -o "$folder/caf.tar.gz"
-echo "$hash  $folder/caf.tar.gz" | sha256sum --quiet -c
-tar -xzf "$folder/caf.tar.gz" --strip-components=1 -C "$folder/source"
+# Most machines list no source packages: the archives that they have are named once more, beside apt's own lists.
+apt=$PWD/$folder/apt
+mkdir -p "$folder/source" "$apt/sources" "$apt/lists/partial"
+sed -n 's/^deb /deb-src /p' /etc/apt/sources.list 2>/dev/null >"$apt/sources/old.list" || true
+if [ -e /etc/apt/sources.list.d/debian.sources ]; then
+  sed 's/^Types:.*/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >"$apt/sources/debian.sources"
+fi
+options=(-qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$apt/sources" -o Dir::State::lists="$apt/lists")
+apt-get "${options[@]}" update
+archive=actor-framework_$version.orig.tar.gz
+(cd "$folder" && apt-get "${options[@]}" source --download-only --tar-only actor-framework)
+echo "$hash  $folder/$archive" | sha256sum --quiet -c
+tar -xzf "$folder/$archive" --strip-components=1 -C "$folder/source"
 # limits: a header that CAF forgets to include.
 cmake -S "$folder/source" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_CXX_FLAGS="-O1 -g1 -w -include limits -fsanitize=thread -fno-omit-frame-pointer" \
