@@ -79,10 +79,8 @@ void session_state::cancel(std::uint64_t ticket) {
   }
   if (previews.contains(ticket))
     return end_preview(ticket, {ec::cancelled, "the preview was cancelled", {}, {}});
-  if (active && active->ticket == ticket) {
-    followed.reset();
-    return end_active_solve(ec::cancelled, "the solve was cancelled", solve_phase::cancelled);
-  }
+  if (leave_solve(ticket))
+    return;
   const auto found = std::ranges::find(waiting, ticket, &command::ticket);
   if (found == waiting.end())
     return;

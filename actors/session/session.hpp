@@ -63,6 +63,13 @@ struct session_state {
   struct kept_candidate;
   struct preview_run;
 
+  /// A request that waits for the solve that runs.
+  struct solve_waiter {
+    std::uint64_t ticket = 0;
+    caf::actor client;
+    caf::typed_response_promise<solved> promise;
+  };
+
   struct active_solve {
     job_id job;
     std::string key;
@@ -70,8 +77,8 @@ struct session_state {
     std::vector<std::string> load_cases;
     std::vector<std::string> texts;  ///< The same, JSON each.
     version_ptr mesh;
-    std::uint64_t ticket = 0;
-    std::vector<caf::typed_response_promise<solved>> waiting;
+    bool asked_for = false;             ///< By a request; else it follows a new head by itself.
+    std::vector<solve_waiter> waiting;  ///< The first one hears of progress.
   };
 
   /// A result, with what is needed to write it to a file.
@@ -173,6 +180,10 @@ struct session_state {
     const solve_request& request, std::vector<std::string>& names) const;
   void keep_result(kept_result result);
   void launch(active_solve next, const solve_order& order);
+  /// Ends the wait of one request; whether there was one. The solve goes on for others that wait,
+  /// and when it follows a head by itself; else it ends, and the following with it.
+  bool leave_solve(std::uint64_t ticket);
+  void tell_progress();
   void end_active_solve(ec code, const std::string& why, solve_phase phase);
   void receive_result(job_id job, const solve_result& result);
   void fail_solve(job_id job, const error& e);

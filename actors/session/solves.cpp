@@ -85,9 +85,9 @@ expected<std::vector<std::string>> session_state::chosen_cases(
 void session_state::start_solve(const solve_request& request,
                                 std::optional<caf::typed_response_promise<solved>> promise) {
   active_solve next;
-  next.ticket = request.ticket;
+  next.asked_for = promise.has_value();
   if (promise)
-    next.waiting.push_back(*promise);
+    next.waiting.push_back({request.ticket, request.client, *promise});
   auto texts = chosen_cases(request, next.load_cases);
   const auto* head = graph.head();
   if (head) {
@@ -95,8 +95,8 @@ void session_state::start_solve(const solve_request& request,
     next.mesh = head->mesh;
   }
   if (!texts) {
-    for (auto& waiting_promise : next.waiting)
-      waiting_promise.deliver(to_caf(texts.error()));
+    for (auto& waiter : next.waiting)
+      waiter.promise.deliver(to_caf(texts.error()));
     return note(next, solve_phase::failed, render(texts.error()));
   }
   next.texts = *texts;
@@ -117,7 +117,7 @@ void session_state::start_solve(const solve_request& request,
   }
   if (active && active->key == next.key) {
     active->waiting.insert(active->waiting.end(), next.waiting.begin(), next.waiting.end());
-    return;
+    return tell_progress();
   }
   end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
   next.job = new_job(request.ticket, request.client);
@@ -133,6 +133,32 @@ void session_state::launch(active_solve next, const solve_order& order) {
           [=, this](const caf::error& e) { fail_solve(job, from_caf(e, "the solve")); });
 }
 
+bool session_state::leave_solve(std::uint64_t ticket) {
+  if (!active)
+    return false;
+  auto& waiting_for_it = active->waiting;
+  const auto found = std::ranges::find(waiting_for_it, ticket, &solve_waiter::ticket);
+  if (found == waiting_for_it.end())
+    return false;
+  if (active->asked_for && waiting_for_it.size() == 1) {
+    followed.reset();
+    end_active_solve(ec::cancelled, "the solve was cancelled", solve_phase::cancelled);
+    return true;
+  }
+  auto promise = std::move(found->promise);
+  waiting_for_it.erase(found);
+  tell_progress();
+  promise.deliver(to_caf({ec::cancelled, "the request was cancelled", {}, {}}));
+  return true;
+}
+
+/// Who waits longest hears how far the solve is.
+void session_state::tell_progress() {
+  auto& [ticket, client] = progress_of[active->job];
+  ticket = active->waiting.empty() ? 0 : active->waiting.front().ticket;
+  client = active->waiting.empty() ? caf::actor{} : active->waiting.front().client;
+}
+
 void session_state::end_active_solve(ec code, const std::string& why, solve_phase phase) {
   if (!active)
     return;
@@ -140,8 +166,8 @@ void session_state::end_active_solve(ec code, const std::string& why, solve_phas
   active.reset();
   progress_of.erase(ended.job);
   caf::anon_send(parts.workers.solver, cancel_atom::value, ended.job);
-  for (auto& promise : ended.waiting)
-    promise.deliver(to_caf({code, why, {}, {}}));
+  for (auto& waiter : ended.waiting)
+    waiter.promise.deliver(to_caf({code, why, {}, {}}));
   note(ended, phase);
 }
 
@@ -191,8 +217,8 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       keep_result(
         {done.key, done.version, done.load_cases.size(), event, result.fields, done.texts});
       broadcast(event);
-      for (auto& promise : done.waiting)
-        promise.deliver(event);
+      for (auto& waiter : done.waiting)
+        waiter.promise.deliver(event);
     },
     [=, this](const error& e) { fail_solve(job, e); });
 }
@@ -216,8 +242,8 @@ void session_state::fail_solve(job_id job, const error& e) {
   auto failed = std::move(*active);
   active.reset();
   spdlog::warn("{}: solve failed: {}", parts.document, render(e));
-  for (auto& promise : failed.waiting)
-    promise.deliver(to_caf(e));
+  for (auto& waiter : failed.waiting)
+    waiter.promise.deliver(to_caf(e));
   note(failed, solve_phase::failed, render(e));
 }
 

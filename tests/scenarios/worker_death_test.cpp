@@ -200,6 +200,39 @@ TEST_F(WorkerDeath, ASolveThatFollowedAnEditIsEndedByAnyoneAndTheNextHeadIsSolve
             next.head.version_id);
 }
 
+/// Two connections wait for one solve, and the first or the second of them cancels.
+class SharedSolve : public WorkerDeath, public ::testing::WithParamInterface<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(FirstOrSecondLeaves, SharedSolve, ::testing::Bool());
+
+TEST_P(SharedSolve, ACancelEndsTheWaitOfOneAndTheOtherGetsTheResult) {
+  value(watcher->open("plate", false, false));
+  const auto solver = wait_for("solver", [](const auto& w) { return w.state == "ready"; });
+  ASSERT_EQ(::kill(static_cast<pid_t>(solver.pid), SIGSTOP), 0);  // It will not end by itself.
+  const std::array<client::client*, 2> who{user.get(), watcher.get()};
+  std::array<execution, 2> runs;
+  std::array<std::future<expected<solve_report>>, 2> answers;
+  for (std::size_t i = 0; i < 2; ++i) {
+    answers[i] =
+      std::async(std::launch::async, [&, i] { return who[i]->solve({.device = "cpu"}, runs[i]); });
+    wait_for("solver", [](const auto& w) { return w.jobs == 1; });
+  }
+  EXPECT_EQ(answers[1].wait_for(std::chrono::milliseconds(200)), std::future_status::timeout);
+  const std::size_t leaves = GetParam() ? 0 : 1;
+
+  runs[leaves].cancel.cancel();
+
+  const auto ended = answers[leaves].get();
+  ::kill(static_cast<pid_t>(solver.pid), SIGCONT);
+  ASSERT_FALSE(ended.has_value());
+  EXPECT_EQ(ended.error().code, ec::cancelled) << render(ended.error());
+  EXPECT_LT(value(answers[1 - leaves].get()).true_relative_residual, 1e-6);
+  // Who stayed has asked for every head.
+  const auto next = value(fill());
+  EXPECT_EQ(value(user->wait_field(next.head.version_id, patience)).report.version_id,
+            next.head.version_id);
+}
+
 TEST_F(WorkerDeath, TooManyDeathsDegradeTheRoleAndOthersGoOn) {
   for (int death = 0; death < 4; ++death) {
     const auto ready =
