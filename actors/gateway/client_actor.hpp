@@ -32,7 +32,7 @@ struct gateway_parts {
   actors::hub_actor hub;
   std::string token;  ///< Empty: nobody is asked for one (tests and servers inside a program).
   std::string server_name;
-  std::function<std::size_t()> connections;
+  std::function<std::size_t()> connections;  ///< Set by `start_gateway`.
 };
 
 /// One client: what it has open, what runs for it, what is on its way to it. The members are called

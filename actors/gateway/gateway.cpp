@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/gateway/gateway.hpp"
 
+#include <atomic>
+
 #include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <nlohmann/json.hpp>
@@ -9,11 +11,16 @@ namespace tedit::gateway {
 
 namespace {
 
+using connection_count = std::shared_ptr<std::atomic<std::size_t>>;
+
 /// Hands what a connection receives to its actor. Nothing is decoded on the I/O thread.
 class forwarder : public connection_handler {
 public:
-  forwarder(caf::actor client, std::string peer)
-      : client_(std::move(client)), peer_(std::move(peer)) {}
+  forwarder(caf::actor client, std::string peer, connection_count open)
+      : client_(std::move(client)), peer_(std::move(peer)), open_(std::move(open)) {
+    ++*open_;
+  }
+  ~forwarder() override { --*open_; }
 
   void on_message(std::string bytes) override { caf::anon_send(client_, std::move(bytes)); }
   void on_drained() override { caf::anon_send(client_, drained_atom::value); }
@@ -25,6 +32,7 @@ public:
 private:
   caf::actor client_;
   std::string peer_;
+  connection_count open_;
 };
 
 }  // namespace
@@ -35,9 +43,12 @@ expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
   options.health = [server_name] {
     return nlohmann::ordered_json{{"status", "ok"}, {"server", server_name}}.dump();
   };
-  options.accept = [&system, parts](std::shared_ptr<connection> to) {
+  // Counted here, not asked of the transport: actors of clients may outlive it.
+  const auto open = std::make_shared<std::atomic<std::size_t>>(0);
+  parts.connections = [open] { return open->load(); };
+  options.accept = [&system, parts, open](std::shared_ptr<connection> to) {
     const auto peer = to->peer();
-    return std::make_unique<forwarder>(system.spawn(make_client, std::move(to), parts), peer);
+    return std::make_unique<forwarder>(system.spawn(make_client, std::move(to), parts), peer, open);
   };
   return transport::start(std::move(options));
 }

@@ -5,8 +5,8 @@
 
 namespace tedit::gateway {
 
-/// Listens for clients and gives each its own actor. `options.accept` and `options.health` are set
-/// here. Errors: those of `transport::start`.
+/// Listens for clients and gives each its own actor. `options.accept`, `options.health` and
+/// `parts.connections` are set here. Errors: those of `transport::start`.
 [[nodiscard]] expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
                                                                  transport_options options,
                                                                  gateway_parts parts);

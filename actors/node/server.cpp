@@ -131,11 +131,8 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   door.address = options.address;
   door.port = options.port;
   door.allowed_origins = options.allowed_origins;
-  auto* state = made.get();
-  auto opened = gateway::start_gateway(
-    system, std::move(door), {hub, options.token, "tedit " TEDIT_VERSION, [state] {
-                                return state->door ? state->door->connections() : std::size_t{0};
-                              }});
+  auto opened = gateway::start_gateway(system, std::move(door),
+                                       {hub, options.token, "tedit " TEDIT_VERSION, {}});
   if (!opened) {
     made->stop();
     return fail(opened.error());
