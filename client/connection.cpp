@@ -273,7 +273,8 @@ expected<void> connection::dispatch_bulk(v1::ServerMessage& message, const v1::S
   const auto request = find(id);
   if (request) {
     const std::lock_guard lock(mutex_);
-    request->result.message = message;  // Done with the last chunk.
+    if (!request->done)
+      request->result.message = message;  // Done with the last chunk.
   }
   return inbox_.take(stream, request ? id : 0, bytes);
 }
@@ -369,7 +370,8 @@ void connection::bulk_came(std::uint64_t id, incoming_stream data) {
   if (const auto request = find(id)) {
     {
       const std::lock_guard lock(mutex_);
-      request->result.bulk = std::move(data);
+      if (!request->done)
+        request->result.bulk = std::move(data);
       request->done = true;
     }
     changed_.notify_all();

@@ -75,7 +75,8 @@ public:
 private:
   using clock = std::chrono::steady_clock;
 
-  /// A request without an answer yet; guarded by the mutex.
+  /// A request without an answer yet; guarded by the mutex. Once it is `done`, who asked reads the
+  /// result without it: nothing that the server may still send changes it then.
   struct pending {
     std::uint64_t first = 0;  ///< The ids from here to the key of `pending_` belong to it.
     bool done = false;
