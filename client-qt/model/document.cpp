@@ -38,6 +38,7 @@ document::document(remote& link, QObject* parent) : QObject(parent), link_(link)
     if (row == versions_.end() || row->second.info.version_id != info.version_id)
       return;
     row->second.info = info;
+    row->second.annotation = ++annotations_;
     emit history_changed();
   });
   connect(&link_, &remote::solve_status, this, &document::take_status);
@@ -361,17 +362,19 @@ void document::take_commit(const client::committed& what) {
 
 /// As the server does it: a new version has its parent's load cases without what is gone.
 void document::refresh_history() {
-  const int mine = opening_;
-  link_.run<client::history>([](client::client& c, const execution&) { return c.get_history(); },
-                             [this, mine](const expected<client::history>& got) {
-                               if (got && mine == opening_)
-                                 take_history(*got);
-                             });
+  link_.run<client::history>(
+    [](client::client& c, const execution&) { return c.get_history(); },
+    [this, mine = opening_, known = annotations_](const expected<client::history>& got) {
+      if (got && mine == opening_)
+        take_history(*got, known);
+    });
 }
 
-void document::take_history(const client::history& history) {
+/// Answers and events come on two ways: a name that was told since this was asked for is newer.
+void document::take_history(const client::history& history, int known) {
   for (const auto& info : history.versions)
-    versions_[info.number].info = info;
+    if (auto& row = versions_[info.number]; row.annotation <= known)
+      row.info = info;
   emit history_changed();
 }
 

@@ -25,6 +25,7 @@ struct version_record {
   std::vector<shared_field> fields;        ///< One for each load case, then their envelope.
   std::vector<fem::load_case> load_cases;  ///< As the server said when it was the head.
   std::optional<solve_outcome> outcome;    ///< The converged one.
+  int annotation = 0;                      ///< Which of all annotations was its last.
 };
 
 /// What an edit would make; its version is nowhere but here.
@@ -171,7 +172,7 @@ private:
   void take_status(const client::solve_status& status);
   void take_load_cases(const std::vector<fem::load_case>& loads);
   void take_other_load_cases(const std::vector<fem::load_case>& loads);
-  void take_history(const client::history& history);
+  void take_history(const client::history& history, int known);
   void send_watch();
   void load_catalogue();
   void set_field_state(field_state next);
@@ -197,6 +198,7 @@ private:
   int load_requests_ = 0;  ///< The same for load cases.
   field_state field_state_ = field_state::none;
   client::solve_status solve_status_;
+  int annotations_ = 0;
   int opening_ = 0;  ///< Answers to an earlier opening are not for us.
 };
 

@@ -153,6 +153,18 @@ TEST_F(Window, ANameIsKeptByTheServer) {
   EXPECT_EQ(part().head()->info.note, "from the shelf");
 }
 
+TEST_F(Window, AHistoryThatWasAskedForBeforeItTakesNoNameAway) {
+  open_plate(false);
+  auto named = part().head()->info;
+  named.name = "as bought";
+  part().refresh_history();
+  emit window->link().annotated(named);  // Overtakes the answer.
+  QSignalSpy answers(&part(), &document::history_changed);
+
+  ASSERT_TRUE(wait([&] { return !answers.isEmpty(); }));
+  EXPECT_EQ(part().head()->info.name, "as bought");
+}
+
 TEST_F(Window, ALoadCaseCanBeRemovedTheLastOneToo) {
   open_plate();
   auto second = part().load_cases().front();
