@@ -327,4 +327,13 @@ std::vector<double> legend::ticks(int most) const {
   return result;
 }
 
+bool legend::draws_like(const legend& other) const {
+  legend same_range = other;
+  if (mode == range_mode::automatic) {
+    same_range.low = low;
+    same_range.high = high;
+  }
+  return *this == same_range;
+}
+
 }  // namespace tedit::desktop

@@ -104,6 +104,11 @@ struct legend {
   /// At most `most` round values between low and high, ascending, in SI; with a logarithmic scale
   /// powers of ten and their halves.
   [[nodiscard]] std::vector<double> ticks(int most) const;
+
+  /// Whether both give any values the same colours: an automatic range is that of the values.
+  [[nodiscard]] bool draws_like(const legend& other) const;
+
+  friend bool operator==(const legend&, const legend&) = default;
 };
 
 }  // namespace tedit::desktop

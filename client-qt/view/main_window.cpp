@@ -29,6 +29,7 @@
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/view/preview_box.hpp"
 #include "client-qt/view/receipt_panel.hpp"
+#include "client-qt/view/rehearsal.hpp"
 #include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/truth_line.hpp"
 #include "client-qt/view/view_cube.hpp"
@@ -63,6 +64,7 @@ main_window::main_window(const QString& state_folder)
   pages_ = new QStackedWidget;
   welcome_ = new welcome_page;
   view_ = new viewport;
+  rehearsal_ = new rehearsal(*view_, view_);
   overlay_ = new overlay(*view_);
   cube_ = new view_cube(*view_);
   pages_->addWidget(welcome_);
@@ -401,6 +403,11 @@ void main_window::log(const QString& line, log_level level) {
 }
 
 // -- the window ----------------------------------------------------------------------
+
+void main_window::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  rehearsal_->start();
+}
 
 void main_window::closeEvent(QCloseEvent* event) {
   settings_.setValue("geometry", saveGeometry());

@@ -35,6 +35,7 @@ class probes;
 class receipt_panel;
 class recipe_player;
 class recorder;
+class rehearsal;
 class section_bar;
 class truth_line;
 class view_cube;
@@ -90,6 +91,7 @@ signals:
   void hidden_changed();
 
 protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -186,6 +188,7 @@ private:
   QStackedWidget* pages_;
   welcome_page* welcome_;
   viewport* view_;
+  rehearsal* rehearsal_;  ///< Of the view.
   overlay* overlay_;
   view_cube* cube_;
   banner* banner_;

@@ -99,8 +99,8 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   for (auto* highlight : {selected_actor_.Get(), hover_actor_.Get()}) {
     matt(highlight->GetProperty());
     highlight->PickableOff();
-    renderer_->AddActor(highlight);
   }
+  renderer_->AddActor(selected_actor_);
   selected_actor_->SetMapper(selected_mapper_);
   hover_actor_->SetMapper(hover_mapper_);
   hover_actor_->GetProperty()->SetOpacity(0.75);
@@ -123,6 +123,9 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   for (auto* actor :
        {face_actor_.Get(), edge_actor_.Get(), load_actor_.Get(), support_actor_.Get()})
     renderer_->AddActor(actor);
+  // Drawn last, it needs no sorting of what can be seen through, which costs two passes more.
+  hover_actor_->ForceOpaqueOn();
+  renderer_->AddActor(hover_actor_);
   for (auto* actor :
        {selected_actor_.Get(), hover_actor_.Get(), load_actor_.Get(), support_actor_.Get()})
     actor->VisibilityOff();

@@ -115,9 +115,22 @@ double vtk_view::pixel_ratio() const {
 }
 
 void vtk_view::paintGL() {
+  if (unseen_) {
+    if (!renderer_->GetDraw())
+      draw();
+    return;
+  }
   QElapsedTimer clock;
   clock.start();
   about_to_draw();
+  draw();
+  frame_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+  ++frames_;
+  suit_coarseness();
+  emit drawn();
+}
+
+void vtk_view::draw() {
   auto* state = window_->GetState();
   state->Reset();
   state->Push();
@@ -136,10 +149,36 @@ void vtk_view::paintGL() {
   window_->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, shown.width(), shown.height(),
                                   GL_COLOR_BUFFER_BIT, quick_ ? GL_LINEAR : GL_NEAREST);
   state->Pop();
-  frame_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-  ++frames_;
-  suit_coarseness();
-  emit drawn();
+}
+
+bool vtk_view::draw_unseen(vtkRenderer* other, bool quickly) {
+  if (isVisible() || (quickly && !software_))
+    return false;
+  if (other && !window_->HasRenderer(other))
+    window_->AddRenderer(other);
+  renderer_->SetDraw(other == nullptr);
+  if (other)
+    other->DrawOn();
+  unseen_ = true;
+  quick_ = quickly;
+  if (isValid())
+    set_pixels();
+  const bool drawn = !grabFramebuffer().isNull();
+  quick_ = false;
+  set_pixels();
+  unseen_ = false;
+  if (other)
+    other->DrawOff();
+  renderer_->DrawOn();
+  return drawn;
+}
+
+void vtk_view::forget(vtkRenderer* other) {
+  if (!window_->HasRenderer(other))
+    return;
+  makeCurrent();
+  window_->RemoveRenderer(other);
+  doneCurrent();
 }
 
 void vtk_view::suit_coarseness() {

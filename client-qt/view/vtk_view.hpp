@@ -34,6 +34,12 @@ public:
   void draw_quickly();
   [[nodiscard]] bool draws_quickly() const noexcept { return quick_; }
 
+  /// Draws what another renderer shows in a frame that nobody sees; `quickly`: as while the part is
+  /// turned; null: only gets ready to draw. False: the view is shown, or cannot draw. `forget` must
+  /// follow the last one.
+  bool draw_unseen(vtkRenderer* other, bool quickly);
+  void forget(vtkRenderer* other);
+
   /// Pixels that are drawn for one of the widget.
   [[nodiscard]] double pixel_ratio() const;
 
@@ -55,6 +61,7 @@ protected:
 
 private:
   void release();
+  void draw();
   void set_pixels();
   void suit_coarseness();
   static void on_make_current(vtkObject* caller, unsigned long event, void* self, void* data);
@@ -66,6 +73,7 @@ private:
   int frames_ = 0;
   bool software_ = false;
   bool quick_ = false;
+  bool unseen_ = false;
   int coarseness_ = 2;  ///< Of quick frames: pixels of the widget for one that is drawn, each way.
   QTimer fine_again_;
 };

@@ -148,6 +148,21 @@ TEST(Legend, BandsHaveOneColourEachAndTicksAtTheirEdges) {
   EXPECT_EQ(by.levels().size(), 9U);
 }
 
+TEST(Legend, AnAutomaticRangeIsThatOfTheValuesAndNoOther) {
+  legend one;
+  legend other = one;
+  one.low = 3;
+  one.high = 7;
+
+  EXPECT_TRUE(one.draws_like(other));
+  EXPECT_TRUE(other.draws_like(one));
+  other.map = colour_map::grey;
+  EXPECT_FALSE(one.draws_like(other));
+  other.map = one.map;
+  other.mode = one.mode = range_mode::manual;
+  EXPECT_FALSE(one.draws_like(other));
+}
+
 TEST(Fields, EachIsInOneGroupAndSaysWhatItIs) {
   std::set<shown_field> seen;
   for (const auto& group : field_groups())

@@ -74,6 +74,24 @@ TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
               0.01 * view().value_extremes()->low);
 }
 
+TEST_F(Window, WhatChangesNoColourPaintsNothing) {
+  open_plate();
+  const auto values = view().values().data();
+  QSignalSpy painted(&view(), &viewport::legend_changed);
+  legend same = view().current_legend();
+  same.low = -1;  // Automatic: the values' own range holds.
+
+  view().set_legend(same);
+  EXPECT_EQ(painted.count(), 0);
+  view().show_part(view().current());  // `shown` follows all the same.
+  EXPECT_EQ(view().values().data(), values);
+  legend other = same;
+  other.map = colour_map::grey;
+  view().set_legend(other);
+  EXPECT_EQ(painted.count(), 2);
+  EXPECT_GE(view().current_legend().low, 0);
+}
+
 TEST_F(Window, IsolinesAreDrawnAndTakenAwayAgain) {
   open_plate();
   const auto bare = window->picture();

@@ -6,6 +6,12 @@
 #include <QListWidget>
 #include <QToolBar>
 
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+
+#include "client-qt/view/rehearsal.hpp"
+
 namespace tedit::desktop {
 namespace {
 
@@ -24,6 +30,18 @@ protected:
   }
   [[nodiscard]] bool has_rail() { return !window->findChild<QToolBar*>("rail")->isHidden(); }
 };
+
+TEST_F(Start, TheViewGetsReadyUnseenAndBeginsEmpty) {
+  auto* before = window->findChild<rehearsal*>();
+  ASSERT_NE(before, nullptr);
+  ASSERT_TRUE(wait([&] { return !before->is_on(); }));
+
+  EXPECT_TRUE(view().isValid());  // Its context is there, though it is not shown.
+  EXPECT_FALSE(view().isVisible());
+  EXPECT_EQ(view().frames(), 0);
+  EXPECT_EQ(view().geometry(), nullptr);
+  EXPECT_EQ(view().renderer()->GetRenderWindow()->GetRenderers()->GetNumberOfItems(), 1);
+}
 
 TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {
   EXPECT_TRUE(shown_docks().isEmpty()) << shown_docks().join(" ").toStdString();
