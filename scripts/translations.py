@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Checks the window's translations, or takes new words of the sources into them.
 
-usage: scripts/translations.py [--update] [--lupdate PROGRAM]
+usage: scripts/translations.py [--update] [--new LANGUAGE] [--lupdate PROGRAM]
 
-Checks that every word of client-qt is in client-qt/translations/tedit_*.ts, that every translation but the template
-(tedit_en.ts) is complete, and that placeholders (%1), shortcuts' leading and trailing blanks and line breaks are kept.
-With --update it runs lupdate first, which changes the files. Without lupdate (package qt6-l10n-tools) the words of the
-sources are not compared. Exit status: 0 all is well, 1 something is not, 2 usage.
+Checks that every word of client-qt is in client-qt/translations/tedit_*.ts, that every translation is complete, and
+that placeholders (%1), shortcuts' leading and trailing blanks and line breaks are kept. With --update it runs lupdate
+first, which changes the files; --new fr also begins tedit_fr.ts, with all words to be filled in. Without lupdate
+(package qt6-l10n-tools) the words of the sources are not compared. Exit status: 0 all is well, 1 something is not,
+2 usage.
 """
 import argparse
 import pathlib
@@ -18,7 +19,6 @@ import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "client-qt" / "translations"
-TEMPLATE = "tedit_en.ts"
 
 
 def run_lupdate(program, targets):
@@ -57,8 +57,6 @@ def check(path, wanted):
         yield f"{path.name}: {context}: {source!r} is missing"
     for context, source in sorted(found.keys() - wanted):
         yield f"{path.name}: {context}: {source!r} is no word of the window any more"
-    if path.name == TEMPLATE:
-        return
     for (context, source), (translation, finished) in found.items():
         for fault in faults_of(source, translation, finished):
             yield f"{path.name}: {context}: {source!r} {fault}"
@@ -66,7 +64,7 @@ def check(path, wanted):
 
 def words_of_the_sources(lupdate):
     with tempfile.TemporaryDirectory() as folder:
-        fresh = pathlib.Path(folder) / TEMPLATE
+        fresh = pathlib.Path(folder) / "words.ts"
         run_lupdate(lupdate, [fresh])
         return messages(fresh).keys()
 
@@ -74,23 +72,30 @@ def words_of_the_sources(lupdate):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--update", action="store_true", help="take new words into the files first")
+    parser.add_argument("--new", metavar="LANGUAGE", help="begin the translation into a language more, as fr or pt_BR")
     parser.add_argument("--lupdate", default="/usr/lib/qt6/bin/lupdate", help="the program of qt6-l10n-tools")
     wanted = parser.parse_args()
     files = sorted(FOLDER.glob("tedit_*.ts"))
     has_lupdate = pathlib.Path(wanted.lupdate).exists()
-    if wanted.update:
+    if wanted.new and not re.fullmatch(r"[a-z]{2,3}(_[A-Z]{2})?", wanted.new):
+        parser.error(f"--new wants a language as fr or pt_BR, not {wanted.new!r}")
+    if wanted.update or wanted.new:
         if not has_lupdate:
             print(f"translations.py: {wanted.lupdate} is not there; install qt6-l10n-tools", file=sys.stderr)
             return 2
+        files = sorted({*files, FOLDER / f"tedit_{wanted.new}.ts"} if wanted.new else files)
         run_lupdate(wanted.lupdate, files)
-    words = words_of_the_sources(wanted.lupdate) if has_lupdate else messages(FOLDER / TEMPLATE).keys()
+    if wanted.new:
+        print(f"fill in client-qt/translations/tedit_{wanted.new}.ts, then run scripts/translations.py")
+        return 0
+    words = words_of_the_sources(wanted.lupdate) if has_lupdate else messages(files[0]).keys()
     faults = [fault for path in files for fault in check(path, words)]
     for fault in faults:
         print(fault, file=sys.stderr)
     if faults:
         print("run scripts/translations.py --update, then fill in what is missing", file=sys.stderr)
         return 1
-    print(f"translations: {len(words)} words, {len(files) - 1} languages besides English")
+    print(f"translations: {len(words)} words, {len(files)} languages besides English")
     return 0
 
 

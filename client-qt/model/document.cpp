@@ -251,8 +251,10 @@ void document::send_load_cases(std::vector<fem::load_case> loads, std::function<
           return fail(std::move(ok.error()));
       return true;
     },
-    [this, then = std::move(then)](const expected<bool>& ok) {
+    [this, then = std::move(then), mine = opening_](const expected<bool>& ok) {
       --load_requests_;
+      if (mine != opening_)
+        return;
       if (!ok) {
         emit failed(tr("Set the load cases"), ok.error());
         return;

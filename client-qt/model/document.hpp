@@ -93,6 +93,9 @@ public:
   [[nodiscard]] bool changes_loads() const noexcept { return load_requests_ > 0; }
   /// Takes a load case from the head, and solves what is left.
   void remove_load_case(const std::string& name);
+  /// Gives a load case the name that `renamed` has: the head is never without it. One request, so
+  /// that nothing comes between.
+  void rename_load_case(const std::string& before, const fem::load_case& renamed);
   /// Gives a version another name and note.
   void annotate(std::uint32_t number, const QString& name, const QString& note);
   /// Fields bring this, too, from now on, and the one of the head comes again with it. What was

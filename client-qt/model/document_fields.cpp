@@ -121,6 +121,30 @@ void document::remove_load_case(const std::string& name) {
     });
 }
 
+void document::rename_load_case(const std::string& before, const fem::load_case& renamed) {
+  ++load_requests_;
+  link_.run<bool>(
+    [before, renamed](client::client& c, const execution&) -> expected<bool> {
+      if (auto ok = c.set_load_case(renamed); !ok)
+        return fail(std::move(ok.error()));
+      if (auto ok = c.remove_load_case(before); !ok)
+        return fail(std::move(ok.error()));
+      return true;
+    },
+    [this, before, renamed, mine = opening_](const expected<bool>& ok) {
+      --load_requests_;
+      if (mine != opening_)
+        return;
+      if (!ok) {
+        emit failed(tr("Rename the load case"), ok.error());
+        return;
+      }
+      emit load_case_set(renamed);
+      emit load_case_removed(before);
+      solve();
+    });
+}
+
 void document::annotate(std::uint32_t number, const QString& name, const QString& note) {
   link_.run<bool>(
     [number, name = name.toStdString(), note = note.toStdString()](

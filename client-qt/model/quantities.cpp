@@ -2,6 +2,7 @@
 #include "client-qt/model/quantities.hpp"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <cmath>
 #include <numbers>
@@ -85,6 +86,14 @@ QString change(double before, double after) {
   const QString text =
     QString::number(std::abs(percent), 'f', std::abs(percent) < 10 ? 1 : 0) + " %";
   return (percent < 0 ? QString::fromUtf8("−") : QString("+")) + text;
+}
+
+QString words_of(const std::string& said) {
+  static const QRegularExpression power(R"(\b([mck]?m)([23])\b)");
+  QString text = QString::fromStdString(said);
+  for (auto found = power.match(text); found.hasMatch(); found = power.match(text))
+    text.replace(found.capturedStart(2), 1, QChar(found.captured(2) == "2" ? 0x00b2 : 0x00b3));
+  return text;
 }
 
 }  // namespace tedit::desktop

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <optional>
+#include <string>
 
 namespace tedit::desktop {
 
@@ -30,5 +31,9 @@ struct display_unit {
 [[nodiscard]] QString count(double items);
 /// A change in percent with its sign: "+3.2 %"; nothing when `before` is zero.
 [[nodiscard]] QString change(double before, double after);
+
+/// What the server says, which writes no letters beyond ASCII, as the window writes it: "3 mm²" for
+/// "3 mm2".
+[[nodiscard]] QString words_of(const std::string& said);
 
 }  // namespace tedit::desktop

@@ -966,6 +966,10 @@ Inhalt %1</translation>
         <source>Stop the solver</source>
         <translation>Löser anhalten</translation>
     </message>
+    <message>
+        <source>Rename the load case</source>
+        <translation>Lastfall umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::field_panel</name>

@@ -10,7 +10,6 @@ endif()
 set(folder "${CMAKE_BINARY_DIR}/share/tedit/translations")
 file(MAKE_DIRECTORY "${folder}")
 file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/tedit_*.ts")
-list(FILTER sources EXCLUDE REGEX "tedit_en[.]ts$")
 foreach(source IN LISTS sources)
   cmake_path(GET source STEM name)
   add_custom_command(

@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include "client-qt/model/quantities.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -41,7 +43,7 @@ QString explained(const error& reason) {
     text += "\n" + banner::tr("Where: %1").arg(QString::fromStdString(reason.where));
   if (!reason.remedy.empty())
     text += "\n" + sentence(reason.remedy);
-  return text;
+  return words_of(text.toStdString());
 }
 
 banner::banner(QWidget* parent) : QFrame(parent) {

@@ -20,6 +20,8 @@ public:
     vec3 focus;
     vec3 up;
     double parallel_scale = 1;
+
+    friend bool operator==(const pose&, const pose&) = default;
   };
 
   /// From space to pixels (from the lower left), as it was when it was asked for.

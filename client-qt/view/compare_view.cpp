@@ -20,6 +20,8 @@
 
 namespace tedit::desktop {
 
+static constexpr int narrowest_pane = 200;  // Two of them must not widen the window.
+
 compare_view::compare_view(document& part, QWidget* parent) : QWidget(parent), part_(part) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -91,6 +93,7 @@ compare_view::pane compare_view::make_pane(const char* name) {
   made.title->setContentsMargins(12, 2, 12, 6);
   made.view = new viewport;
   made.view->setObjectName(name);
+  made.view->setMinimumWidth(narrowest_pane);
   made.over = new overlay(*made.view);
   made.over->show_extremes(true);
   made.over->show_legend(false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/context_panel.hpp"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -173,6 +174,13 @@ static void clear(QLayout* layout) {
       item->widget()->deleteLater();
     delete item;
   }
+}
+
+/// The icons have the colour of the words.
+void context_panel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && body_layout_ && operation_.isEmpty())
+    show_offers();
 }
 
 void context_panel::show_offers() {

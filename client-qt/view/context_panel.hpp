@@ -35,6 +35,9 @@ signals:
   /// A person wants to see these surfaces.
   void place_wanted(const std::vector<tedit::surface_id>& surfaces);
 
+protected:
+  void changeEvent(QEvent* event) override;
+
 private:
   void follow();
   void show_selection();
@@ -53,7 +56,7 @@ private:
   QLabel* loads_;
   QWidget* growing_;
   QWidget* body_;
-  QVBoxLayout* body_layout_;
+  QVBoxLayout* body_layout_ = nullptr;
   QPointer<operation_form> form_;
   QPointer<QPushButton> apply_;
   QPointer<QLabel> hint_;

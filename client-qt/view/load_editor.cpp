@@ -43,6 +43,23 @@ void fill(const std::array<QLineEdit*, 3>& fields, const vec3& value, double sca
     fields[i]->setText(plain(parts[i] / scale));
 }
 
+/// Words that get the height that they need at their width: a form in a form does not give it.
+class wrapped_label : public QLabel {
+public:
+  wrapped_label() { setWordWrap(true); }
+
+  void show_words(const QString& words) {
+    setText(words);
+    setMinimumHeight(words.isEmpty() ? 0 : heightForWidth(width()));
+  }
+
+protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    show_words(text());
+  }
+};
+
 }  // namespace
 
 load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
@@ -93,10 +110,9 @@ load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
 // -- building ------------------------------------------------------------------------
 
 QLabel* load_editor::fault_label(const char* field) {
-  auto* label = new QLabel;
+  auto* label = new wrapped_label;
   label->setObjectName(QString("fault_") + field);
   label->setProperty("role", "fault");
-  label->setWordWrap(true);
   label->hide();
   fault_labels_[field].push_back(label);
   return label;
@@ -402,10 +418,11 @@ void load_editor::check() {
   for (const auto& [field, labels] : fault_labels_) {
     const auto fault = std::ranges::find(found, field, &item_fault::field);
     for (auto* label : labels) {
-      label->setText(fault == found.end() ? QString() : fault->words);
       label->setProperty("role", touched_ ? "fault" : "faint");
       label->style()->unpolish(label);
       label->style()->polish(label);
+      static_cast<wrapped_label*>(label)->show_words(fault == found.end() ? QString()
+                                                                          : fault->words);
       label->setVisible(fault != found.end() &&
                         (field != "surfaces" || picking_->isVisibleTo(this)));
     }

@@ -425,7 +425,6 @@ void loads_panel::remove_current() {
     drop(*place);
 }
 
-/// The one of the new name is sent first: the head is never without it.
 void loads_panel::renamed(QTreeWidgetItem* row) {
   if (filling_)
     return;
@@ -439,13 +438,15 @@ void loads_panel::renamed(QTreeWidgetItem* row) {
   }
   auto copy = *loads;
   copy.name = name;
-  if (!find(before, part_.load_cases()))  // Never sent: it is only another name.
+  const bool is_whole = missing(copy).isEmpty();
+  const bool is_sent = find(before, part_.load_cases()) != nullptr;
+  if (is_whole || !is_sent)
     std::erase_if(drafts_, [&](const auto& one) { return one.name == before; });
-  change(copy);
-  if (missing(copy).isEmpty() && find(before, part_.load_cases())) {
-    std::erase_if(drafts_, [&](const auto& one) { return one.name == before; });
-    part_.remove_load_case(before);
-  }
+  if (!is_whole || !is_sent)
+    return change(copy);
+  put(drafts_, copy);
+  part_.rename_load_case(before, copy);
+  refresh();
 }
 
 void loads_panel::change(const fem::load_case& loads) {

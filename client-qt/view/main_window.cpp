@@ -64,6 +64,7 @@ main_window::main_window(const QString& state_folder)
   pages_ = new QStackedWidget;
   welcome_ = new welcome_page;
   view_ = new viewport;
+  view_->keep_fitted(true);
   rehearsal_ = new rehearsal(*view_, view_);
   overlay_ = new overlay(*view_);
   cube_ = new view_cube(*view_);

@@ -230,6 +230,8 @@ void overlay::paintEvent(QPaintEvent* event) {
 QImage overlay::picture(int width, int height) {
   const QSize before = view_.size();
   const bool other = width > 0 && height > 0 && QSize(width, height) != before;
+  const bool kept_fitted = view_.keeps_fitted();
+  view_.keep_fitted(false);  // The picture is of what is seen.
   if (other)
     view_.resize(width, height);
   QImage image = view_.grabFramebuffer();
@@ -241,6 +243,7 @@ QImage overlay::picture(int width, int height) {
   }
   if (other)
     view_.resize(before);
+  view_.keep_fitted(kept_fitted);
   return image;
 }
 

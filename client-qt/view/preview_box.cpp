@@ -36,7 +36,7 @@ QLabel* make_label(const char* role) {
 }
 
 QString escaped(const std::string& text) {
-  return QString::fromStdString(text).toHtmlEscaped();
+  return words_of(text).toHtmlEscaped();
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ QString receipt_html(const edit_report& report) {
     html += "<ul>";
     for (const auto& line : report.receipt)
       if (line.fate != fem::receipt_fate::kept)
-        html += "<li>" + QString::fromStdString(line.text).toHtmlEscaped() + "</li>";
+        html += "<li>" + words_of(line.text).toHtmlEscaped() + "</li>";
     html += "</ul>";
   }
   html += "<table>";
@@ -87,7 +87,7 @@ QString receipt_html(const edit_report& report) {
                 .arg(number(report.touched_min_before), number(report.touched_min_after)));
   for (const auto& figure : report.figures)
     html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
-                number(figure.value) + " " + QString::fromStdString(figure.unit));
+                number(figure.value) + " " + words_of(figure.unit));
   // An edit takes over what its preview made.
   const bool was_ready = report.total_ms < report.operation_ms;
   html += row(phrases::tr("Time"),
@@ -104,7 +104,7 @@ QString receipt_html(const edit_report& report) {
   if (!surfaces.isEmpty())
     html += "<p><b>" + phrases::tr("Surfaces") + "</b></p><table>" + surfaces + "</table>";
   for (const auto& text : report.notices)
-    html += "<p>" + QString::fromStdString(text).toHtmlEscaped() + "</p>";
+    html += "<p>" + words_of(text).toHtmlEscaped() + "</p>";
   return html;
 }
 

@@ -106,13 +106,15 @@ void recorder::wire() {
 }
 
 void recorder::wire_loads() {
-  connect(&window_.part(), &document::load_case_set, this, [this](const fem::load_case& loads) {
-    const auto text = QByteArray::fromStdString(protocol::load_case_to_json(loads));
-    add({{"load_case", QJsonDocument::fromJson(text).object()}});
-  });
+  connect(&window_.part(), &document::load_case_set, this, &recorder::add_loads);
   connect(&window_.part(), &document::load_case_removed, this, [this](const std::string& name) {
     add({{"remove_load_case", QString::fromStdString(name)}});
   });
+}
+
+void recorder::add_loads(const fem::load_case& loads) {
+  const auto text = QByteArray::fromStdString(protocol::load_case_to_json(loads));
+  add({{"load_case", QJsonDocument::fromJson(text).object()}});
 }
 
 void recorder::wire_probes() {
@@ -144,6 +146,8 @@ void recorder::start() {
   on_ = true;
   const auto* head = window_.part().head();
   head_ = head ? head->info.number : 0;
+  for (const auto& one : window_.part().load_cases())
+    add_loads(one);
   fields_changed();
   look();
   add({{"select", to_json(window_.picked().surfaces())}});

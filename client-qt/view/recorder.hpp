@@ -24,7 +24,7 @@ class recorder : public QObject {
 public:
   explicit recorder(main_window& window);
 
-  /// Begins anew, with how the part is looked at now.
+  /// Begins anew, with the load cases as they are and how the part is looked at now.
   void start();
   void stop();
   [[nodiscard]] bool is_on() const noexcept { return on_; }
@@ -40,6 +40,7 @@ private:
   void wire_loads();
   void wire_probes();
   void add_hidden();
+  void add_loads(const fem::load_case& loads);
   void add_probe(const probe& what);
   void add(const QJsonObject& step);
   void look();

@@ -50,7 +50,7 @@ QListView::item:selected, QTreeView::item:selected { background: %PRESSED%; colo
 QProgressBar { border: 0; border-radius: 3px; background: %LINE%; max-height: 6px; }
 QProgressBar::chunk { background: %ACCENT%; border-radius: 3px; }
 QLabel[role="title"] { font-size: 15px; font-weight: 600; }
-QLabel[role="section"] { font-weight: 600; padding-top: 6px; }
+QLabel[role="section"] { font-weight: 600; padding-top: 6px; qproperty-indent: 0; }
 QLabel[role="faint"] { color: %FAINT%; }
 QLabel[role="fault"] { color: %FAULT%; }
 )";

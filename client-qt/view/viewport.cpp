@@ -285,6 +285,7 @@ void viewport::fit(const std::vector<surface_id>& around) {
   }
   fitted_ = true;
   camera_.fit(bounds);
+  whole_ = around.empty() ? std::optional(camera_.get()) : std::nullopt;
   redraw();
   emit view_changed();
 }
@@ -303,6 +304,8 @@ double viewport::free_aspect(const QSize& size) const {
 void viewport::resizeEvent(QResizeEvent* event) {
   vtk_view::resizeEvent(event);
   set_left_margin(left_margin_);
+  if (keeps_fitted_ && whole_ == camera_.get())
+    fit();
 }
 
 void viewport::look_from(camera::direction from) {

@@ -71,6 +71,10 @@ public:
   [[nodiscard]] camera& view() { return camera_; }
   /// Puts the whole part, or some surfaces of it, into the view.
   void fit(const std::vector<surface_id>& around = {});
+  /// As long as nobody turns or moves the part it is made to fit again when the view's size
+  /// changes.
+  void keep_fitted(bool on) { keeps_fitted_ = on; }
+  [[nodiscard]] bool keeps_fitted() const noexcept { return keeps_fitted_; }
   /// Pixels at the left that something else covers: what is made to fit stays beside them.
   void set_left_margin(int pixels);
   /// Width to height of what that leaves.
@@ -143,6 +147,8 @@ private:
   int generation_ = 0;
   bool building_ = false;
   bool fitted_ = false;
+  bool keeps_fitted_ = false;
+  std::optional<camera::pose> whole_;  ///< As the last fit of the whole part left it.
   bool isolines_ = false;
   bool contouring_ = false;
   int contours_ = 0;  ///< Lines of earlier values are not for us.

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "client-qt/view/recent_documents.hpp"
@@ -71,7 +72,16 @@ std::vector<example> shipped_examples() {
 }
 
 welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
-  auto* outer = new QHBoxLayout(this);
+  // Examples and recent documents may need more room than a small screen has.
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  all->addWidget(area);
+  auto* content = new QWidget;
+  area->setWidget(content);
+  auto* outer = new QHBoxLayout(content);
   outer->addStretch(1);
   auto* column = new QVBoxLayout;
   outer->addLayout(column, 3);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -59,6 +60,20 @@ TEST(LoadEditor, WhatIsWrongStandsAtItsField) {
   EXPECT_FALSE(fault->text().isEmpty());
   EXPECT_FALSE(editor.value());
   EXPECT_FALSE(field<QPushButton>(editor, "apply_item")->isEnabled());
+}
+
+TEST(LoadEditor, AFaultOfTwoLinesHasTheirRoom) {
+  load_editor editor(library);
+  editor.edit("Material", library[0]);
+  editor.resize(editor.minimumSizeHint().width(), 700);
+  editor.show();
+
+  field(editor, "poisson_ratio")->setText("0.5");
+  QApplication::processEvents();
+
+  const auto* fault = field<QLabel>(editor, "fault_poisson_ratio");
+  EXPECT_GT(fault->heightForWidth(fault->width()), fault->fontMetrics().height());
+  EXPECT_GE(fault->height(), fault->heightForWidth(fault->width()));
 }
 
 TEST(LoadEditor, AMaterialOfTheLibraryKeepsTheRegions) {

@@ -39,6 +39,11 @@ TEST(Quantities, LengthsChooseTheirUnit) {
   EXPECT_EQ(text(length(0)), "0 mm");
 }
 
+TEST(Quantities, WordsOfTheServerGetTheLettersOfTheWindow) {
+  EXPECT_EQ(text(words_of("12 mm2 (-3 %) and 0.5 mm3, 2 m2")), "12 mm² (-3 %) and 0.5 mm³, 2 m²");
+  EXPECT_EQ(text(words_of("surface mm22 of item3, 4 mm")), "surface mm22 of item3, 4 mm");
+}
+
 TEST(Quantities, Durations) {
   EXPECT_EQ(text(duration(3.14)), "3.1 ms");
   EXPECT_EQ(text(duration(87)), "87 ms");

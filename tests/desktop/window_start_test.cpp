@@ -126,5 +126,46 @@ TEST_F(Start, WhatIsBeingOpenedIsSaidOnTheStartPageAndCanBeCancelled) {
   EXPECT_FALSE(stage->isVisible());
 }
 
+TEST_F(Start, TheIconsOfOfferedOperationsHaveTheColourOfTheWords) {
+  window->set_dark(false);
+  open_plate(false);
+  window->picked().set({98});
+  const auto ink = [&] {
+    const auto* offer = window->findChild<QPushButton*>("offer_fill_hole");
+    const QImage drawn = offer->icon().pixmap(16, 16).toImage();
+    int lightest = 0;
+    for (int y = 0; y < drawn.height(); ++y)
+      for (int x = 0; x < drawn.width(); ++x)
+        if (drawn.pixelColor(x, y).alpha() > 200)
+          lightest = std::max(lightest, drawn.pixelColor(x, y).lightness());
+    return lightest;
+  };
+  EXPECT_LT(ink(), 128);
+
+  window->set_dark(true);
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_GT(ink(), 128);
+}
+
+TEST_F(Start, ThePartFitsTheViewAgainUntilItIsTurned) {
+  open_plate(false);
+  const auto far = [&] {
+    const auto pose = view().view().get();
+    const vec3 way = pose.position - pose.focus;
+    return std::sqrt(dot(way, way));
+  };
+  const double before = far();
+  const int width = view().width();
+  window->resize(window->width() - 250, window->height());
+  ASSERT_TRUE(wait([&] { return view().width() < width; }));
+  const double narrow = far();
+  EXPECT_GT(narrow, 1.05 * before);
+
+  view().view().rotate(0.1, 0);
+  window->resize(window->width() + 250, window->height());
+  ASSERT_TRUE(wait([&] { return view().width() == width; }));
+  EXPECT_NEAR(far(), narrow, 1e-9);
+}
+
 }  // namespace
 }  // namespace tedit::desktop
