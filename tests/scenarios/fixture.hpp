@@ -42,34 +42,6 @@ private:
   std::filesystem::path path_;
 };
 
-/// A server on a free port, with workers as processes of the built program or as threads.
-inline server_options options_for(const scratch_folder& folder, bool processes) {
-  server_options options;
-  options.documents = folder.path();
-  options.token = "secret-of-the-test";
-  options.device = "cpu";
-  options.worker_processes = processes;
-  options.program = TEDIT_BIN "/tedit";
-  return options;
-}
-
-inline std::unique_ptr<server> start(const server_options& options) {
-  auto started = server::start(options);
-  EXPECT_TRUE(started.has_value()) << render(started.error());
-  return started ? std::move(*started) : nullptr;
-}
-
-inline std::unique_ptr<client::client> connect(const std::string& url,
-                                               client::events handlers = {}) {
-  client::connect_options options;
-  options.url = url;
-  options.token = "secret-of-the-test";
-  options.client_name = "test";
-  auto connected = client::client::connect(options, std::move(handlers));
-  EXPECT_TRUE(connected.has_value()) << render(connected.error());
-  return connected ? std::move(*connected) : nullptr;
-}
-
 /// The value of an expected; the test fails with the error's words when there is none.
 template <class T>
 T value(expected<T> result) {
@@ -96,6 +68,31 @@ inline void expect_same(const client::surface_model& a, const client::surface_mo
   ASSERT_EQ(a.surfaces().size(), b.surfaces().size());
   for (const auto& [id, row] : b.surfaces())
     EXPECT_EQ(a.surfaces().at(id).area_m2, row.area_m2) << id;
+}
+
+/// A server on a free port, with workers as processes of the built program or as threads.
+inline server_options options_for(const scratch_folder& folder, bool processes) {
+  server_options options;
+  options.documents = folder.path();
+  options.token = "secret-of-the-test";
+  options.device = "cpu";
+  options.worker_processes = processes;
+  options.program = TEDIT_BIN "/tedit";
+  return options;
+}
+
+inline std::unique_ptr<server> start(const server_options& options) {
+  return value(server::start(options));
+}
+
+inline std::unique_ptr<client::client> connect(const std::string& url,
+                                               client::events handlers = {}) {
+  client::connect_options options;
+  options.url = url;
+  options.token = "secret-of-the-test";
+  options.client_name = "test";
+  options.timeout = patience;
+  return value(client::client::connect(options, std::move(handlers)));
 }
 
 }  // namespace tedit::test
