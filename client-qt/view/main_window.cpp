@@ -65,7 +65,7 @@ main_window::main_window(const QString& state_folder)
   welcome_ = new welcome_page;
   view_ = new viewport;
   view_->keep_fitted(true);
-  rehearsal_ = new rehearsal(*view_, view_);
+  rehearsal_ = std::make_unique<rehearsal>(*view_, this);
   overlay_ = new overlay(*view_);
   cube_ = new view_cube(*view_);
   pages_->addWidget(welcome_);

@@ -188,7 +188,7 @@ private:
   QStackedWidget* pages_;
   welcome_page* welcome_;
   viewport* view_;
-  rehearsal* rehearsal_;  ///< Of the view.
+  std::unique_ptr<rehearsal> rehearsal_;  ///< Must go before the view.
   overlay* overlay_;
   view_cube* cube_;
   banner* banner_;
