@@ -49,6 +49,7 @@ QListView::item, QTreeView::item { padding: 3px; }
 QListView::item:selected, QTreeView::item:selected { background: %PRESSED%; color: %TEXT%; }
 QProgressBar { border: 0; border-radius: 3px; background: %LINE%; max-height: 6px; }
 QProgressBar::chunk { background: %ACCENT%; border-radius: 3px; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QLabel[role="title"] { font-size: 15px; font-weight: 600; }
 QLabel[role="section"] { font-weight: 600; padding-top: 6px; qproperty-indent: 0; }
 QLabel[role="faint"] { color: %FAINT%; }
