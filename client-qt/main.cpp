@@ -49,7 +49,7 @@ QSize size_from(const QString& text) {
   return parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
 }
 
-wishes read_command_line(const QApplication& app) {
+wishes read_command_line(const QCoreApplication& app) {
   QCommandLineParser line;
   line.setApplicationDescription(
     "The desktop client of TEdit: change a part, see its stress at once.\n\n"
@@ -160,15 +160,50 @@ bool works_unattended(int argc, char** argv) {
          std::getenv("QT_QPA_PLATFORM") == nullptr;
 }
 
+bool has_word(int argc, char** argv, std::initializer_list<std::string_view> words) {
+  return std::any_of(argv + 1, argv + argc, [&](std::string_view given) {
+    return std::ranges::find(words, given) != words.end();
+  });
+}
+
+bool has_display(int argc, char** argv) {
+  const auto is_set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != 0;
+  };
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("QT_QPA_PLATFORM") ||
+         has_word(argc, argv, {"-platform", "--platform"});
+}
+
+void name_program() {
+  QCoreApplication::setApplicationName("tedit-qt");
+  QCoreApplication::setApplicationVersion(TEDIT_VERSION);
+}
+
+/// Says what was asked for and ends the program; without a display, too.
+void answer_questions(int argc, char** argv) {
+  if (!has_word(argc, argv, {"--help", "-h", "--help-all", "--version", "-v"}))
+    return;
+  name_program();
+  (void)read_command_line(QCoreApplication(argc, argv));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  answer_questions(argc, argv);
   std::optional<virtual_display> own_display;
   if (works_unattended(argc, argv)) {
     auto opened = virtual_display::open();
     if (!opened)
       return complain(opened.error());
     own_display.emplace(std::move(*opened));
+  } else if (!has_display(argc, argv)) {
+    return complain({ec::service_unavailable,
+                     "there is no display for a window",
+                     "Start it in a desktop session, or let it work unattended with --screenshot "
+                     "or --script",
+                     {}});
   }
   QSurfaceFormat format;
   format.setVersion(3, 2);
@@ -177,9 +212,8 @@ int main(int argc, char** argv) {
   format.setAlphaBufferSize(8);
   QSurfaceFormat::setDefaultFormat(format);
   QApplication app(argc, argv);
-  QApplication::setApplicationName("tedit-qt");
+  name_program();
   QApplication::setApplicationDisplayName("TEdit");
-  QApplication::setApplicationVersion(TEDIT_VERSION);
   QApplication::setDesktopFileName("org.tedit.TEdit");
   QApplication::setStyle("Fusion");
   QApplication::setWindowIcon(window_icon());

@@ -28,7 +28,7 @@ if [ -d "$build/share/doc/tedit/html" ]; then
 fi
 test -s "$work/root/usr/lib/cmake/TEdit/TEditConfig.cmake"
 if [ -x "$bin/tedit-qt" ]; then
-  QT_QPA_PLATFORM=offscreen "$bin/tedit-qt" --version
+  "$bin/tedit-qt" --version
   test -s "$work/root/usr/share/applications/org.tedit.TEdit.desktop"
   if [ -d "$build/share/tedit/translations" ]; then
     test -s "$work/root/usr/share/tedit/translations/tedit_de.qm"

@@ -1,13 +1,20 @@
 #!/usr/bin/env bash
-# usage: desktop_unattended_test.sh BIN EXAMPLES: tedit-qt makes a picture on a machine without a display, and says
-# why a script failed.
+# usage: desktop_unattended_test.sh BIN EXAMPLES: tedit-qt helps and makes a picture on a machine without a display,
+# and says why it cannot open a window or why a script failed.
 set -euo pipefail
 bin=$1
 plate=$2/ctc01_plate
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-unset DISPLAY WAYLAND_DISPLAY
+unset DISPLAY WAYLAND_DISPLAY QT_QPA_PLATFORM
 export XDG_CONFIG_HOME="$folder/config" XDG_RUNTIME_DIR="$folder"
+
+"$bin/tedit-qt" --help | grep -q -e '--screenshot'
+"$bin/tedit-qt" --version | grep -q '^tedit-qt [0-9]'
+status=0
+"$bin/tedit-qt" 2>"$folder/said" || status=$?
+[ "$status" -eq 69 ] || { echo "without a display it ended with $status" >&2; cat "$folder/said" >&2; exit 1; }
+grep -q 'no display' "$folder/said"
 
 "$bin/tedit-qt" --state "$folder/state" --size 800x600 --open "$plate/ctc01_plate.coarse.msh" \
   --load-case "$plate/load_case.json" --screenshot "$folder/plate.png" --report "$folder/report.json"
