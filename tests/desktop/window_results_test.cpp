@@ -30,7 +30,11 @@ protected:
     twice.name = "twice";
     ASSERT_TRUE(wait([&] { return !part().changes_loads(); }));
     part().rename_load_case(before, twice);
-    ASSERT_TRUE(wait([&] { return is_final() && part().load_cases().size() == 1; }));
+    ASSERT_TRUE(wait([&] {
+      const auto& now = part().load_cases();
+      return !part().changes_loads() && is_final() && now.size() == 1 &&
+             now.front().name == "twice";
+    }));
 
     auto& pins = window->pins();
     int number = 0;
