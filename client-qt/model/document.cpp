@@ -242,23 +242,15 @@ void document::import(const QString& mesh, const QStringList& load_cases, const 
 void document::send_load_cases(std::vector<fem::load_case> loads, std::function<void()> then) {
   if (loads.empty())
     return;
-  ++load_requests_;
-  auto names = std::make_shared<std::vector<fem::load_case>>(std::move(loads));
-  link_.run<bool>(
-    [names](client::client& c, const execution&) -> expected<bool> {
-      for (const auto& one : *names)
+  change_loads(
+    tr("Set the load cases"),
+    [loads = std::move(loads)](client::client& c, const execution&) -> expected<void> {
+      for (const auto& one : loads)
         if (auto ok = c.set_load_case(one); !ok)
-          return fail(std::move(ok.error()));
-      return true;
+          return ok;
+      return {};
     },
-    [this, then = std::move(then), mine = opening_](const expected<bool>& ok) {
-      --load_requests_;
-      if (mine != opening_)
-        return;
-      if (!ok) {
-        emit failed(tr("Set the load cases"), ok.error());
-        return;
-      }
+    [this, then = std::move(then)] {
       if (then)
         then();
       solve();

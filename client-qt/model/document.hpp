@@ -180,6 +180,7 @@ private:
   void load_catalogue();
   void set_field_state(field_state next);
   [[nodiscard]] version_record* find(const std::string& version_id);
+  void change_loads(const QString& title, remote::work<void> change, std::function<void()> done);
   void send_load_cases(std::vector<fem::load_case> loads, std::function<void()> then = {});
   void forget();
 

@@ -99,22 +99,27 @@ void document::take_other_load_cases(const std::vector<fem::load_case>& loads) {
   take_load_cases(loads);
 }
 
-void document::remove_load_case(const std::string& name) {
+/// One request; `done` when it was granted and the document is still the one that asked.
+void document::change_loads(const QString& title, remote::work<void> change,
+                            std::function<void()> done) {
   ++load_requests_;
-  link_.run<bool>(
-    [name](client::client& c, const execution&) -> expected<bool> {
-      if (auto ok = c.remove_load_case(name); !ok)
-        return fail(std::move(ok.error()));
-      return true;
-    },
-    [this, name, mine = opening_](const expected<bool>& ok) {
-      --load_requests_;
-      if (mine != opening_)
-        return;
-      if (!ok) {
-        emit failed(tr("Remove the load case"), ok.error());
-        return;
-      }
+  link_.run<void>(std::move(change),
+                  [this, title, done = std::move(done), mine = opening_](const expected<void>& ok) {
+                    --load_requests_;
+                    if (mine != opening_)
+                      return;
+                    if (ok)
+                      done();
+                    else
+                      emit failed(title, ok.error());
+                  });
+}
+
+void document::remove_load_case(const std::string& name) {
+  change_loads(
+    tr("Remove the load case"),
+    [name](client::client& c, const execution&) { return c.remove_load_case(name); },
+    [this, name] {
       emit load_case_removed(name);
       if (!load_cases().empty())
         solve();
@@ -122,23 +127,14 @@ void document::remove_load_case(const std::string& name) {
 }
 
 void document::rename_load_case(const std::string& before, const fem::load_case& renamed) {
-  ++load_requests_;
-  link_.run<bool>(
-    [before, renamed](client::client& c, const execution&) -> expected<bool> {
+  change_loads(
+    tr("Rename the load case"),
+    [before, renamed](client::client& c, const execution&) -> expected<void> {
       if (auto ok = c.set_load_case(renamed); !ok)
-        return fail(std::move(ok.error()));
-      if (auto ok = c.remove_load_case(before); !ok)
-        return fail(std::move(ok.error()));
-      return true;
+        return ok;
+      return c.remove_load_case(before);
     },
-    [this, before, renamed, mine = opening_](const expected<bool>& ok) {
-      --load_requests_;
-      if (mine != opening_)
-        return;
-      if (!ok) {
-        emit failed(tr("Rename the load case"), ok.error());
-        return;
-      }
+    [this, before, renamed] {
       emit load_case_set(renamed);
       emit load_case_removed(before);
       solve();
@@ -146,17 +142,12 @@ void document::rename_load_case(const std::string& before, const fem::load_case&
 }
 
 void document::annotate(std::uint32_t number, const QString& name, const QString& note) {
-  link_.run<bool>(
-    [number, name = name.toStdString(), note = note.toStdString()](
-      client::client& c, const execution&) -> expected<bool> {
-      if (auto ok = c.annotate(number, name, note); !ok)
-        return fail(std::move(ok.error()));
-      return true;
-    },
-    [this](const expected<bool>& ok) {  // What it is called now comes as an event.
-      if (!ok)
-        emit failed(tr("Name the version"), ok.error());
-    });
+  link_.run<void>([number, name = name.toStdString(), note = note.toStdString()](
+                    client::client& c, const execution&) { return c.annotate(number, name, note); },
+                  [this](const expected<void>& ok) {  // What it is called now comes as an event.
+                    if (!ok)
+                      emit failed(tr("Name the version"), ok.error());
+                  });
 }
 
 // -- what is watched -----------------------------------------------------------------
@@ -221,16 +212,11 @@ void document::solve() {
 void document::cancel_solve() {
   if (!is_solving())
     return;
-  link_.run<bool>(
-    [](client::client& c, const execution&) -> expected<bool> {
-      if (auto ok = c.cancel_solve(); !ok)
-        return fail(std::move(ok.error()));
-      return true;
-    },
-    [this](const expected<bool>& ok) {  // That it ended comes as an event.
-      if (!ok)
-        emit failed(tr("Stop the solver"), ok.error());
-    });
+  link_.run<void>([](client::client& c, const execution&) { return c.cancel_solve(); },
+                  [this](const expected<void>& ok) {  // That it ended comes as an event.
+                    if (!ok)
+                      emit failed(tr("Stop the solver"), ok.error());
+                  });
 }
 
 }  // namespace tedit::desktop

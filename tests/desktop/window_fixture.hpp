@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QtTest/QtTest>
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "client-qt/view/banner.hpp"
@@ -21,7 +23,7 @@ namespace tedit::desktop {
 /// The real window with a server process of its own, driven as a person would.
 class Window : public ::testing::Test {
 protected:
-  static constexpr int patience_ms = 60'000;
+  static constexpr int patience_ms = 120'000;  ///< The server gives way to whatever else runs.
 
   QTemporaryDir state;
   std::unique_ptr<main_window> window;
@@ -49,7 +51,24 @@ protected:
       return testing::AssertionSuccess();
     return testing::AssertionFailure()
            << "waited " << patience_ms / 1000
-           << " s; message: " << window->messages().text().toStdString();
+           << " s; message: " << window->messages().text().toStdString() << "\n"
+           << state_now();
+  }
+
+  /// For who reads that a wait was in vain.
+  [[nodiscard]] std::string state_now() {
+    const auto* head = part().head();
+    const auto& shown = view().current();
+    const auto version_of = [](const auto& what) { return what ? what->version_id() : "none"; };
+    std::ostringstream out;
+    out << "connection " << static_cast<int>(window->link().current()) << ", version " << version()
+        << (head ? " " + head->info.version_id : "") << ", fields "
+        << static_cast<int>(part().field_progress()) << ", activity "
+        << (part().current_activity() ? part().current_activity()->title.toStdString() : "none")
+        << ", view " << (view().is_settled() ? "settled" : "at work") << "\nhead's surface "
+        << version_of(head ? head->surface : nullptr) << "\nshown surface  "
+        << version_of(shown.surface) << "\nshown field    " << version_of(shown.field);
+    return out.str();
   }
 
   [[nodiscard]] bool shows_head() {
