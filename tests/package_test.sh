@@ -30,6 +30,8 @@ test -s "$work/root/usr/lib/cmake/TEdit/TEditConfig.cmake"
 if [ -x "$bin/tedit-qt" ]; then
   "$bin/tedit-qt" --version
   test -s "$work/root/usr/share/applications/org.tedit.TEdit.desktop"
+  python3 -c "import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])" \
+    "$work/root/usr/share/metainfo/org.tedit.TEdit.metainfo.xml"
   if [ -d "$build/share/tedit/translations" ]; then
     test -s "$work/root/usr/share/tedit/translations/tedit_de.qm"
   fi
