@@ -93,4 +93,13 @@ std::string in_users_language(const std::string& english) {
   return QCoreApplication::translate("operations", english.c_str()).toStdString();
 }
 
+bool was_previewed(const edit_report& report) {
+  return report.total_ms < report.operation_ms;
+}
+
+double made_in_ms(const edit_report& report) {
+  return was_previewed(report) ? report.operation_ms + report.improve_ms + report.check_ms
+                               : report.total_ms;
+}
+
 }  // namespace tedit::desktop

@@ -3,10 +3,18 @@
 
 #include <string>
 
+#include "protocol/report.hpp"
+
 namespace tedit::desktop {
 
 /// What an operation says of itself, in the language of the window; of a plugin that no translation
 /// knows, as it is.
 [[nodiscard]] std::string in_users_language(const std::string& english);
+
+/// Whether an edit took over what its preview had made.
+[[nodiscard]] bool was_previewed(const edit_report& report);
+
+/// How long it took to make what the edit is, ms; also when that was done before, as a preview.
+[[nodiscard]] double made_in_ms(const edit_report& report);
 
 }  // namespace tedit::desktop

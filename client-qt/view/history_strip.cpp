@@ -79,13 +79,14 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
 }
 
 void history_strip::set_thumbnail(const std::string& version_id, const QImage& picture) {
+  const QSize size = thumbnail * devicePixelRatioF();
   const QImage fitted =
-    picture.scaled(2 * thumbnail, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  const QRect middle(QPoint((fitted.width() - 2 * thumbnail.width()) / 2,
-                            (fitted.height() - 2 * thumbnail.height()) / 2),
-                     2 * thumbnail);
-  pictures_[version_id] = QPixmap::fromImage(
-    fitted.copy(middle).scaled(thumbnail, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QRect middle(
+    QPoint((fitted.width() - size.width()) / 2, (fitted.height() - size.height()) / 2), size);
+  auto pixmap = QPixmap::fromImage(fitted.copy(middle));
+  pixmap.setDevicePixelRatio(devicePixelRatioF());
+  pictures_[version_id] = std::move(pixmap);
   refresh();
 }
 

@@ -3,6 +3,7 @@
 #include <QStackedWidget>
 #include <QTimer>
 
+#include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/view/banner.hpp"
 #include "client-qt/view/context_panel.hpp"
@@ -58,7 +59,7 @@ void main_window::wire_document() {
       log(tr("%1: version %2 in %3")
             .arg(QString::fromStdString(what.report->operation))
             .arg(what.head.number)
-            .arg(duration(what.report->total_ms)));
+            .arg(duration(made_in_ms(*what.report))));
     if (what.report)
       findChild<QDockWidget*>("receipt")->raise();
     if (what.report && lost_loads(*what.report) > 0) {

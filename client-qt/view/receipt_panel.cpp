@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
@@ -88,14 +89,13 @@ QString receipt_html(const edit_report& report) {
   for (const auto& figure : report.figures)
     html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
                 number(figure.value) + " " + words_of(figure.unit));
-  // An edit takes over what its preview made.
-  const bool was_ready = report.total_ms < report.operation_ms;
-  html += row(phrases::tr("Time"),
-              (was_ready ? phrases::tr("%1, made by the preview (operation %2, mesh %3, "
-                                       "checks %4)")
-                         : phrases::tr("%1 (operation %2, mesh %3, checks %4)"))
-                .arg(duration(report.total_ms), duration(report.operation_ms),
-                     duration(report.improve_ms), duration(report.check_ms)));
+  html +=
+    row(phrases::tr("Time"),
+        (was_previewed(report) ? phrases::tr("%1, made by the preview (operation %2, mesh %3, "
+                                             "checks %4)")
+                               : phrases::tr("%1 (operation %2, mesh %3, checks %4)"))
+          .arg(duration(report.total_ms), duration(report.operation_ms),
+               duration(report.improve_ms), duration(report.check_ms)));
   html += "</table>";
   QString surfaces;
   for (const auto& one : report.surface_map)

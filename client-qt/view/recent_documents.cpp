@@ -21,12 +21,15 @@ constexpr QSize picture_size(132, 84);
 constexpr QSize cell(168, 136);
 constexpr int rows_shown = 2;
 
-QPixmap picture_of(const recent_document& one, const QColor& empty) {
-  if (!one.picture.isNull())
-    return QPixmap::fromImage(
-      one.picture.scaled(picture_size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
-  QPixmap result(picture_size);
-  result.fill(empty);
+/// `ratio`: pixels of the screen for one of the window.
+QPixmap picture_of(const recent_document& one, const QColor& empty, double ratio) {
+  QPixmap result(picture_size * ratio);
+  if (one.picture.isNull())
+    result.fill(empty);
+  else
+    result = QPixmap::fromImage(
+      one.picture.scaled(result.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+  result.setDevicePixelRatio(ratio);
   return result;
 }
 
@@ -88,7 +91,8 @@ void recent_documents::fill() {
     const auto used = one.used.isValid() ? one.used : shown.made;
     const auto words =
       QFontMetrics(font()).elidedText(shown.words, Qt::ElideMiddle, cell.width() - 16);
-    const QPixmap picture = picture_of(one, palette().color(QPalette::AlternateBase));
+    const QPixmap picture =
+      picture_of(one, palette().color(QPalette::AlternateBase), devicePixelRatioF());
     QIcon both(picture);
     both.addPixmap(picture, QIcon::Selected);  // Else it is tinted.
     auto* row =

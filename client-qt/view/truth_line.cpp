@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
@@ -122,7 +123,7 @@ QString truth_line::facts() const {
   }
   parts << tr("%1 tets").arg(count(static_cast<double>(head->info.tets)));
   if (head->report)
-    parts << tr("edit %1").arg(duration(head->report->total_ms));
+    parts << tr("edit %1").arg(duration(made_in_ms(*head->report)));
   return parts.join(QString::fromUtf8("  \u00b7  "));
 }
 

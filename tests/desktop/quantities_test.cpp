@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "client-qt/model/operation_words.hpp"
+
 namespace tedit::desktop {
 namespace {
 
@@ -42,6 +44,20 @@ TEST(Quantities, LengthsChooseTheirUnit) {
 TEST(Quantities, WordsOfTheServerGetTheLettersOfTheWindow) {
   EXPECT_EQ(text(words_of("12 mm2 (-3 %) and 0.5 mm3, 2 m2")), "12 mm² (-3 %) and 0.5 mm³, 2 m²");
   EXPECT_EQ(text(words_of("surface mm22 of item3, 4 mm")), "surface mm22 of item3, 4 mm");
+}
+
+TEST(Quantities, AnEditThatItsPreviewMadeTookWhatThePreviewTook) {
+  edit_report report;
+  report.operation_ms = 30;
+  report.improve_ms = 8;
+  report.check_ms = 2;
+  report.total_ms = 45;
+  EXPECT_FALSE(was_previewed(report));
+  EXPECT_EQ(made_in_ms(report), 45);
+
+  report.total_ms = 0.02;
+  EXPECT_TRUE(was_previewed(report));
+  EXPECT_EQ(made_in_ms(report), 40);
 }
 
 TEST(Quantities, Durations) {
