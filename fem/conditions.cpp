@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sparse_numbers.hpp"
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "mesh/quality.hpp"
@@ -33,10 +34,12 @@ surface_triangles::surface_triangles(const mesh_version& mesh, const load_case& 
     }
     list->second.push_back(t);
   };
-  polled_for(mesh.facet_slots(), [&](std::size_t slot) {
-    const auto f = static_cast<facet_id>(slot);
-    if (mesh.is_live_facet(f))
-      add(mesh.facet(f).surface, mesh.facet(f).v, false);
+  std::vector<surface_id> wanted;
+  for (const auto& [id, triangles] : by_surface_)
+    wanted.push_back(id);
+  const auto facets = facets_of(mesh, wanted);
+  polled_for(facets.size(), [&](std::size_t i) {
+    add(mesh.facet(facets[i]).surface, mesh.facet(facets[i]).v, false);
   });
   const auto& interfaces = mesh.data().interfaces;
   polled_for(interfaces.size(),
@@ -106,26 +109,50 @@ struct held_directions {
   }
 };
 
-using node_map = std::map<std::uint32_t, held_directions>;
+/// A value for each of few nodes, in the order in which they were first asked for.
+template <class T>
+class node_table {
+public:
+  explicit node_table(const problem& p) : place_(p.node_count()) {}
 
-constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel: maps are slow.
+  T& operator[](std::uint32_t node) {
+    auto at = place_[node];
+    if (at == sparse_numbers::none) {
+      at = static_cast<std::uint32_t>(rows_.size());
+      place_.set(node, at);
+      rows_.emplace_back(node, T{});
+    }
+    return rows_[at].second;
+  }
+
+  [[nodiscard]] const std::vector<std::pair<std::uint32_t, T>>& rows() const { return rows_; }
+
+private:
+  sparse_numbers place_;
+  std::vector<std::pair<std::uint32_t, T>> rows_;
+};
+
+using held_table = node_table<held_directions>;
+
+constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel.
 
 vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
   return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
 }
 
 /// One direction for each node of a surface: the mean normal there.
-bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, node_map& held) {
-  std::map<std::uint32_t, vec3> normals;
+bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, held_table& held) {
+  node_table<vec3> normals(p);
   const auto& list = triangles.of(id);
   polled_for(
     list.size(),
     [&](std::size_t i) {
+      const vec3 area = area_of(p, list[i]);
       for (const auto node : list[i].all())
-        normals[node] += area_of(p, list[i]);
+        normals[node] += area;
     },
     triangles_between);
-  for (const auto& [node, normal] : normals) {
+  for (const auto& [node, normal] : normals.rows()) {
     const vec3 d = normalized(normal);
     const double area = norm(normal);
     p.holders.push_back({node,
@@ -136,29 +163,33 @@ bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, n
   bool ok = true;
   // Two smooth halves of one cylinder give nearly the same normal at their seam: 20 degrees count
   // as the same direction.
-  for (const auto& [node, normal] : normals)
+  for (const auto& [node, normal] : normals.rows())
     ok = held[node].add(normalized(normal), 0, 0.34, true) && ok;
   return ok;
 }
 
 bool add_components(const surface_triangles& triangles, surface_id id,
                     const std::array<std::optional<double>, 3>& values, problem& p,
-                    node_map& held) {
+                    held_table& held) {
   const std::array<vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  bool ok = true;
+  node_table<double> area_at(p);
   const auto& list = triangles.of(id);
   const auto add = [&](const surface_triangles::triangle& t) {
     const double area = norm(area_of(p, t));
-    const auto along = [&](int axis) { return values[axis] ? area : 0.0; };
-    for (const auto node : t.all()) {
-      for (int i = 0; i < 3; ++i)
-        if (values[i])
-          ok = held[node].add(axes[i], *values[i], 1e-9, false) && ok;
-      p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}});
-    }
+    for (const auto node : t.all())
+      area_at[node] += area;
   };
   polled_for(
     list.size(), [&](std::size_t i) { add(list[i]); }, triangles_between);
+  bool ok = true;
+  for (const auto& [node, area] : area_at.rows()) {
+    auto& row = held[node];
+    for (int i = 0; i < 3; ++i)
+      if (values[i])
+        ok = row.add(axes[i], *values[i], 1e-9, false) && ok;
+    const auto along = [&](int axis) { return values[axis] ? area : 0.0; };
+    p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}});
+  }
   return ok;
 }
 
@@ -177,8 +208,8 @@ void merge_holders(std::vector<node_holder>& holders) {
   holders.resize(kept);
 }
 
-void write_filter(const node_map& held, problem& p) {
-  for (const auto& [node, row] : held) {
+void write_filter(const held_table& held, problem& p) {
+  for (const auto& [node, row] : held.rows()) {
     auto& s = p.filter[node];
     for (int i = 0; i < row.count; ++i) {
       const vec3 d = row.direction[i];
@@ -204,7 +235,7 @@ expected<void> add_constraints(const surface_triangles& triangles, const load_ca
   p.holders.clear();
   polled_assign(p.filter, p.node_count(), {1, 0, 0, 1, 0, 1});
   polled_assign(p.prescribed, p.dofs(), 0.0);
-  node_map held;
+  held_table held(p);
   // Exact components first: a roller on the same node then only adds what is left.
   for (const bool rollers : {false, true}) {
     for (std::size_t i = 0; i < loads.constraints.size(); ++i) {
@@ -273,9 +304,11 @@ private:
     if (!is_finite(pa))
       return not_a_number(name);
     for (const auto id : item.surfaces)
-      for (const auto& t : triangles_.of(id))
+      for (const auto& t : triangles_.of(id)) {
+        const vec3 share = (norm(area_of(p_, t)) / 3) * pa;
         for (const auto node : t.loaded())
-          add_to(node, (norm(area_of(p_, t)) / 3) * pa);
+          add_to(node, share);
+      }
     return {};
   }
 
@@ -289,8 +322,9 @@ private:
                       name + " presses on surface " + std::to_string(id) +
                         ", which lies between two regions and has no outer side",
                       "Use a traction or a force there");
+        const vec3 share = (-pa / 3) * area_of(p_, t);
         for (const auto node : t.loaded())
-          add_to(node, (-pa / 3) * area_of(p_, t));
+          add_to(node, share);
       }
     return {};
   }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "fem/receipt_successors.hpp"
+#include "mesh/facet_pages.hpp"
 
 namespace tedit::fem {
 
@@ -19,20 +20,6 @@ std::string number(double value) {
   const bool large = std::abs(value) >= 1e4 && std::abs(value) < 1e7;
   std::snprintf(text, sizeof(text), large ? "%.0f" : "%.4g", value);
   return text;
-}
-
-std::map<surface_id, double> areas_of(const mesh_version& mesh) {
-  std::map<surface_id, double> areas;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      areas[mesh.facet(f).surface] += norm(area_vector(mesh, mesh.facet(f)));
-  const auto& interfaces = mesh.data().interfaces;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const auto& v = interfaces[i].v;
-    areas[interfaces[i].surface] +=
-      norm(area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
-  }
-  return areas;
 }
 
 /// What became of the surfaces of one item.
@@ -50,8 +37,8 @@ public:
       : name_(before.name),
         from_version_(from),
         to_version_(to),
-        from_(areas_of(from)),
-        to_(areas_of(to)),
+        from_(surface_areas(from)),
+        to_(surface_areas(to)),
         map_(map),
         settings_(settings) {}
 

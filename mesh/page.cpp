@@ -9,15 +9,29 @@ page::page(std::size_t size) : data_(std::make_unique<std::byte[]>(size)), size_
   // nop
 }
 
+page::page(std::span<const std::byte> bytes, std::size_t size)
+    : data_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {
+  const auto rest = std::ranges::copy(bytes, data_.get()).out;
+  std::fill(rest, data_.get() + size, std::byte{});
+}
+
 page_ptr page::from_bytes(std::span<const std::byte> bytes) {
-  auto result = std::make_shared<page>(bytes.size());
-  std::ranges::copy(bytes, result->mutable_bytes().begin());
-  return result;
+  return std::make_shared<page>(bytes, bytes.size());
 }
 
 const hash128& page::id() const {
   std::call_once(hashed_, [this] { id_ = hash_bytes(bytes()); });
   return id_;
+}
+
+std::shared_ptr<const page_facts> page::facts() const {
+  const std::scoped_lock lock(keeping_);
+  return facts_;
+}
+
+void page::keep(std::shared_ptr<const page_facts> made) const {
+  const std::scoped_lock lock(keeping_);
+  facts_.swap(made);
 }
 
 }  // namespace tedit

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cassert>
-#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -36,6 +35,7 @@ public:
       const auto part = items.subspan(first, std::min(items_per_page, items.size() - first));
       result.pages_.push_back(page::from_bytes(std::as_bytes(part)));
     }
+    result.find_items();
     return result;
   }
 
@@ -53,6 +53,7 @@ public:
     paged_array result;
     result.size_ = size;
     result.pages_ = std::move(pages);
+    result.find_items();
     return result;
   }
 
@@ -60,12 +61,12 @@ public:
 
   [[nodiscard]] const T& operator[](std::size_t i) const noexcept {
     assert(i < size_);
-    return items(i >> shift)[i & mask];
+    return items_[i >> shift][i & mask];
   }
 
   /// The items of one page, contiguous.
   [[nodiscard]] std::span<const T> page_items(std::size_t p) const noexcept {
-    return {items(p), pages_[p]->bytes().size() / sizeof(T)};
+    return {items_[p], pages_[p]->bytes().size() / sizeof(T)};
   }
 
   [[nodiscard]] const std::vector<page_ptr>& pages() const noexcept { return pages_; }
@@ -81,11 +82,14 @@ public:
   }
 
 private:
-  [[nodiscard]] const T* items(std::size_t p) const noexcept {
-    return reinterpret_cast<const T*>(pages_[p]->bytes().data());
+  void find_items() {
+    items_.reserve(pages_.size());
+    for (const auto& p : pages_)
+      items_.push_back(reinterpret_cast<const T*>(p->bytes().data()));
   }
 
   std::vector<page_ptr> pages_;
+  std::vector<const T*> items_;  ///< Where each page begins: two loads less at each access.
   std::size_t size_ = 0;
 };
 
@@ -156,9 +160,7 @@ private:
   T* own(std::size_t p) {
     auto& e = pages_[p];
     if (!e.owned) {
-      e.owned = std::make_shared<page>(array::items_per_page * sizeof(T));
-      std::memcpy(e.owned->mutable_bytes().data(), e.shared->bytes().data(),
-                  e.shared->bytes().size());
+      e.owned = std::make_shared<page>(e.shared->bytes(), array::items_per_page * sizeof(T));
       e.shared = nullptr;
       e.items = reinterpret_cast<const T*>(e.owned->bytes().data());
     }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "mesh/box.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
@@ -89,20 +90,6 @@ std::optional<std::map<vertex_id, vec3>> steps_of(const mesh_builder& mesh,
   return steps;
 }
 
-struct box {
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high{-1e300, -1e300, -1e300};
-
-  void add(vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  [[nodiscard]] bool meets(const box& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
-  }
-};
-
 using triangle = std::array<vec3, 3>;
 
 triangle triangle_of(const mesh_builder& mesh, facet_id f) {
@@ -141,9 +128,7 @@ bool runs_into_boundary(const mesh_builder& mesh, const surface_patch& patch,
         std::ranges::any_of(mesh.facet(f).v, [&](vertex_id v) { return steps.contains(v); }))
       continue;
     const auto other = triangle_of(mesh, f);
-    box extent;
-    for (const auto& p : other)
-      extent.add(p);
+    const auto extent = box_of(other);
     if (!extent.meets(all))
       continue;
     for (const auto& [top, reach] : swept)

@@ -8,24 +8,22 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "mesh/facet_pages.hpp"
+
 namespace tedit {
 
 namespace {
 
-/// What is known of one surface on both sides.
-struct tally {
-  double before = 0;
-  double after = 0;
-  bool touched = false;
-};
-
-double facet_area(const mesh_version& mesh, const boundary_facet& f) {
-  return norm(area_vector(mesh, f));
-}
-
-double facet_area(const mesh_version& mesh, const interface_facet& f) {
-  const vec3 a = mesh.position(f.v[0]);
-  return norm(cross(mesh.position(f.v[1]) - a, mesh.position(f.v[2]) - a)) / 2;
+/// Calls `visit(slot)` for every slot below `slots` in pages of facets that differ.
+template <class Visit>
+void for_each_dirty_facet(const mesh_version& before, const mesh_version& after, std::size_t slots,
+                          const Visit& visit) {
+  constexpr std::size_t facet_row = 5;  // Of `manifest::arrays`.
+  constexpr auto per_page = paged_array<boundary_facet>::items_per_page;
+  for (const auto p :
+       dirty_pages(before.pages().arrays[facet_row], after.pages().arrays[facet_row]))
+    for (std::size_t i = p * per_page; i < std::min(slots, (p + 1) * per_page); ++i)
+      visit(static_cast<facet_id>(i));
 }
 
 /// Facets between regions by surface and corners, ascending.
@@ -53,52 +51,45 @@ void add_touched_interfaces(const mesh_version& before, const mesh_version& afte
     result.insert(std::get<0>(facet));
 }
 
+/// Does a page of facets have corners in pages of positions that differ?
+bool has_corners_in(const facet_page& page, const std::vector<std::size_t>& dirty) {
+  return std::ranges::any_of(
+    page.positions, [&](const auto& row) { return std::ranges::binary_search(dirty, row.first); });
+}
+
 /// Surfaces with a facet that differs between the versions, in slots of dirty pages, or with a
 /// vertex that moved.
 std::set<surface_id> touched_surfaces(const mesh_version& before, const mesh_version& after) {
   std::set<surface_id> result;
-  constexpr std::size_t facet_row = 5;
-  constexpr auto per_page = paged_array<boundary_facet>::items_per_page;
-  for (const auto p :
-       dirty_pages(before.pages().arrays[facet_row], after.pages().arrays[facet_row])) {
-    for (std::size_t i = p * per_page; i < (p + 1) * per_page; ++i) {
-      const auto* old_facet = i < before.facet_slots() ? &before.data().facets[i] : nullptr;
-      const auto* new_facet = i < after.facet_slots() ? &after.data().facets[i] : nullptr;
-      if (old_facet && new_facet && old_facet->v == new_facet->v &&
-          old_facet->surface == new_facet->surface)
+  const auto slots = std::max(before.facet_slots(), after.facet_slots());
+  for_each_dirty_facet(before, after, slots, [&](facet_id i) {
+    const auto* was = i < before.facet_slots() ? &before.facet(i) : nullptr;
+    const auto* is = i < after.facet_slots() ? &after.facet(i) : nullptr;
+    if (was && is && was->v == is->v && was->surface == is->surface)
+      return;
+    if (was && was->tet != no_id)
+      result.insert(was->surface);
+    if (is && is->tet != no_id)
+      result.insert(is->surface);
+  });
+  add_touched_interfaces(before, after, result);
+  const auto moved = dirty_pages(before.pages().arrays[0], after.pages().arrays[0]);
+  const auto pages =
+    std::min(before.data().facets.pages().size(), after.data().facets.pages().size());
+  for (std::size_t p = 0; p < pages; ++p) {
+    if (!has_corners_in(*facet_page_of(after, p), moved))
+      continue;
+    const auto was = before.data().facets.page_items(p);
+    const auto is = after.data().facets.page_items(p);
+    for (std::size_t i = 0; i < std::min(was.size(), is.size()); ++i) {
+      if (was[i].tet == no_id || is[i].tet == no_id)
         continue;
-      if (old_facet && old_facet->tet != no_id)
-        result.insert(old_facet->surface);
-      if (new_facet && new_facet->tet != no_id)
-        result.insert(new_facet->surface);
+      for (const auto v : is[i].v)
+        if (v < before.vertex_slots() && before.position(v) != after.position(v))
+          result.insert(is[i].surface);
     }
   }
-  add_touched_interfaces(before, after, result);
-  if (dirty_pages(before.pages().arrays[0], after.pages().arrays[0]).empty())
-    return result;
-  for (facet_id f = 0; f < std::min(before.facet_slots(), after.facet_slots()); ++f) {
-    if (!before.is_live_facet(f) || !after.is_live_facet(f))
-      continue;
-    for (const auto v : after.facet(f).v)
-      if (v < before.vertex_slots() && before.position(v) != after.position(v))
-        result.insert(after.facet(f).surface);
-  }
   return result;
-}
-
-void add_areas(const mesh_version& mesh, std::map<surface_id, tally>& tallies,
-               double tally::*side) {
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-    if (!mesh.is_live_facet(f))
-      continue;
-    const auto found = tallies.find(mesh.facet(f).surface);
-    if (found != tallies.end())
-      found->second.*side += facet_area(mesh, mesh.facet(f));
-  }
-  const auto& between = mesh.data().interfaces;
-  for (std::size_t i = 0; i < between.size(); ++i)
-    if (const auto found = tallies.find(between[i].surface); found != tallies.end())
-      found->second.*side += facet_area(mesh, between[i]);
 }
 
 /// For surfaces that came or went: the surface on the other side that holds most of the area of
@@ -107,14 +98,16 @@ std::map<surface_id, std::map<surface_id, double>> overlaps(const mesh_version& 
                                                             const mesh_version& to,
                                                             const std::set<surface_id>& surfaces) {
   std::map<surface_id, std::map<surface_id, double>> result;
-  for (facet_id f = 0; f < std::min(from.facet_slots(), to.facet_slots()); ++f) {
-    if (!from.is_live_facet(f) || !to.is_live_facet(f))
-      continue;
+  if (surfaces.empty())
+    return result;
+  const auto slots = std::min(from.facet_slots(), to.facet_slots());
+  for_each_dirty_facet(from, to, slots, [&](facet_id f) {
     const auto& here = from.facet(f);
     const auto& there = to.facet(f);
-    if (here.surface != there.surface && here.v == there.v && surfaces.contains(here.surface))
-      result[here.surface][there.surface] += facet_area(from, here);
-  }
+    if (from.is_live_facet(f) && to.is_live_facet(f) && here.surface != there.surface &&
+        here.v == there.v && surfaces.contains(here.surface))
+      result[here.surface][there.surface] += norm(area_vector(from, here));
+  });
   return result;
 }
 
@@ -140,16 +133,18 @@ std::string_view fate_name(surface_fate fate) noexcept {
 
 std::vector<surface_change> compare_surfaces(const mesh_version& before,
                                              const mesh_version& after) {
-  std::map<surface_id, tally> tallies;
-  for (const auto id : touched_surfaces(before, after))
-    tallies[id].touched = true;
-  if (tallies.empty())
+  const auto touched = touched_surfaces(before, after);
+  if (touched.empty())
     return {};
-  add_areas(before, tallies, &tally::before);
-  add_areas(after, tallies, &tally::after);
+  const auto areas_before = surface_areas(before);
+  const auto areas_after = surface_areas(after);
+  const auto area_in = [](const std::map<surface_id, double>& areas, surface_id id) {
+    const auto found = areas.find(id);
+    return found == areas.end() ? 0 : found->second;
+  };
   std::set<surface_id> gone;
   std::set<surface_id> come;
-  for (const auto& [id, row] : tallies) {
+  for (const auto id : touched) {
     if (!after.find_surface(id))
       gone.insert(id);
     if (!before.find_surface(id))
@@ -158,8 +153,9 @@ std::vector<surface_change> compare_surfaces(const mesh_version& before,
   const auto merged = overlaps(before, after, gone);
   const auto split = overlaps(after, before, come);
   std::vector<surface_change> changes;
-  for (const auto& [id, row] : tallies) {
-    surface_change change{id, surface_fate::changed, 0, {}, row.before, row.after};
+  for (const auto id : touched) {
+    surface_change change{id, surface_fate::changed,     0,
+                          {}, area_in(areas_before, id), area_in(areas_after, id)};
     const auto* table_row = after.find_surface(id);
     if (!table_row)
       table_row = before.find_surface(id);

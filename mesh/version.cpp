@@ -114,13 +114,19 @@ double total_volume(const mesh_version& mesh) {
   return sum;
 }
 
-std::vector<facet_id> facets_of(const mesh_version& mesh, std::span<const surface_id> surfaces) {
-  const std::unordered_set<surface_id> wanted(surfaces.begin(), surfaces.end());
-  std::vector<facet_id> result;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f) && wanted.contains(mesh.facet(f).surface))
-      result.push_back(f);
-  return result;
+void grow_star(const mesh_version& mesh, vertex_id v, tet_id from, std::vector<tet_id>& star) {
+  const auto add = [&](tet_id t) {
+    if (t < mesh.tet_slots() && std::ranges::count(mesh.tet_at(t).v, v) > 0 &&
+        std::ranges::find(star, t) == star.end())
+      star.push_back(t);
+  };
+  auto next = star.size();
+  for (add(from); next < star.size(); ++next) {
+    const auto& corner = mesh.tet_at(star[next]).v;
+    for (int i = 0; i < 4; ++i)
+      if (const auto behind = mesh.neighbours(star[next])[i]; corner[i] != v && !is_facet(behind))
+        add(behind);
+  }
 }
 
 std::vector<tet_id> tets_around(const mesh_version& mesh, std::span<const vertex_id> vertices) {
@@ -129,15 +135,8 @@ std::vector<tet_id> tets_around(const mesh_version& mesh, std::span<const vertex
   for (const auto v : vertices) {
     if (v >= mesh.vertex_slots() || !mesh.is_live_vertex(v))
       continue;
-    star.assign(1, mesh.incident_tet(v));
-    for (std::size_t next = 0; next < star.size(); ++next) {
-      const auto& corner = mesh.tet_at(star[next]).v;
-      for (int i = 0; i < 4; ++i) {
-        const auto behind = mesh.neighbours(star[next])[i];
-        if (corner[i] != v && !is_facet(behind) && std::ranges::find(star, behind) == star.end())
-          star.push_back(behind);
-      }
-    }
+    star.clear();
+    grow_star(mesh, v, mesh.incident_tet(v), star);
     found.insert(star.begin(), star.end());
   }
   std::vector<tet_id> result(found.begin(), found.end());

@@ -123,9 +123,15 @@ using version_ptr = std::shared_ptr<const mesh_version>;
 /// Sum of the tet volumes in m^3.
 [[nodiscard]] double total_volume(const mesh_version& mesh);
 
-/// The boundary facets of each of the given surfaces, in slot order. Cost: O(facet slots).
+/// The boundary facets of each of the given surfaces, in slot order. Cost: O(facets) of the pages
+/// that hold some of them (mesh/facet_pages.hpp).
 [[nodiscard]] std::vector<facet_id> facets_of(const mesh_version& mesh,
                                               std::span<const surface_id> surfaces);
+
+/// Adds to `star` the tet `from` and those that hang together with it over faces at its corner v,
+/// unless it is there already. Wrong neighbours lead nowhere else. Cost: O(star^2), a star has some
+/// twenty tets.
+void grow_star(const mesh_version& mesh, vertex_id v, tet_id from, std::vector<tet_id>& star);
 
 /// The live tets that hold one of the vertices, found over faces from each vertex' incident tet,
 /// ascending; free vertices are skipped. Cost: O(stars), not O(mesh).

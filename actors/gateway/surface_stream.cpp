@@ -7,6 +7,7 @@
 
 #include "actors/gateway/client_actor.hpp"
 #include "fem/fields.hpp"
+#include "mesh/facet_pages.hpp"
 #include "protocol/json.hpp"
 
 namespace tedit::gateway {
@@ -54,40 +55,13 @@ struct surface_arrays {
   }
 };
 
-struct surface_size {
-  std::uint64_t facets = 0;
-  double area = 0;
-};
-
-std::map<surface_id, surface_size> sizes_of(const mesh_version& mesh) {
-  std::map<surface_id, surface_size> sizes;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f)) {
-      auto& row = sizes[mesh.facet(f).surface];
-      ++row.facets;
-      row.area += norm(area_vector(mesh, mesh.facet(f)));
-    }
-  return sizes;
-}
-
 void describe(const mesh_version& mesh, surface_id id, const surface_size& size,
               v1::SurfaceInfo* out) {
   out->set_id(id);
   if (const auto* info = mesh.find_surface(id))
     out->set_name(info->name);
   out->set_facets(size.facets);
-  out->set_area_m2(size.area);
-}
-
-std::vector<vertex_id> boundary_vertices(const mesh_version& mesh) {
-  std::vector<vertex_id> vertices;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      vertices.insert(vertices.end(), mesh.facet(f).v.begin(), mesh.facet(f).v.end());
-  std::ranges::sort(vertices);
-  const auto rest = std::ranges::unique(vertices);
-  vertices.erase(rest.begin(), rest.end());
-  return vertices;
+  out->set_area_m2(size.area_m2);
 }
 
 /// The arrays of a FieldUpdate, as session.proto lists them.
@@ -201,7 +175,7 @@ std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_v
   });
   arrays.vertices.assign(moved.begin(), moved.end());
   arrays.add_positions(mesh);
-  const auto sizes = sizes_of(mesh);
+  const auto sizes = surface_sizes(mesh);
   for (const auto& [id, size] : sizes)
     if (surfaces_moved || touched.contains(id))
       describe(mesh, id, size, update->add_surfaces());
@@ -239,7 +213,7 @@ bulk surface_stream::whole(const std::string& document, const mesh_version& mesh
   auto* update = result.header.mutable_surface_update();
   update->set_document(document);
   update->set_version_id(to_hex(mesh.id()));
-  const auto sizes = sizes_of(mesh);
+  const auto sizes = surface_sizes(mesh);
   for (const auto& surface : mesh.surfaces())
     if (const auto found = sizes.find(surface.id); found != sizes.end())
       describe(mesh, surface.id, found->second, update->add_surfaces());

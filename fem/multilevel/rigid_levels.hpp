@@ -110,7 +110,7 @@ void replace_rows(rigid_level& level, std::span<const std::uint32_t> rows, const
     rows.size(),
     [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t i = first; i < last; ++i) {
-        std::ranges::copy(content(i).column, &level.column[at[i]]);
+        std::ranges::copy(content(i).column, level.column.begin() + at[i]);
         for (std::size_t s = 0; s < content(i).block.size(); ++s)
           store(content(i).block[s], level.block[at[i] + s]);
       }

@@ -12,17 +12,17 @@ namespace tedit {
 // -- copying -----------------------------------------------------------------------
 
 work_mesh::work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets, bool keep_boundary) {
-  std::vector<std::uint32_t> tet_number(mesh.tet_slots(), no_id);
-  std::vector<std::uint32_t> vertex_number(mesh.vertex_slots(), no_id);
+  sparse_numbers tet_number(mesh.tet_slots());
+  sparse_numbers vertex_number(mesh.vertex_slots());
   for (const auto t : tets) {
-    if (t >= mesh.tet_slots() || !mesh.is_live_tet(t) || tet_number[t] != no_id)
+    if (t >= mesh.tet_slots() || !mesh.is_live_tet(t) || tet_number[t] != sparse_numbers::none)
       continue;
     const auto n = tet_slots();
-    tet_number[t] = n;
+    tet_number.set(t, n);
     auto corner = mesh.tet_at(t).v;
     for (auto& v : corner) {
-      if (vertex_number[v] == no_id) {
-        vertex_number[v] = vertices();
+      if (vertex_number[v] == sparse_numbers::none) {
+        vertex_number.set(v, vertices());
         at_.push_back(mesh.position(v));
         vertex_ids_.push_back(v);
         vertex_tet_.push_back(n);
@@ -42,7 +42,7 @@ work_mesh::work_mesh(const mesh_builder& mesh, std::span<const tet_id> tets, boo
   find_kinds(mesh, keep_boundary);
 }
 
-void work_mesh::link_copied(const mesh_builder& mesh, const std::vector<std::uint32_t>& number) {
+void work_mesh::link_copied(const mesh_builder& mesh, const sparse_numbers& number) {
   for (std::uint32_t n = 0; n < tet_slots(); ++n) {
     auto row = mesh.neighbours(copied_[n]);
     for (auto& beyond : row) {

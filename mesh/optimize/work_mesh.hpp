@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sparse_numbers.hpp"
 #include "mesh/builder.hpp"
 #include "mesh/face_key.hpp"
 
@@ -130,7 +131,7 @@ private:
     }
   };
 
-  void link_copied(const mesh_builder& mesh, const std::vector<std::uint32_t>& number);
+  void link_copied(const mesh_builder& mesh, const sparse_numbers& number);
   void find_kinds(const mesh_builder& mesh, bool keep_boundary);
   void gather_faces(const work_change& change);
   [[nodiscard]] bool plan(const work_change& change);

@@ -7,34 +7,14 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "mesh/box.hpp"
+#include "mesh/facet_pages.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 
 namespace tedit::ops {
 
 namespace {
-
-struct box {
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high{-1e300, -1e300, -1e300};
-
-  void add(vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  [[nodiscard]] bool meets(const box& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
-  }
-};
-
-template <std::size_t N>
-box box_of(const std::array<vec3, N>& points) {
-  box result;
-  for (const auto& p : points)
-    result.add(p);
-  return result;
-}
 
 struct placed_triangle {
   std::array<vec3, 3> p;
@@ -127,20 +107,19 @@ tl::unexpected<error> cuts(const mesh_version& mesh, const boundary_facet& facet
 
 expected<void> check_boundary(const mesh_version& mesh, const std::vector<placed_triangle>& caps,
                               const box& all) {
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-    if (!mesh.is_live_facet(f))
-      continue;
+  expected<void> result;
+  for_each_facet_near(mesh, all, [&](facet_id f) {
     const auto& facet = mesh.facet(f);
     const std::array<vec3, 3> p{mesh.position(facet.v[0]), mesh.position(facet.v[1]),
                                 mesh.position(facet.v[2])};
     const box extent = box_of(p);
-    if (!extent.meets(all))
-      continue;
+    if (!result || !extent.meets(all))
+      return;
     for (const auto& c : caps)
       if (c.extent.meets(extent) && crosses(c, facet.v, p))
-        return cuts(mesh, facet);
-  }
-  return {};
+        result = cuts(mesh, facet);
+  });
+  return result;
 }
 
 /// The angle from the direction `in` around the axis `along`, from 0 to 2 pi.

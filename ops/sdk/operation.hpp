@@ -196,7 +196,7 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 3;
+inline constexpr std::uint32_t sdk_major = 4;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 /// Compiler and standard library that built the plugin: C++ types cross the border.

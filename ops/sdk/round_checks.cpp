@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/box.hpp"
+#include "mesh/facet_pages.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 #include "ops/sdk/round_boundary.hpp"
@@ -11,27 +13,6 @@
 namespace tedit::ops {
 
 namespace {
-
-struct box {
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high{-1e300, -1e300, -1e300};
-
-  void add(vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  [[nodiscard]] bool meets(const box& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
-  }
-};
-
-box box_of(const std::array<vec3, 3>& points) {
-  box result;
-  for (const auto& p : points)
-    result.add(p);
-  return result;
-}
 
 /// How often the shell goes round a point: 1 inside, 0 outside. Sum of solid angles (van Oosterom
 /// and Strackee 1983).
@@ -113,28 +94,30 @@ expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
       all.add(p);
     fresh.push_back(one);
   }
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-    if (!mesh.is_live_facet(f) || shell.replaced.contains(f))
-      continue;
+  expected<void> result;
+  for_each_facet_near(mesh, all, [&](facet_id f) {
     const auto& v = mesh.facet(f).v;
     const std::array<vec3, 3> p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
     const auto extent = box_of(p);
-    if (!extent.meets(all))
-      continue;
-    for (const auto& one : fresh) {
-      if (!one.extent.meets(extent) || std::ranges::any_of(one.index, [&](std::uint32_t k) {
-            return shell.vertices[k] != no_id && std::ranges::count(v, shell.vertices[k]) > 0;
-          }))
-        continue;
-      if (triangles_intersect(one.p, p))
-        return fail(ec::cap_intersects,
-                    "the rounding of " + plan.chains.front().name(mesh) +
-                      " would run into surface " + std::to_string(mesh.facet(f).surface) + " at " +
-                      place_text(p[0]),
-                    "Take a smaller radius");
-    }
-  }
-  return {};
+    if (!result || !extent.meets(all) || shell.replaced.contains(f))
+      return;
+    const bool meets = std::ranges::any_of(fresh, [&](const placed& one) {
+      return one.extent.meets(extent) &&
+             std::ranges::none_of(one.index,
+                                  [&](std::uint32_t k) {
+                                    return shell.vertices[k] != no_id &&
+                                           std::ranges::count(v, shell.vertices[k]) > 0;
+                                  }) &&
+             triangles_intersect(one.p, p);
+    });
+    if (meets)
+      result =
+        fail(ec::cap_intersects,
+             "the rounding of " + plan.chains.front().name(mesh) + " would run into surface " +
+               std::to_string(mesh.facet(f).surface) + " at " + place_text(p[0]),
+             "Take a smaller radius");
+  });
+  return result;
 }
 
 }  // namespace tedit::ops

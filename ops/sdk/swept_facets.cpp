@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/box.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 
@@ -12,24 +13,6 @@ namespace tedit::ops {
 namespace {
 
 using triangle = std::array<vec3, 3>;
-
-struct box {
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high{-1e300, -1e300, -1e300};
-
-  void add(vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  void add(const triangle& t) {
-    for (const auto& p : t)
-      add(p);
-  }
-  [[nodiscard]] bool meets(const box& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
-  }
-};
 
 struct swept_facet {
   facet_id facet = no_id;

@@ -75,15 +75,17 @@ TEST(CheckVersion, FindsWrongCounts) {
   EXPECT_THAT(broken(data), HasSubstr("48 live, 49 stated"));
 }
 
-TEST(CheckVersion, FindsABoundaryThatTouchesItself) {
-  // Two cells that share an edge only.
+/// Two cells that share an edge only, from vertex 0 to vertex 3.
+version_ptr two_at_an_edge() {
   raw_mesh raw;
   raw.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}};
   raw.tets = {{{0, 1, 2, 3}}, {{0, 4, 5, 3}}};
   raw.tet_regions = {1, 1};
-  const auto mesh = build_version(raw, 1)->version;
+  return build_version(raw, 1)->version;
+}
 
-  const auto report = check_version(*mesh);
+TEST(CheckVersion, FindsABoundaryThatTouchesItself) {
+  const auto report = check_version(*two_at_an_edge());
 
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.findings.front().code, ec::non_manifold);
@@ -106,6 +108,21 @@ TEST(CheckEdit, AReportedSmallMoveIsFine) {
 TEST(CheckEdit, AnUnreportedMoveIsFound) {
   EXPECT_THAT(to_error(moved({0.01, 0, 0}, false)).message,
               HasSubstr("untouched tets are identical"));
+}
+
+TEST(CheckEdit, AMoveIsSeenInAllTetsAroundAlsoWhereTheyHangTogetherAtTheVertexAlone) {
+  const auto base = two_at_an_edge();
+  for (const tet_id reported : {0u, 1u}) {
+    mesh_builder builder(base);
+    builder.set_position(0, {0, 0, -0.01});
+    edit_claim claim;
+    claim.touched = {reported};
+
+    const auto fault = to_error(check_edit(*base, *builder.freeze(), claim));
+
+    EXPECT_THAT(fault.message, HasSubstr("untouched tets are identical"));
+    EXPECT_EQ(fault.where, "tet " + std::to_string(1 - reported));
+  }
 }
 
 TEST(CheckEdit, AWrongVolumeClaimIsFound) {
