@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "base/units.hpp"
+#include "mesh/box.hpp"
 #include "mesh/io/file.hpp"
 
 namespace tedit {
@@ -15,16 +16,6 @@ template <class T>
 void put(std::ostream& out, T value) {
   out.write(reinterpret_cast<const char*>(&value), sizeof(T));
 }
-
-struct box {
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high{-1e300, -1e300, -1e300};
-
-  void add(vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
 
 using triangle_list = std::vector<std::array<vertex_id, 3>>;
 
