@@ -371,8 +371,8 @@ TEST_F(transport_limit, a_slow_reader_is_closed_and_others_go_on) {
   const auto slow = connect_known(64 << 10);
   const auto other = connect_known();
   const auto remote = seen->wait(seen->opened);
-  for (int i = 0; i < 32; ++i)
-    remote->send(make_frame(mib));
+  for (const auto& bytes : std::vector(32, make_frame(mib)))  // Making 32 may outlast slow_client.
+    remote->send(bytes);
   EXPECT_GT(remote->queued_bytes(), 16 * mib);
   EXPECT_TRUE(eventually([&] {
     EXPECT_EQ(other->round_trip("ping"), "ping");
