@@ -28,7 +28,7 @@ document::document(remote& link, QObject* parent) : QObject(parent), link_(link)
   connect(&link_, &remote::state_changed, this, &document::connection_changed);
   connect(&link_, &remote::surface_arrived, this, &document::take_surface);
   connect(&link_, &remote::field_arrived, this, &document::take_field);
-  connect(&link_, &remote::committed, this, &document::take_commit);
+  connect(&link_, &remote::committed, this, &document::take_event);
   connect(&link_, &remote::load_cases_changed, this, [this](const client::load_cases_event& event) {
     if (head() && head()->info.version_id == event.version_id)
       take_other_load_cases(event.load_cases);
@@ -289,6 +289,23 @@ void document::connection_changed() {
 
 // -- edits ---------------------------------------------------------------------------
 
+/// Who asks hears of it twice: as an event, then as the answer. Events of others' commits may lie
+/// between the two, so the answer counts only where no event told of it since it was asked for.
+void document::ask_commit(const QString& title, remote::work<client::committed> call) {
+  ask<client::committed>(title, std::move(call), [this, asked = told_](client::committed& what) {
+    const auto row = versions_.find(what.head.number);
+    if (row == versions_.end() || row->second.told <= asked)
+      take_commit(what);
+  });
+}
+
+void document::take_event(const client::committed& what) {
+  if (!is_open())
+    return;
+  take_commit(what);
+  versions_[what.head.number].told = ++told_;
+}
+
 void document::apply(const QString& operation, const std::vector<surface_id>& surfaces,
                      const ops::parameters& values, const fem::carry_settings& loads) {
   const auto* offered = operations_.find(operation);
@@ -296,31 +313,22 @@ void document::apply(const QString& operation, const std::vector<surface_id>& su
   const auto* now = head();
   const std::string expected_version = now ? now->info.version_id : std::string();
   emit applied(operation, surfaces, values);
-  ask<client::committed>(
-    title,
-    [=, id = operation.toStdString()](client::client& c, const execution& run) {
-      return c.edit(id, surfaces, values, run, expected_version, loads);
-    },
-    [this](client::committed& what) { take_commit(what); });
+  ask_commit(title, [=, id = operation.toStdString()](client::client& c, const execution& run) {
+    return c.edit(id, surfaces, values, run, expected_version, loads);
+  });
 }
 
 void document::undo() {
-  ask<client::committed>(
-    tr("Undo"), [](client::client& c, const execution&) { return c.undo(); },
-    [this](client::committed& what) { take_commit(what); });
+  ask_commit(tr("Undo"), [](client::client& c, const execution&) { return c.undo(); });
 }
 
 void document::redo() {
-  ask<client::committed>(
-    tr("Redo"), [](client::client& c, const execution&) { return c.redo(); },
-    [this](client::committed& what) { take_commit(what); });
+  ask_commit(tr("Redo"), [](client::client& c, const execution&) { return c.redo(); });
 }
 
 void document::go_to(std::uint32_t number) {
-  ask<client::committed>(
-    tr("Go to version %1").arg(number),
-    [number](client::client& c, const execution&) { return c.go_to(number); },
-    [this](client::committed& what) { take_commit(what); });
+  ask_commit(tr("Go to version %1").arg(number),
+             [number](client::client& c, const execution&) { return c.go_to(number); });
 }
 
 void document::take_load_cases(const std::vector<fem::load_case>& loads) {
@@ -330,8 +338,6 @@ void document::take_load_cases(const std::vector<fem::load_case>& loads) {
 }
 
 void document::take_commit(const client::committed& what) {
-  if (!is_open())
-    return;
   auto& row = versions_[what.head.number];
   row.info = what.head;
   if (what.report)
@@ -346,7 +352,7 @@ void document::take_commit(const client::committed& what) {
       emit notice(QString::fromStdString(text));
   take_load_cases(what.load_cases);
   take_surface();
-  // An event tells it, and then the answer to who asked: a field may have come in between.
+  // An event tells it, and then the answer to an import: a field may have come in between.
   if (!again)
     set_field_state(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
   emit head_changed();

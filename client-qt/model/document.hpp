@@ -26,6 +26,7 @@ struct version_record {
   std::vector<fem::load_case> load_cases;  ///< As the server said when it was the head.
   std::optional<solve_outcome> outcome;    ///< The converged one.
   int annotation = 0;                      ///< Which of all annotations was its last.
+  int told = 0;                            ///< Which of all events last said that it is the head.
 };
 
 /// What an edit would make; its version is nowhere but here.
@@ -168,6 +169,8 @@ private:
   void connection_changed();
   void reopen();
   void take_state(const client::document_state& state);
+  void ask_commit(const QString& title, remote::work<client::committed> call);
+  void take_event(const client::committed& what);
   void take_commit(const client::committed& what);
   void take_surface();
   void take_field(const shared_field& field);
@@ -203,6 +206,7 @@ private:
   field_state field_state_ = field_state::none;
   client::solve_status solve_status_;
   int annotations_ = 0;
+  int told_ = 0;     ///< Events that moved the head.
   int opening_ = 0;  ///< Answers to an earlier opening are not for us.
 };
 

@@ -185,6 +185,29 @@ TEST_F(Window, AHistoryThatWasAskedForBeforeItTakesNoNameAway) {
   EXPECT_EQ(part().head()->info.name, "as bought");
 }
 
+TEST_F(Window, AnEditIsTakenOnceAndItsAnswerMovesNoNewerHeadBack) {
+  open_plate();
+  QSignalSpy edits(&part(), &document::edited);
+  part().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  EXPECT_EQ(edits.count(), 1);
+
+  // Somebody else's commit comes between the event of this undo and its answer.
+  auto& link = window->link();
+  bool told = false;
+  QObject::connect(&link, &remote::committed, &part(), [&](const client::committed& what) {
+    if (std::exchange(told, true))
+      return;
+    auto other = what;
+    other.head.number = 7;
+    other.head.version_id = "somebody's";
+    emit link.committed(other);
+  });
+  part().undo();
+  ASSERT_TRUE(wait([&] { return told && !part().current_activity(); }));
+  EXPECT_EQ(version(), 7u);
+}
+
 TEST_F(Window, ALoadCaseCanBeRemovedTheLastOneToo) {
   open_plate();
   auto second = part().load_cases().front();
