@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QOpenGLContext>
 #include <QSurfaceFormat>
 
 #include <algorithm>
@@ -175,6 +176,19 @@ bool has_display(int argc, char** argv) {
          has_word(argc, argv, {"-platform", "--platform"});
 }
 
+/// Errors: `service_unavailable`; the view cannot live without it, and Qt ends a window that tries.
+expected<void> check_opengl() {
+  QOpenGLContext context;
+  if (context.create() && context.format().version() >= std::pair(3, 2))
+    return {};
+  return fail(
+    ec::service_unavailable,
+    "there is no OpenGL 3.2 for the view (Qt platform \"" +
+      QGuiApplication::platformName().toStdString() + "\")",
+    "Without a display leave QT_QPA_PLATFORM unset and use --screenshot or --script; with "
+    "an old driver set LIBGL_ALWAYS_SOFTWARE=1");
+}
+
 void name_program() {
   QCoreApplication::setApplicationName("tedit-qt");
   QCoreApplication::setApplicationVersion(TEDIT_VERSION);
@@ -222,6 +236,8 @@ int main(int argc, char** argv) {
   const auto steps = steps_of(wanted);
   if (!steps)
     return complain(steps.error());
+  if (auto ok = check_opengl(); !ok)
+    return complain(ok.error());
 
   stall_watch watch;
   main_window window(wanted.state_folder);

@@ -15,6 +15,10 @@ status=0
 "$bin/tedit-qt" 2>"$folder/said" || status=$?
 [ "$status" -eq 69 ] || { echo "without a display it ended with $status" >&2; cat "$folder/said" >&2; exit 1; }
 grep -q 'no display' "$folder/said"
+status=0
+QT_QPA_PLATFORM=offscreen "$bin/tedit-qt" 2>"$folder/said" || status=$?
+[ "$status" -eq 69 ] || { echo "without OpenGL it ended with $status" >&2; cat "$folder/said" >&2; exit 1; }
+grep -q 'no OpenGL 3.2' "$folder/said"
 
 "$bin/tedit-qt" --state "$folder/state" --size 800x600 --open "$plate/ctc01_plate.coarse.msh" \
   --load-case "$plate/load_case.json" --screenshot "$folder/plate.png" --report "$folder/report.json"
