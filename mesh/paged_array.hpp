@@ -89,7 +89,7 @@ private:
   }
 
   std::vector<page_ptr> pages_;
-  std::vector<const T*> items_;  ///< Where each page begins: two loads less at each access.
+  std::vector<const T*> items_;  ///< Where each page begins: one load less at each access.
   std::size_t size_ = 0;
 };
 
