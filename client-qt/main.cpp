@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
 
@@ -179,7 +180,10 @@ bool has_display(int argc, char** argv) {
 /// Errors: `service_unavailable`; the view cannot live without it, and Qt ends a window that tries.
 expected<void> check_opengl() {
   QOpenGLContext context;
-  if (context.create() && context.format().version() >= std::pair(3, 2))
+  QOffscreenSurface surface;
+  surface.create();
+  if (context.create() && context.format().version() >= std::pair(3, 2) &&
+      context.makeCurrent(&surface))
     return {};
   return fail(
     ec::service_unavailable,

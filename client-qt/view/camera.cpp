@@ -3,10 +3,10 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
-#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tedit::desktop {
@@ -26,46 +26,58 @@ vec3 to_vec3(const double* p) {
 
 }  // namespace
 
-camera::camera(vtkRenderer* renderer) : renderer_(renderer) {
+camera::camera() {
   look_from(direction::isometric);
 }
 
-void camera::rotate(double dx, double dy) {
-  auto* c = renderer_->GetActiveCamera();
-  c->Azimuth(-180 * dx);
-  c->Elevation(180 * dy);
-  c->OrthogonalizeViewUp();
+camera::~camera() = default;
+
+void camera::set_size(double width, double height) {
+  width_ = std::max(1.0, width);
+  height_ = std::max(1.0, height);
+}
+
+void camera::set_box(const std::array<double, 6>& box) {
+  box_ = box;
   adjust_depth();
 }
 
+vtkSmartPointer<vtkCamera> camera::copy() const {
+  auto result = vtkSmartPointer<vtkCamera>::New();
+  result->DeepCopy(camera_);
+  return result;
+}
+
+void camera::rotate(double dx, double dy) {
+  camera_->Azimuth(-180 * dx);
+  camera_->Elevation(180 * dy);
+  camera_->OrthogonalizeViewUp();
+  adjust_depth();
+}
+
+/// The focus stays in its plane.
 void camera::pan(double dx, double dy) {
-  auto* c = renderer_->GetActiveCamera();
   const auto now = get();
   const auto pixel = to_pixel(now.focus);
-  renderer_->SetDisplayPoint(pixel.x - dx, pixel.y - dy, pixel.z);
-  renderer_->DisplayToWorld();
-  std::array<double, 4> w{};
-  renderer_->GetWorldPoint(w.data());
-  if (w[3] == 0)
+  const auto [from, to] = ray(pixel[0] - dx, pixel[1] - dy);
+  const vec3 ahead = unit(now.focus - now.position);
+  const double along = dot(to - from, ahead);
+  if (along == 0)
     return;
-  const vec3 moved = vec3{w[0] / w[3], w[1] / w[3], w[2] / w[3]} - now.focus;
-  const vec3 focus = now.focus + moved;
-  const vec3 position = now.position + moved;
-  c->SetFocalPoint(focus.x, focus.y, focus.z);
-  c->SetPosition(position.x, position.y, position.z);
-  adjust_depth();
+  const vec3 hit = from + dot(now.focus - from, ahead) / along * (to - from);
+  const vec3 moved = hit - now.focus;
+  set({now.position + moved, now.focus + moved, now.up, now.parallel_scale});
 }
 
 void camera::zoom(double factor, double x, double y) {
-  auto* c = renderer_->GetActiveCamera();
-  const vec3 middle = to_pixel(get().focus);
-  const double dx = x - middle.x;
-  const double dy = y - middle.y;
+  const auto middle = to_pixel(get().focus);
+  const double dx = x - middle[0];
+  const double dy = y - middle[1];
   pan(-dx, -dy);
-  if (c->GetParallelProjection())
-    c->SetParallelScale(c->GetParallelScale() / factor);
+  if (camera_->GetParallelProjection())
+    camera_->SetParallelScale(camera_->GetParallelScale() / factor);
   else
-    c->Dolly(factor);
+    camera_->Dolly(factor);
   adjust_depth();
   pan(dx, dy);
 }
@@ -107,15 +119,12 @@ void camera::look_from(direction from) {
 void camera::fit(const std::array<double, 6>& bounds) {
   if (bounds[0] > bounds[1])
     return;
-  auto* c = renderer_->GetActiveCamera();
   auto now = get();
   const vec3 back = unit(now.position - now.focus);
   const vec3 right = unit(cross(now.up, back));
   const vec3 up = cross(back, right);
-  const int* size = renderer_->GetSize();
-  const double aspect =
-    (1 - left_margin_) * (size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1);
-  const double slope = std::tan(c->GetViewAngle() * std::numbers::pi / 360);
+  const double aspect = (1 - left_margin_) * width_ / height_;
+  const double slope = std::tan(camera_->GetViewAngle() * std::numbers::pi / 360);
   now.focus = {(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
                (bounds[4] + bounds[5]) / 2};
   double half_height = 0;
@@ -137,7 +146,7 @@ void camera::fit(const std::array<double, 6>& bounds) {
 void camera::set_left_margin(double share) {
   left_margin_ = std::clamp(share, 0.0, 0.4);
   // The picture's middle moves, the focus stays.
-  renderer_->GetActiveCamera()->SetWindowCenter(-left_margin_, 0);
+  camera_->SetWindowCenter(-left_margin_, 0);
 }
 
 void camera::focus_on(const vec3& place) {
@@ -148,12 +157,12 @@ void camera::focus_on(const vec3& place) {
 }
 
 void camera::set_parallel(bool on) {
-  renderer_->GetActiveCamera()->SetParallelProjection(on);
+  camera_->SetParallelProjection(on);
   adjust_depth();
 }
 
 bool camera::is_parallel() const {
-  return renderer_->GetActiveCamera()->GetParallelProjection() != 0;
+  return camera_->GetParallelProjection() != 0;
 }
 
 bool camera::is_within(const std::array<double, 6>& box) const {
@@ -163,48 +172,48 @@ bool camera::is_within(const std::array<double, 6>& box) const {
 }
 
 camera::pose camera::get() const {
-  auto* c = renderer_->GetActiveCamera();
-  return {to_vec3(c->GetPosition()), to_vec3(c->GetFocalPoint()), to_vec3(c->GetViewUp()),
-          c->GetParallelScale()};
+  return {to_vec3(camera_->GetPosition()), to_vec3(camera_->GetFocalPoint()),
+          to_vec3(camera_->GetViewUp()), camera_->GetParallelScale()};
 }
 
 void camera::set(const pose& wanted) {
-  auto* c = renderer_->GetActiveCamera();
-  c->SetPosition(wanted.position.x, wanted.position.y, wanted.position.z);
-  c->SetFocalPoint(wanted.focus.x, wanted.focus.y, wanted.focus.z);
-  c->SetViewUp(wanted.up.x, wanted.up.y, wanted.up.z);
-  c->SetParallelScale(wanted.parallel_scale);
+  camera_->SetPosition(wanted.position.x, wanted.position.y, wanted.position.z);
+  camera_->SetFocalPoint(wanted.focus.x, wanted.focus.y, wanted.focus.z);
+  camera_->SetViewUp(wanted.up.x, wanted.up.y, wanted.up.z);
+  camera_->SetParallelScale(wanted.parallel_scale);
   adjust_depth();
 }
 
+/// Row by row, to [-1,1] across and up and to [0,1] in depth.
+std::array<double, 16> camera::matrix() const {
+  std::array<double, 16> result{};
+  auto* by = camera_->GetCompositeProjectionTransformMatrix(width_ / height_, 0, 1);
+  std::copy_n(by->GetData(), result.size(), result.begin());
+  return result;
+}
+
 std::array<vec3, 2> camera::ray(double x, double y) const {
+  const auto forth = matrix();
+  std::array<double, 16> back{};
+  vtkMatrix4x4::Invert(forth.data(), back.data());
   std::array<vec3, 2> ends{};
   for (int i = 0; i < 2; ++i) {
-    renderer_->SetDisplayPoint(x, y, i);
-    renderer_->DisplayToWorld();
+    const std::array<double, 4> at{2 * x / width_ - 1, 2 * y / height_ - 1, static_cast<double>(i),
+                                   1};
     std::array<double, 4> w{};
-    renderer_->GetWorldPoint(w.data());
+    vtkMatrix4x4::MultiplyPoint(back.data(), at.data(), w.data());
     const double scale = w[3] == 0 ? 1 : 1 / w[3];
     ends[i] = {w[0] * scale, w[1] * scale, w[2] * scale};
   }
   return ends;
 }
 
-vec3 camera::to_pixel(const vec3& at) const {
-  renderer_->SetWorldPoint(at.x, at.y, at.z, 1);
-  renderer_->WorldToDisplay();
-  return to_vec3(renderer_->GetDisplayPoint());
+std::array<double, 2> camera::to_pixel(const vec3& at) const {
+  return to_pixels().apply(at);
 }
 
 camera::projection camera::to_pixels() const {
-  projection result;
-  const int* size = renderer_->GetSize();
-  result.width = size[0];
-  result.height = size[1];
-  const double aspect = result.width / std::max(1.0, result.height);
-  auto* matrix = renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, 0, 1);
-  std::copy_n(matrix->GetData(), result.matrix.size(), result.matrix.begin());
-  return result;
+  return {matrix(), width_, height_};
 }
 
 std::array<double, 2> camera::projection::apply(const vec3& at) const {
@@ -216,8 +225,26 @@ std::array<double, 2> camera::projection::apply(const vec3& at) const {
   return {(row(0) / w + 1) / 2 * width, (row(1) / w + 1) / 2 * height};
 }
 
+/// Around the box with some room; VTK fits the planes anew to what it draws.
 void camera::adjust_depth() {
-  renderer_->ResetCameraClippingRange();
+  const auto now = get();
+  const vec3 ahead = unit(now.focus - now.position);
+  double near = std::numeric_limits<double>::max();
+  double far = std::numeric_limits<double>::lowest();
+  for (int corner = 0; corner < 8; ++corner) {
+    const vec3 p{box_[corner & 1], box_[2 + (corner >> 1 & 1)], box_[4 + (corner >> 2 & 1)]};
+    const double depth = dot(p - now.position, ahead);
+    near = std::min(near, depth);
+    far = std::max(far, depth);
+  }
+  const double room = std::max(0.1 * (far - near), 1e-9);
+  near -= room;
+  far += room;
+  if (!is_parallel()) {  // What lies behind the viewer is not seen.
+    far = std::max(far, room);
+    near = std::max(near, 1e-4 * far);
+  }
+  camera_->SetClippingRange(near, far);
 }
 
 }  // namespace tedit::desktop

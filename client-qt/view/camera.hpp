@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 
 #include "mesh/vec3.hpp"
 
-class vtkRenderer;
+class vtkCamera;
 
 namespace tedit::desktop {
 
-/// The camera of a renderer, moved as a hand would: about the middle of what is seen.
+/// Where a view is looked at from, moved as a hand would: about the middle of what is seen. Pixels
+/// are the widget's, from its lower left. The renderer, which belongs to another thread, gets
+/// copies.
 class camera {
 public:
   enum class direction { front, back, left, right, top, bottom, isometric };
@@ -24,7 +29,7 @@ public:
     friend bool operator==(const pose&, const pose&) = default;
   };
 
-  /// From space to pixels (from the lower left), as it was when it was asked for.
+  /// From space to pixels, as it was when it was asked for.
   struct projection {
     std::array<double, 16> matrix{};  ///< Row by row, to [-1,1] each way.
     double width = 0;                 ///< Pixels.
@@ -33,13 +38,22 @@ public:
     [[nodiscard]] std::array<double, 2> apply(const vec3& at) const;
   };
 
-  explicit camera(vtkRenderer* renderer);
+  camera();
+  ~camera();
+
+  /// The view's size in pixels.
+  void set_size(double width, double height);
+  /// What rays begin before and end behind: x low, x high, y low, ...
+  void set_box(const std::array<double, 6>& box);
+
+  /// For a renderer.
+  [[nodiscard]] vtkSmartPointer<vtkCamera> copy() const;
 
   /// By parts of the view's height: a full height turns by 180 degrees.
   void rotate(double dx, double dy);
-  /// By pixels.
+  /// By pixels, to the right and up.
   void pan(double dx, double dy);
-  /// Above 1 nearer; the point at the pixel (from the lower left) stays where it is.
+  /// Above 1 nearer; the point at the pixel stays where it is.
   void zoom(double factor, double x, double y);
   void look_from(direction from);
   void fit(const std::array<double, 6>& bounds);
@@ -54,20 +68,24 @@ public:
   [[nodiscard]] pose get() const;
   void set(const pose& wanted);
 
-  /// The ray through a pixel (from the lower left), from the near to the far plane.
+  /// The ray through a pixel, from before the box to behind it.
   [[nodiscard]] std::array<vec3, 2> ray(double x, double y) const;
-  /// The pixel of a point, and its depth in [0,1].
-  [[nodiscard]] vec3 to_pixel(const vec3& at) const;
+  /// The pixel of a point.
+  [[nodiscard]] std::array<double, 2> to_pixel(const vec3& at) const;
 
   [[nodiscard]] projection to_pixels() const;
 
   /// Whether the viewer stands in a box: x low, x high, y low, ...; never with parallel rays.
   [[nodiscard]] bool is_within(const std::array<double, 6>& box) const;
-  /// Near and far plane around what is drawn; needed after every change of either.
-  void adjust_depth();
 
 private:
-  vtkRenderer* renderer_;
+  void adjust_depth();
+  [[nodiscard]] std::array<double, 16> matrix() const;
+
+  vtkNew<vtkCamera> camera_;
+  std::array<double, 6> box_{-1, 1, -1, 1, -1, 1};
+  double width_ = 1;
+  double height_ = 1;
   double left_margin_ = 0;
 };
 

@@ -109,7 +109,6 @@ void compare_view::link(const pane& from, const pane& to) {
       return;
     linking_ = true;
     to.view->view().set(from.view->view().get());
-    to.view->view().adjust_depth();
     to.view->redraw();
     to.over->update();
     linking_ = false;
@@ -143,7 +142,6 @@ void compare_view::step_back(double factor) {
   pose.position = pose.focus + factor * (pose.position - pose.focus);
   pose.parallel_scale *= factor;
   after_.view->view().set(pose);
-  after_.view->view().adjust_depth();
   after_.view->redraw();
   emit after_.view->view_changed();
 }
@@ -183,7 +181,6 @@ void compare_view::take_start_pose() {
     return;
   posed_ = true;
   after_.view->view().set(what_->from);
-  after_.view->view().adjust_depth();
   after_.view->redraw();
   emit after_.view->view_changed();
   step_back(distance_for(after_.view->size()));

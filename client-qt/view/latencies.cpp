@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <limits>
 
 #include "client-qt/view/context_panel.hpp"
 #include "client-qt/view/main_window.hpp"
@@ -25,7 +26,11 @@ void note(QElapsedTimer& since, std::optional<double>& worst) {
 
 latencies::latencies(main_window& window, QObject* parent) : QObject(parent), window_(window) {
   since_start_.start();
-  connect(&window.view(), &viewport::clicked, this, [this] { clicked_.start(); });
+  connect(&window.view(), &viewport::clicked, this, [this] {
+    clicked_.start();
+    asked_by_click_ = std::numeric_limits<int>::max();  // Known when all have heard of it.
+    QTimer::singleShot(0, this, [this] { asked_by_click_ = window_.view().asked(); });
+  });
   connect(&window.part(), &document::head_changed, this, [this] { committed_.start(); });
   connect(&window.context().preview(), &live_preview::changed, this, [this] {
     const auto& preview = window_.context().preview();
@@ -52,11 +57,11 @@ bool latencies::eventFilter(QObject* watched, QEvent* event) {
 
 void latencies::drawn() {
   const auto& view = window_.view();
-  if (clicked_.isValid())
+  if (clicked_.isValid() && view.seen() >= asked_by_click_)
     note(clicked_, click_to_frame);
-  if (since_start_.isValid() && view.value_extremes())
+  if (since_start_.isValid() && view.value_extremes() && view.is_seen())
     note(since_start_, first_field);
-  if (!view.is_settled())
+  if (!view.is_settled() || !view.is_shape_seen())
     return;
   const auto* head = window_.part().head();
   if (committed_.isValid() && head && head->surface && view.current().surface == head->surface)

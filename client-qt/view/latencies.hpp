@@ -38,6 +38,7 @@ private:
   main_window& window_;
   QElapsedTimer since_start_;
   QElapsedTimer clicked_;
+  int asked_by_click_ = 0;
   QElapsedTimer committed_;
   QElapsedTimer previewed_;
 };

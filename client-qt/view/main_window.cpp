@@ -29,7 +29,6 @@
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/view/preview_box.hpp"
 #include "client-qt/view/receipt_panel.hpp"
-#include "client-qt/view/rehearsal.hpp"
 #include "client-qt/view/section_bar.hpp"
 #include "client-qt/view/truth_line.hpp"
 #include "client-qt/view/view_cube.hpp"
@@ -65,7 +64,6 @@ main_window::main_window(const QString& state_folder)
   welcome_ = new welcome_page;
   view_ = new viewport;
   view_->keep_fitted(true);
-  rehearsal_ = std::make_unique<rehearsal>(*view_, this);
   overlay_ = new overlay(*view_);
   cube_ = new view_cube(*view_);
   pages_->addWidget(welcome_);
@@ -404,11 +402,6 @@ void main_window::log(const QString& line, log_level level) {
 }
 
 // -- the window ----------------------------------------------------------------------
-
-void main_window::showEvent(QShowEvent* event) {
-  QMainWindow::showEvent(event);
-  rehearsal_->start();
-}
 
 void main_window::closeEvent(QCloseEvent* event) {
   settings_.setValue("geometry", saveGeometry());

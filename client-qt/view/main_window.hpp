@@ -35,7 +35,6 @@ class probes;
 class receipt_panel;
 class recipe_player;
 class recorder;
-class rehearsal;
 class section_bar;
 class truth_line;
 class view_cube;
@@ -91,7 +90,6 @@ signals:
   void hidden_changed();
 
 protected:
-  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -188,7 +186,6 @@ private:
   QStackedWidget* pages_;
   welcome_page* welcome_;
   viewport* view_;
-  std::unique_ptr<rehearsal> rehearsal_;  ///< Must go before the view.
   overlay* overlay_;
   view_cube* cube_;
   banner* banner_;

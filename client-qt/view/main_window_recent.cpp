@@ -59,10 +59,10 @@ void main_window::keep_picture(const QImage& frame) {
   });
 }
 
-/// While a frame is on the screen it is only read; at any other time it would be drawn again.
+/// Of a frame that is there: the window waits for none.
 void main_window::take_pictures() {
   const auto* head = part_.head();
-  if (!head || view_->draws_quickly() || view_->current().before ||
+  if (!head || !view_->is_seen() || !view_->is_fine() || view_->current().before ||
       view_->current().surface != head->surface)
     return;
   const auto field = view_->current().field;
@@ -73,7 +73,7 @@ void main_window::take_pictures() {
   const auto due = std::exchange(thumbnail_due_, {});
   if (!fresh && due.empty())
     return;
-  const QImage frame = view_->grabFramebuffer();
+  const QImage frame = view_->last_picture();
   if (fresh)
     keep_picture(frame);
   if (!due.empty())

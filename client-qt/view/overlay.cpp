@@ -94,7 +94,6 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
 overlay::overlay(viewport& view) : QWidget(&view), view_(view) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
-  connect(&view, &viewport::view_changed, this, &overlay::follow_camera);
   connect(&view, &viewport::shown, this, qOverload<>(&QWidget::update));
   show_legend(true);
 }
@@ -130,7 +129,7 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
   const auto add = [&](const vec3& at, const QString& text, bool below) {
     if (view_.section() && view_.section()->takes_away(at))
       return;
-    const QPointF place = scale * view_.to_widget(at);
+    const QPointF place = scale * view_.to_frame(at);
     QRectF box(place + scale * QPointF(12, below ? 10 : -30),
                QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
     if (box.right() > scale * view_.width())  // Else the words were cut off.
@@ -158,19 +157,6 @@ void overlay::paint_tag(QPainter& painter, const tag& what, double scale) const 
   painter.drawRoundedRect(what.box, 4 * scale, 4 * scale);
   painter.setPen(QColor(25, 30, 40));
   painter.drawText(what.box, Qt::AlignCenter, what.text);
-}
-
-QRegion overlay::region_of_tags() const {
-  QRegion result;
-  for (const auto& one : tags(1))
-    result += (one.box | QRectF(one.place, one.place).adjusted(-6, -6, 6, 6))
-                .adjusted(-3, -3, 3, 3)
-                .toAlignedRect();
-  return result;
-}
-
-void overlay::follow_camera() {
-  update(marks_ | region_of_tags());
 }
 
 /// Also in pictures: nobody must take what is only looked at for what is.
@@ -224,7 +210,6 @@ void overlay::paint_scale(QPainter& painter, double scale) {
 void overlay::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   paint(painter, 1, event->rect());
-  marks_ = region_of_tags();
 }
 
 QImage overlay::picture(int width, int height) {
@@ -234,7 +219,7 @@ QImage overlay::picture(int width, int height) {
   view_.keep_fitted(false);  // The picture is of what is seen.
   if (other)
     view_.resize(width, height);
-  QImage image = view_.grabFramebuffer();
+  QImage image = view_.picture();
   const double scale = static_cast<double>(image.width()) / std::max(1, view_.width());
   image.setDevicePixelRatio(1);
   {

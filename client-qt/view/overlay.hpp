@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <QRegion>
 #include <QWidget>
 
 #include <vector>
@@ -50,10 +49,7 @@ private:
     QString text;
   };
   void paint(QPainter& painter, double scale, const QRect& within);
-  /// After the camera moved: only the marks did, too. All else stays as it was painted.
-  void follow_camera();
   [[nodiscard]] std::vector<tag> tags(double scale) const;
-  [[nodiscard]] QRegion region_of_tags() const;
   [[nodiscard]] QRectF scale_box() const;
   void paint_scale(QPainter& painter, double scale);
   void paint_note(QPainter& painter, double scale);
@@ -62,7 +58,6 @@ private:
   viewport& view_;
   QString note_;
   QColor ink_{32, 38, 48};
-  QRegion marks_;  ///< Where marks were painted last.
   bool extremes_ = true;
   bool legend_ = true;
 };

@@ -70,7 +70,7 @@ void probe_marks::paintEvent(QPaintEvent*) {
     const auto place = all_.place(one, *head);
     if (!place)
       continue;
-    const QPointF at = view_.to_widget(drawn_at(*place));
+    const QPointF at = view_.to_frame(drawn_at(*place));
     const QPointF head_of_pin = at - QPointF(0, 20);
     painter.setPen(QPen(accent_, 2));
     painter.drawLine(at, head_of_pin);

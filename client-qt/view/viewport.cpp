@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/viewport.hpp"
 
-#include <QMouseEvent>
-#include <QRubberBand>
-#include <QWheelEvent>
-
+#include <vtkCamera.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +15,8 @@
 
 namespace tedit::desktop {
 
-namespace {
-
-constexpr double drag_threshold = 4;  // Pixels: less is a click.
-constexpr double zoom_step = 1.12;    // For a notch of the wheel.
-
-}  // namespace
-
-viewport::viewport(QWidget* parent)
-    : vtk_view(parent), camera_(renderer()), scene_(renderer()), preview_(renderer()) {
+viewport::viewport(QWidget* parent) : vtk_view(parent) {
+  change([this](vtkRenderer& renderer) { stage_ = std::make_unique<stage>(renderer); });
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
@@ -34,8 +25,13 @@ viewport::viewport(QWidget* parent)
 }
 
 viewport::~viewport() {
+  end_drawing();
   builders_.clear();
   builders_.waitForDone();
+}
+
+void viewport::change_stage(std::function<void(stage&)> what) {
+  change([this, what = std::move(what)](vtkRenderer&) { what(*stage_); });
 }
 
 // -- what is shown -------------------------------------------------------------------
@@ -50,10 +46,10 @@ void viewport::show_part(const shown_part& what) {
     return;
   if (!same_shape) {
     build();
-  } else if (!building_ && scene_.part() && same_field) {
+  } else if (!building_ && part_ && same_field) {
     emit legend_changed();
     emit shown();
-  } else if (!building_ && scene_.part()) {
+  } else if (!building_ && part_) {
     paint_values();
   }
 }
@@ -83,15 +79,19 @@ void viewport::take_geometry(std::shared_ptr<const part_geometry> part,
   if (generation != generation_)
     return;
   building_ = false;
-  const bool first = !scene_.part();
-  scene_.set_part(std::move(part));
-  preview_.show(preview);
+  const bool first = !part_;
+  part_ = std::move(part);
+  change_stage([part = part_, preview](stage& on) {
+    on.part.set_part(part);
+    on.preview.show(preview);
+  });
+  camera_.set_box(part_->bounds);
   if (first || !fitted_)
     fit();
   paint_values();
+  shaped_ = asked();
   highlight();
   hovered_.reset();
-  camera_.adjust_depth();
 }
 
 /// Most of what changes in the window changes no colour; painting takes 10 ms for 50 000 points.
@@ -99,23 +99,23 @@ void viewport::set_legend(const legend& by) {
   if (legend_.draws_like(by))
     return;
   legend_ = by;
-  if (scene_.part())
+  if (part_)
     paint_values();
 }
 
 void viewport::paint_values() {
   values_.clear();
   extremes_.reset();
-  const auto& part = scene_.part();
+  const auto& part = part_;
   const bool fits = shown_.field && shown_.field->version_id() == part->version_id;
   if (legend_.field == shown_field::surfaces) {
-    scene_.show_surfaces();
+    change_stage([](stage& on) { on.part.show_surfaces(); });
   } else if (legend_.field == shown_field::none || !fits) {
-    scene_.show_plain();
+    change_stage([](stage& on) { on.part.show_plain(); });
   } else {
     values_ = values_of(*part, *shown_.field, legend_.field);
     legend_.fit(values_);
-    scene_.show_values(values_, legend_);
+    change_stage([values = values_, by = legend_](stage& on) { on.part.show_values(values, by); });
     std::size_t low = values_.size();
     std::size_t high = values_.size();
     for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -138,6 +138,7 @@ void viewport::paint_values() {
   paint_cap();
   contour();
   redraw();
+  painted_ = asked();
   emit legend_changed();
   emit shown();
 }
@@ -147,27 +148,27 @@ void viewport::contour() {
   const int mine = ++contours_;
   contouring_ = isolines_ && !values_.empty();
   if (!contouring_) {
-    scene_.set_isolines(nullptr);
+    change_stage([](stage& on) { on.part.set_isolines(nullptr); });
     return;
   }
-  builders_.start([this, mine, part = scene_.part(), values = values_, levels = legend_.levels(),
-                   hidden = scene_.hidden()] {
-    auto lines = make_isolines(*part, values, levels, hidden);
-    QMetaObject::invokeMethod(
-      this,
-      [this, lines, mine] {
-        if (mine != contours_)
-          return;
-        contouring_ = false;
-        scene_.set_isolines(lines);
-        redraw();
-      },
-      Qt::QueuedConnection);
-  });
+  builders_.start(
+    [this, mine, part = part_, values = values_, levels = legend_.levels(), hidden = hidden_] {
+      auto lines = make_isolines(*part, values, levels, hidden);
+      QMetaObject::invokeMethod(
+        this,
+        [this, lines, mine] {
+          if (mine != contours_)
+            return;
+          contouring_ = false;
+          change_stage([lines](stage& on) { on.part.set_isolines(lines); });
+          redraw();
+        },
+        Qt::QueuedConnection);
+    });
 }
 
 void viewport::show_isolines(bool on) {
-  if (std::exchange(isolines_, on) == on || !scene_.part() || building_)
+  if (std::exchange(isolines_, on) == on || !part_ || building_)
     return;
   paint_cap();
   contour();
@@ -176,26 +177,31 @@ void viewport::show_isolines(bool on) {
 /// A cap of another version than the one that is drawn would lie: it is left out until its own
 /// comes.
 void viewport::paint_cap() {
-  const auto& part = scene_.part();
+  const auto& part = part_;
   if (!section_ || !cap_ || !part || cap_->version_id != part->version_id) {
-    scene_.set_cap(nullptr, {}, legend_);
-    scene_.set_cap_isolines(nullptr);
+    change_stage([](stage& on) {
+      on.part.set_cap(nullptr, {}, {});
+      on.part.set_cap_isolines(nullptr);
+    });
     return;
   }
   const auto cap = make_cap(*cap_, shown_.deform);
-  const auto values = values_of(*cap_, legend_.field);
-  scene_.set_cap(cap, values, legend_);
-  // Some ten thousand triangles at most: no work for another thread.
-  const bool lines = isolines_ && !values.empty() && !values_.empty();
-  scene_.set_cap_isolines(lines ? make_isolines(*cap, values, legend_.levels()).Get() : nullptr);
+  const bool lines = isolines_ && !values_.empty();
+  change_stage([cap, values = values_of(*cap_, legend_.field), by = legend_, lines](stage& on) {
+    on.part.set_cap(cap, values, by);
+    on.part.set_cap_isolines(
+      lines && !values.empty() ? make_isolines(*cap, values, by.levels()).Get() : nullptr);
+  });
 }
 
 void viewport::set_section(const std::optional<section_plane>& plane) {
   section_ = plane;
   if (!plane)
     cap_.reset();
-  scene_.clip(plane);
-  preview_.clip(plane);
+  change_stage([plane](stage& on) {
+    on.part.clip(plane);
+    on.preview.clip(plane);
+  });
   paint_cap();
   redraw();
 }
@@ -207,13 +213,15 @@ void viewport::show_cap(std::shared_ptr<const client::section> cap) {
 }
 
 std::optional<std::array<double, 6>> viewport::bounds() const {
-  return scene_.part() ? std::optional(scene_.part()->bounds) : std::nullopt;
+  return part_ ? std::optional(part_->bounds) : std::nullopt;
 }
 
 void viewport::set_colours(const scene_colours& colours) {
-  scene_.set_colours(colours);
-  preview_.set_colours(colours);
-  if (scene_.part())
+  change_stage([colours](stage& on) {
+    on.part.set_colours(colours);
+    on.preview.set_colours(colours);
+  });
+  if (part_)
     paint_values();
   redraw();
 }
@@ -232,48 +240,61 @@ void viewport::mark(const std::vector<surface_id>& faulty) {
 
 /// In a preview the accent's colour is that of what would be new; a fault is shown on the head.
 void viewport::highlight() {
-  const auto& part = scene_.part();
-  if (!part)
+  if (!part_)
     return;
   const bool preview = shown_.before != nullptr;
-  scene_.select(preview || !faulty_.empty() ? std::vector<surface_id>{} : selected_);
-  preview_.mark(*part, preview ? std::vector<surface_id>{} : faulty_);
+  change_stage([part = part_,
+                picked = preview || !faulty_.empty() ? std::vector<surface_id>{} : selected_,
+                faulty = preview ? std::vector<surface_id>{} : faulty_](stage& on) {
+    on.part.select(picked);
+    on.preview.mark(*part, faulty);
+  });
 }
 
 void viewport::hide(const std::set<surface_id>& hidden) {
-  scene_.hide(hidden);
-  if (scene_.part())
+  hidden_ = hidden;
+  change_stage([hidden](stage& on) { on.part.hide(hidden); });
+  if (part_)
     paint_values();
 }
 
 void viewport::show_mesh(bool on) {
-  scene_.show_mesh(on);
+  change_stage([on](stage& there) { there.part.show_mesh(on); });
   redraw();
 }
 
 void viewport::show_edges(bool on) {
-  scene_.show_edges(on);
+  change_stage([on](stage& there) { there.part.show_edges(on); });
   redraw();
 }
 
 void viewport::set_glyphs(vtkPolyData* loads, vtkPolyData* supports) {
-  scene_.set_glyphs(loads, supports);
-  camera_.adjust_depth();
+  change_stage([loads = vtkSmartPointer(loads), supports = vtkSmartPointer(supports)](stage& on) {
+    on.part.set_glyphs(loads, supports);
+  });
   redraw();
 }
 
 /// Only a closed part hides the backs of its faces: not one that is cut open, nor one with faces
 /// left out, nor from within.
 void viewport::about_to_draw() {
-  const auto& part = scene_.part();
-  scene_.cull_backs(part && !section_ && scene_.hidden().empty() &&
-                    !camera_.is_within(part->bounds));
+  drawn_by_ = camera_.to_pixels();
+  change([this, from = camera_.copy(),
+          closed = part_ && !section_ && hidden_.empty() &&
+                   !camera_.is_within(part_->bounds)](vtkRenderer& renderer) {
+    renderer.GetActiveCamera()->DeepCopy(from);
+    stage_->part.cull_backs(closed);
+  });
+}
+
+void viewport::frame_came() {
+  seen_by_ = drawn_by_;
 }
 
 // -- the camera ----------------------------------------------------------------------
 
 void viewport::fit(const std::vector<surface_id>& around) {
-  const auto& part = scene_.part();
+  const auto& part = part_;
   if (!part)
     return;
   auto bounds = part->bounds;
@@ -302,6 +323,7 @@ double viewport::free_aspect(const QSize& size) const {
 }
 
 void viewport::resizeEvent(QResizeEvent* event) {
+  camera_.set_size(width(), height());
   vtk_view::resizeEvent(event);
   set_left_margin(left_margin_);
   if (keeps_fitted_ && whole_ == camera_.get())
@@ -320,21 +342,24 @@ void viewport::fly_to(const vec3& place) {
 }
 
 std::optional<picked_point> viewport::pick_at(QPointF position) const {
-  if (!scene_.part())
+  if (!part_)
     return std::nullopt;
-  const double ratio = pixel_ratio();
-  const auto [from, to] = camera_.ray(position.x() * ratio, (height() - position.y()) * ratio);
-  return pick_visible(*scene_.part(), scene_.hidden(), section_, from, to);
+  const auto [from, to] = camera_.ray(position.x(), height() - position.y());
+  return pick_visible(*part_, hidden_, section_, from, to);
 }
 
 QPointF viewport::to_widget(const vec3& at) const {
-  const double ratio = pixel_ratio();
-  const vec3 pixel = camera_.to_pixel(at);
-  return {pixel.x / ratio, height() - pixel.y / ratio};
+  const auto [x, y] = camera_.to_pixel(at);
+  return {x, height() - y};
+}
+
+QPointF viewport::to_frame(const vec3& at) const {
+  const auto [x, y] = seen_by_.apply(at);
+  return {x, height() - y};
 }
 
 std::optional<vec3> viewport::visible_point(surface_id surface) const {
-  const auto& part = scene_.part();
+  const auto& part = part_;
   if (!part || !part->cells.contains(surface))
     return std::nullopt;
   const auto [first, last] = part->cells.at(surface);
@@ -356,7 +381,7 @@ std::optional<vec3> viewport::visible_point(surface_id surface) const {
 }
 
 std::optional<double> viewport::value_at(const picked_point& at) const {
-  const auto& part = scene_.part();
+  const auto& part = part_;
   if (!part || values_.empty())
     return std::nullopt;
   vtkIdType count = 0;
@@ -366,102 +391,6 @@ std::optional<double> viewport::value_at(const picked_point& at) const {
   for (int k = 0; k < 3; ++k)
     sum += at.weights[k] * values_[static_cast<std::size_t>(points[k])];
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
-}
-
-// -- the mouse -----------------------------------------------------------------------
-
-void viewport::mousePressEvent(QMouseEvent* event) {
-  pressed_ = last_ = event->position();
-  dragging_ = false;
-  draws_box_ = event->button() == Qt::LeftButton &&
-               (boxing_ || event->modifiers().testFlag(Qt::ControlModifier));
-}
-
-void viewport::mouseMoveEvent(QMouseEvent* event) {
-  if (!pressed_) {
-    hover_at(event->position(), event->globalPosition().toPoint());
-    return;
-  }
-  const QPointF moved = event->position() - *pressed_;
-  if (!dragging_ && std::hypot(moved.x(), moved.y()) < drag_threshold)
-    return;
-  if (!dragging_) {
-    scene_.hover(std::nullopt);
-    hovered_.reset();
-    emit hovered(std::nullopt, {});
-  }
-  dragging_ = true;
-  if (draws_box_) {
-    if (!band_)
-      band_ = new QRubberBand(QRubberBand::Rectangle, this);
-    band_->setGeometry(QRectF(*pressed_, event->position()).normalized().toRect());
-    band_->show();
-    return;
-  }
-  drag(event->position(), event->buttons(), event->modifiers());
-}
-
-void viewport::drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) {
-  const QPointF moved = to - std::exchange(last_, to);
-  const double ratio = pixel_ratio();
-  draw_quickly();
-  const bool pans = (buttons & Qt::MiddleButton) || (modifiers & Qt::ShiftModifier);
-  if (pans)
-    camera_.pan(moved.x() * ratio, -moved.y() * ratio);
-  else if (buttons & Qt::LeftButton)
-    camera_.rotate(moved.x() / height(), moved.y() / height());
-  else if (buttons & Qt::RightButton)
-    camera_.zoom(std::pow(zoom_step, -moved.y() / 12), width() * ratio / 2, height() * ratio / 2);
-  redraw();
-  emit view_changed();
-}
-
-void viewport::mouseReleaseEvent(QMouseEvent* event) {
-  const bool click = pressed_ && !dragging_;
-  if (pressed_ && dragging_ && draws_box_)
-    finish_box(event->position(), event->modifiers());
-  pressed_.reset();
-  dragging_ = false;
-  if (!click)
-    return;
-  const auto hit = pick_at(event->position());
-  if (event->button() == Qt::LeftButton)
-    emit clicked(hit, event->modifiers());
-  else if (event->button() == Qt::RightButton)
-    emit menu_wanted(hit, event->globalPosition().toPoint());
-}
-
-void viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (const auto hit = pick_at(event->position()))
-    fly_to(hit->at);
-}
-
-void viewport::wheelEvent(QWheelEvent* event) {
-  draw_quickly();
-  const double notches = event->angleDelta().y() / 120.0;
-  const double ratio = pixel_ratio();
-  camera_.zoom(std::pow(zoom_step, notches), event->position().x() * ratio,
-               (height() - event->position().y()) * ratio);
-  redraw();
-  emit view_changed();
-}
-
-void viewport::leaveEvent(QEvent*) {
-  scene_.hover(std::nullopt);
-  hovered_.reset();
-  redraw();
-  emit hovered(std::nullopt, {});
-}
-
-void viewport::hover_at(QPointF position, QPoint global) {
-  const auto hit = pick_at(position);
-  const auto under = hit ? std::optional(hit->surface) : std::nullopt;
-  if (under != hovered_) {
-    hovered_ = under;
-    scene_.hover(under);
-    redraw();
-  }
-  emit hovered(hit, global);
 }
 
 }  // namespace tedit::desktop

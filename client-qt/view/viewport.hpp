@@ -40,12 +40,14 @@ public:
   [[nodiscard]] const legend& current_legend() const noexcept { return legend_; }
   [[nodiscard]] const shown_part& current() const noexcept { return shown_; }
   /// What is drawn, and one value for each of its points; null before the first.
-  [[nodiscard]] const std::shared_ptr<const part_geometry>& geometry() const {
-    return scene_.part();
-  }
+  [[nodiscard]] const std::shared_ptr<const part_geometry>& geometry() const { return part_; }
   [[nodiscard]] const std::vector<float>& values() const noexcept { return values_; }
-  /// Whether nothing is on its way to the screen any more.
+  /// Whether no geometry or line is being made any more; its frame may still be drawn.
   [[nodiscard]] bool is_settled() const noexcept { return !building_ && !contouring_; }
+  /// Whether the last frame shows the present geometry,
+  [[nodiscard]] bool is_shape_seen() const noexcept { return !building_ && seen() >= shaped_; }
+  /// and its values, too.
+  [[nodiscard]] bool is_seen() const noexcept { return is_shape_seen() && seen() >= painted_; }
 
   void set_colours(const scene_colours& colours);
   void select(const std::vector<surface_id>& picked);
@@ -87,6 +89,8 @@ public:
   [[nodiscard]] std::optional<picked_point> pick_at(QPointF position) const;
   /// Where a point of space is in the widget.
   [[nodiscard]] QPointF to_widget(const vec3& at) const;
+  /// The same as the last frame shows it: what is painted over it must not run ahead.
+  [[nodiscard]] QPointF to_frame(const vec3& at) const;
   /// A point of the surface's face that is nearest to the viewer: for tests and labels.
   [[nodiscard]] std::optional<vec3> visible_point(surface_id surface) const;
   /// The shown value at a picked point, SI; nothing without a field there.
@@ -112,6 +116,7 @@ signals:
 
 protected:
   void about_to_draw() override;
+  void frame_came() override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -121,6 +126,13 @@ protected:
   void leaveEvent(QEvent* event) override;
 
 private:
+  /// What is drawn; only for the thread that draws.
+  struct stage {
+    explicit stage(vtkRenderer& renderer) : part(&renderer), preview(&renderer) {}
+    scene part;
+    preview_layer preview;
+  };
+  void change_stage(std::function<void(stage&)> what);
   void build();
   void take_geometry(std::shared_ptr<const part_geometry> part,
                      const std::shared_ptr<const preview_geometry>& preview, int generation);
@@ -133,8 +145,11 @@ private:
   void hover_at(QPointF position, QPoint global);
 
   camera camera_;
-  scene scene_;
-  preview_layer preview_;
+  camera::projection drawn_by_;  ///< Of the frame that is drawn,
+  camera::projection seen_by_;   ///< and of the last one.
+  std::unique_ptr<stage> stage_;
+  std::shared_ptr<const part_geometry> part_;
+  std::set<surface_id> hidden_;
   shown_part shown_;
   legend legend_;
   std::vector<surface_id> selected_;
@@ -143,6 +158,8 @@ private:
   std::shared_ptr<const client::section> cap_;
   std::vector<float> values_;  ///< One for each point of the geometry.
   std::optional<extremes> extremes_;
+  int shaped_ = 0;   ///< The frame asked for when the geometry changed,
+  int painted_ = 0;  ///< and when the values did.
   QThreadPool builders_;
   int generation_ = 0;
   bool building_ = false;

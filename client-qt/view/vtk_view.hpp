@@ -1,80 +1,106 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QTimer>
+#include <QWidget>
 
-#include <vtkNew.h>
-#include <vtkSmartPointer.h>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
 
-class vtkCallbackCommand;
-class vtkGenericOpenGLRenderWindow;
-class vtkObject;
 class vtkRenderer;
 
 namespace tedit::desktop {
 
-/// A VTK renderer inside a Qt 6 widget: VTK 9.1 comes with a widget for Qt 5 only. VTK draws into
-/// its own framebuffer, which is then copied to the widget's.
-class vtk_view : public QOpenGLWidget {
+class canvas;
+class drawing_thread;
+
+/// A VTK renderer inside a Qt 6 widget (VTK 9.1 comes with a widget for Qt 5 only). Frames are
+/// drawn on a thread of their own, read back and painted like any picture: the window never waits
+/// for one, and needs no OpenGL itself (docs/decisions/0014).
+class vtk_view : public QWidget {
   Q_OBJECT
 
 public:
   explicit vtk_view(QWidget* parent = nullptr);
   ~vtk_view() override;
 
-  [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
+  /// Draws soon; many calls make one frame. Nothing is drawn while the view is hidden.
+  void redraw();
 
-  /// Draws soon; many calls make one frame.
-  void redraw() { update(); }
-
-  /// Draws quickly rather than finely for a moment: while the part is turned. Only where a
-  /// processor draws by itself: with as few pixels as the last such frames needed to be quick,
-  /// until a fifth of a second after the last call.
+  /// Draws quickly rather than finely for a moment: while the part is turned. With as few pixels as
+  /// the last such frames needed to be quick, until a fifth of a second after the last call.
   void draw_quickly();
-  [[nodiscard]] bool draws_quickly() const noexcept { return quick_; }
+  /// Whether the last frame has all pixels of the screen.
+  [[nodiscard]] bool is_fine() const;
 
-  /// Draws what another renderer shows in a frame that nobody sees; `quickly`: as while the part is
-  /// turned; null: only gets ready to draw. False: the view is shown, or cannot draw. `forget` must
-  /// follow the last one.
-  bool draw_unseen(vtkRenderer* other, bool quickly);
-  void forget(vtkRenderer* other);
+  /// The present frame in pixels of the screen: drawn and waited for unless it is the last one.
+  [[nodiscard]] QImage picture();
+  /// The last frame, without waiting.
+  [[nodiscard]] const QImage& last_picture() const noexcept { return image_; }
 
-  /// Pixels that are drawn for one of the widget.
-  [[nodiscard]] double pixel_ratio() const;
+  /// How often a frame was asked for until now, and until the last frame began: a change asked for
+  /// by the n-th is seen once `seen` is n.
+  [[nodiscard]] int asked() const noexcept { return asked_; }
+  [[nodiscard]] int seen() const noexcept { return seen_; }
 
-  /// Milliseconds that the last frame took on this thread.
+  /// Milliseconds that drawing the last frame took.
   [[nodiscard]] double frame_ms() const noexcept { return frame_ms_; }
 
   /// Frames until now.
   [[nodiscard]] int frames() const noexcept { return frames_; }
 
 signals:
-  void drawn();
+  void drawn();  ///< A new frame is on the screen.
 
 protected:
-  /// Before each frame.
+  /// Changes what is drawn: before the next frame, in the order of the calls, on the thread that
+  /// draws. `redraw` is called apart.
+  void change(std::function<void(vtkRenderer&)> what);
+  /// A frame begins: the last moment for a change that shall be in it.
   virtual void about_to_draw() {}
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  /// The frame that was begun last is there.
+  virtual void frame_came() {}
+  /// Waits for the frame that is drawn; nothing is drawn or changed after it. To be called by the
+  /// destructor of a class whose changes use its members.
+  void end_drawing();
+
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
 private:
-  void release();
-  void draw();
-  void set_pixels();
+  struct frame {
+    QImage image;
+    double ms = 0;
+  };
+  using changes = std::vector<std::function<void(vtkRenderer&)>>;
+  void apply(const changes& in_order);
+  void begin_soon();
+  void begin();
+  void collect();
+  void wait();
   void suit_coarseness();
-  static void on_make_current(vtkObject* caller, unsigned long event, void* self, void* data);
-  static void on_is_current(vtkObject* caller, unsigned long event, void* self, void* data);
+  [[nodiscard]] QSize pixels(int coarseness) const;
 
-  vtkNew<vtkGenericOpenGLRenderWindow> window_;
-  vtkNew<vtkRenderer> renderer_;
+  std::shared_ptr<drawing_thread> thread_;
+  std::unique_ptr<canvas> canvas_;
+  changes changes_;
+  std::mutex mutex_;
+  std::optional<frame> finished_;  ///< By the thread that draws, until it is collected.
+  QImage image_;
+  int asked_ = 1;
+  int begun_ = 0;
+  int seen_ = 0;
+  bool scheduled_ = false;  ///< A frame begins soon.
+  bool drawing_ = false;    ///< On the other thread.
+  bool fresh_ = false;      ///< Not painted yet.
+  bool quick_ = false;
+  int coarseness_ = 2;  ///< Of quick frames: pixels of the widget for one that is drawn, each way.
   double frame_ms_ = 0;
   int frames_ = 0;
-  bool software_ = false;
-  bool quick_ = false;
-  bool unseen_ = false;
-  int coarseness_ = 2;  ///< Of quick frames: pixels of the widget for one that is drawn, each way.
   QTimer fine_again_;
 };
 

@@ -41,7 +41,7 @@ protected:
     const QSize before = view().size();
     view().resize(picture_size);
     view().look_from(camera::direction::isometric);  // Fitted for this size, not the window's.
-    const QImage image = view().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage image = view().picture().convertToFormat(QImage::Format_RGB32);
     view().resize(before);
     return image;
   }

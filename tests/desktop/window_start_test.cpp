@@ -6,12 +6,6 @@
 #include <QListWidget>
 #include <QToolBar>
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
-
-#include "client-qt/view/rehearsal.hpp"
-
 namespace tedit::desktop {
 namespace {
 
@@ -31,26 +25,13 @@ protected:
   [[nodiscard]] bool has_rail() { return !window->findChild<QToolBar*>("rail")->isHidden(); }
 };
 
-TEST_F(Start, TheViewGetsReadyUnseenAndBeginsEmpty) {
-  auto* before = window->findChild<rehearsal*>();
-  ASSERT_NE(before, nullptr);
-  ASSERT_TRUE(wait([&] { return !before->is_on(); }));
+TEST_F(Start, TheViewIsEmptyAndDrawsNothingBehindTheStartPage) {
+  view().redraw();
+  QTest::qWait(100);
 
-  EXPECT_TRUE(view().isValid());  // Its context is there, though it is not shown.
   EXPECT_FALSE(view().isVisible());
   EXPECT_EQ(view().frames(), 0);
   EXPECT_EQ(view().geometry(), nullptr);
-  EXPECT_EQ(view().renderer()->GetRenderWindow()->GetRenderers()->GetNumberOfItems(), 1);
-}
-
-TEST_F(Start, AWindowMayBeClosedWhileTheViewGetsReady) {
-  auto* before = window->findChild<rehearsal*>();
-  ASSERT_NE(before, nullptr);
-  ASSERT_TRUE(wait([&] { return view().isValid() || !before->is_on(); }));  // Frames are drawn.
-
-  window.reset();
-
-  EXPECT_EQ(window, nullptr);
 }
 
 TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {
@@ -177,6 +158,22 @@ TEST_F(Start, ThePartFitsTheViewAgainUntilItIsTurned) {
   // The docks may keep a little of it.
   ASSERT_TRUE(wait([&] { return view().width() > narrow_width; })) << narrow_width;
   EXPECT_NEAR(far(), narrow, 1e-9);
+}
+
+TEST_F(Start, MarksMoveWithTheFrameNotAheadOfIt) {
+  open_plate(false);
+  ASSERT_TRUE(wait([&] { return view().is_seen() && view().seen() == view().asked(); }));
+  const vec3 corner{view().geometry()->bounds[1], 0, 0};
+  const QPointF before = view().to_frame(corner);
+  EXPECT_EQ(before, view().to_widget(corner));
+
+  view().view().rotate(0.1, 0);
+  view().redraw();
+
+  EXPECT_NE(view().to_widget(corner), before);  // Where the next frame has it.
+  EXPECT_EQ(view().to_frame(corner), before);
+  ASSERT_TRUE(wait([&] { return view().seen() == view().asked(); }));
+  EXPECT_EQ(view().to_frame(corner), view().to_widget(corner));
 }
 
 }  // namespace
