@@ -51,6 +51,11 @@ banner::banner(QWidget* parent) : QFrame(parent) {
   setFrameShape(QFrame::NoFrame);
   auto* row = new QHBoxLayout(this);
   auto* column = new QVBoxLayout;
+  standing_ = new QLabel;
+  standing_->setProperty("role", "section");
+  standing_->setWordWrap(true);
+  standing_->hide();
+  column->addWidget(standing_);
   title_ = new QLabel;
   title_->setProperty("role", "section");
   title_->setWordWrap(true);
@@ -63,11 +68,17 @@ banner::banner(QWidget* parent) : QFrame(parent) {
   place_ = new QPushButton(tr("Show the place"));
   connect(place_, &QPushButton::clicked, this, [this] { emit place_wanted(surfaces_); });
   auto* close = new QPushButton(tr("Close"));
-  connect(close, &QPushButton::clicked, this, &QWidget::hide);
+  close->setObjectName("close");
+  connect(close, &QPushButton::clicked, this, [this] {
+    if (has_message())
+      drop_message();
+    else
+      hide();
+  });
   row->addWidget(place_, 0, Qt::AlignTop);
   row->addWidget(close, 0, Qt::AlignTop);
   away_.setSingleShot(true);
-  connect(&away_, &QTimer::timeout, this, &QWidget::hide);
+  connect(&away_, &QTimer::timeout, this, &banner::drop_message);
   hide();
 }
 
@@ -77,7 +88,13 @@ void banner::set_theme(const theme& look) {
 }
 
 QString banner::text() const {
-  return isHidden() ? QString() : title_->text() + "\n" + body_->text();
+  if (isHidden())
+    return {};
+  return QStringList{standing_->text(), title_->text(), body_->text()}.join("\n").trimmed();
+}
+
+bool banner::has_message() const {
+  return !title_->text().isEmpty() || !body_->text().isEmpty();
 }
 
 void banner::present(const QString& title, const QString& body, const QColor& bar) {
@@ -89,6 +106,7 @@ void banner::present(const QString& title, const QString& body, const QColor& ba
   bar_ = bar;
   paint_bar();
   show();
+  emit changed();
 }
 
 void banner::paint_bar() {
@@ -102,12 +120,11 @@ void banner::paint_bar() {
 void banner::show_error(const QString& what, const error& reason) {
   surfaces_ = surfaces_in(QString::fromStdString(reason.message + " " + reason.where));
   away_.stop();
-  standing_ = false;
   present(tr("%1 did not work").arg(what), explained(reason), look_.error);
 }
 
 void banner::show_news(const QString& text) {
-  if (!isHidden() && (standing_ || !away_.isActive()))
+  if (!isHidden() && (stands_ || (has_message() && !away_.isActive())))
     return;  // An error or a lost connection says more.
   surfaces_.clear();
   present({}, text, look_.good);
@@ -115,15 +132,29 @@ void banner::show_news(const QString& text) {
 }
 
 void banner::show_standing(const QString& text) {
-  surfaces_.clear();
-  away_.stop();
-  standing_ = true;
-  present(text, {}, look_.warning);
+  if (away_.isActive())
+    drop_message();  // News: what comes now says more.
+  stands_ = true;
+  standing_->setText(text);
+  standing_->show();
+  present(title_->text(), body_->text(), has_message() ? look_.error : look_.warning);
 }
 
 void banner::clear_standing() {
-  if (std::exchange(standing_, false))
-    hide();
+  if (!std::exchange(stands_, false))
+    return;
+  standing_->clear();
+  standing_->hide();
+  setVisible(!isHidden() && has_message());
+  emit changed();
+}
+
+/// What stands stays.
+void banner::drop_message() {
+  away_.stop();
+  surfaces_.clear();
+  present({}, {}, look_.warning);
+  setVisible(stands_);
 }
 
 }  // namespace tedit::desktop

@@ -13,7 +13,7 @@ class QPushButton;
 namespace tedit::desktop {
 
 /// A message over the view that blocks nothing: what happened, why, and what to do. Errors stay
-/// until they are closed; news goes by itself.
+/// until they are closed; news goes by itself. What lasts (a lost connection) stands above both.
 class banner : public QFrame {
   Q_OBJECT
 
@@ -24,18 +24,23 @@ public:
   /// What was tried and why it failed; surfaces that the error names can be shown.
   void show_error(const QString& what, const error& reason);
   void show_news(const QString& text);
-  /// Stays until `clear_standing`: a connection that is lost.
+  /// Stays until `clear_standing`, also beside an error: a connection that is lost.
   void show_standing(const QString& text);
   void clear_standing();
+  /// All that it says; empty while it is hidden.
   [[nodiscard]] QString text() const;
 
 signals:
+  void changed();  ///< It needs more or less room.
   void place_wanted(const QList<qint64>& surfaces);
 
 private:
   void paint_bar();
   void present(const QString& title, const QString& body, const QColor& bar);
+  [[nodiscard]] bool has_message() const;
+  void drop_message();
 
+  QLabel* standing_;
   QLabel* title_;
   QLabel* body_;
   QPushButton* place_;
@@ -43,7 +48,7 @@ private:
   QColor bar_;
   QTimer away_;
   theme look_;
-  bool standing_ = false;
+  bool stands_ = false;
 };
 
 /// Cause, place and remedy in lines.

@@ -321,7 +321,6 @@ void main_window::connection_changed() {
         .arg(duration(1000 * std::floor(link_.silence_ms() / 1000))));
   else if (link_.current() == remote::state::connected)
     banner_->clear_standing();
-  place_overlays();
 }
 
 // -- showing -------------------------------------------------------------------------

@@ -50,12 +50,10 @@ void main_window::add_boxes() {
   const auto set_boxing = [this, boxing](bool on) {
     *boxing = on;
     view_->set_boxing(on);
-    if (on) {
+    if (on)
       banner_->show_news(
         tr("Draw a box. To the right: what lies in it altogether; to the left: all that it "
            "touches. Shift adds, Esc ends. Ctrl+drag does it at any time."));
-      place_overlays();
-    }
   };
   connect(view_, &viewport::boxed, this, [this](const std::vector<surface_id>& found, bool add) {
     auto all = found;

@@ -62,12 +62,10 @@ void main_window::wire_document() {
             .arg(duration(made_in_ms(*what.report))));
     if (what.report)
       findChild<QDockWidget*>("receipt")->raise();
-    if (what.report && lost_loads(*what.report) > 0) {
+    if (what.report && lost_loads(*what.report) > 0)
       banner_->show_news(
         tr("Loads and supports that this edit reduced or dropped: %1. See \"What this edit did\".")
           .arg(lost_loads(*what.report)));
-      place_overlays();
-    }
   });
   connect(pages_, &QStackedWidget::currentChanged, this, [this] {
     show_docks(pages_->currentWidget() != welcome_);
@@ -92,21 +90,19 @@ void main_window::wire_document() {
 
 /// What has to be said goes over the view and into the log.
 void main_window::wire_messages() {
+  connect(banner_, &banner::changed, this, &main_window::place_overlays);
   connect(&part_, &document::failed, this, [this](const QString& what, const error& reason) {
     log(tr("%1: %2").arg(what, QString::fromStdString(tedit::render(reason))), log_level::errors);
     if (reason.code != ec::cancelled)
       banner_->show_error(what, reason);
-    place_overlays();
   });
   connect(&part_, &document::notice, this, [this](const QString& text) {
     log(text, log_level::notices);
     banner_->show_news(text);
-    place_overlays();
   });
   connect(&part_, &document::exported, this, [this](const QString& path) {
     log(tr("wrote %1").arg(path), log_level::notices);
     banner_->show_news(tr("Wrote %1").arg(path));
-    place_overlays();
   });
 }
 

@@ -119,6 +119,15 @@ void overlay::show_legend(bool on) {
   update();
 }
 
+QRectF clear_of(const QRectF& other, QRectF box, double gap) {
+  if (!box.intersects(other))
+    return box;
+  box.moveBottom(other.top() - gap);
+  if (box.top() < 0)
+    box.moveTop(other.bottom() + gap);
+  return box;
+}
+
 std::vector<overlay::tag> overlay::tags(double scale) const {
   const auto& ends = view_.value_extremes();
   if (!extremes_ || !ends)
@@ -140,6 +149,8 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
   add(ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), true);
   if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
     add(ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), false);
+  if (result.size() == 2)
+    result[1].box = clear_of(result[0].box, result[1].box, 4 * scale);
   return result;
 }
 

@@ -19,6 +19,9 @@ class viewport;
 void paint_legend(QPainter& painter, const QRectF& where, const legend& by, const QString& note,
                   const QColor& ink, double scale);
 
+/// Where a box goes so that it does not cover another: above it, or below where there is no room.
+[[nodiscard]] QRectF clear_of(const QRectF& other, QRectF box, double gap);
+
 /// What lies over the viewport: legend, marks at the smallest and largest value, and a line about
 /// the state of the field. Lets the mouse through.
 class overlay : public QWidget {

@@ -139,6 +139,13 @@ TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
   line->cut(true);
   ASSERT_TRUE(wait([&] { return window->link().current() == remote::state::lost; }));
   EXPECT_TRUE(window->messages().text().contains("lost"));
+  emit part().failed("Fill hole", {ec::invalid_argument, "no such hole", "choose a wall", "here"});
+  const auto& said = window->messages();
+  EXPECT_TRUE(said.text().contains("lost")) << "an error does not take its place";
+  EXPECT_TRUE(said.text().contains("Choose a wall."));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(said.height(), said.heightForWidth(said.width())) << "all of it can be read";
+  said.findChild<QPushButton*>("close")->click();
   line->mend();
   ASSERT_TRUE(wait([&] { return shows_head(); }));
   EXPECT_TRUE(window->messages().text().isEmpty());

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What is said over the view, and what is painted there: nothing covers what matters more.
+#include "client-qt/view/banner.hpp"
+
+#include <QPushButton>
+
+#include <gtest/gtest.h>
+
+#include "client-qt/view/overlay.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+class Banner : public ::testing::Test {
+protected:
+  QWidget window;
+  banner message{&window};
+  const error refused{ec::invalid_argument, "no such hole", "choose a wall", "surface 7"};
+
+  void close() { message.findChild<QPushButton*>("close")->click(); }
+  [[nodiscard]] QStringList lines() const { return message.text().split('\n'); }
+};
+
+TEST_F(Banner, AnErrorBesideALostConnectionLeavesItsWords) {
+  message.show_standing("The connection is lost.");
+  message.show_error("Fill hole", refused);
+
+  EXPECT_EQ(lines()[0], "The connection is lost.");
+  EXPECT_EQ(lines()[1], "Fill hole did not work");
+
+  message.clear_standing();
+  EXPECT_EQ(lines()[0], "Fill hole did not work");
+  close();
+  EXPECT_TRUE(message.text().isEmpty());
+}
+
+TEST_F(Banner, ALostConnectionLeavesAnErrorThatWasNotClosed) {
+  message.show_error("Fill hole", refused);
+  message.show_standing("The connection is lost.");
+
+  EXPECT_EQ(lines()[0], "The connection is lost.");
+  EXPECT_EQ(lines()[1], "Fill hole did not work");
+
+  close();
+  EXPECT_EQ(message.text(), "The connection is lost.");
+  message.clear_standing();
+  EXPECT_TRUE(message.isHidden());
+}
+
+TEST_F(Banner, NewsGivesWayToAllElse) {
+  message.show_news("Version 2 is there.");
+  message.show_standing("The connection is lost.");
+  EXPECT_EQ(message.text(), "The connection is lost.");
+
+  message.show_news("Version 3 is there.");
+  EXPECT_EQ(message.text(), "The connection is lost.");
+
+  message.clear_standing();
+  message.show_error("Fill hole", refused);
+  message.show_news("Version 3 is there.");
+  EXPECT_EQ(lines()[0], "Fill hole did not work");
+}
+
+TEST_F(Banner, SaysWhenItNeedsOtherRoom) {
+  int changes = 0;
+  QObject::connect(&message, &banner::changed, &window, [&changes] { ++changes; });
+  message.show_standing("The connection is lost.");
+  EXPECT_EQ(changes, 1);
+  message.show_error("Fill hole", refused);
+  EXPECT_EQ(changes, 2);
+  close();
+  EXPECT_EQ(changes, 3);
+}
+
+TEST(Tags, ABoxThatWouldCoverAnotherGoesAboveItOrBelow) {
+  const QRectF other(10, 50, 60, 20);
+
+  EXPECT_EQ(clear_of(other, {100, 50, 60, 20}, 4), QRectF(100, 50, 60, 20));
+  EXPECT_EQ(clear_of(other, {30, 60, 60, 20}, 4), QRectF(30, 26, 60, 20));
+  const QRectF at_the_top(10, 5, 60, 20);
+  EXPECT_EQ(clear_of(at_the_top, {30, 10, 60, 20}, 4), QRectF(30, 29, 60, 20));
+}
+
+}  // namespace
+}  // namespace tedit::desktop
