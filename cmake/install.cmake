@@ -1,5 +1,5 @@
-# What "cmake --install" puts under a prefix: programs, plugins, and what it takes to build a plugin outside this tree
-# (docs/plugins.md). bin/ finds lib/tedit/plugins beside itself, so the prefix may be moved. The build tree offers the
+# What "cmake --install" puts under a prefix: programs, plugins, and what it takes to build a plugin (docs/plugins.md)
+# or a client (docs/protocol.md) outside this tree. bin/ finds lib/tedit/plugins beside itself, so the prefix may be moved. The build tree offers the
 # same package in lib/cmake/TEdit.
 include(CMakePackageConfigHelpers)
 
@@ -11,12 +11,22 @@ if(TARGET tedit-qt)
   include(client-qt/install.cmake)
 endif()
 install(FILES config/tedit.toml config/materials.json DESTINATION share/tedit)
-install(DIRECTORY examples DESTINATION share/tedit)
+install(DIRECTORY examples DESTINATION share/tedit USE_SOURCE_PERMISSIONS)
 
 foreach(name IN ITEMS options base mesh io sdk services)
   set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tedit_${name} EXPORT TEditTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
+# What an integrator links: a set of its own, so that plugins need no protobuf.
+foreach(name IN ITEMS fem_receipt fem_core messages protocol client)
+  set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS tedit_${name} EXPORT TEditClientTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
+endforeach()
+foreach(room IN ITEMS client fem protocol)
+  file(GLOB headers CONFIGURE_DEPENDS ${room}/*.hpp)
+  install(FILES ${headers} DESTINATION include/tedit/${room} COMPONENT dev)
+endforeach()
+install(DIRECTORY protocol/tedit DESTINATION share/tedit/protocol FILES_MATCHING PATTERN "*.proto")
 install(DIRECTORY base mesh DESTINATION include/tedit COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY ops/sdk ops/services DESTINATION include/tedit/ops COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY tests/support DESTINATION include/tedit/tests COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
@@ -27,7 +37,9 @@ configure_file(cmake/TEditPlugin.cmake "${package}/TEditPlugin.cmake" COPYONLY)
 write_basic_package_version_file("${package}/TEditConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${package}/TEditConfig.cmake" "${package}/TEditConfigVersion.cmake" "${package}/TEditPlugin.cmake"
         DESTINATION lib/cmake/TEdit COMPONENT dev)
-install(EXPORT TEditTargets NAMESPACE TEdit:: DESTINATION lib/cmake/TEdit COMPONENT dev)
-export(EXPORT TEditTargets NAMESPACE TEdit:: FILE "${package}/TEditTargets.cmake")
+foreach(set IN ITEMS TEditTargets TEditClientTargets)
+  install(EXPORT ${set} NAMESPACE TEdit:: DESTINATION lib/cmake/TEdit COMPONENT dev)
+  export(EXPORT ${set} NAMESPACE TEdit:: FILE "${package}/${set}.cmake")
+endforeach()
 install(FILES docs/man/tedit.1 DESTINATION share/man/man1)
 install(FILES LICENSE NOTICE README.md CHANGELOG.md DESTINATION share/doc/tedit)

@@ -8,6 +8,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # One interface target carries include path, warnings and sanitizers to every target of ours.
 add_library(tedit_options INTERFACE)
+target_compile_features(tedit_options INTERFACE cxx_std_20)
 target_include_directories(
   tedit_options INTERFACE "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>" "$<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/generated>"
                           "$<INSTALL_INTERFACE:include/tedit>")

@@ -315,9 +315,9 @@ expected<void> refuse_losses(const std::vector<receipt_line>& lines) {
       continue;
     losses += losses.empty() ? "" : "; ";
     losses += (line.load_case.empty() ? "" : "load case " + line.load_case + ": ") + line.item +
-              " acts on surface";
+              (line.surfaces_lost.size() == 1 ? " acts on surface" : " acts on surfaces");
     for (const auto id : line.surfaces_lost)
-      losses += " " + std::to_string(id);
+      losses += (id == line.surfaces_lost.front() ? " " : ", ") + std::to_string(id);
   }
   if (losses.empty())
     return {};

@@ -47,6 +47,7 @@ ROOMS = {
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
     "cli/render": (("base",), ("vtk", "CLI/", "nlohmann/")),
+    "examples": (("client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
     "client-qt/net": (("client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
     "client-qt/model": (("client-qt/net", "client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
     "client-qt": (("client-qt/net", "client-qt/model", "client", "protocol", "fem", "ops/sdk", "mesh", "base"),

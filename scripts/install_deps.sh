@@ -21,8 +21,8 @@ packages=(
   dpkg-dev file
   # translations of the window and the HTML manual (the build works without)
   qt6-l10n-tools python3-markdown
-  # tests
-  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx
+  # tests (the last two for the example of a client in Python)
+  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx python3-protobuf python3-websockets
 )
 
 missing=()

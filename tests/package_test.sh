@@ -27,6 +27,9 @@ if [ -d "$build/share/doc/tedit/html" ]; then
   python3 "$source/tests/scripts/manual_test.py" "$manual"
 fi
 test -s "$work/root/usr/lib/cmake/TEdit/TEditConfig.cmake"
+test -s "$work/root/usr/lib/cmake/TEdit/TEditClientTargets.cmake"
+test -s "$work/root/usr/lib/tedit/libtedit_client.a"
+test -s "$work/root/usr/share/tedit/protocol/tedit/v1/envelope.proto"
 if [ -x "$bin/tedit-qt" ]; then
   "$bin/tedit-qt" --version
   test -s "$work/root/usr/share/applications/org.tedit.TEdit.desktop"

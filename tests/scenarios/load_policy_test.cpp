@@ -58,7 +58,7 @@ TEST_F(LoadPolicy, RefuseNamesTheLoadAndLeavesTheHead) {
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ec::postcondition_failed);
   EXPECT_THAT(refused.error().message,
-              HasSubstr("load case ctc01_plate static: load 0 (force) acts on surface 1 2"));
+              HasSubstr("load case ctc01_plate static: load 0 (force) acts on surfaces 1, 2"));
   const auto history = value(user->get_history());
   EXPECT_EQ(history.versions.size(), 1u);
   EXPECT_TRUE(user->edit("fill_hole", {92, 93}, {}, {}, {}, {fem::load_policy::refuse}).has_value())

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Installs a build, moves it, builds the C++ example of a client against it, and lets that and the one in Python drive
+# the installed server: both must find and close the same holes.
+# usage: integrate_test.sh BUILD
+set -euo pipefail
+build=$1
+work=$(mktemp -d)
+server=""
+trap '[ -z "$server" ] || kill "$server" 2>/dev/null; wait; rm -rf "$work"' EXIT
+unset TEDIT_LIBEXEC TEDIT_PLUGIN_PATH XDG_DATA_HOME XDG_CONFIG_HOME
+export HOME=$work/home XDG_CACHE_HOME=$work/cache XDG_STATE_HOME=$work/state
+
+cmake --install "$build" --prefix "$work/first" >"$work/log" || { tail -20 "$work/log" >&2; exit 1; }
+mv "$work/first" "$work/prefix"
+shared=$work/prefix/share/tedit
+{
+  cmake -S "$shared/examples/integrate" -B "$work/made" -DTEdit_DIR="$work/prefix/lib/cmake/TEdit"
+  cmake --build "$work/made"
+} >"$work/log" 2>&1 || { tail -40 "$work/log" >&2; exit 1; }
+if grep -rq "$build" "$work/made/CMakeFiles/hole_study.dir"; then
+  echo "the example was built against the build tree, not the installation" >&2
+  exit 1
+fi
+
+"$work/prefix/bin/tedit" serve --port 0 --documents "$work/documents" >"$work/server" 2>&1 &
+server=$!
+for _ in $(seq 600); do
+  grep -q '^listening on ' "$work/server" && break
+  kill -0 "$server" || { cat "$work/server" >&2; exit 1; }
+  sleep 0.1
+done
+url=$(sed -n 's/^listening on //p' "$work/server")
+plate=$shared/examples/ctc01_plate
+arguments=("$url" "$work/state/tedit/token" "$plate/ctc01_plate.coarse.msh" "$plate/load_case.json" 20 40)
+
+"$work/made/hole_study" "${arguments[@]}" | tee "$work/cpp"
+grep -q '^as it is: 13\.4[0-9]* MPa, 0\.0469' "$work/cpp"
+test "$(grep -c '^hole of 35 mm: .*takes away surfaces' "$work/cpp")" = 4 # The supports are on them.
+test "$(grep -c '^hole of 25 mm: 13\.4.* MPa, 0\.04' "$work/cpp")" = 4
+
+python=/usr/bin/python3 # Debian's, which has Debian's modules.
+if ! "$python" -c "import websockets, google.protobuf" 2>/dev/null; then
+  echo "python3-websockets or python3-protobuf is not installed: the example in Python was not tried" >&2
+  exit 77
+fi
+"$python" "$shared/examples/integrate/hole_study.py" "${arguments[@]}" | tee "$work/python"
+test "$(wc -l <"$work/python")" = "$(wc -l <"$work/cpp")"
+test "$(grep -c '^hole of 25 mm: 13\.4.* MPa, 0\.04' "$work/python")" = 4
+test -x "$shared/examples/integrate/hole_study.py"
+
+# Refusals are words, not traces.
+"$python" "$shared/examples/integrate/hole_study.py" "$url" "$plate/load_case.json" "${arguments[@]:2}" 2>"$work/refused" &&
+  exit 1
+grep -q "token is wrong" "$work/refused"
