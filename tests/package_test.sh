@@ -22,6 +22,7 @@ bin=$work/root/usr/bin
   --op fill_hole --surfaces 1,2 -o "$work/closed.msh"
 test -s "$work/closed.msh"
 test -s "$work/root/usr/share/man/man1/tedit.1"
+test -s "$work/root/usr/share/bash-completion/completions/tedit"
 if [ -d "$build/share/doc/tedit/html" ]; then
   manual=$work/root/usr/share/doc/tedit/html
   python3 "$source/tests/scripts/manual_test.py" "$manual"
