@@ -67,6 +67,9 @@ void set_camera(viewport& view, const QJsonObject& wanted) {
 
 /// The whole window, with a menu or the like that is open over it.
 QImage with_popup(main_window& window) {
+  for (auto* view : window.findChildren<viewport*>())
+    if (view->isVisible())
+      (void)view->picture();  // What was changed last is still to be drawn.
   QImage image = window.grab().toImage();
   if (auto* popup = QApplication::activePopupWidget()) {
     QPainter painter(&image);
@@ -144,6 +147,12 @@ void script::next() {
   carry_out(step);
 }
 
+bool script::is_all_seen() const {
+  return std::ranges::all_of(window_.findChildren<viewport*>(), [](const viewport* one) {
+    return !one->isVisible() || (one->is_settled() && one->is_seen());
+  });
+}
+
 bool script::ready_for(const QJsonObject& step) const {
   const auto& part = window_.part();
   if (alone_ && !part.is_open())
@@ -153,8 +162,8 @@ bool script::ready_for(const QJsonObject& step) const {
   const auto wanted = preview.shown() ? preview.shown()->surface : head ? head->surface : nullptr;
   const bool shows_all = wanted && window_.view().is_settled() && !preview.is_busy() &&
                          window_.view().current().surface == wanted;
-  if (!shows_all || window_.runs_recipe() || part.current_activity() || part.changes_loads() ||
-      part.operations().operations.empty())
+  if (!shows_all || !is_all_seen() || window_.runs_recipe() || part.current_activity() ||
+      part.changes_loads() || part.operations().operations.empty())
     return false;
   if (step.contains("case") && part.is_solving())
     return false;  // It can be chosen once it has a field.

@@ -47,6 +47,8 @@ signals:
 
 private:
   void next();
+  /// Whether the screen has what every view shows.
+  [[nodiscard]] bool is_all_seen() const;
   [[nodiscard]] bool ready_for(const QJsonObject& step) const;
   void carry_out(const QJsonObject& step);
   [[nodiscard]] expected<void> perform(const QJsonObject& step);

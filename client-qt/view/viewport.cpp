@@ -354,6 +354,8 @@ QPointF viewport::to_widget(const vec3& at) const {
 }
 
 QPointF viewport::to_frame(const vec3& at) const {
+  if (seen() == 0)
+    return to_widget(at);
   const auto [x, y] = seen_by_.apply(at);
   return {x, height() - y};
 }

@@ -116,7 +116,7 @@ void vtk_view::collect() {
     return;
   drawing_ = false;
   fresh_ = true;
-  seen_ = begun_;
+  came_ = begun_;
   image_ = std::move(came->image);
   frame_ms_ = came->ms;
   ++frames_;
@@ -171,8 +171,10 @@ void vtk_view::paintEvent(QPaintEvent*) {
   painter.drawImage(rect(), image_);
   painter.end();
   const bool other_screen = !image_.isNull() && !is_fine() && !quick_;
-  if (std::exchange(fresh_, false))
+  if (std::exchange(fresh_, false)) {
+    seen_ = came_;
     emit drawn();
+  }
   if (other_screen && begun_ == asked_ && !drawing_)
     redraw();
   else if (begun_ != asked_)

@@ -42,8 +42,8 @@ public:
   /// The last frame, without waiting.
   [[nodiscard]] const QImage& last_picture() const noexcept { return image_; }
 
-  /// How often a frame was asked for until now, and until the last frame began: a change asked for
-  /// by the n-th is seen once `seen` is n.
+  /// How often a frame was asked for until now, and until that began which is on the screen: a
+  /// change asked for by the n-th is seen once `seen` is n.
   [[nodiscard]] int asked() const noexcept { return asked_; }
   [[nodiscard]] int seen() const noexcept { return seen_; }
 
@@ -93,6 +93,7 @@ private:
   QImage image_;
   int asked_ = 1;
   int begun_ = 0;
+  int came_ = 0;
   int seen_ = 0;
   bool scheduled_ = false;  ///< A frame begins soon.
   bool drawing_ = false;    ///< On the other thread.

@@ -32,6 +32,8 @@ TEST_F(Start, TheViewIsEmptyAndDrawsNothingBehindTheStartPage) {
   EXPECT_FALSE(view().isVisible());
   EXPECT_EQ(view().frames(), 0);
   EXPECT_EQ(view().geometry(), nullptr);
+  const vec3 corner{0.1, 0.2, 0.3};
+  EXPECT_EQ(view().to_frame(corner), view().to_widget(corner));  // No frame: no NaN.
 }
 
 TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {
