@@ -3,6 +3,7 @@
 
 #include <QOpenGLContext>
 
+#include <latch>
 #include <utility>
 
 namespace tedit::desktop {
@@ -18,28 +19,59 @@ std::shared_ptr<drawing_thread> drawing_thread::shared() {
 drawing_thread::drawing_thread() {
   if (!QOpenGLContext::supportsThreadedOpenGL())
     return;
-  here_.moveToThread(&thread_);
-  thread_.setObjectName("drawing");
-  thread_.start();
+  thread_.reset(QThread::create([this] { work(); }));
+  thread_->setObjectName("drawing");
+  thread_->start();
 }
 
 drawing_thread::~drawing_thread() {
-  thread_.quit();
-  thread_.wait();
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_one();
+  if (thread_)
+    thread_->wait();
+}
+
+QThread* drawing_thread::place() const {
+  return thread_ ? thread_.get() : QThread::currentThread();
+}
+
+void drawing_thread::work() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return ends_ || !jobs_.empty(); });
+    if (jobs_.empty())
+      return;
+    auto job = std::move(jobs_.front());
+    jobs_.pop_front();
+    lock.unlock();
+    job();
+    job = {};  // What it holds goes where it was used.
+    lock.lock();
+  }
 }
 
 void drawing_thread::post(std::function<void()> job) {
-  if (thread_.isRunning())
-    QMetaObject::invokeMethod(&here_, std::move(job), Qt::QueuedConnection);
-  else
+  if (!thread_) {
     job();
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back(std::move(job));
+  }
+  changed_.notify_one();
 }
 
 void drawing_thread::run(const std::function<void()>& job) {
-  if (thread_.isRunning())
-    QMetaObject::invokeMethod(&here_, job, Qt::BlockingQueuedConnection);
-  else
+  std::latch done(1);
+  post([&] {
     job();
+    done.count_down();
+  });
+  done.wait();
 }
 
 }  // namespace tedit::desktop

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <QObject>
 #include <QThread>
 
+#include <condition_variable>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 
 namespace tedit::desktop {
 
@@ -26,11 +28,16 @@ public:
   /// Waits until it ran, and all before it.
   void run(const std::function<void()>& job);
   /// Where jobs run.
-  [[nodiscard]] QThread* place() const { return here_.thread(); }
+  [[nodiscard]] QThread* place() const;
 
 private:
-  QThread thread_;
-  QObject here_;  ///< Lives on the thread; jobs are sent to it.
+  void work();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> jobs_;
+  bool ends_ = false;
+  std::unique_ptr<QThread> thread_;  ///< None: the caller's.
 };
 
 }  // namespace tedit::desktop
