@@ -122,7 +122,8 @@ bool local_server::read_ready_file() {
   const QString token = read_text(state["token_file"].toString()).trimmed();
   if (token.isEmpty())
     return false;
-  emit ready({state["url"].toString(), token});
+  // It gives way to whatever else runs on this computer.
+  emit ready({state["url"].toString(), token, std::chrono::milliseconds(patience_ms)});
   return true;
 }
 

@@ -66,6 +66,7 @@ void remote::try_connect() {
   options.url = address_.url.toStdString();
   options.token = address_.token.toStdString();
   options.client_name = "tedit-qt " TEDIT_VERSION;
+  options.timeout = address_.patience;
   const int generation = ++generation_;
   auto handlers = make_events();
   pool_.start([this, options, generation, handlers = std::move(handlers)] {

@@ -7,6 +7,7 @@
 #include <QThreadPool>
 #include <QTimer>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <type_traits>
@@ -19,6 +20,8 @@ namespace tedit::desktop {
 struct server_address {
   QString url;    ///< "ws://HOST:PORT/v1".
   QString token;  ///< Proves that we may use it.
+  /// How long it may take to answer when it is connected to.
+  std::chrono::milliseconds patience{5000};
 };
 
 /// A request that runs; copies share it.
