@@ -129,13 +129,10 @@ void context_panel::show_selection() {
   loads_->setVisible(!acting.isEmpty());
   if (operation_.isEmpty())
     show_offers();
-  else if (hint_ && apply_) {
-    hint_->setText(not_ready());
-    hint_->setVisible(!not_ready().isEmpty());
-    apply_->setEnabled(not_ready().isEmpty());
-  } else {
+  else if (hint_ && apply_)
+    show_readiness();
+  else
     show_form();
-  }
 }
 
 std::vector<const offered_operation*> context_panel::offers() const {
@@ -230,13 +227,11 @@ void context_panel::show_form() {
   auto* seen = new preview_box(preview_);
   connect(seen, &preview_box::place_wanted, this, &context_panel::place_wanted);
   hint_ = make_label("faint");
-  hint_->setText(not_ready());
-  hint_->setVisible(!not_ready().isEmpty());
+  hint_->setObjectName("form_hint");
   apply_ = new QPushButton(tr("Apply"));
   apply_->setObjectName("apply");
   apply_->setProperty("role", "primary");
   apply_->setToolTip(tr("Ctrl+Enter"));
-  apply_->setEnabled(not_ready().isEmpty());
   connect(apply_, &QPushButton::clicked, this, &context_panel::apply);
   auto* back = new QPushButton(tr("Close"));
   connect(back, &QPushButton::clicked, this, [this] { choose({}); });
@@ -248,6 +243,15 @@ void context_panel::show_form() {
   buttons->addStretch();
   for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, hint_, row, seen})
     body_layout_->addWidget(one);
+  show_readiness();
+}
+
+/// What keeps the form from being applied, if anything.
+void context_panel::show_readiness() {
+  const QString why_not = not_ready();
+  hint_->setText(why_not);
+  hint_->setVisible(!why_not.isEmpty());
+  apply_->setEnabled(why_not.isEmpty());
 }
 
 void context_panel::apply() {
@@ -264,8 +268,8 @@ void context_panel::show_activity() {
     fraction_->setValue(qRound(1000 * now->fraction));
     cancel_->setEnabled(now->can_cancel);
   }
-  if (apply_)
-    apply_->setEnabled(not_ready().isEmpty());
+  if (hint_ && apply_)
+    show_readiness();
 }
 
 }  // namespace tedit::desktop

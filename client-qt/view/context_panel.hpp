@@ -44,6 +44,7 @@ private:
   void show_offers();
   void show_form();
   void show_activity();
+  void show_readiness();
   [[nodiscard]] QString not_ready() const;
   [[nodiscard]] std::vector<const offered_operation*> offers() const;
 

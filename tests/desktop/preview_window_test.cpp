@@ -82,6 +82,8 @@ TEST_F(PreviewWindow, FollowsTheLastValueAndApplyMakesTheVeryThing) {
   EXPECT_EQ(preview().shown(), nullptr);
   EXPECT_FALSE(preview().is_busy()) << "not the same once more on what was made";
   EXPECT_EQ(label("preview_state"), "");
+  EXPECT_EQ(label("form_hint"), "") << "nothing runs any more";
+  EXPECT_TRUE(window->findChild<QPushButton*>("apply")->isEnabled());
 }
 
 TEST_F(PreviewWindow, WhatIsRefusedIsExplainedWhileTheHeadStays) {
