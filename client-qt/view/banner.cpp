@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/banner.hpp"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -107,6 +108,14 @@ void banner::present(const QString& title, const QString& body, const QColor& ba
   paint_bar();
   show();
   emit changed();
+}
+
+/// Fonts of words that are shown for the first time are known later than the words.
+bool banner::event(QEvent* event) {
+  const bool done = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest)
+    emit changed();
+  return done;
 }
 
 void banner::paint_bar() {

@@ -34,6 +34,9 @@ signals:
   void changed();  ///< It needs more or less room.
   void place_wanted(const QList<qint64>& surfaces);
 
+protected:
+  bool event(QEvent* event) override;
+
 private:
   void paint_bar();
   void present(const QString& title, const QString& body, const QColor& bar);

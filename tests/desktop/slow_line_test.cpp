@@ -143,8 +143,8 @@ TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
   const auto& said = window->messages();
   EXPECT_TRUE(said.text().contains("lost")) << "an error does not take its place";
   EXPECT_TRUE(said.text().contains("Choose a wall."));
-  QCoreApplication::processEvents();
-  EXPECT_EQ(said.height(), said.heightForWidth(said.width())) << "all of it can be read";
+  EXPECT_TRUE(wait([&] { return said.height() == said.heightForWidth(said.width()); }))
+    << "all of it can be read";
   said.findChild<QPushButton*>("close")->click();
   line->mend();
   ASSERT_TRUE(wait([&] { return shows_head(); }));
