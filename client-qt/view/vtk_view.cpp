@@ -115,7 +115,6 @@ void vtk_view::collect() {
   if (!came)
     return;
   drawing_ = false;
-  fresh_ = true;
   came_ = begun_;
   image_ = std::move(came->image);
   frame_ms_ = came->ms;
@@ -171,10 +170,8 @@ void vtk_view::paintEvent(QPaintEvent*) {
   painter.drawImage(rect(), image_);
   painter.end();
   const bool other_screen = !image_.isNull() && !is_fine() && !quick_;
-  if (std::exchange(fresh_, false)) {
-    seen_ = came_;
+  if (std::exchange(seen_, came_) != came_)
     emit drawn();
-  }
   if (other_screen && begun_ == asked_ && !drawing_)
     redraw();
   else if (begun_ != asked_)

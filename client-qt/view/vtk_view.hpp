@@ -93,11 +93,10 @@ private:
   QImage image_;
   int asked_ = 1;
   int begun_ = 0;
-  int came_ = 0;
+  int came_ = 0;  ///< Drawn; painted once `seen_` is the same.
   int seen_ = 0;
   bool scheduled_ = false;  ///< A frame begins soon.
   bool drawing_ = false;    ///< On the other thread.
-  bool fresh_ = false;      ///< Not painted yet.
   bool quick_ = false;
   int coarseness_ = 2;  ///< Of quick frames: pixels of the widget for one that is drawn, each way.
   double frame_ms_ = 0;

@@ -28,11 +28,11 @@ def load_protocol():
     found = [up / "protocol" for up in here.parents if (up / "protocol/tedit/v1").is_dir()]
     if not found:
         sys.exit("cannot find protocol/tedit/v1/*.proto above " + str(here))
-    made = tempfile.mkdtemp()
     files = sorted(str(f.relative_to(found[0])) for f in (found[0] / "tedit/v1").glob("*.proto"))
-    subprocess.run(["protoc", f"--python_out={made}", "-I", str(found[0]), *files], check=True)
-    sys.path.insert(0, made)
-    from tedit.v1 import envelope_pb2, load_case_pb2, report_pb2, session_pb2
+    with tempfile.TemporaryDirectory() as made:
+        subprocess.run(["protoc", f"--python_out={made}", "-I", str(found[0]), *files], check=True)
+        sys.path.insert(0, made)
+        from tedit.v1 import envelope_pb2, load_case_pb2, report_pb2, session_pb2
 
     return envelope_pb2, session_pb2, load_case_pb2, report_pb2
 
