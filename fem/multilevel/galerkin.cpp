@@ -59,10 +59,30 @@ void store_transfer(const problem& p, filter_span filter, const rigid_frame& fra
 
 namespace {
 
-Eigen::Matrix3d symmetric(const std::array<double, 6>& s) {
-  Eigen::Matrix3d m;
-  m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
-  return m;
+/// Three numbers in double precision and a lane that means nothing.
+using double4 [[gnu::vector_size(32)]] = double;
+using double4_there [[gnu::vector_size(32), gnu::may_alias]] = double;
+
+/// A 3x3 block, column by column.
+using columns3 = std::array<double4, 3>;
+
+TEDIT_INLINE double4 turned(double4 v) {
+  return __builtin_shufflevector(v, v, 1, 2, 0, 3);
+}
+
+TEDIT_INLINE double4 cross(double4 a, double4 b) {
+  return turned(a * turned(b) - turned(a) * b);
+}
+
+/// block * v.
+TEDIT_INLINE double4 product(const columns3& block, double4 v) {
+  return block[0] * v[0] + block[1] * v[1] + block[2] * v[2];
+}
+
+TEDIT_INLINE columns3 symmetric(const std::array<float, 6>& s) {
+  return {__builtin_convertvector(float4{s[0], s[1], s[2]}, double4),
+          __builtin_convertvector(float4{s[1], s[3], s[4]}, double4),
+          __builtin_convertvector(float4{s[2], s[4], s[5]}, double4)};
 }
 
 /// One row of P^T K P, and the projector onto the motions that its aggregate has.
@@ -72,84 +92,100 @@ struct galerkin_row {
   matrix6 keep;
 };
 
+/// Makes rows; for code inside `run_widest`.
 class row_maker {
 public:
-  row_maker(const problem& p, const block_matrix& k, filter_span filter, const hierarchy& h,
-            std::span<const rigid_frame> frames)
-      : p_(p), k_(k), filter_(filter), h_(h), frames_(frames) {}
+  row_maker(const block_matrix& k, const hierarchy& h) : k_(k), h_(h) {}
 
-  galerkin_row make(std::uint32_t a) {
+  TEDIT_INLINE galerkin_row make(std::uint32_t a) {
     galerkin_row row;
-    matrix6 gram = matrix6::Zero();
+    row_sum::block gram;
+    gram.fill(0);
     for (const auto n : h_.members.of(a))
       add_node(n, gram);
-    row.keep = remove_null_motions(gram, sum_.matrix_at(a));
+    row.keep = remove_null_motions(row_sum::view(gram.data()), sum_.matrix_at(a));
     sum_.finish(row.column, row.block);
     return row;
   }
 
 private:
-  [[nodiscard]] matrix36 modes(std::uint32_t n) const {
-    const auto& frame = frames_[h_.aggregate[n]];
-    const matrix36 p = rigid_modes((p_.nodes[n] - frame.centre) / frame.radius);
-    return is_free(filter_[n]) ? p : matrix36(symmetric(filter_[n]) * p);
-  }
-
-  /// K_ij summed over the nodes j of one aggregate, and times their motions.
-  struct part {
+  /// K_ij summed over the nodes j of one aggregate, each times its motions S [I, -[arm]x]: six
+  /// columns. The alignment is said, for the compiler's own differs between bodies.
+  struct alignas(32) part {
+    std::array<double4, 6> column;
     std::uint32_t aggregate;
-    matrix36 product;
   };
 
-  void add_node(std::uint32_t i, matrix6& gram) {
-    const matrix36 own = modes(i);
-    gram.noalias() += own.transpose() * own;
+  TEDIT_INLINE double4 arm(std::uint32_t n) const {
+    const auto& d = h_.arm[n];
+    return __builtin_convertvector(float4{d[0], d[1], d[2]}, double4);
+  }
+
+  TEDIT_INLINE void add_node(std::uint32_t i, row_sum::block& gram) {
+    const double4 own = arm(i);
     parts_.clear();
-    Eigen::Matrix3d diagonal = Eigen::Matrix3d::Zero();
+    columns3 diagonal{};
     for (auto s = k_.begin(i); s < k_.end(i); ++s) {
-      const Eigen::Matrix3d block =
-        Eigen::Map<const Eigen::Matrix3f>(&k_.value[9 * std::size_t{s}]).cast<double>();
-      diagonal -= block;
+      const float* v = &k_.value[9 * std::size_t{s}];
+      const columns3 block{__builtin_convertvector(load4(v), double4),
+                           __builtin_convertvector(load4(v + 3), double4),
+                           __builtin_convertvector(load4(v + 6), double4)};
+      for (std::size_t c = 0; c < 3; ++c)
+        diagonal[c] -= block[c];
       if (const auto j = k_.column[s]; h_.aggregate[j] != no_id)
-        add_motions(block, j, part_of(h_.aggregate[j]).product);
+        add_motions(block, j, part_of(h_.aggregate[j]).column);
     }
-    add_motions(diagonal, i, part_of(h_.aggregate[i]).product);
+    add_motions(diagonal, i, part_of(h_.aggregate[i]).column);
     for (const auto& p : parts_)
-      sum_.matrix_at(p.aggregate).noalias() += own.transpose() * p.product;
+      add_transposed(i, own, p.column, sum_.at(p.aggregate));
+    std::array<double4, 6> motions{};
+    add_motions({double4{1, 0, 0}, double4{0, 1, 0}, double4{0, 0, 1}}, i, motions);
+    add_transposed(i, own, motions, gram);
   }
 
   part& part_of(std::uint32_t aggregate) {
     const auto found = std::ranges::find(parts_, aggregate, &part::aggregate);
-    return found != parts_.end() ? *found : parts_.emplace_back(aggregate, matrix36::Zero());
+    return found != parts_.end() ? *found : parts_.emplace_back(part{{}, aggregate});
   }
 
-  /// to += block [I, -[arm]x], column by column: that of -[d]x b is b x d.
-  void add_motions(const Eigen::Matrix3d& block, std::uint32_t j, matrix36& to) const {
-    if (!is_free(filter_[j])) {
-      to.noalias() += block * modes(j);
-      return;
+  /// to += block S [I, -[arm]x] of node j.
+  TEDIT_INLINE void add_motions(columns3 block, std::uint32_t j, std::array<double4, 6>& to) const {
+    if (!h_.filter.empty()) {
+      const auto s = symmetric(h_.filter[j]);
+      block = {product(block, s[0]), product(block, s[1]), product(block, s[2])};
     }
-    const auto& frame = frames_[h_.aggregate[j]];
-    const vec3 d = (p_.nodes[j] - frame.centre) / frame.radius;
-    to.leftCols<3>() += block;
-    to.col(3) += d.y * block.col(2) - d.z * block.col(1);
-    to.col(4) += d.z * block.col(0) - d.x * block.col(2);
-    to.col(5) += d.x * block.col(1) - d.y * block.col(0);
+    const double4 d = arm(j);
+    for (std::size_t c = 0; c < 3; ++c)
+      to[c] += block[c];
+    to[3] += d[1] * block[2] - d[2] * block[1];
+    to[4] += d[2] * block[0] - d[0] * block[2];
+    to[5] += d[0] * block[1] - d[1] * block[0];
   }
 
-  const problem& p_;
+  /// to += (S [I, -[arm]x])^T columns of node i: below S v comes arm x S v.
+  TEDIT_INLINE void add_transposed(std::uint32_t i, double4 own, std::array<double4, 6> columns,
+                                   row_sum::block& to) const {
+    if (!h_.filter.empty())
+      for (auto& v : columns)
+        v = product(symmetric(h_.filter[i]), v);
+    unrolled<6>([&](auto c) TEDIT_INLINED {
+      const double4 v = columns[c];
+      const double4 moment = cross(own, v);
+      auto* at = reinterpret_cast<double4_there*>(&to[8 * c]);
+      at[0] += __builtin_shufflevector(v, moment, 0, 1, 2, 4);
+      at[1] += __builtin_shufflevector(moment, double4{}, 1, 2, 4, 5);
+    });
+  }
+
   const block_matrix& k_;
-  filter_span filter_;
   const hierarchy& h_;
-  std::span<const rigid_frame> frames_;
   row_sum sum_;
   std::vector<part> parts_;
 };
 
 }  // namespace
 
-void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span filter,
-                        std::span<const std::uint32_t> rows, hierarchy& h) {
+void make_galerkin_rows(const block_matrix& k, std::span<const std::uint32_t> rows, hierarchy& h) {
   constexpr std::size_t at_once = 1024;  // Rows in double precision.
   auto& memory = h.memory->levels.front();
   auto& level = h.levels.front();
@@ -161,9 +197,11 @@ void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span fil
     parallel_for(
       part.size(),
       [&](std::size_t first, std::size_t last, std::size_t) {
-        row_maker rows_of(p, k, filter, h, memory.frames);
-        for (std::size_t i = first; i < last; ++i)
-          fresh[i] = rows_of.make(part[i]);
+        row_maker rows_of(k, h);
+        run_widest([&]() TEDIT_INLINED {
+          for (std::size_t i = first; i < last; ++i)
+            fresh[i] = rows_of.make(part[i]);
+        });
       },
       8);
     check_cancelled();

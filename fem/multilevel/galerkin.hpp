@@ -22,9 +22,8 @@ void store_transfer(const problem& p, filter_span filter, const rigid_frame& fra
                     std::uint32_t node, hierarchy& h);
 
 /// The rows `rows` of the first coarse matrix P^T K P, ascending, and the projectors onto the
-/// motions that their aggregates have; frames and members of all aggregates are there. Cost: their
-/// nodes' entries, on all cores.
-void make_galerkin_rows(const problem& p, const block_matrix& k, filter_span filter,
-                        std::span<const std::uint32_t> rows, hierarchy& h);
+/// motions that their aggregates have; members, arms and filters of all aggregates are there, and
+/// are the ones that the cycle multiplies with. Cost: their nodes' entries, on all cores.
+void make_galerkin_rows(const block_matrix& k, std::span<const std::uint32_t> rows, hierarchy& h);
 
 }  // namespace tedit::fem

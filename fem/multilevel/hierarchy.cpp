@@ -132,7 +132,7 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
   reserve_for_edits(first.block, usual_blocks * aggregates.count);
   std::vector<std::uint32_t> rows(aggregates.count);
   std::iota(rows.begin(), rows.end(), 0u);
-  make_galerkin_rows(p, k, filter, rows, result);
+  make_galerkin_rows(k, rows, result);
   if (auto ok = add_rigid_levels(settings, run, result); !ok)
     return fail(ok.error());
   return result;

@@ -84,7 +84,7 @@ public:
     if (!h_.filter.empty())
       h_.filter.resize(k_.rows(), {1, 0, 0, 1, 0, 1});
     index_list rows = renew_aggregates(touched);
-    make_galerkin_rows(p_, k_, filter_, rows, h_);
+    make_galerkin_rows(k_, rows, h_);
     update_rigid_levels(std::move(rows), h_);
   }
 
