@@ -183,6 +183,7 @@ int main(int argc, char** argv) {
   fem::native_settings native;
   app.add_option("--weak-edge", native.multilevel.weak_edge, "Of the native backend");
   app.add_option("--coarsest", native.multilevel.coarsest);
+  app.add_option("--rounded", native.multilevel.rounded, "Smoothers read rounded values; 1 or 0");
   app.add_option("--degree", native.cycle.node_degree);
   app.add_option("--rigid-degree", native.cycle.rigid_degree);
   app.add_option("--repeats", native.cycle.repeats, "Visits from a rigid level to the next");
@@ -192,6 +193,7 @@ int main(int argc, char** argv) {
   app.add_option("--over-correction", native.cycle.over_correction);
   app.add_option("--inner-reduction", settings.inner_reduction);
   CLI11_PARSE(app, argc, argv);
+  native.corner_multilevel.rounded = native.multilevel.rounded;
   const auto stop = [](const error& e) {
     std::cerr << render(e) << '\n';
     return 1;

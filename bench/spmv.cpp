@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// bench_spmv MESH LOAD_CASE [--order N] [--device NAME] [--cores N] [--copy-mb N] [--repeat N]: the
-// share of the bandwidth of a copy that one product y = K x has. Product and copy take turns;
-// prints one JSON object with the medians.
+// bench_spmv MESH LOAD_CASE [--order N] [--device NAME] [--cores N] [--copy-mb N] [--rounded]
+// [--repeat N]: the share of the bandwidth of a copy that one product y = K x has. Product and copy
+// take turns; prints one JSON object with the medians.
 #include <algorithm>
 #include <iostream>
 
@@ -112,6 +112,7 @@ int main(int argc, char** argv) {
   int cores = 0;
   int repeats = 15;
   std::uint64_t copy_mb = 0;
+  bool rounded = false;
   CLI::App app("The share of the bandwidth of a copy that one product with the matrix has");
   app.add_option("mesh", mesh_file)->required();
   app.add_option("load_case", load_file)->required();
@@ -120,6 +121,7 @@ int main(int argc, char** argv) {
   app.add_option("--cores", cores, "Cores to keep; 0: all")->check(CLI::Range(0, 1024));
   app.add_option("--copy-mb", copy_mb, "Bytes of a copy, 10^6; 0: as many as a product moves")
     ->check(CLI::Range(0, 100000));
+  app.add_flag("--rounded", rounded, "The values as smoothers read them (cpu, order 1)");
   app.add_option("--repeat", repeats, "Turns of product and copy")->check(CLI::Range(1, 1000));
   CLI11_PARSE(app, argc, argv);
   cores = keep_cores(cores);
@@ -136,10 +138,9 @@ int main(int argc, char** argv) {
   const auto p = fem::make_problem(*mesh->version, *loads, order);
   if (!p)
     return stop(p.error());
-  auto probe =
-    device == "cpu"
-      ? expected<std::unique_ptr<bench::product_probe>>(bench::probe_native(*p, 1000000 * copy_mb))
-      : bench::probe_vulkan(device, *p, 1000000 * copy_mb);
+  auto probe = device == "cpu" ? expected<std::unique_ptr<bench::product_probe>>(
+                                   bench::probe_native(*p, 1000000 * copy_mb, rounded))
+                               : bench::probe_vulkan(device, *p, 1000000 * copy_mb);
   if (!probe)
     return stop(probe.error());
   const auto measured = measure(**probe, repeats);

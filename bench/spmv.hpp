@@ -25,9 +25,10 @@ public:
 };
 
 /// The native operators: blocks of linear tets, patches of quadratic ones. `copy_bytes` 0: as many
-/// as a product moves.
+/// as a product moves. `rounded`: blocks as smoothers read them, of linear tets only.
 [[nodiscard]] std::unique_ptr<product_probe> probe_native(const fem::problem& p,
-                                                          std::uint64_t copy_bytes = 0);
+                                                          std::uint64_t copy_bytes = 0,
+                                                          bool rounded = false);
 
 /// Those of a Vulkan device, "lavapipe" or part of its name. Errors: those of the device.
 [[nodiscard]] expected<std::unique_ptr<product_probe>> probe_vulkan(const std::string& device,

@@ -5,7 +5,7 @@
 
 #include "bench/spmv.hpp"
 #include "fem/block_matrix.hpp"
-#include "fem/multilevel/node_smoother.hpp"
+#include "fem/multilevel/block_rows.hpp"
 #include "fem/native/quadratic_operator.hpp"
 
 namespace tedit::bench {
@@ -13,6 +13,21 @@ namespace tedit::bench {
 namespace {
 
 using fem::float4;
+
+/// Blocks as smoothers read them.
+struct rounded_blocks {
+  fem::block_matrix k;
+
+  [[nodiscard]] std::size_t rows() const { return k.rows(); }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return k.bytes() - k.low.size() * sizeof(fem::half_block);
+  }
+};
+
+template <class L, class Sink>
+void for_rows(const rounded_blocks& m, const float* x, const Sink& sink) {
+  fem::for_rows<L>(fem::smoothed_matrix{m.k, {}}, x, sink);
+}
 
 template <class Operator>
 class native_probe final : public product_probe {
@@ -69,10 +84,15 @@ private:
 
 }  // namespace
 
-std::unique_ptr<product_probe> probe_native(const fem::problem& p, std::uint64_t copy_bytes) {
-  if (p.element_order == 1)
-    return std::make_unique<native_probe<fem::block_matrix>>(
-      fem::assemble_blocks(p, fem::incidence(p)), copy_bytes);
+std::unique_ptr<product_probe> probe_native(const fem::problem& p, std::uint64_t copy_bytes,
+                                            bool rounded) {
+  if (p.element_order == 1) {
+    auto blocks = fem::assemble_blocks(p, fem::incidence(p));
+    if (rounded)
+      return std::make_unique<native_probe<rounded_blocks>>(rounded_blocks{std::move(blocks)},
+                                                            copy_bytes);
+    return std::make_unique<native_probe<fem::block_matrix>>(std::move(blocks), copy_bytes);
+  }
   return std::make_unique<native_probe<fem::quadratic_operator>>(fem::quadratic_operator(p),
                                                                  copy_bytes);
 }

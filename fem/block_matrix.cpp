@@ -59,12 +59,14 @@ public:
     blocks_.assign(columns.size(), block3{});
     for (const auto corner : corners_.of_node(row))
       add_element(gradients_at(corner / per_), corner);
-    float* out = &k.value[9 * std::size_t{k.begin(row)}];
-    for (const auto& block : blocks_)
-      for (const auto& column : block.column) {
-        store3(__builtin_convertvector(column, float4), out);
-        out += 3;
-      }
+    std::size_t at = k.begin(row);
+    for (const auto& block : blocks_) {
+      split_block({__builtin_convertvector(block.column[0], float4),
+                   __builtin_convertvector(block.column[1], float4),
+                   __builtin_convertvector(block.column[2], float4)},
+                  k.high[at], k.low[at]);
+      ++at;
+    }
   }
 
 private:
@@ -122,6 +124,14 @@ private:
   std::vector<slot> slots_;
 };
 
+/// Makes room for the values of all entries that there are places for.
+void fit_values(block_matrix& k) {
+  for (auto* part : {&k.high, &k.low}) {
+    part->resize(k.places.room() + block_matrix::padding);
+    std::fill(part->end() - block_matrix::padding, part->end(), half_block{});
+  }
+}
+
 /// The places of all rows and their columns; no values.
 block_matrix make_pattern(const problem& p, const incidence& corners) {
   const std::size_t rows = p.corner_count;
@@ -151,9 +161,9 @@ block_matrix make_pattern(const problem& p, const incidence& corners) {
 
 block_matrix assemble_blocks(const problem& p, const incidence& corners) {
   auto k = make_pattern(p, corners);
-  reserve_for_edits(k.value, 9 * std::size_t{k.places.room()});
-  k.value.resize(9 * std::size_t{k.places.room()} + 1);
-  k.value.back() = 0;
+  reserve_for_edits(k.high, k.places.room());
+  reserve_for_edits(k.low, k.places.room());
+  fit_values(k);
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     row_gatherer gatherer(p, corners);
     recent_gradients gradients(p);
@@ -180,7 +190,7 @@ void update_blocks(const problem& p, const incidence& corners, std::span<const s
       const auto columns = gatherer.columns(row);
       const auto at = k.places.replace(row, static_cast<std::uint32_t>(columns.size()));
       k.column.resize(k.places.room());
-      k.value.resize(9 * std::size_t{k.places.room()} + 1);
+      fit_values(k);
       std::ranges::copy(columns, k.column.begin() + at);
       gatherer.write(row, gradients_at, k);
     }
@@ -190,9 +200,11 @@ void update_blocks(const problem& p, const incidence& corners, std::span<const s
 std::array<float, 6> diagonal_block(const block_matrix& k, std::size_t row) {
   constexpr std::array<int, 6> at{0, 3, 6, 4, 7, 8};
   std::array<double, 6> sum{};
-  for (auto i = k.begin(row); i < k.end(row); ++i)
+  for (auto i = k.begin(row); i < k.end(row); ++i) {
+    const auto block = k.block(i);
     for (int c = 0; c < 6; ++c)
-      sum[c] -= static_cast<double>(k.value[9 * std::size_t{i} + at[c]]);
+      sum[c] -= static_cast<double>(block[at[c]]);
+  }
   std::array<float, 6> result;
   std::ranges::transform(sum, result.begin(), [](double v) { return static_cast<float>(v); });
   return result;

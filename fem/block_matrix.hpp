@@ -8,7 +8,7 @@
 #include "base/raw_vector.hpp"
 #include "fem/incidence.hpp"
 #include "fem/rows.hpp"
-#include "fem/wide.hpp"
+#include "fem/split_float.hpp"
 
 namespace tedit::fem {
 
@@ -16,17 +16,33 @@ namespace tedit::fem {
 /// are stored, and y_i = sum_{j != i} K_ij (x_j - x_i). Block rows sum to zero (rigid
 /// translations), so the diagonal block is D_i = -sum K_ij. The form keeps rigid translations exact
 /// and rotations to rounding of their differences; plain single precision is wrong by percents.
+/// Values are split (fem/split_float.hpp), for smoothers that read only the upper halves.
 /// Memory: 40 bytes a block.
 struct block_matrix {
-  row_places places;                  ///< Of the rows in `column` and `value`.
+  /// Blocks behind the last entry: rows are read in pairs, and a block with what comes behind it.
+  static constexpr std::ptrdiff_t padding = 2;
+  static_assert(half_block_overread <= sizeof(half_block));
+
+  row_places places;                  ///< Of the rows in the arrays below.
   std::vector<std::uint32_t> column;  ///< Ascending within a row, without the diagonal.
-  raw_vector<float> value;            ///< 9 per entry, column by column, and 1 of padding; N/m.
+  raw_vector<half_block> high, low;   ///< Of each entry, and the padding; N/m.
 
   [[nodiscard]] std::size_t rows() const { return places.size(); }
   [[nodiscard]] std::uint32_t begin(std::size_t row) const { return places.begin(row); }
   [[nodiscard]] std::uint32_t end(std::size_t row) const { return places.end(row); }
   [[nodiscard]] std::uint64_t bytes() const {
-    return places.bytes() + column.size() * 4 + value.size() * 4;
+    return places.bytes() + column.size() * 4 + (high.size() + low.size()) * sizeof(half_block);
+  }
+
+  /// The 9 numbers of an entry, column by column.
+  [[nodiscard]] std::array<float, 9> block(std::size_t entry) const {
+    std::array<float, 9> result;
+    const loaded_halves upper(high[entry]);
+    const loaded_halves lower(low[entry]);
+    store3(whole_column<0>(upper, lower), &result[0]);
+    store3(whole_column<1>(upper, lower), &result[3]);
+    store3(whole_column<2>(upper, lower), &result[6]);
+    return result;
   }
 };
 

@@ -20,10 +20,9 @@ bool is_free(const std::array<double, 6>& s) {
 }
 
 float block_norm(const block_matrix& k, std::uint32_t entry) {
-  const float* v = &k.value[9 * std::size_t{entry}];
   float sum = 0;
-  for (int i = 0; i < 9; ++i)
-    sum += v[i] * v[i];
+  for (const float v : k.block(entry))
+    sum += v * v;
   return std::sqrt(sum);
 }
 
@@ -126,10 +125,10 @@ private:
     parts_.clear();
     columns3 diagonal{};
     for (auto s = k_.begin(i); s < k_.end(i); ++s) {
-      const float* v = &k_.value[9 * std::size_t{s}];
-      const columns3 block{__builtin_convertvector(load4(v), double4),
-                           __builtin_convertvector(load4(v + 3), double4),
-                           __builtin_convertvector(load4(v + 6), double4)};
+      const exact_values values(k_, s);
+      const columns3 block{__builtin_convertvector(column<0>(values), double4),
+                           __builtin_convertvector(column<1>(values), double4),
+                           __builtin_convertvector(column<2>(values), double4)};
       for (std::size_t c = 0; c < 3; ++c)
         diagonal[c] -= block[c];
       if (const auto j = k_.column[s]; h_.aggregate[j] != no_id)

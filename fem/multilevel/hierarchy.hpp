@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/execution.hpp"
-#include "fem/block_matrix.hpp"
 #include "fem/multilevel/aggregation.hpp"
+#include "fem/multilevel/block_rows.hpp"
 #include "fem/multilevel/slivers.hpp"
 
 namespace tedit::fem {
@@ -95,6 +95,9 @@ struct multilevel_settings {
   int lambda_steps = 12;  ///< Lanczos steps of the eigenvalue estimates.
   float lambda_safety = 1.08F;
   double sliver_condition = 10;  ///< Tets beyond are clustered; 0: never.
+  /// The smoother of the nodes reads the matrix rounded to eight bits of mantissa, half the bytes,
+  /// but for `hierarchy::exact_rows`. For cycles that can.
+  bool rounded = false;
 };
 
 /// How often a level's correction is repeated, and how long smoothers are.
@@ -117,7 +120,11 @@ struct cycle_settings {
 struct hierarchy_memory;
 
 struct hierarchy {
-  node_smoother smoother;                 ///< Of the matrix itself.
+  node_smoother smoother;  ///< Of the matrix itself.
+  /// 1 for rows of it that the smoother does not read rounded: those of sliver clusters and beside
+  /// them, for their inverses are exact and their blocks cancel; all where the settings or a nearly
+  /// incompressible material say so, and after `raise_lambdas`. Empty: none.
+  std::vector<std::uint8_t> exact_rows;
   std::vector<std::uint32_t> aggregate;   ///< Of each node; `no_id` for held ones.
   std::vector<std::array<float, 3>> arm;  ///< Of each node.
   std::vector<std::array<float, 6>>
@@ -137,7 +144,12 @@ struct hierarchy {
 /// cycle turns out not to be positive definite, take a bound that always holds (a product over an
 /// element's nodes cannot exceed their number: Fried 1972), and more on the rigid levels.
 void raise_lambda(node_smoother& smoother, int nodes_per_element);
+/// The smoother reads the matrix exactly from then on, too.
 void raise_lambdas(hierarchy& h);
+
+/// Finds `h.exact_rows` after sliver clusters or rows changed. Cost: O(nodes) bytes, clusters'
+/// rows.
+void mark_exact_rows(const block_matrix& k, hierarchy& h);
 
 /// S of each node: xx, xy, xz, yy, yz, zz, as in `problem`.
 using filter_span = std::span<const std::array<double, 6>>;

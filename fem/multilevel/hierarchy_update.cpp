@@ -43,8 +43,7 @@ public:
       for (auto s = k_.begin(nodes_[i]); s < k_.end(nodes_[i]); ++s, ++at) {
         const float4 d =
           (local_[at] == no_id ? float4{} : load4(x + 3 * std::size_t{local_[at]})) - own;
-        const float* v = &k_.value[9 * std::size_t{s}];
-        sum += load4(v) * splat(d[0]) + load4(v + 3) * splat(d[1]) + load4(v + 6) * splat(d[2]);
+        sum += entry_product<exact_values>(k_, s, d);
       }
       store3(sum, y + 3 * i);
     }
@@ -105,6 +104,7 @@ private:
       64,
       settings_.sliver_condition};
     auto touched = update_smoother(source, nodes, h_.memory->cluster_of, h_.smoother);
+    mark_exact_rows(k_, h_);
     // Large eigenvalues sit at single bad places: those that are new are found here.
     const small_matrix local(k_, with_neighbours(touched));
     const auto lambda = largest_ritz_value(

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/parallel.hpp"
-#include "fem/multilevel/rows.hpp"
+#include "fem/wide.hpp"
 
 /// How many load cases a vector holds side by side. The kernels of the native solver are written
 /// once over a lane type: `one_case`, three floats a node that live in a `float4`, or
@@ -174,48 +174,6 @@ TEDIT_INLINE void take_row(const Sink& sink, std::size_t i, const typename L::no
     sink(i, row);
   else
     L::add(sink(i, row), sum);
-}
-
-// -- rows of a block matrix --------------------------------------------------------
-
-/// Row i of K x: two blocks at a time.
-TEDIT_INLINE float4 row_of(const block_matrix& k, std::size_t i, const float* x, one_case) {
-  const float4 own = load4(x + 3 * i);
-  const float8 both = pair(own, own);
-  float8 sums{};
-  auto s = k.begin(i);
-  const auto last = k.end(i);
-  for (; s + 1 < last; s += 2) {
-    const float8 d =
-      pair(load4(x + 3 * std::size_t{k.column[s]}), load4(x + 3 * std::size_t{k.column[s + 1]})) -
-      both;
-    const float* v = &k.value[9 * std::size_t{s}];
-    sums += pair(load4(v), load4(v + 9)) * each<0>(d) +
-            pair(load4(v + 3), load4(v + 12)) * each<1>(d) +
-            pair(load4(v + 6), load4(v + 15)) * each<2>(d);
-  }
-  float4 sum = first_of(sums) + second_of(sums);
-  if (s < last) {
-    const float4 d = load4(x + 3 * std::size_t{k.column[s]}) - own;
-    const float* v = &k.value[9 * std::size_t{s}];
-    sum += load4(v) * splat(d[0]) + load4(v + 3) * splat(d[1]) + load4(v + 6) * splat(d[2]);
-  }
-  return sum;
-}
-
-template <std::size_t W>
-TEDIT_INLINE typename cases_of<W>::node row_of(const block_matrix& k, std::size_t i, const float* x,
-                                               cases_of<W>) {
-  using L = cases_of<W>;
-  const auto own = L::load(x, i);
-  typename L::node sum{};
-  for_blocks(k, i, [&](std::size_t column, const float* v) TEDIT_INLINED {
-    const auto d = L::load(x, column) - own;
-    sum.x += v[0] * d.x + v[3] * d.y + v[6] * d.z;
-    sum.y += v[1] * d.x + v[4] * d.y + v[7] * d.z;
-    sum.z += v[2] * d.x + v[5] * d.y + v[8] * d.z;
-  });
-  return sum;
 }
 
 }  // namespace tedit::fem

@@ -96,9 +96,11 @@ Eigen::MatrixXd cluster_matrix(const block_matrix& k, std::span<const std::uint3
     m.block<3, 3>(at, at) = symmetric(diagonal_block(k, i));
     for (auto e = k.begin(i); e < k.end(i); ++e) {
       const auto found = std::ranges::lower_bound(nodes, k.column[e]);
-      if (found != nodes.end() && *found == k.column[e])
-        m.block<3, 3>(at, 3 * (found - nodes.begin())) =
-          Eigen::Map<const Eigen::Matrix3f>(&k.value[9 * std::size_t{e}]).cast<double>();
+      if (found == nodes.end() || *found != k.column[e])
+        continue;
+      const auto values = k.block(e);
+      m.block<3, 3>(at, 3 * (found - nodes.begin())) =
+        Eigen::Map<const Eigen::Matrix3f>(values.data()).cast<double>();
     }
   }
   return m;

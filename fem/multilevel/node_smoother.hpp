@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "fem/multilevel/block_rows.hpp"
 #include "fem/multilevel/hierarchy.hpp"
-#include "fem/multilevel/lanes.hpp"
 
 namespace tedit::fem {
-
-/// A product with an operator on nodes with three unknowns each: calls `sink(i, y_i)` for the rows
-/// of one chunk after the other, on all cores; what the sink returns, if anything, is summed for
-/// each case. `block_matrix` and the quadratic operator both have this form.
-template <class L = one_case, class Sink>
-case_sums<L> for_rows(const block_matrix& k, const float* x, const Sink& sink) {
-  return sum_lanes<L>(k.rows(),
-                      [&](std::size_t first, std::size_t last, typename L::sum& sum) TEDIT_INLINED {
-                        for (std::size_t i = first; i < last; ++i)
-                          take_row<L>(sink, i, row_of(k, i, x, L{}), sum);
-                      });
-}
 
 /// Adds factor * C^-1 r of the clusters' nodes to `d`.
 template <class L = one_case>

@@ -61,6 +61,7 @@ struct level_memory {
 
 struct hierarchy_memory {
   std::vector<std::uint32_t> cluster_of;  ///< Sliver cluster of each node; empty: there are none.
+  bool read_exactly = false;              ///< Rounded values were not good enough.
   std::vector<level_memory> levels;
 };
 

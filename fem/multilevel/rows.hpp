@@ -6,14 +6,6 @@
 /// The entries of one row, for kernels that know nothing of how rows are stored.
 namespace tedit::fem {
 
-/// Calls visit(column, 9 floats of the block) for the entries of row i beside the diagonal.
-template <class Visit>
-[[gnu::always_inline]] inline void for_blocks(const block_matrix& k, std::size_t i,
-                                              const Visit& visit) {
-  for (auto s = k.begin(i), end = k.end(i); s < end; ++s)
-    visit(std::size_t{k.column[s]}, &k.value[9 * std::size_t{s}]);
-}
-
 /// Calls visit(column, block) for the entries of row i, the diagonal included.
 template <class Visit>
 [[gnu::always_inline]] inline void for_blocks(const rigid_level& level, std::size_t i,

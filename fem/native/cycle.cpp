@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fem/multilevel/rows.hpp"
 #include "fem/native/rigid_six.hpp"
 
 namespace tedit::fem {
@@ -222,11 +223,12 @@ void multilevel_cycle<L>::fit() {
 
 template <class L>
 void multilevel_cycle<L>::apply(const float* right, float* z) {
-  smooth_from_zero<L>(k_, h_.smoother, settings_.node_degree, right, v_, z);
+  const smoothed_matrix k{k_, h_.exact_rows};
+  smooth_from_zero<L>(k, h_.smoother, settings_.node_degree, right, v_, z);
   restrict_residual();
   rigid_.solve(coarse_right_, coarse_);
   prolongate();
-  smooth_correction<L>(k_, h_.smoother, settings_.node_degree, v_, z);
+  smooth_correction<L>(k, h_.smoother, settings_.node_degree, v_, z);
 }
 
 template <class L>

@@ -10,11 +10,11 @@ namespace tedit::fem {
 
 /// How the native backend solves; the defaults are measured (bench/FIGURES.md).
 struct native_settings {
-  multilevel_settings multilevel;
+  multilevel_settings multilevel{.rounded = true};
   cycle_settings cycle;
   /// The linear tets under quadratic ones are solved more closely: degree 3 and smaller aggregates
   /// took 49 to 55 iterations where 2 and 0.1 took 58 to 65, in less time (thin parts, coarse).
-  multilevel_settings corner_multilevel{.weak_edge = 0.15F};
+  multilevel_settings corner_multilevel{.weak_edge = 0.15F, .rounded = true};
   cycle_settings corner_cycle{.node_degree = 3};
   /// Bytes that a solve may take; 0: what there is (base/memory.hpp). More is refused.
   std::uint64_t memory_limit = 0;

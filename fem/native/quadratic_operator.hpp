@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "fem/multilevel/lanes.hpp"
+#include "fem/problem.hpp"
 
 namespace tedit::fem {
 

@@ -96,7 +96,7 @@ TEST(Cycle, IsSymmetricAndPositive) {
   const auto p = bar_problem({24, 8, 8}, {4, 1, 1});
   const incidence corners(p);
   const auto k = assemble_blocks(p, corners);
-  multilevel_settings small;
+  multilevel_settings small{.rounded = true};
   small.coarsest = 8;  // So that all kinds of levels take part.
   const auto h = *build_hierarchy(p, k, p.filter, small, {});
   ASSERT_GE(h.levels.size(), 3u);
@@ -143,6 +143,7 @@ TEST(Multilevel, SmallGuessesOfLambdaAreCaught) {
 TEST(Multilevel, StiffnessJumpsAndNearlyIncompressibleMaterialsConverge) {
   const auto mesh = test::box_mesh({32, 8, 8}, {4, 1, 1});
   for (const int order : {1, 2}) {
+    EXPECT_LE(solved(*make_problem(*mesh, bar(0.499), order)).iterations, order == 1 ? 300 : 600);
     auto p = *make_problem(*mesh, bar(0.45), order);
     p.constants.push_back({1e-4 * p.constants[0].lambda, 1e-4 * p.constants[0].mu});
     p.densities.push_back(p.densities[0]);
