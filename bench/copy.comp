@@ -8,6 +8,6 @@ layout(set = 0, binding = 0) readonly buffer b0 { vec4 from[]; };
 layout(set = 0, binding = 1) writeonly buffer b1 { vec4 to[]; };
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < push.rows; i += stride())
+  for (uint i = first_row(); i < push.rows; i += stride())
     to[i] = from[i];
 }

@@ -27,6 +27,7 @@
 #include "fem/load_cases.hpp"
 #include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
+#include "fem/vulkan/vulkan_backend.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 
@@ -57,6 +58,17 @@ long peak_mib() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss / 1024;
+}
+
+expected<std::unique_ptr<fem::backend>> open_device(const std::string& name,
+                                                    const fem::native_settings& native) {
+  if (name == "cpu")
+    return fem::make_native_backend(native);
+  if (name == "auto")
+    return fem::open_backend(name);
+  fem::vulkan_settings settings;
+  settings.multilevel.rounded = native.multilevel.rounded;
+  return fem::open_vulkan(name, settings);
 }
 
 /// Another load for each case: its components exchanged, and by and by more uneven along x.
@@ -209,9 +221,7 @@ int main(int argc, char** argv) {
     return stop(p.error());
   if (!system_file.empty())
     return write_equations(*p, system_file);
-  auto device = device_name == "cpu"
-                  ? expected<std::unique_ptr<fem::backend>>(fem::make_native_backend(native))
-                  : fem::open_backend(device_name);
+  auto device = open_device(device_name, native);
   if (!device)
     return stop(device.error());
   if (moments > 0) {

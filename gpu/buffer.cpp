@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gpu/buffer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tedit::gpu {
@@ -14,7 +15,8 @@ expected<buffer> buffer::make(std::shared_ptr<device> on, std::uint64_t bytes, p
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = result.bytes_;
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-               VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+               VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+               VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   const auto what = "allocating " + std::to_string((result.bytes_ >> 10) + 1) + " KiB";
   if (const auto r = calls.vkCreateBuffer(handle, &info, nullptr, &result.buffer_); r != VK_SUCCESS)
     return fail(to_error(r, what));
@@ -48,8 +50,22 @@ expected<buffer> buffer::make(std::shared_ptr<device> on, std::uint64_t bytes, p
         r != VK_SUCCESS)
       return fail(to_error(r, what));
     result.mapped_ = {static_cast<std::byte*>(mapped), result.bytes_};
+  } else if (auto ok = result.view_as_texels(what); !ok) {
+    return fail(ok.error());
   }
   return result;
+}
+
+expected<void> buffer::view_as_texels(const std::string& what) {
+  VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+  info.buffer = buffer_;
+  info.format = VK_FORMAT_R32G32B32A32_UINT;
+  info.range = std::min(bytes_, device_->limits().texel_buffer_range);
+  if (const auto r =
+        device_->calls().vkCreateBufferView(device_->handle(), &info, nullptr, &texels_);
+      r != VK_SUCCESS)
+    return fail(to_error(r, what));
+  return {};
 }
 
 buffer& buffer::operator=(buffer&& other) noexcept {
@@ -58,6 +74,7 @@ buffer& buffer::operator=(buffer&& other) noexcept {
   release();
   device_ = std::move(other.device_);
   buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
+  texels_ = std::exchange(other.texels_, VK_NULL_HANDLE);
   memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
   bytes_ = std::exchange(other.bytes_, 0);
   mapped_ = std::exchange(other.mapped_, {});
@@ -69,10 +86,13 @@ void buffer::release() {
     return;
   const auto& calls = device_->calls();
   const bool free = !device_->given_up();
+  if (texels_ && free)
+    calls.vkDestroyBufferView(device_->handle(), texels_, nullptr);
   if (buffer_ && free)
     calls.vkDestroyBuffer(device_->handle(), buffer_, nullptr);
   if (memory_ && free)
     calls.vkFreeMemory(device_->handle(), memory_, nullptr);
+  texels_ = VK_NULL_HANDLE;
   buffer_ = VK_NULL_HANDLE;
   memory_ = VK_NULL_HANDLE;
   device_.reset();

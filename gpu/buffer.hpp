@@ -9,8 +9,8 @@
 
 namespace tedit::gpu {
 
-/// A storage buffer. Device buffers are fast and reached through staging (queue.hpp); host buffers
-/// are mapped.
+/// A storage buffer, which kernels may read as texels, too. Device buffers are fast and reached
+/// through staging (queue.hpp); host buffers are mapped.
 class buffer {
 public:
   enum class place { device, host };
@@ -27,16 +27,21 @@ public:
   ~buffer() { release(); }
 
   [[nodiscard]] VkBuffer handle() const { return buffer_; }
+  /// A device buffer as texels of four uint32, as many as the device's limits allow; a host buffer
+  /// has none.
+  [[nodiscard]] VkBufferView texels() const { return texels_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
   /// The mapped bytes of a host buffer; coherent. Empty for a device buffer.
   [[nodiscard]] std::span<std::byte> mapped() const { return mapped_; }
 
 private:
+  [[nodiscard]] expected<void> view_as_texels(const std::string& what);
   void release();
 
   std::shared_ptr<device> device_;
   VkBuffer buffer_ = VK_NULL_HANDLE;
+  VkBufferView texels_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::uint64_t bytes_ = 0;
   std::span<std::byte> mapped_;

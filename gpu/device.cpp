@@ -198,6 +198,7 @@ expected<void> device::create(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceProperties2(physical, &properties);
   const auto& limits = properties.properties.limits;
   limits_.storage_buffer_range = limits.maxStorageBufferRange;
+  limits_.texel_buffer_range = 16 * std::uint64_t{limits.maxTexelBufferElements};
   limits_.subgroup_size = subgroup.subgroupSize;
   limits_.workgroup_size = limits.maxComputeWorkGroupInvocations;
   limits_.memory_bytes = summary_.memory_bytes;

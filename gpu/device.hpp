@@ -23,6 +23,7 @@ struct device_summary {
 /// Limits that decide how work is cut up.
 struct device_limits {
   std::uint64_t storage_buffer_range = 0;  ///< Bytes that one binding can see.
+  std::uint64_t texel_buffer_range = 0;    ///< Bytes that one binding can see as texels of 16.
   std::uint32_t subgroup_size = 1;
   std::uint32_t workgroup_size = 64;  ///< At most this many invocations in a group.
   std::uint64_t memory_bytes = 0;

@@ -21,11 +21,13 @@ expected<std::shared_ptr<kernel_layout>> kernel_layout::make(std::shared_ptr<dev
   result->push_bytes_ = push_bytes;
   const auto& calls = result->device_->calls();
   const auto handle = result->device_->handle();
-  std::vector<VkDescriptorSetLayoutBinding> rows(bindings);
-  for (std::uint32_t i = 0; i < bindings; ++i)
-    rows[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+  std::vector<VkDescriptorSetLayoutBinding> rows(std::size_t{2} * bindings);
+  for (std::uint32_t i = 0; i < rows.size(); ++i)
+    rows[i] = {
+      i, i < bindings ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER,
+      1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
   VkDescriptorSetLayoutCreateInfo set{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  set.bindingCount = bindings;
+  set.bindingCount = static_cast<std::uint32_t>(rows.size());
   set.pBindings = rows.data();
   if (const auto r = calls.vkCreateDescriptorSetLayout(handle, &set, nullptr, &result->set_layout_);
       r != VK_SUCCESS)
@@ -59,12 +61,13 @@ expected<binding_pool> binding_pool::make(std::shared_ptr<kernel_layout> layout,
   binding_pool result;
   result.layout_ = std::move(layout);
   const auto& on = *result.layout_->on();
-  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                  result.layout_->bindings() * most_sets};
+  const auto each = result.layout_->bindings() * most_sets;
+  const std::array<VkDescriptorPoolSize, 2> sizes{
+    {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, each}, {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, each}}};
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   pool.maxSets = most_sets;
-  pool.poolSizeCount = 1;
-  pool.pPoolSizes = &size;
+  pool.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+  pool.pPoolSizes = sizes.data();
   if (const auto r = on.calls().vkCreateDescriptorPool(on.handle(), &pool, nullptr, &result.pool_);
       r != VK_SUCCESS)
     return fail(to_error(r, "describing kernels"));
@@ -91,16 +94,23 @@ expected<VkDescriptorSet> binding_pool::bind(std::span<const buffer* const> buff
   if (const auto r = calls.vkAllocateDescriptorSets(on.handle(), &allocate, &set); r != VK_SUCCESS)
     return fail(to_error(r, "binding buffers"));
   std::vector<VkDescriptorBufferInfo> infos(buffers.size());
-  std::vector<VkWriteDescriptorSet> writes(buffers.size());
+  std::vector<VkBufferView> texels(buffers.size());
+  std::vector<VkWriteDescriptorSet> writes;
   for (std::uint32_t i = 0; i < buffers.size(); ++i) {
     infos[i] = {buffers[i]->handle(), 0,
                 std::min(buffers[i]->bytes(), on.limits().storage_buffer_range)};
-    writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    writes[i].dstSet = set;
-    writes[i].dstBinding = i;
-    writes[i].descriptorCount = 1;
-    writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    writes[i].pBufferInfo = &infos[i];
+    texels[i] = buffers[i]->texels();
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = i;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    write.pBufferInfo = &infos[i];
+    writes.push_back(write);
+    write.dstBinding = layout_->bindings() + i;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    write.pTexelBufferView = &texels[i];
+    writes.push_back(write);
   }
   calls.vkUpdateDescriptorSets(on.handle(), static_cast<std::uint32_t>(writes.size()),
                                writes.data(), 0, nullptr);

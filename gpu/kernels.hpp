@@ -9,8 +9,9 @@
 
 namespace tedit::gpu {
 
-/// A family of compute kernels that share one layout: `bindings` storage buffers in set 0 and a
-/// block of push constants.
+/// A family of compute kernels that share one layout: `bindings` storage buffers in set 0, the same
+/// buffers behind them as uniform texel buffers (binding i again at `bindings` + i), and a block of
+/// push constants.
 class kernel_layout {
 public:
   [[nodiscard]] static expected<std::shared_ptr<kernel_layout>> make(std::shared_ptr<device> on,

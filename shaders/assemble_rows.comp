@@ -4,21 +4,34 @@
 // invocation per row gathers its own blocks: no atomics. Padding entries point at the row itself.
 #extension GL_GOOGLE_include_directive : require
 #include "elasticity.glsl"
+#include "split_block.glsl"
 
-void add_block(uint entry, float volume, vec2 lame, vec3 ga, vec3 gb) {
+void put_block(uvec2 slice, uint k, uint lane, block33 block) {
+  uvec3 head;
+  uvec2 tail;
+  uvec4 rest;
+  split_block(block, head, tail, rest);
+  blocks[head_place(slice.x, k, lane)].yzw = head;
+  if (k % 2 == 0)
+    blocks[tail_place(slice.x, k, lane)].xy = tail;
+  else
+    blocks[tail_place(slice.x, k, lane)].zw = tail;
+  blocks[rest_place(slice.x, slice.y, k, lane)] = rest;
+}
+
+block33 block_at(uvec2 slice, uint k, uint lane) {
+  const uvec4 tails = blocks[tail_place(slice.x, k, lane)];
+  return exact_block(blocks[head_place(slice.x, k, lane)], k % 2 == 0 ? tails.xy : tails.zw,
+                     blocks[rest_place(slice.x, slice.y, k, lane)]);
+}
+
+void add_block(uvec2 slice, uint k, uint lane, float volume, vec2 lame, vec3 ga, vec3 gb) {
   const float both = lame.y * dot(ga, gb);
-  const vec3 x = volume * (lame.x * ga.x * gb + lame.y * gb.x * ga + vec3(both, 0, 0));
-  const vec3 y = volume * (lame.x * ga.y * gb + lame.y * gb.y * ga + vec3(0, both, 0));
-  const vec3 z = volume * (lame.x * ga.z * gb + lame.y * gb.z * ga + vec3(0, 0, both));
-  uvec4 first = blocks[3 * entry];
-  vec4 middle = uintBitsToFloat(blocks[3 * entry + 1]);
-  vec4 last = uintBitsToFloat(blocks[3 * entry + 2]);
-  const vec3 head = uintBitsToFloat(first.yzw) + x;
-  middle += vec4(y, z.x);
-  last.xy += z.yz;
-  blocks[3 * entry] = uvec4(first.x, floatBitsToUint(head));
-  blocks[3 * entry + 1] = floatBitsToUint(middle);
-  blocks[3 * entry + 2] = floatBitsToUint(last);
+  block33 sum = block_at(slice, k, lane);
+  sum.x += volume * (lame.x * ga.x * gb + lame.y * gb.x * ga + vec3(both, 0, 0));
+  sum.y += volume * (lame.x * ga.y * gb + lame.y * gb.y * ga + vec3(0, both, 0));
+  sum.z += volume * (lame.x * ga.z * gb + lame.y * gb.z * ga + vec3(0, 0, both));
+  put_block(slice, k, lane, sum);
 }
 
 void main() {
@@ -28,12 +41,13 @@ void main() {
   const uint row = push.listed == 1 ? listed[place] : place;
   uint columns[most_columns];
   const uint count = gather_columns(row, columns);
-  const uint width = slices[2 * (row / slice_rows) + 1];
-  for (uint k = 0; k < width; ++k) {
-    const uint entry = entry_of(row, k);
-    blocks[3 * entry] = uvec4(k < count ? columns[k] : row, 0, 0, 0);
-    blocks[3 * entry + 1] = uvec4(0);
-    blocks[3 * entry + 2] = uvec4(0);
+  const uint lane = row % slice_rows;
+  const uvec2 slice =
+    uvec2(slices[2 * (row / slice_rows)], slices[2 * (row / slice_rows) + 1] & ~TEDIT_EXACT_SLICE);
+  const block33 zero = block33(vec3(0), vec3(0), vec3(0));
+  for (uint k = 0; k < slice.y; ++k) {
+    blocks[head_place(slice.x, k, lane)].x = k < count ? columns[k] : row;
+    put_block(slice, k, lane, zero);
   }
   for (uint at = corner_rows[row].x; at < corner_rows[row].y; ++at) {
     const uint element = corners[at] / 4;
@@ -47,7 +61,7 @@ void main() {
       uint k = 0;
       while (columns[k] != n[b])
         ++k;
-      add_block(entry_of(row, k), volume, element_lame[element], g[a], g[b]);
+      add_block(slice, k, lane, volume, element_lame[element], g[a], g[b]);
     }
   }
 }

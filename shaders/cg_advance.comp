@@ -5,11 +5,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) buffer b0 { vec4 u[]; };
-layout(set = 0, binding = 1) readonly buffer b1 { vec4 p[]; };
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 q[]; };
-layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+layout(set = 0, binding = 0) writeonly buffer b0 { vec4 u[]; };
+TEDIT_FLOATS(0, old_u)
+TEDIT_FLOATS(1, p)
+TEDIT_FLOATS(2, q)
+layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(3, old_r)
+TEDIT_FLOATS(4, filters)
 layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
 
 void main() {
@@ -19,8 +21,8 @@ void main() {
         continue;
       const float alpha = scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_FACTOR];
       const uint at = cases * n + c;
-      u[at] += alpha * p[at];
-      const vec3 left = r[at].xyz - alpha * q[at].xyz;
-      r[at] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], left), 0);
+      u[at] = old_u(at) + alpha * p(at);
+      const vec3 left = old_r(at).xyz - alpha * q(at).xyz;
+      r[at] = vec4(apply_symmetric(filters(2 * n), filters(2 * n + 1), left), 0);
     }
 }

@@ -4,11 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
+TEDIT_FLOATS(2, z)
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 p[]; };
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride())
     for (uint at = cases * n; at < cases * (n + 1); ++at)
-      p[at] = z[at];
+      p[at] = z(at);
 }

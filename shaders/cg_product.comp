@@ -5,8 +5,8 @@
 #include "cycle.glsl"
 #include "group_sum.glsl"
 
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
-layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(2, z)
+TEDIT_FLOATS(3, r)
 layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
 
 void main() {
@@ -15,7 +15,7 @@ void main() {
     sums[c] = vec2(0);
   for (uint n = first_row(); n < push.rows; n += stride())
     for (uint c = 0; c < cases; ++c)
-      sums[c] += vec2(dot(r[cases * n + c].xyz, z[cases * n + c].xyz), dot(r[cases * n + c].xyz, r[cases * n + c].xyz));
+      sums[c] += vec2(dot(r(cases * n + c).xyz, z(cases * n + c).xyz), dot(r(cases * n + c).xyz, r(cases * n + c).xyz));
   for (uint c = 0; c < cases; ++c) {
     const float rz = group_sum(sums[c].x);
     const float rr = group_sum(sums[c].y);

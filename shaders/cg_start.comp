@@ -6,12 +6,12 @@
 
 layout(set = 0, binding = 0) writeonly buffer b0 { vec4 u[]; };
 layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+TEDIT_FLOATS(4, filters)
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride())
     for (uint at = cases * n; at < cases * (n + 1); ++at) {
       u[at] = vec4(0);
-      r[at] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], r[at].xyz), 0);
+      r[at] = vec4(apply_symmetric(filters(2 * n), filters(2 * n + 1), r[at].xyz), 0);
     }
 }

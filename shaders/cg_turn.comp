@@ -4,8 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 z[]; };
-layout(set = 0, binding = 6) buffer b6 { vec4 p[]; };
+TEDIT_FLOATS(2, z)
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 p[]; };
+TEDIT_FLOATS(6, old_p)
 layout(set = 0, binding = 8) readonly buffer b8 { float scalars[]; };
 
 void main() {
@@ -14,6 +15,6 @@ void main() {
       if (scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_STATE] != 0)
         continue;
       const uint at = cases * n + c;
-      p[at] = z[at] + scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_FACTOR] * p[at];
+      p[at] = z(at) + scalars[TEDIT_CG_SCALARS * c + TEDIT_CG_FACTOR] * old_p(at);
     }
 }

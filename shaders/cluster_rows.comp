@@ -6,8 +6,8 @@
 #include "cycle.glsl"
 
 layout(set = 0, binding = 0) readonly buffer b0 { uvec4 rows[]; };    // node, first entry, count
-layout(set = 0, binding = 1) readonly buffer b1 { uvec4 blocks[]; };  // 3 per entry: column, 9 values by rows
-layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
+TEDIT_WORDS(1, blocks)  // 3 per entry: column, 9 values by rows
+TEDIT_FLOATS(3, r)
 layout(set = 0, binding = 5) buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
 
@@ -21,11 +21,11 @@ void main() {
       y[c] = vec3(0);
     for (uint k = 0; k < row.z; ++k) {
       const uint entry = 3 * (row.y + k);
-      const uvec4 a = blocks[entry];
-      const vec4 b = uintBitsToFloat(blocks[entry + 1]);
-      const vec4 e = uintBitsToFloat(blocks[entry + 2]);
+      const uvec4 a = blocks(entry);
+      const vec4 b = uintBitsToFloat(blocks(entry + 1));
+      const vec4 e = uintBitsToFloat(blocks(entry + 2));
       for (uint c = 0; c < cases; ++c) {
-        const vec3 d = r[cases * a.x + c].xyz;
+        const vec3 d = r(cases * a.x + c).xyz;
         y[c] += vec3(dot(uintBitsToFloat(a.yzw), d), dot(b.xyz, d), dot(vec3(b.w, e.xy), d));
       }
     }

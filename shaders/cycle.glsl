@@ -3,6 +3,7 @@
 // number of them will do.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle_bindings.h"
+#include "operands.glsl"
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 0) const uint group_size = 64;

@@ -12,6 +12,11 @@
 #define TEDIT_MOVE 2        // a Chebyshev step: see finish_row
 #define TEDIT_ACCUMULATE 3  // sum += y (quadratic_rows with more than one range of elements)
 
+// How node_rows reads the values of the matrix (its specialisation constant 3).
+#define TEDIT_READ_EXACTLY 0  // to the bit
+#define TEDIT_READ_ROUNDED 1
+#define TEDIT_READ_MIXED 2    // rounded, but in slices that are marked (slices.h)
+
 // Modes of cg_scalars.
 #define TEDIT_CG_BEGIN 0
 #define TEDIT_CG_ALPHA 1

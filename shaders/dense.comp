@@ -5,8 +5,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { vec4 inverse_rows[]; };
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 right[]; };
+TEDIT_FLOATS(0, inverse_rows)
+TEDIT_FLOATS(2, right)
 layout(set = 0, binding = 6) writeonly buffer b6 { float z[]; };
 
 void main() {
@@ -16,9 +16,9 @@ void main() {
     for (uint c = 0; c < cases; ++c)
       sums[c] = 0;
     for (uint k = 0; k < push.count; ++k) {
-      const vec4 part = inverse_rows[k * size + i];
+      const vec4 part = inverse_rows(k * size + i);
       for (uint c = 0; c < cases; ++c)
-        sums[c] += dot(part, right[2 * (cases * (k / 2) + c) + k % 2]);
+        sums[c] += dot(part, right(2 * (cases * (k / 2) + c) + k % 2));
     }
     const uint half_motion = i / 3;
     for (uint c = 0; c < cases; ++c)

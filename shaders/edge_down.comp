@@ -5,17 +5,17 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };    // first middle, last
-layout(set = 0, binding = 1) readonly buffer b1 { uint middles[]; };  // nodes
-layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
+TEDIT_PAIRS(0, rows)    // first middle, last
+TEDIT_NUMBERS(1, middles)  // nodes
+TEDIT_FLOATS(3, r)
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };
 
 void main() {
   for (uint c = first_row(); c < push.rows; c += stride()) {
     vec3 sum = vec3(0);
-    const uvec2 place = rows[c];
+    const uvec2 place = rows(c);
     for (uint at = place.x; at < place.y; ++at)
-      sum += r[middles[at]].xyz;
-    right[c] = vec4(r[c].xyz + 0.5 * sum, 0);
+      sum += r(middles(at)).xyz;
+    right[c] = vec4(r(c).xyz + 0.5 * sum, 0);
   }
 }

@@ -4,19 +4,19 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec2 ends[]; };
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 coarse[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+TEDIT_PAIRS(0, ends)
+TEDIT_FLOATS(2, coarse)
+TEDIT_FLOATS(4, filters)
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride()) {
     if (n < push.count) {  // a corner
-      step_out[n] = coarse[n];
+      step_out[n] = coarse(n);
       continue;
     }
-    const uvec2 end = ends[n - push.count];
-    const vec3 mean = 0.5 * (coarse[end.x].xyz + coarse[end.y].xyz);
-    step_out[n] = vec4(apply_symmetric(filters[2 * n], filters[2 * n + 1], mean), 0);
+    const uvec2 end = ends(n - push.count);
+    const vec3 mean = 0.5 * (coarse(end.x).xyz + coarse(end.y).xyz);
+    step_out[n] = vec4(apply_symmetric(filters(2 * n), filters(2 * n + 1), mean), 0);
   }
 }

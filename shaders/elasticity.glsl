@@ -58,8 +58,3 @@ uint gather_columns(uint row, out uint columns[most_columns]) {
   }
   return count;
 }
-
-// Entry k of a row of this chunk, counted in units of three uvec4.
-uint entry_of(uint row, uint k) {
-  return slices[2 * (row / slice_rows)] + k * slice_rows + row % slice_rows;
-}

@@ -9,8 +9,8 @@
 #define TEDIT_BIND_ELEMENT_LAME 3    // vec2 per element: lambda, mu, divided by the stiffness scale
 #define TEDIT_BIND_CORNER_ROWS 4     // uvec2 per node: first and last in CORNERS
 #define TEDIT_BIND_CORNERS 5         // uint: element * 4 + local node
-#define TEDIT_BIND_SLICES 6          // uint pair per slice: first entry, width (counting: columns per row)
-#define TEDIT_BIND_BLOCKS 7          // 3 uvec4 per entry: column, 9 values (row-major), 2 unused
+#define TEDIT_BIND_SLICES 6          // uint pair per slice: first entry, width and a mark (counting: columns per row)
+#define TEDIT_BIND_BLOCKS 7          // 5 uvec4 per two entries: see split_block.glsl
 #define TEDIT_BIND_LISTED 8          // uint: rows that are to be gathered again
 #define TEDIT_BINDINGS 9
 

@@ -1,13 +1,43 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Rows of linear tets in difference form, y_i = sum_{j != i} K_ij (x_j - x_i), for the rows of one chunk; an entry is
-// three 128-bit loads. See row_modes.glsl for the rest.
+// Rows of linear tets in difference form, y_i = sum_{j != i} K_ij (x_j - x_i), for the rows of one chunk. Products read
+// the values of the matrix to the bit, smoothers rounded ones, but in marked slices. See row_modes.glsl for the rest.
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 #include "row_modes.glsl"
+#include "split_block.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec2 slices[]; };  // first entry, width
-layout(set = 0, binding = 1) readonly buffer b1 { uvec4 blocks[]; };  // 3 per entry: column, 9 values by rows
+layout(constant_id = 3) const uint reading = TEDIT_READ_EXACTLY;
+
+TEDIT_PAIRS(0, slices)  // first entry; width, and TEDIT_EXACT_SLICE
+TEDIT_WORDS(1, blocks)
+
+void add_entry(block33 b, uint column, vec3 own[cases], inout vec3 y[cases]) {
+  for (uint c = 0; c < cases; ++c) {
+    const vec3 d = x(cases * column + c).xyz - own[c];
+    y[c] += vec3(dot(b.x, d), dot(b.y, d), dot(b.z, d));
+  }
+}
+
+void add_rounded(uint first, uint width, uint lane, vec3 own[cases], inout vec3 y[cases]) {
+  for (uint k = 0; k < width; k += 2) {
+    const uvec4 a = blocks(head_place(first, k, lane));
+    const uvec4 b = blocks(head_place(first, k + 1, lane));
+    const uvec4 tails = blocks(tail_place(first, k, lane));
+    add_entry(rounded_block(a, tails.xy), a.x, own, y);
+    add_entry(rounded_block(b, tails.zw), b.x, own, y);
+  }
+}
+
+void add_exact(uint first, uint width, uint lane, vec3 own[cases], inout vec3 y[cases]) {
+  for (uint k = 0; k < width; k += 2) {
+    const uvec4 a = blocks(head_place(first, k, lane));
+    const uvec4 b = blocks(head_place(first, k + 1, lane));
+    const uvec4 tails = blocks(tail_place(first, k, lane));
+    add_entry(exact_block(a, tails.xy, blocks(rest_place(first, width, k, lane))), a.x, own, y);
+    add_entry(exact_block(b, tails.zw, blocks(rest_place(first, width, k + 1, lane))), b.x, own, y);
+  }
+}
 
 void main() {
   float sums[cases];
@@ -18,23 +48,18 @@ void main() {
     vec3 own[cases];
     vec3 y[cases];
     for (uint c = 0; c < cases; ++c) {
-      own[c] = x[cases * row + c].xyz;
+      own[c] = x(cases * row + c).xyz;
       y[c] = vec3(0);
     }
-    const uvec2 slice = slices[row / slice_rows];
-    uint entry = 3 * (slice.x + row % slice_rows);
-    for (uint k = 0; k < slice.y; ++k) {
-      const uvec4 a = blocks[entry];
-      const vec4 b = uintBitsToFloat(blocks[entry + 1]);
-      const vec4 e = uintBitsToFloat(blocks[entry + 2]);
-      for (uint c = 0; c < cases; ++c) {
-        const vec3 d = x[cases * a.x + c].xyz - own[c];
-        y[c].x += dot(uintBitsToFloat(a.yzw), d);
-        y[c].y += dot(b.xyz, d);
-        y[c].z += dot(vec3(b.w, e.xy), d);
-      }
-      entry += 3 * slice_rows;
-    }
+    const uvec2 slice = slices(row / slice_rows);
+    const uint width = slice.y & ~TEDIT_EXACT_SLICE;
+    const uint lane = row % slice_rows;
+    if (reading == TEDIT_READ_EXACTLY)
+      add_exact(slice.x, width, lane, own, y);
+    else if (reading == TEDIT_READ_ROUNDED || slice.y == width)
+      add_rounded(slice.x, width, lane, own, y);
+    else
+      add_exact(slice.x, width, lane, own, y);
     for (uint c = 0; c < cases; ++c)
       sums[c] += finish_row(row, cases * row + c, own[c], y[c]);
   }

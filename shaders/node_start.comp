@@ -4,18 +4,18 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 right[]; };
+TEDIT_FLOATS(2, right)
 layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 diagonal[]; };
+TEDIT_FLOATS(4, diagonal)
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride()) {
-    const vec4 first = diagonal[2 * n];
-    const vec4 second = diagonal[2 * n + 1];
+    const vec4 first = diagonal(2 * n);
+    const vec4 second = diagonal(2 * n + 1);
     for (uint at = cases * n; at < cases * (n + 1); ++at) {
-      const vec4 value = right[at];
+      const vec4 value = right(at);
       const vec4 now = vec4(push.fresh * apply_symmetric(first, second, value.xyz), 0);
       r[at] = value;
       step_out[at] = now;

@@ -7,10 +7,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec4 nodes[]; };    // 3 per element: 10 nodes
-layout(set = 0, binding = 1) readonly buffer b1 { vec4 elements[]; };  // 3 per element: grad L_1..3; lambda, mu * V/20
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 x[]; };
-layout(set = 0, binding = 8) writeonly buffer b8 { vec4 forces[]; };   // local node by local node
+TEDIT_WORDS(0, nodes)    // 3 per element: 10 nodes
+TEDIT_FLOATS(1, elements)  // 3 per element: grad L_1..3; lambda, mu * V/20
+TEDIT_FLOATS(2, x)
+layout(set = 0, binding = 8) writeonly buffer b8 { vec4 forces[]; };   // see vulkan_quadratic::place_of
 
 struct tensor {
   vec3 normal;  // xx yy zz
@@ -38,31 +38,33 @@ vec3 times(tensor s, vec3 g) {
                              s.shear.z * g.x + s.shear.y * g.y);
 }
 
-void put(uint e, uint local, vec3 force) { forces[local * push.count + e] = vec4(force, 0); }
+void put(uint e, uint local, vec3 force) {
+  forces[(e / slice_rows * 10 + local) * slice_rows + e % slice_rows] = vec4(force, 0);
+}
 
 vec3 corner_force(tensor s, tensor all, vec3 g) { return 4 * times(s, g) - times(all, g); }
 
 void element_forces(uint e) {
-  const uvec4 corner = nodes[3 * e];
-  const uvec4 middle = nodes[3 * e + 1];
-  const uvec4 rest = nodes[3 * e + 2];
-  const vec4 first = elements[3 * e];
-  const vec4 second = elements[3 * e + 1];
+  const uvec4 corner = nodes(3 * e);
+  const uvec4 middle = nodes(3 * e + 1);
+  const uvec4 rest = nodes(3 * e + 2);
+  const vec4 first = elements(3 * e);
+  const vec4 second = elements(3 * e + 1);
   const vec3 g1 = first.xyz;
   const vec3 g2 = second.xyz;
-  const vec3 g3 = elements[3 * e + 2].xyz;
+  const vec3 g3 = elements(3 * e + 2).xyz;
   const vec3 g0 = -(g1 + g2 + g3);
   const vec2 lame = vec2(first.w, second.w);
-  const vec3 u0 = x[corner.x].xyz;
-  const vec3 u1 = x[corner.y].xyz;
-  const vec3 u2 = x[corner.z].xyz;
-  const vec3 u3 = x[corner.w].xyz;
-  const vec3 u01 = x[middle.x].xyz;
-  const vec3 u12 = x[middle.y].xyz;
-  const vec3 u20 = x[middle.z].xyz;
-  const vec3 u03 = x[middle.w].xyz;
-  const vec3 u13 = x[rest.x].xyz;
-  const vec3 u23 = x[rest.y].xyz;
+  const vec3 u0 = x(corner.x).xyz;
+  const vec3 u1 = x(corner.y).xyz;
+  const vec3 u2 = x(corner.z).xyz;
+  const vec3 u3 = x(corner.w).xyz;
+  const vec3 u01 = x(middle.x).xyz;
+  const vec3 u12 = x(middle.y).xyz;
+  const vec3 u20 = x(middle.z).xyz;
+  const vec3 u03 = x(middle.w).xyz;
+  const vec3 u13 = x(rest.x).xyz;
+  const vec3 u23 = x(rest.y).xyz;
   tensor s0 = corner_stress(lame, u0, u1, u01, g1, u2, u20, g2, u3, u03, g3);
   tensor s1 = corner_stress(lame, u1, u0, u01, g0, u2, u12, g2, u3, u13, g3);
   tensor s2 = corner_stress(lame, u2, u0, u20, g0, u1, u12, g1, u3, u23, g3);

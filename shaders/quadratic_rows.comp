@@ -8,9 +8,9 @@
 
 layout(constant_id = 3) const uint earlier = 0;  // 1: the sums of earlier ranges are in `sums`
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };   // first of list, count of forces
-layout(set = 0, binding = 1) readonly buffer b1 { uvec4 list[]; };  // into forces, four at a time
-layout(set = 0, binding = 8) readonly buffer b8 { vec4 forces[]; };
+TEDIT_PAIRS(0, rows)   // first of list, count of forces
+TEDIT_WORDS(1, list)  // into forces, four at a time
+TEDIT_FLOATS(8, forces)
 layout(set = 0, binding = 9) buffer b9 { vec4 sums[]; };
 
 void main() {
@@ -18,23 +18,23 @@ void main() {
   sums_of[0] = 0;
   for (uint row = first_row(); row < push.rows; row += stride()) {
     vec3 y = vec3(0);
-    const uvec2 own = rows[row];
+    const uvec2 own = rows(row);
     for (uint k = 0; k < own.y; k += 4) {
-      const uvec4 at = list[own.x + k / 4];
-      y += forces[at.x].xyz;
+      const uvec4 at = list(own.x + k / 4);
+      y += forces(at.x).xyz;
       if (k + 1 < own.y)
-        y += forces[at.y].xyz;
+        y += forces(at.y).xyz;
       if (k + 2 < own.y)
-        y += forces[at.z].xyz;
+        y += forces(at.z).xyz;
       if (k + 3 < own.y)
-        y += forces[at.w].xyz;
+        y += forces(at.w).xyz;
     }
     if (earlier == 1)
       y += sums[row].xyz;
     if (mode == TEDIT_ACCUMULATE)
       sums[row] = vec4(y, 0);
     else
-      sums_of[0] += finish_row(row, row, x[row].xyz, y);
+      sums_of[0] += finish_row(row, row, x(row).xyz, y);
   }
   finish_sums(sums_of);
 }

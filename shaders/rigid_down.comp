@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };  // first member, last
-layout(set = 0, binding = 1) readonly buffer b1 { uint members[]; };
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 arms[]; };
-layout(set = 0, binding = 3) readonly buffer b3 { vec4 r[]; };
+TEDIT_PAIRS(0, rows)  // first member, last
+TEDIT_NUMBERS(1, members)
+TEDIT_FLOATS(2, arms)
+TEDIT_FLOATS(3, r)
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };  // 2 per aggregate and case
 
 void main() {
@@ -18,12 +18,12 @@ void main() {
       force[c] = vec3(0);
       moment[c] = vec3(0);
     }
-    const uvec2 place = rows[a];
+    const uvec2 place = rows(a);
     for (uint at = place.x; at < place.y; ++at) {
-      const uint n = members[at];
-      const vec3 arm = arms[n].xyz;
+      const uint n = members(at);
+      const vec3 arm = arms(n).xyz;
       for (uint c = 0; c < cases; ++c) {
-        const vec3 f = r[cases * n + c].xyz;
+        const vec3 f = r(cases * n + c).xyz;
         force[c] += f;
         moment[c] += cross(arm, f);
       }

@@ -5,26 +5,28 @@
 #include "cycle.glsl"
 #include "rigid.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec2 rows[]; };  // first entry, last
-layout(set = 0, binding = 1) readonly buffer b1 { uint columns[]; };
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 x[]; };
-layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 inverses[]; };
+TEDIT_PAIRS(0, rows)  // first entry, last
+TEDIT_NUMBERS(1, columns)
+TEDIT_FLOATS(2, x)
+layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(3, old_r)
+TEDIT_FLOATS(4, inverses)
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 other[]; };
-layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
-layout(set = 0, binding = 8) readonly buffer b8 { vec4 blocks[]; };
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
+TEDIT_FLOATS(6, old_z)
+TEDIT_FLOATS(8, blocks)
 
 block66 block_at(uint block) {
   block66 b;
   for (uint i = 0; i < 9; ++i)
-    b.part[i] = blocks[9 * block + i];
+    b.part[i] = blocks(9 * block + i);
   return b;
 }
 
 block66 inverse_at(uint row) {
   block66 b;
   for (uint i = 0; i < 9; ++i)
-    b.part[i] = inverses[9 * row + i];
+    b.part[i] = inverses(9 * row + i);
   return b;
 }
 
@@ -34,12 +36,12 @@ void main() {
     motion y[cases];
     for (uint c = 0; c < cases; ++c)
       y[c] = motion(vec3(0), vec3(0));
-    const uvec2 place = rows[i];
+    const uvec2 place = rows(i);
     for (uint s = place.x; s < place.y; ++s) {
-      const uint column = cases * columns[s];
+      const uint column = cases * columns(s);
       const block66 block = block_at(s);
       for (uint c = 0; c < cases; ++c)
-        y[c] = sum_of(y[c], block_times(block, motion(x[2 * (column + c)].xyz, x[2 * (column + c) + 1].xyz)));
+        y[c] = sum_of(y[c], block_times(block, motion(x(2 * (column + c)).xyz, x(2 * (column + c) + 1).xyz)));
     }
     block66 inverse;
     if (mode == TEDIT_MOVE)
@@ -51,23 +53,23 @@ void main() {
         r[at + 1] = vec4(y[c].turn, 0);
         continue;
       }
-      const motion left = motion(r[at].xyz - y[c].move, r[at + 1].xyz - y[c].turn);
+      const motion left = motion(old_r(at).xyz - y[c].move, old_r(at + 1).xyz - y[c].turn);
       if (mode == TEDIT_RESIDUAL) {
         other[at] = vec4(left.move, 0);
         other[at + 1] = vec4(left.turn, 0);
         continue;
       }
       const motion image = block_times(inverse, left);
-      const vec3 old_move = x[at].xyz;
-      const vec3 old_turn = x[at + 1].xyz;
+      const vec3 old_move = x(at).xyz;
+      const vec3 old_turn = x(at + 1).xyz;
       const vec3 move = push.before * old_move + push.fresh * image.move;
       const vec3 turn = push.before * old_turn + push.fresh * image.turn;
       r[at] = vec4(left.move, 0);
       r[at + 1] = vec4(left.turn, 0);
       other[at] = vec4(move, 0);
       other[at + 1] = vec4(turn, 0);
-      z[at] += vec4(push.enter * old_move + move, 0);
-      z[at + 1] += vec4(push.enter * old_turn + turn, 0);
+      z[at] = old_z(at) + vec4(push.enter * old_move + move, 0);
+      z[at + 1] = old_z(at + 1) + vec4(push.enter * old_turn + turn, 0);
     }
   }
 }

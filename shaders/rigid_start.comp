@@ -5,9 +5,9 @@
 #include "cycle.glsl"
 #include "rigid.glsl"
 
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 right[]; };
+TEDIT_FLOATS(2, right)
 layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 inverses[]; };
+TEDIT_FLOATS(4, inverses)
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
 
@@ -15,10 +15,10 @@ void main() {
   for (uint i = first_row(); i < push.rows; i += stride()) {
     block66 inverse;
     for (uint k = 0; k < 9; ++k)
-      inverse.part[k] = inverses[9 * i + k];
+      inverse.part[k] = inverses(9 * i + k);
     for (uint at = 2 * cases * i; at < 2 * cases * (i + 1); at += 2) {
-      const vec4 a = right[at];
-      const vec4 b = right[at + 1];
+      const vec4 a = right(at);
+      const vec4 b = right(at + 1);
       const motion y = block_times(inverse, motion(a.xyz, b.xyz));
       const vec4 move = vec4(push.fresh * y.move, 0);
       const vec4 turn = vec4(push.fresh * y.turn, 0);

@@ -4,22 +4,22 @@
 #extension GL_GOOGLE_include_directive : require
 #include "cycle.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec4 arms[]; };  // and the aggregate; all ones: none
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 coarse[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 filters[]; };
+TEDIT_WORDS(0, arms)  // and the aggregate; all ones: none
+TEDIT_FLOATS(2, coarse)
+TEDIT_FLOATS(4, filters)
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride()) {
-    const uvec4 arm = arms[n];
+    const uvec4 arm = arms(n);
     const uint a = arm.w;
-    const vec4 first = filters[2 * n];
-    const vec4 second = filters[2 * n + 1];
+    const vec4 first = filters(2 * n);
+    const vec4 second = filters(2 * n + 1);
     for (uint c = 0; c < cases; ++c) {
       vec3 u = vec3(0);
       if (a < push.count) {
         const uint at = 2 * (cases * a + c);
-        u = apply_symmetric(first, second, coarse[at].xyz + cross(coarse[at + 1].xyz, uintBitsToFloat(arm.xyz)));
+        u = apply_symmetric(first, second, coarse(at).xyz + cross(coarse(at + 1).xyz, uintBitsToFloat(arm.xyz)));
       }
       step_out[cases * n + c] = vec4(push.fresh * u, 0);
     }

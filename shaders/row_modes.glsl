@@ -2,11 +2,13 @@
 // What is done with a row of y = K x on nodes with three unknowns; shared by both element orders.
 #include "group_sum.glsl"
 
-layout(set = 0, binding = 2) readonly buffer b2 { vec4 x[]; };
-layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
-layout(set = 0, binding = 4) readonly buffer b4 { vec4 diagonal[]; };  // S (residual) or B (move), 2 per node
+TEDIT_FLOATS(2, x)
+layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(3, old_r)
+TEDIT_FLOATS(4, diagonal)  // S (residual) or B (move), 2 per node
 layout(set = 0, binding = 5) writeonly buffer b5 { vec4 other[]; };
-layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
+layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
+TEDIT_FLOATS(6, old_z)
 layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
 
 // `at` is the place of a row of one case in the vectors, `own` x there. Returns a term of the case's partial sum.
@@ -15,8 +17,8 @@ float finish_row(uint row, uint at, vec3 own, vec3 y) {
     r[at] = vec4(y, 0);
     return dot(own, y);
   }
-  const vec3 left = r[at].xyz - y;
-  const vec3 image = apply_symmetric(diagonal[2 * row], diagonal[2 * row + 1], left);
+  const vec3 left = old_r(at).xyz - y;
+  const vec3 image = apply_symmetric(diagonal(2 * row), diagonal(2 * row + 1), left);
   if (mode == TEDIT_RESIDUAL) {
     r[at] = vec4(image, 0);
     return 0;
@@ -24,7 +26,7 @@ float finish_row(uint row, uint at, vec3 own, vec3 y) {
   const vec3 now = push.before * own + push.fresh * image;
   r[at] = vec4(left, 0);
   other[at] = vec4(now, 0);
-  z[at] += vec4(push.enter * own + now, 0);
+  z[at] = old_z(at) + vec4(push.enter * own + now, 0);
   return 0;
 }
 

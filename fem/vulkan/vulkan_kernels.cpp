@@ -46,7 +46,8 @@ expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
   for (const auto& e : entries) {
     check_cancelled();
     auto made = gpu::kernel::make(
-      layout, e.code, {like.group_size, like.slice_rows, e.third, e.fourth, like.cases});
+      layout, e.code,
+      {like.group_size, like.slice_rows, e.third, e.fourth, like.cases, like.texels ? 1u : 0u});
     if (!made)
       return fail(made.error());
     *e.kernel = std::move(*made);
@@ -81,7 +82,9 @@ std::vector<entry> entries_of_linear_tets(cycle_kernels& to) {
     {&to.cg_advance, cg_advance_spirv},   {&to.cg_product, cg_product_spirv},
     {&to.cg_turn, cg_turn_spirv}};
   for (std::uint32_t mode = 0; mode < 3; ++mode) {
-    entries.push_back({&to.node_rows[mode], node_rows_spirv, mode});
+    for (std::uint32_t reading = 0; reading < 3; ++reading)
+      if (reading == TEDIT_READ_EXACTLY || mode != TEDIT_MULTIPLY)
+        entries.push_back({&to.node_rows[reading][mode], node_rows_spirv, mode, reading});
     entries.push_back({&to.rigid_rows[mode], rigid_rows_spirv, mode});
     entries.push_back({&to.cg_scalars[mode], cg_scalars_spirv, mode});
   }
@@ -116,6 +119,8 @@ expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
     result.rows_per_part = 1u << 20;
     result.rows_per_dispatch = 1u << 20;
   }
+  result.texels = settings.texels.value_or(on->summary().kind == "software") &&
+                  on->limits().texel_buffer_range >= on->limits().storage_buffer_range;
   if (settings.rows_per_part > 0)
     result.rows_per_part = settings.rows_per_part;
   if (settings.rows_per_dispatch > 0)
@@ -146,6 +151,7 @@ expected<cycle_kernels> make_kernels_for_cases(const cycle_kernels& like, std::u
   result.sum_groups = like.sum_groups;
   result.rows_per_part = std::max(1u, like.rows_per_part / cases);
   result.rows_per_dispatch = std::max(1u, like.rows_per_dispatch / cases);
+  result.texels = like.texels;
   result.cases = cases;
   if (auto ok = compile(result.layout, entries_of_linear_tets(result), result); !ok)
     return fail(ok.error());

@@ -18,7 +18,9 @@ struct elasticity_kernels {
 /// The kernels that solve. Arrays are indexed by the modes of cycle_bindings.h.
 struct cycle_kernels {
   std::shared_ptr<gpu::kernel_layout> layout;
-  std::array<gpu::kernel, 3> node_rows;
+  /// The first index says how values are read: TEDIT_READ_EXACTLY, for all modes, or otherwise, for
+  /// smoothers.
+  std::array<std::array<gpu::kernel, 3>, 3> node_rows;
   /// The first index says whether sums of earlier ranges of elements are added.
   std::array<std::array<gpu::kernel, 4>, 2> quadratic_rows;
   std::array<gpu::kernel, 3> rigid_rows;
@@ -35,6 +37,8 @@ struct cycle_kernels {
   /// take about 5 ms on two cores.
   std::uint32_t rows_per_dispatch = 1u << 15;
 
+  /// Kernels read as texels what they do not write; see cycle.glsl.
+  bool texels = false;
   std::uint32_t cases = 1;  ///< Load cases side by side in every vector; see cycle.glsl.
 
   /// Partial sums that a sum over so many rows leaves at most.

@@ -14,7 +14,12 @@ namespace {
 /// Of the first submission: about 25 ms on a slow device.
 constexpr std::uint32_t first_rows = 2048;
 
-constexpr std::uint64_t entry_bytes = 48;  // column and nine values in three uvec4
+constexpr std::uint64_t entry_bytes = 40;  // column and nine values: see split_block.glsl
+
+/// Entries of a slice of rows, the longest of which has so many; they come in pairs.
+std::uint32_t entries_of(std::uint32_t longest, std::uint32_t rows) {
+  return (longest + longest % 2) * rows;
+}
 
 std::array<std::uint32_t, 4> corners_of(const problem& p, std::uint32_t element) {
   std::array<std::uint32_t, 4> result;
@@ -39,6 +44,11 @@ std::span<const std::uint32_t> within(std::span<const std::uint32_t> list, std::
   return {begin, std::ranges::lower_bound(list, last)};
 }
 
+/// The next power of two: divided by it, a number keeps all its digits.
+double power_of_two(double x) {
+  return std::exp2(std::ceil(std::log2(x)));
+}
+
 }  // namespace
 
 device_scale::device_scale(const problem& p) {
@@ -48,10 +58,11 @@ device_scale::device_scale(const problem& p) {
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
   }
-  size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  size = power_of_two(std::max({high.x - low.x, high.y - low.y, high.z - low.z}));
   centre = 0.5 * (low + high);
   for (const auto& m : p.constants)
     stiffness = std::max({stiffness, std::abs(m.lambda), m.mu});
+  stiffness = power_of_two(stiffness);
 }
 
 vulkan_matrix::vulkan_matrix(const cycle_kernels& kernels, vulkan_memory& memory, const problem& p,
@@ -200,16 +211,22 @@ expected<void> vulkan_matrix::cut_chunks(const std::vector<std::uint32_t>& colum
   for (std::uint32_t row = 0; row < nodes_; row += per_slice) {
     const auto last = std::min(nodes_, row + per_slice);
     const auto width = *std::max_element(columns.begin() + row, columns.begin() + last);
-    if (row > first && sum + std::uint64_t{width} * per_slice > most - most / 16) {
+    const auto more = entries_of(width, per_slice);
+    if (row > first && sum + more > most - most / 16) {
       add_chunk(first, row - first, entries);
       first = row;
       sum = 0;
       entries.clear();
     }
-    entries.push_back(width * per_slice);
-    sum += entries.back();
+    entries.push_back(more);
+    sum += more;
   }
   add_chunk(first, nodes_ - first, entries);
+  exact_slices_.assign((nodes_ - 1) / per_slice + 1, 1);
+  return upload_slices();
+}
+
+expected<void> vulkan_matrix::upload_slices() {
   std::vector<std::array<std::uint32_t, 2>> slices;
   for (const auto& part : chunks_)
     for (std::uint32_t s = 0; s < part.slices.rows(); ++s)
@@ -217,6 +234,21 @@ expected<void> vulkan_matrix::cut_chunks(const std::vector<std::uint32_t>& colum
   if (auto ok = memory_.status(); !ok)
     return ok;
   return memory_.upload(slices_, slices);
+}
+
+expected<void> vulkan_matrix::read_exactly(std::span<const std::uint8_t> rows) {
+  auto wanted = slices_of(rows);
+  if (wanted == exact_slices_)
+    return {};
+  exact_slices_ = std::move(wanted);
+  return upload_slices();
+}
+
+std::vector<std::uint8_t> vulkan_matrix::slices_of(std::span<const std::uint8_t> rows) const {
+  std::vector<std::uint8_t> result((nodes_ - 1) / shapes_.slice_rows + 1);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    result[row / shapes_.slice_rows] |= rows[row];
+  return result;
 }
 
 void vulkan_matrix::add_chunk(std::uint32_t first_row, std::uint32_t rows,
@@ -230,20 +262,25 @@ void vulkan_matrix::add_chunk(std::uint32_t first_row, std::uint32_t rows,
 
 std::array<std::uint32_t, 2> vulkan_matrix::slice_at(const chunk& part, std::uint32_t slice) const {
   const auto begin = part.slices.begin(slice);
-  return {begin, (part.slices.end(slice) - begin) / shapes_.slice_rows};
+  const auto width = (part.slices.end(slice) - begin) / shapes_.slice_rows;
+  const bool exact = exact_slices_[part.first_row / shapes_.slice_rows + slice] != 0;
+  return {begin, width | (exact ? TEDIT_EXACT_SLICE : 0)};
 }
 
 // -- following an edit -------------------------------------------------------------------
 
 void vulkan_matrix::update(const problem& p, const incidence& corners, const row_places& lengths,
-                           const problem_change& change, vulkan_changes& changes) {
+                           std::span<const std::uint8_t> exact, const problem_change& change,
+                           vulkan_changes& changes) {
   const auto nodes = within(change.nodes, 0, nodes_);
   for (const auto n : nodes)
     if (lengths.length(n) > most_columns_)
       return changes.refuse();
   update_mesh(p, corners, change, changes);
+  const auto before = std::exchange(exact_slices_, slices_of(exact));
   for (auto& part : chunks_)
-    update_chunk(part, within(nodes, part.first_row, part.first_row + part.rows), lengths, changes);
+    update_chunk(part, within(nodes, part.first_row, part.first_row + part.rows), lengths, before,
+                 changes);
 }
 
 void vulkan_matrix::update_mesh(const problem& p, const incidence& corners,
@@ -262,7 +299,8 @@ void vulkan_matrix::update_mesh(const problem& p, const incidence& corners,
 
 /// A slice keeps its width while its rows fit; wider ones move, and all their rows are gathered.
 void vulkan_matrix::update_chunk(chunk& part, std::span<const std::uint32_t> nodes,
-                                 const row_places& lengths, vulkan_changes& changes) {
+                                 const row_places& lengths, std::span<const std::uint8_t> before,
+                                 vulkan_changes& changes) {
   const auto per_slice = shapes_.slice_rows;
   const auto end = part.first_row + part.rows;
   const auto entries = [&](std::uint32_t slice) {
@@ -270,7 +308,7 @@ void vulkan_matrix::update_chunk(chunk& part, std::span<const std::uint32_t> nod
     for (auto row = part.first_row + slice * per_slice, i = 0u; i < per_slice && row < end;
          ++row, ++i)
       width = std::max(width, lengths.length(row));
-    return width * per_slice;
+    return entries_of(width, per_slice);
   };
   std::vector<std::uint32_t> wider;
   for (const auto n : nodes) {
@@ -290,6 +328,10 @@ void vulkan_matrix::update_chunk(chunk& part, std::span<const std::uint32_t> nod
   }
   sort_unique(part.listed);
   const auto first_slice = part.first_row / per_slice;
+  for (std::uint32_t slice = 0; slice < part.slices.rows(); ++slice)
+    if (before[first_slice + slice] != exact_slices_[first_slice + slice])
+      table_rows.push_back(first_slice + slice);
+  sort_unique(table_rows);
   changes.items(slices_, table_rows,
                 [&](std::uint32_t slice) { return slice_at(part, slice - first_slice); });
 }
@@ -324,9 +366,17 @@ std::uint32_t vulkan_matrix::most_partials(const cycle_kernels& kernels) const {
   return sums;
 }
 
+std::uint32_t vulkan_matrix::reading_of(std::uint32_t mode) const {
+  if (mode == TEDIT_MULTIPLY || std::ranges::find(exact_slices_, 0) == exact_slices_.end())
+    return TEDIT_READ_EXACTLY;
+  return std::ranges::find(exact_slices_, 1) != exact_slices_.end() ? TEDIT_READ_MIXED
+                                                                    : TEDIT_READ_ROUNDED;
+}
+
 std::uint32_t vulkan_matrix::add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,
                                  cycle_push push) const {
   push.place = 0;
+  const auto& kernel = program.kernels().node_rows[reading_of(mode)][mode];
   for (const auto& part : chunks_) {
     push.first_row = part.first_row;
     push.rows = part.rows;
@@ -340,9 +390,9 @@ std::uint32_t vulkan_matrix::add(vulkan_program& program, std::uint32_t mode, co
       {6, at.z ? at.z : &slices_},
       {7, at.partials ? at.partials : &slices_}};
     if (mode == TEDIT_MULTIPLY)
-      push.place += program.add_sum(program.kernels().node_rows[mode], places, push);
+      push.place += program.add_sum(kernel, places, push);
     else
-      program.add(program.kernels().node_rows[mode], places, push);
+      program.add(kernel, places, push);
   }
   return push.place;
 }

@@ -7,11 +7,13 @@
 #include "fem/vulkan/vulkan_changes.hpp"
 #include "fem/vulkan/vulkan_rows.hpp"
 #include "shaders/elasticity_bindings.h"
+#include "shaders/slices.h"
 
 namespace tedit::fem {
 
 /// By what a problem's numbers are divided, so that single precision works near one: lengths by
-/// the part's size, stiffnesses by the largest elasticity constant.
+/// the part's size, stiffnesses by the largest elasticity constant, both taken up to a power of
+/// two, so that rounded values of the matrix are the ones that the host rounds.
 struct device_scale {
   double size = 1;       ///< m
   double stiffness = 1;  ///< Pa
@@ -38,10 +40,14 @@ public:
   std::uint32_t add(vulkan_program& program, std::uint32_t mode, const row_buffers& at,
                     cycle_push push) const override;
 
-  /// Follows `change` of the mesh; `lengths` are those of the rows now. When `changes` are sent,
-  /// `gather_again` assembles the rows that it touched.
+  /// Smoothers read all but these rows rounded (`hierarchy::exact_rows`; empty: there are none);
+  /// until then they read all exactly. What was recorded is to be recorded again.
+  [[nodiscard]] expected<void> read_exactly(std::span<const std::uint8_t> rows);
+  /// Follows `change` of the mesh; `lengths` are those of the rows now, `exact` as for
+  /// `read_exactly`. When `changes` are sent, `gather_again` assembles the rows that it touched.
   void update(const problem& p, const incidence& corners, const row_places& lengths,
-              const problem_change& change, vulkan_changes& changes);
+              std::span<const std::uint8_t> exact, const problem_change& change,
+              vulkan_changes& changes);
   [[nodiscard]] expected<void> gather_again();
 
 private:
@@ -62,13 +68,16 @@ private:
   [[nodiscard]] expected<void> upload_mesh(const problem& p, const incidence& corners);
   [[nodiscard]] expected<std::vector<std::uint32_t>> count_columns();
   [[nodiscard]] expected<void> cut_chunks(const std::vector<std::uint32_t>& columns);
+  [[nodiscard]] expected<void> upload_slices();
   void add_chunk(std::uint32_t first_row, std::uint32_t rows,
                  std::span<const std::uint32_t> entries);
   [[nodiscard]] std::array<std::uint32_t, 2> slice_at(const chunk& part, std::uint32_t slice) const;
+  [[nodiscard]] std::vector<std::uint8_t> slices_of(std::span<const std::uint8_t> rows) const;
+  [[nodiscard]] std::uint32_t reading_of(std::uint32_t mode) const;
   void update_mesh(const problem& p, const incidence& corners, const problem_change& change,
                    vulkan_changes& changes);
   void update_chunk(chunk& part, std::span<const std::uint32_t> nodes, const row_places& lengths,
-                    vulkan_changes& changes);
+                    std::span<const std::uint8_t> before, vulkan_changes& changes);
   [[nodiscard]] device_float4 position(const problem& p, std::uint32_t node, bool leading) const;
   [[nodiscard]] std::array<float, 2> lame(const problem& p, std::uint32_t element) const;
   [[nodiscard]] expected<void> dispatch(const gpu::kernel& k, const gpu::buffer& blocks,
@@ -88,6 +97,7 @@ private:
   vulkan_lists corners_;
   gpu::buffer slices_;
   std::deque<chunk> chunks_;
+  std::vector<std::uint8_t> exact_slices_;  ///< 1: smoothers read them exactly.
 };
 
 }  // namespace tedit::fem

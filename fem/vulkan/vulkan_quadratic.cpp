@@ -47,7 +47,9 @@ expected<std::unique_ptr<vulkan_quadratic>> vulkan_quadratic::make(const cycle_k
                                                                    const device_scale& scale) {
   std::unique_ptr<vulkan_quadratic> result(
     new vulkan_quadratic(kernels, memory, static_cast<std::uint32_t>(p.node_count()), scale));
-  const std::uint64_t fit = std::max<std::uint64_t>(1, memory.most_per_piece() / force_bytes);
+  const std::uint64_t side = kernels.slice_rows;
+  const std::uint64_t fit =
+    std::max<std::uint64_t>(1, memory.most_per_piece() / force_bytes / side) * side;
   const auto count = static_cast<std::uint32_t>(p.element_count());
   const auto most = static_cast<std::uint32_t>(
     std::min<std::uint64_t>(std::numeric_limits<std::uint32_t>::max(), fit - fit / 16));
@@ -59,7 +61,7 @@ expected<std::unique_ptr<vulkan_quadratic>> vulkan_quadratic::make(const cycle_k
     result->add_range(p, first, first + elements, static_cast<std::uint32_t>(room));
     largest = std::max(largest, room);
   }
-  result->forces_ = memory.room(force_bytes * largest);
+  result->forces_ = memory.room(force_bytes * ((largest + side - 1) / side * side));
   result->sums_ = memory.room(result->ranges_.size() > 1 ? 16 * with_spare(p.node_count()) : 0);
   if (auto ok = memory.status(); !ok)
     return fail(ok.error());
@@ -91,7 +93,7 @@ void vulkan_quadratic::add_range(const problem& p, std::uint32_t first, std::uin
     for (std::uint32_t a = 0; a < 10; ++a) {
       const auto node = nodes[e][a];
       const auto k = done[node]++;
-      list[part.places.begin(node) + k / 4][k % 4] = a * room + static_cast<std::uint32_t>(e);
+      list[part.places.begin(node) + k / 4][k % 4] = place_of(static_cast<std::uint32_t>(e), a);
     }
   });
   std::vector<std::array<std::uint32_t, 2>> rows(nodes_);
@@ -100,6 +102,11 @@ void vulkan_quadratic::add_range(const problem& p, std::uint32_t first, std::uin
   part.values = memory_.put(values, room);
   part.list = memory_.put(list, part.places.room());
   part.rows = memory_.put(rows, with_spare(nodes_));
+}
+
+std::uint32_t vulkan_quadratic::place_of(std::uint32_t element, std::uint32_t local) const {
+  const auto side = kernels_.slice_rows;
+  return (element / side * 10 + local) * side + element % side;
 }
 
 std::array<std::uint32_t, 2> vulkan_quadratic::row_at(const range& part, std::uint32_t node) {
@@ -149,7 +156,7 @@ void vulkan_quadratic::update_rows(range& part, const problem& p, const incidenc
     std::vector<four> list(length(n));
     std::size_t k = 0;
     for (const auto force : forces_of(n)) {
-      list[k / 4][k % 4] = force % 10 * part.room + (force / 10 - part.first);
+      list[k / 4][k % 4] = place_of(force / 10 - part.first, force % 10);
       ++k;
     }
     changes.put(part.list, part.places.begin(n), list);
@@ -162,7 +169,6 @@ std::uint32_t vulkan_quadratic::add(vulkan_program& program, std::uint32_t mode,
   for (const auto& part : ranges_) {
     cycle_push elements{};
     elements.rows = part.elements;
-    elements.count = part.room;
     program.add(kernels_.quadratic_elements,
                 {{0, &part.nodes}, {1, &part.values}, {2, at.x}, {8, &forces_}}, elements);
     const bool last = &part == &ranges_.back();

@@ -33,10 +33,10 @@ private:
   struct range {
     std::uint32_t first = 0;
     std::uint32_t elements = 0;
-    std::uint32_t room = 0;     ///< For elements; a force lies at local node * room + element.
-    gpu::buffer nodes, values;  ///< Of the elements.
-    gpu::buffer rows, list;     ///< Forces of each node, their places four by four.
-    roomy_places places;        ///< Of the rows in `list`.
+    std::uint32_t room = 0;            ///< For elements.
+    gpu::buffer nodes, values;         ///< Of the elements.
+    gpu::buffer rows, list;            ///< Forces of each node, their places four by four.
+    roomy_places places;               ///< Of the rows in `list`.
     std::vector<std::uint32_t> count;  ///< Forces of each node.
   };
 
@@ -47,6 +47,9 @@ private:
   void add_range(const problem& p, std::uint32_t first, std::uint32_t last, std::uint32_t room);
   void update_rows(range& part, const problem& p, const incidence& corners,
                    std::span<const std::uint32_t> nodes, vulkan_changes& changes);
+  /// Where a force lies: those of neighbouring elements side by side, so that a subgroup writes in
+  /// a row, and all ten of an element near by, so that caches write in few places.
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t element, std::uint32_t local) const;
   [[nodiscard]] static std::array<std::uint32_t, 2> row_at(const range& part, std::uint32_t node);
 
   const cycle_kernels& kernels_;

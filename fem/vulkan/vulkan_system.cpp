@@ -39,7 +39,7 @@ std::uint64_t estimated_bytes(const problem& p) {
   constexpr std::uint64_t vectors = 8 * 16;      // of the Krylov method and a smoother
   constexpr std::uint64_t blocks = 2 * 32 + 16;  // inverse, filter, arm or edge
   const std::uint64_t linear =
-    corners * (17 * 48 + 25 * 148 * 6 / (13 * 5) + vectors + blocks) + elements * 40;
+    corners * (18 * 40 + 25 * 148 * 6 / (13 * 5) + vectors + blocks) + elements * 40;
   const std::uint64_t rest =
     p.element_order == 1 ? 0 : nodes * (vectors + blocks) + elements * (96 + 10 * 16 + 10 * 4);
   return (linear + rest) * 17 / 16;  // and room for edits
@@ -49,7 +49,10 @@ std::uint64_t estimated_bytes(const problem& p) {
 
 vulkan_system::vulkan_system(std::shared_ptr<gpu::device> on, const problem& p,
                              const vulkan_settings& settings)
-    : device_(std::move(on)), problem_(p), settings_(settings), scale_(p) {}
+    : device_(std::move(on)),
+      problem_(p),
+      settings_(settings.for_order(p.element_order)),
+      scale_(p) {}
 
 expected<std::unique_ptr<vulkan_system>> vulkan_system::make(std::shared_ptr<gpu::device> on,
                                                              const problem& p,
@@ -127,6 +130,8 @@ expected<void> vulkan_system::prepare(filter_span filter, const execution& run) 
                 "the coarsest level has " + std::to_string(coarsest) +
                   " aggregates, this device takes " + std::to_string(most_coarsest),
                 "The mesh has many separate pieces: use --device cpu");
+  if (auto ok = matrix_->read_exactly(hierarchy_.exact_rows); !ok)
+    return ok;
   cycle_.emplace(*memory_, *matrix_, hierarchy_, corner_filter, settings_.cycle, scale_.matrix());
   if (is_quadratic())
     if (auto ok = prepare_quadratic(filter); !ok)
@@ -251,7 +256,7 @@ vulkan_changes vulkan_system::update_device(const problem_change& change, const 
     std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
   const std::span corner_nodes(change.nodes.begin(), middles);
   vulkan_changes changes;
-  matrix_->update(problem_, corners, blocks_.places, change, changes);
+  matrix_->update(problem_, corners, blocks_.places, hierarchy_.exact_rows, change, changes);
   cycle_->update(filter.first(problem_.corner_count), corner_nodes, changes);
   if (is_quadratic()) {
     quadratic_->update(problem_, corners, change, changes);
@@ -372,6 +377,8 @@ expected<std::vector<inner_result>> vulkan_system::correct(std::span<const inner
 expected<void> vulkan_system::raise_bounds() {
   raise_lambdas(hierarchy_);
   raise_lambda(smoother_, 10);
+  if (auto ok = matrix_->read_exactly(hierarchy_.exact_rows); !ok)
+    return ok;
   return record();
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fem/problem.hpp"
+#include "fem/vulkan/vulkan_backend.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::fem::test {
@@ -34,6 +35,13 @@ inline problem bent_bar(int order = 1, std::array<int, 3> cells = {6, 8, 10}) {
   for (std::size_t e = 0; e < p->element_count(); e += 3)
     p->element_materials[e] = 1;
   return *p;
+}
+
+/// For comparisons digit by digit: where a value lies between two rounded ones, the device's last
+/// digit may decide otherwise than the host's.
+inline vulkan_settings without_rounding(vulkan_settings settings = {}) {
+  settings.multilevel.rounded = false;
+  return settings;
 }
 
 inline std::vector<double> wave(std::size_t size, double step) {

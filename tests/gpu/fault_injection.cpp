@@ -21,10 +21,11 @@ struct call_facts {
 };
 
 /// Every call of this program that returns a VkResult.
-constexpr std::array<call_facts, 20> facts{{{"vkEnumeratePhysicalDevices", full},
+constexpr std::array<call_facts, 21> facts{{{"vkEnumeratePhysicalDevices", full},
                                             {"vkCreateDevice", full | lost},
                                             {"vkCreateCommandPool", full},
                                             {"vkCreateBuffer", full},
+                                            {"vkCreateBufferView", full},
                                             {"vkAllocateMemory", full},
                                             {"vkBindBufferMemory", full},
                                             {"vkMapMemory", full},
@@ -234,6 +235,7 @@ PFN_vkVoidFunction VKAPI_PTR device_calls(VkDevice on, const char* name) {
   }
   TEDIT_FAULTY(vkCreateCommandPool)
   TEDIT_FAULTY(vkCreateBuffer)
+  TEDIT_FAULTY(vkCreateBufferView)
   TEDIT_FAULTY(vkAllocateMemory)
   TEDIT_FAULTY(vkBindBufferMemory)
   TEDIT_FAULTY(vkMapMemory)
@@ -252,6 +254,7 @@ PFN_vkVoidFunction VKAPI_PTR device_calls(VkDevice on, const char* name) {
   TEDIT_FAULTY(vkWaitForFences)
   TEDIT_DESTROYING(vkDestroyCommandPool)
   TEDIT_DESTROYING(vkDestroyBuffer)
+  TEDIT_DESTROYING(vkDestroyBufferView)
   TEDIT_DESTROYING(vkFreeMemory)
   TEDIT_DESTROYING(vkDestroyDescriptorSetLayout)
   TEDIT_DESTROYING(vkDestroyPipelineLayout)

@@ -34,11 +34,11 @@ public:
   followed_system(version_ptr mesh, load_case loads, int order, const vulkan_settings& settings)
       : mesh_(std::move(mesh)),
         loads_(std::move(loads)),
-        settings_(settings),
+        settings_(without_rounding(settings).for_order(order)),
         p_(*make_problem(*mesh_, loads_, order, 200)),
         updater_(p_),
         k_(assemble_blocks(p_, updater_.corners())),
-        h_(*build_hierarchy(p_, k_, corner_filter(), settings.multilevel, {})),
+        h_(*build_hierarchy(p_, k_, corner_filter(), settings_.multilevel, {})),
         system_(fresh()) {
     if (order == 2)
       make_quadratic();
