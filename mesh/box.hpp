@@ -29,6 +29,12 @@ struct box {
       add(p);
   }
 
+  /// The box with `by` more on every side.
+  [[nodiscard]] box grown(double by) const {
+    const vec3 step{by, by, by};
+    return {low - step, high + step};
+  }
+
   /// Have they a point in common? Boxes that touch have.
   [[nodiscard]] bool meets(const box& b) const {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&

@@ -34,7 +34,7 @@ struct round_shell {
 
 /// Puts points into the material behind the rounded surface, one behind each pair of its triangles
 /// where there is room: tets there would else have all four corners on it. They join the shell's
-/// points. Cost: O(rounded triangles x shell).
+/// points. Cost: O(shell x log shell).
 void add_depth(const round_surface& made, round_shell& shell);
 
 /// Triangulates the walls' parts inside the cavity anew, up to the rounded surface, and closes the
@@ -46,7 +46,8 @@ void add_depth(const round_surface& made, round_shell& shell);
                                                services& host);
 
 /// Does the new boundary run into what stays of the old one? Errors: `cap_intersects` naming the
-/// surface. Cost: O(boundary + new triangles x boundary near them).
+/// surface. Cost: O(boundary + (new triangles + boundary near them) x log new triangles), more
+/// where many lie at one place.
 [[nodiscard]] expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
                                         const round_shell& shell);
 

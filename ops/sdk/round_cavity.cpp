@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/box_tree.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit::ops {
@@ -72,21 +73,15 @@ expected<std::unordered_set<tet_id>> find_cavity(const mesh_version& mesh, const
     seeds.insert(seeds.end(), chain.path.begin(), chain.path.end());
   auto found = tets_around(mesh, seeds);
   std::unordered_set<tet_id> cavity(found.begin(), found.end());
+  std::vector<box> boxes;
+  for (const auto& r : made.reach)
+    boxes.push_back(box_of(std::array{r.from, r.to}).grown(r.radius + margin));
+  const box_tree reach(boxes);
   const auto near = [&](tet_id t) {
     const auto c = mesh.corners(t);
-    vec3 low = c[0];
-    vec3 high = c[0];
-    for (const auto& p : c) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    const vec3 middle = 0.5 * (low + high);
-    const double half = 0.5 * norm(high - low);
-    return std::ranges::any_of(made.reach, [&](const round_reach& r) {
-      const double within = r.radius + margin;
-      const vec3 m = 0.5 * (r.from + r.to);
-      return norm(m - middle) <= half + within + 0.5 * norm(r.to - r.from) &&
-             segment_to_tet(r.from, r.to, c) < within;
+    return reach.any_meeting(box_of(c), [&](std::size_t i) {
+      const auto& r = made.reach[i];
+      return segment_to_tet(r.from, r.to, c) < r.radius + margin;
     });
   };
   std::unordered_set<tet_id> seen = cavity;

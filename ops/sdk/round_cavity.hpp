@@ -9,7 +9,8 @@ namespace tedit::ops {
 
 /// The tets that come nearer than `margin` (m) to where the part changes, found over faces from the
 /// chains' vertices, and all tets at the vertices of `whole`. Errors: `invalid_argument` when two
-/// regions lie there. Cost: O(found x reach).
+/// regions lie there. Cost: O((found + reach) x log reach), more where large
+/// tets lie near a long reach.
 [[nodiscard]] expected<std::unordered_set<tet_id>> find_cavity(const mesh_version& mesh,
                                                                const round_plan& plan,
                                                                const round_surface& made,

@@ -1,75 +1,66 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "mesh/box.hpp"
+#include "mesh/box_tree.hpp"
 #include "mesh/facet_pages.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 #include "ops/sdk/round_boundary.hpp"
-#include "ops/sdk/round_cavity.hpp"
+#include "ops/sdk/surface_tree.hpp"
 
 namespace tedit::ops {
 
 namespace {
 
-/// How often the shell goes round a point: 1 inside, 0 outside. Sum of solid angles (van Oosterom
-/// and Strackee 1983).
-double winding(const closed_surface& shell, vec3 p) {
-  double sum = 0;
-  for (const auto& t : shell.triangles) {
-    const vec3 a = shell.points[t[0]] - p;
-    const vec3 b = shell.points[t[1]] - p;
-    const vec3 c = shell.points[t[2]] - p;
-    const double la = norm(a);
-    const double lb = norm(b);
-    const double lc = norm(c);
-    sum += std::atan2(dot(a, cross(b, c)),
-                      la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-  }
-  return sum / (2 * std::numbers::pi);
-}
+/// A place in the material behind two rounded triangles.
+struct deep_place {
+  vec3 at;
+  vec3 outward;      ///< Their normal, not of unit length.
+  double depth = 0;  ///< m.
+};
 
-/// No triangle of the shell nearer than `distance`, and the point inside it.
-bool has_room(const closed_surface& shell, vec3 p, double distance) {
-  for (const auto& t : shell.triangles) {
-    const vec3 a = shell.points[t[0]];
-    const vec3 b = shell.points[t[1]];
-    const vec3 c = shell.points[t[2]];
-    const vec3 low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-    const vec3 high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}),
-                    std::max({a.z, b.z, c.z})};
-    if (p.x < low.x - distance || p.y < low.y - distance || p.z < low.z - distance ||
-        p.x > high.x + distance || p.y > high.y + distance || p.z > high.z + distance)
-      continue;
-    if (point_to_triangle(p, a, b, c) < distance)
-      return false;
-  }
-  return winding(shell, p) > 0.5;
+deep_place behind(const round_surface& made, std::size_t triangle) {
+  const auto& t = made.triangles[triangle];
+  const vec3 a = made.points[t[0]];
+  const vec3 b = made.points[t[1]];
+  const vec3 c = made.points[t[2]];
+  // The middle of the longest side is about the middle of the pair.
+  vec3 middle = 0.5 * (a + b);
+  double longest = norm(a - b);
+  for (const auto& [p, q] : {std::pair(b, c), std::pair(c, a)})
+    if (norm(p - q) > longest)
+      std::tie(middle, longest) = std::tuple(0.5 * (p + q), norm(p - q));
+  const vec3 area = area_vector(a, b, c);
+  const double depth = 0.6 * std::sqrt(2 * norm(area));
+  return {middle - depth * normalized(area), area, depth};
 }
 
 }  // namespace
 
 void add_depth(const round_surface& made, round_shell& shell) {
-  std::vector<vec3> added;
+  std::vector<deep_place> places;
+  std::vector<box> boxes;
   for (std::size_t i = 0; i < made.triangles.size(); i += 2) {
-    const auto& t = made.triangles[i];
-    const vec3 a = made.points[t[0]];
-    const vec3 b = made.points[t[1]];
-    const vec3 c = made.points[t[2]];
-    // The middle of the longest side is about the middle of the pair.
-    vec3 middle = 0.5 * (a + b);
-    double longest = norm(a - b);
-    for (const auto& [p, q] : {std::pair(b, c), std::pair(c, a)})
-      if (norm(p - q) > longest)
-        std::tie(middle, longest) = std::tuple(0.5 * (p + q), norm(p - q));
-    const vec3 area = area_vector(a, b, c);
-    const double depth = 0.6 * std::sqrt(2 * norm(area));
-    const vec3 p = middle - depth * normalized(area);
-    if (std::ranges::all_of(added, [&](vec3 q) { return norm(q - p) >= 0.8 * depth; }) &&
-        has_room(shell.surface, p, 0.6 * depth))
-      added.push_back(p);
+    places.push_back(behind(made, i));
+    boxes.push_back({places.back().at, places.back().at});
+  }
+  const box_tree near(boxes);
+  const surface_tree surface(shell.surface);
+  std::vector<bool> taken(places.size(), false);
+  std::vector<vec3> added;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const vec3 p = places[i].at;
+    const double depth = places[i].depth;
+    const bool crowded = near.any_meeting(boxes[i].grown(0.8 * depth), [&](std::size_t k) {
+      return taken[k] && norm(places[k].at - p) < 0.8 * depth;
+    });
+    // Across the rounded surface: along it the ray would pass by all of its triangles.
+    if (crowded || surface.comes_within(p, 0.6 * depth) ||
+        surface.winding(p, places[i].outward) < 1)
+      continue;
+    taken[i] = true;
+    added.push_back(p);
   }
   auto& points = shell.surface.points;
   points.insert(points.end(), added.begin(), added.end());
@@ -82,18 +73,17 @@ expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
   struct placed {
     std::array<vec3, 3> p;
     std::array<std::uint32_t, 3> index;
-    box extent;
   };
   std::vector<placed> fresh;
-  box all;
+  std::vector<box> boxes;
   for (std::size_t i = shell.kept; i < shell.surface.triangles.size(); ++i) {
     const auto& t = shell.surface.triangles[i];
-    placed one{{points[t[0]], points[t[1]], points[t[2]]}, t, {}};
-    one.extent = box_of(one.p);
-    for (const auto& p : one.p)
-      all.add(p);
+    placed one{{points[t[0]], points[t[1]], points[t[2]]}, t};
+    boxes.push_back(box_of(one.p));
     fresh.push_back(one);
   }
+  const box_tree near(boxes);
+  const auto all = near.extent();
   expected<void> result;
   for_each_facet_near(mesh, all, [&](facet_id f) {
     const auto& v = mesh.facet(f).v;
@@ -101,9 +91,9 @@ expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
     const auto extent = box_of(p);
     if (!result || !extent.meets(all) || shell.replaced.contains(f))
       return;
-    const bool meets = std::ranges::any_of(fresh, [&](const placed& one) {
-      return one.extent.meets(extent) &&
-             std::ranges::none_of(one.index,
+    const bool meets = near.any_meeting(extent, [&](std::size_t i) {
+      const auto& one = fresh[i];
+      return std::ranges::none_of(one.index,
                                   [&](std::uint32_t k) {
                                     return shell.vertices[k] != no_id &&
                                            std::ranges::count(v, shell.vertices[k]) > 0;

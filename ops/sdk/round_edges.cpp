@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "mesh/checks.hpp"
 #include "mesh/optimize/improve.hpp"
@@ -73,11 +74,16 @@ private:
     std::optional<error> first;
     std::size_t spent = 0;
     double fraction = 0.1;
+    std::set<std::pair<std::size_t, bool>> tried;
     for (const auto& how : attempts) {
       if (ctx_.run.cancel.cancelled())
         return fail(ec::cancelled, "the edit was cancelled");
       ctx_.run.report(fraction += 0.15, "meshing around the edge");
-      auto trial = make(cuts, how);
+      const auto cavity = find_cavity(mesh_, plan_, made_, cuts.dropped, how.margin * made_.widest);
+      // A wider margin takes the same tets and more: as many are the same ones, with the same end.
+      if (cavity && !tried.emplace(cavity->size(), how.depth).second)
+        continue;
+      auto trial = cavity ? make(cuts, *cavity, how.depth) : fail(cavity.error());
       if (!trial) {
         if (trial.error().code == ec::cancelled)
           return fail(trial.error());
@@ -99,22 +105,20 @@ private:
     return fail(*first);
   }
 
-  expected<rounded> make(const round_cuts& cuts, const attempt& how) {
-    const auto cavity = find_cavity(mesh_, plan_, made_, cuts.dropped, how.margin * made_.widest);
-    if (!cavity)
-      return fail(cavity.error());
-    auto shell = make_shell(mesh_, plan_, made_, cuts, *cavity, *ctx_.host);
+  expected<rounded> make(const round_cuts& cuts, const std::unordered_set<tet_id>& cavity,
+                         bool depth) {
+    auto shell = make_shell(mesh_, plan_, made_, cuts, cavity, *ctx_.host);
     if (!shell)
       return fail(shell.error());
     if (auto ok = check_free(mesh_, plan_, *shell); !ok)
       return fail(ok.error());
-    if (how.depth)
+    if (depth)
       add_depth(made_, *shell);
     const auto filling = ctx_.host->tetrahedralise(shell->surface, ctx_.run);
     if (!filling)
       return fail(filling.error());
     mesh_builder builder(version_ptr(version_ptr{}, &mesh_));
-    if (auto ok = replace(*cavity, *shell, *filling, builder); !ok)
+    if (auto ok = replace(cavity, *shell, *filling, builder); !ok)
       return fail(ok.error());
     if (auto ok = lift(builder); !ok)
       return fail(ok.error());
