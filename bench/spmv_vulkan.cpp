@@ -19,11 +19,9 @@ public:
   explicit vulkan_probe(fem::cycle_kernels kernels)
       : kernels_(std::move(kernels)), memory_(kernels_.layout, {}) {}
 
-  expected<void> make(std::shared_ptr<gpu::device> on, const fem::problem& p,
-                      std::uint64_t copy_bytes) {
+  expected<void> make(const fem::problem& p, std::uint64_t copy_bytes) {
     const fem::device_scale scale(p);
-    auto made =
-      p.element_order == 1 ? make_linear(std::move(on), p, scale) : make_quadratic(p, scale);
+    auto made = p.element_order == 1 ? make_linear(p, scale) : make_quadratic(p, scale);
     if (!made)
       return made;
     if (auto ok = record_product(p.node_count()); !ok)
@@ -38,14 +36,13 @@ public:
 
 private:
   /// Blocks with their padding, two numbers a slice, x and y.
-  expected<void> make_linear(std::shared_ptr<gpu::device> on, const fem::problem& p,
-                             const fem::device_scale& scale) {
-    auto made =
-      fem::vulkan_matrix::make(std::move(on), kernels_, memory_, p, fem::incidence(p), scale);
-    if (!made)
-      return fail(made.error());
-    bytes_ = (*made)->read_bytes() + 2 * node_bytes * p.node_count();
-    k_ = std::move(*made);
+  expected<void> make_linear(const fem::problem& p, const fem::device_scale& scale) {
+    auto made = std::make_unique<fem::vulkan_matrix>(
+      kernels_, memory_, fem::assemble_blocks(p, fem::incidence(p)), scale);
+    if (auto ok = memory_.status(); !ok)
+      return ok;
+    bytes_ = made->read_bytes() + 2 * node_bytes * p.node_count();
+    k_ = std::move(made);
     return {};
   }
 
@@ -122,7 +119,7 @@ expected<std::unique_ptr<product_probe>> probe_vulkan(const std::string& device,
   if (!kernels)
     return fail(kernels.error());
   auto probe = std::make_unique<vulkan_probe>(std::move(*kernels));
-  if (auto ok = probe->make(*on, p, copy_bytes); !ok)
+  if (auto ok = probe->make(p, copy_bytes); !ok)
     return fail(ok.error());
   return probe;
 }

@@ -39,14 +39,3 @@ block33 exact_block(uvec4 head, uvec2 tail, uvec4 rest) {
   return block33(uintBitsToFloat(low_up(head.yzw) + low_rest(rest.xyz)),
                  uintBitsToFloat(high_up(head.yzw) + high_rest(rest.xyz)), uintBitsToFloat(third + lacks));
 }
-
-uvec3 rounded_bits(vec3 v) { return (floatBitsToUint(v) + 0x8000u) & 0xFFFF0000u; }
-uvec3 lacking_bits(vec3 v) { return (floatBitsToUint(v) - rounded_bits(v)) & 0xFFFFu; }
-
-void split_block(block33 b, out uvec3 head, out uvec2 tail, out uvec4 rest) {
-  const uvec3 z = rounded_bits(b.z);
-  const uvec3 lacks = lacking_bits(b.z);
-  head = rounded_bits(b.x) >> 16 | rounded_bits(b.y);
-  tail = uvec2(z.x >> 16 | z.y, lacks.z | z.z);
-  rest = uvec4(lacking_bits(b.x) | lacking_bits(b.y) << 16, lacks.x | lacks.y << 16);
-}

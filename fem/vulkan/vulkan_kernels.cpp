@@ -6,7 +6,6 @@
 
 #include "base/guard.hpp"
 
-#include "kernels/assemble_rows.h"
 #include "kernels/cg_advance.h"
 #include "kernels/cg_first.h"
 #include "kernels/cg_product.h"
@@ -14,7 +13,6 @@
 #include "kernels/cg_start.h"
 #include "kernels/cg_turn.h"
 #include "kernels/cluster_rows.h"
-#include "kernels/count_columns.h"
 #include "kernels/dense.h"
 #include "kernels/edge_down.h"
 #include "kernels/edge_up.h"
@@ -26,7 +24,6 @@
 #include "kernels/rigid_rows.h"
 #include "kernels/rigid_start.h"
 #include "kernels/rigid_up.h"
-#include "shaders/elasticity_bindings.h"
 
 namespace tedit::fem {
 
@@ -92,21 +89,6 @@ std::vector<entry> entries_of_linear_tets(cycle_kernels& to) {
 }
 
 }  // namespace
-
-expected<elasticity_kernels> make_elasticity_kernels(std::shared_ptr<gpu::device> on,
-                                                     const cycle_kernels& like,
-                                                     std::uint32_t most_columns) {
-  elasticity_kernels result;
-  auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_BINDINGS, sizeof(push_constants));
-  if (!layout)
-    return fail(layout.error());
-  result.layout = *layout;
-  const entry entries[] = {{&result.count_columns, count_columns_spirv, most_columns},
-                           {&result.assemble_rows, assemble_rows_spirv, most_columns}};
-  if (auto ok = compile(result.layout, entries, like); !ok)
-    return fail(ok.error());
-  return result;
-}
 
 expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
                                            const vulkan_settings& settings) {

@@ -9,13 +9,7 @@
 
 namespace tedit::fem {
 
-/// The kernels of `shaders/` that assemble linear tets.
-struct elasticity_kernels {
-  std::shared_ptr<gpu::kernel_layout> layout;
-  gpu::kernel count_columns, assemble_rows;
-};
-
-/// The kernels that solve. Arrays are indexed by the modes of cycle_bindings.h.
+/// The kernels of `shaders/`. Arrays are indexed by the modes of cycle_bindings.h.
 struct cycle_kernels {
   std::shared_ptr<gpu::kernel_layout> layout;
   /// The first index says how values are read: TEDIT_READ_EXACTLY, for all modes, or otherwise, for
@@ -46,11 +40,6 @@ struct cycle_kernels {
     return static_cast<std::uint32_t>((rows - 1) / rows_per_dispatch + 1) * sum_groups;
   }
 };
-
-/// `most_columns` bounds the blocks of one row; `like` gives group size and slices.
-[[nodiscard]] expected<elasticity_kernels> make_elasticity_kernels(std::shared_ptr<gpu::device> on,
-                                                                   const cycle_kernels& like,
-                                                                   std::uint32_t most_columns);
 
 /// Errors: those of the device; `invalid_argument` for sizes that it cannot have.
 [[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,

@@ -38,8 +38,7 @@ std::uint64_t estimated_bytes(const problem& p) {
   const std::uint64_t elements = p.element_count();
   constexpr std::uint64_t vectors = 8 * 16;      // of the Krylov method and a smoother
   constexpr std::uint64_t blocks = 2 * 32 + 16;  // inverse, filter, arm or edge
-  const std::uint64_t linear =
-    corners * (18 * 40 + 25 * 148 * 6 / (13 * 5) + vectors + blocks) + elements * 40;
+  const std::uint64_t linear = corners * (18 * 40 + 25 * 148 * 6 / (13 * 5) + vectors + blocks);
   const std::uint64_t rest =
     p.element_order == 1 ? 0 : nodes * (vectors + blocks) + elements * (96 + 10 * 16 + 10 * 4);
   return (linear + rest) * 17 / 16;  // and room for edits
@@ -90,12 +89,8 @@ expected<void> vulkan_system::build() {
     return fail(kernels.error());
   kernels_ = std::move(*kernels);
   memory_ = std::make_unique<vulkan_memory>(kernels_.layout, settings_);
-  const incidence corners(problem_, 4);
-  blocks_ = assemble_blocks(problem_, corners);
-  auto matrix = vulkan_matrix::make(device_, kernels_, *memory_, problem_, corners, scale_);
-  if (!matrix)
-    return fail(matrix.error());
-  matrix_ = std::move(*matrix);
+  blocks_ = assemble_blocks(problem_, incidence(problem_, 4));
+  matrix_ = std::make_unique<vulkan_matrix>(kernels_, *memory_, blocks_, scale_);
   if (is_quadratic()) {
     auto made = vulkan_quadratic::make(kernels_, *memory_, problem_, scale_);
     if (!made)
@@ -227,8 +222,6 @@ expected<bool> vulkan_system::follow(const problem_change& change, const inciden
     return false;
   if (auto ok = memory_->send(changes); !ok)
     return fail(ok.error());
-  if (auto ok = matrix_->gather_again(); !ok)
-    return fail(ok.error());
   if (auto ok = krylov_->follow(cycle(), filter_buffer()); !ok)
     return fail(ok.error());
   return true;
@@ -256,7 +249,7 @@ vulkan_changes vulkan_system::update_device(const problem_change& change, const 
     std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
   const std::span corner_nodes(change.nodes.begin(), middles);
   vulkan_changes changes;
-  matrix_->update(problem_, corners, blocks_.places, hierarchy_.exact_rows, change, changes);
+  matrix_->update(blocks_, corner_nodes, hierarchy_.exact_rows, changes);
   cycle_->update(filter.first(problem_.corner_count), corner_nodes, changes);
   if (is_quadratic()) {
     quadratic_->update(problem_, corners, change, changes);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "fem/problem.hpp"
 #include "fem/vulkan/vulkan_backend.hpp"
+#include "gpu/device.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::fem::test {
@@ -37,11 +38,16 @@ inline problem bent_bar(int order = 1, std::array<int, 3> cells = {6, 8, 10}) {
   return *p;
 }
 
-/// For comparisons digit by digit: where a value lies between two rounded ones, the device's last
-/// digit may decide otherwise than the host's.
-inline vulkan_settings without_rounding(vulkan_settings settings = {}) {
-  settings.multilevel.rounded = false;
-  return settings;
+/// A device reads whole slices exactly, the native backend single rows: as the device does.
+inline void read_whole_slices(const vulkan_settings& settings, hierarchy& h) {
+  const auto subgroup = gpu::device::open("").value()->limits().subgroup_size;
+  const std::size_t side =
+    settings.slice_rows ? settings.slice_rows : std::clamp(std::bit_floor(subgroup), 1u, 64u);
+  for (std::size_t first = 0; first < h.exact_rows.size(); first += side) {
+    const auto slice = std::span(h.exact_rows).subspan(first);
+    const auto rows = slice.first(std::min(side, slice.size()));
+    std::ranges::fill(rows, std::ranges::max(rows));
+  }
 }
 
 inline std::vector<double> wave(std::size_t size, double step) {

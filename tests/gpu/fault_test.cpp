@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, VulkanUpdateFaults, ::testing::Values(1, 2));
 TEST_P(VulkanUpdateFaults, HalfAnUpdateIsAnErrorAndThenRefused) {
   const auto calls = run(fault::none, 0);
   RecordProperty("calls", static_cast<int>(calls));
-  ASSERT_GT(calls, 20u);
+  ASSERT_GT(calls, 8u);
   const std::size_t step = full_sweep() ? 1 : calls / 8;
   for (const auto what : {fault::lost, fault::device_full})
     for (std::size_t at = 1; at <= calls; at += step) {
@@ -262,7 +262,7 @@ TEST(Kernels, NoneDeclaresMoreThanEveryDeviceHas) {
       << file.path();
     ++count;
   }
-  EXPECT_GE(count, 20);
+  EXPECT_GE(count, 18);
 }
 
 TEST(Kernels, AFloat64CapabilityWouldBeFound) {

@@ -34,7 +34,7 @@ public:
   followed_system(version_ptr mesh, load_case loads, int order, const vulkan_settings& settings)
       : mesh_(std::move(mesh)),
         loads_(std::move(loads)),
-        settings_(without_rounding(settings).for_order(order)),
+        settings_(settings.for_order(order)),
         p_(*make_problem(*mesh_, loads_, order, 200)),
         updater_(p_),
         k_(assemble_blocks(p_, updater_.corners())),
@@ -126,10 +126,12 @@ private:
         [&](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
   }
 
-  [[nodiscard]] std::vector<double> native_cycle(std::span<const double> r) const {
+  [[nodiscard]] std::vector<double> native_cycle(std::span<const double> r) {
     std::vector<float> right(padded3(p_.node_count()));
     std::vector<float> z(right.size());
     std::ranges::transform(r, right.begin(), [](double v) { return static_cast<float>(v); });
+    const auto rows = h_.exact_rows;
+    read_whole_slices(settings_, h_);
     multilevel_cycle corners(k_, h_, settings_.cycle);
     if (p_.element_order == 1)
       corners.apply(right.data(), z.data());
@@ -137,6 +139,7 @@ private:
       quadratic_cycle(quadratic_operator(p_), smoother_, edges_, corners,
                       settings_.cycle.quadratic_degree)
         .apply(right.data(), z.data());
+    h_.exact_rows = rows;
     return {z.begin(), z.end() - 1};
   }
 

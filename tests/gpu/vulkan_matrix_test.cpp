@@ -24,8 +24,9 @@ protected:
     settings.most_bytes_per_binding = 40'000;  // many pieces
     kernels_ = *make_cycle_kernels(on_, settings);
     memory_ = std::make_unique<vulkan_memory>(kernels_.layout, settings);
-    k_ = assemble_blocks(p_, corners_);
-    matrix_ = *vulkan_matrix::make(on_, kernels_, *memory_, p_, corners_, scale_);
+    k_ = assemble_blocks(p_, incidence(p_));
+    matrix_ = std::make_unique<vulkan_matrix>(kernels_, *memory_, k_, scale_);
+    ASSERT_TRUE(memory_->status().has_value());
     x_ = wave(p_.dofs(), 0.7);
   }
 
@@ -63,28 +64,21 @@ protected:
     return y;
   }
 
-  /// Rows whose slice is marked as these exact products are, all others as rounded ones - but for
-  /// a few, where the device's last digit rounds a value to the other side.
+  /// Rows whose slice is marked as these exact products are, all others as rounded ones.
   void expect_exact(std::span<const std::uint8_t> marked_rows) {
     const auto y = smoothed_product();
     const auto exact = native_product<exact_values>();
     const auto rounded = native_product<rounded_values>();
     const double same = 2e-6 * largest(exact);
     std::size_t told_apart = 0;
-    std::size_t rounded_otherwise = 0;
     for (std::size_t i = 0; i < y.size(); ++i) {
       const auto first = i / 3 / 8 * 8;
       const auto slice = marked_rows.subspan(first, std::min<std::size_t>(8, k_.rows() - first));
-      if (std::ranges::find(slice, 1) != slice.end()) {
-        ASSERT_NEAR(y[i], exact[i], same) << i;
-        continue;
-      }
+      const bool is_exact = std::ranges::find(slice, 1) != slice.end();
+      ASSERT_NEAR(y[i], is_exact ? exact[i] : rounded[i], same) << i;
       told_apart += std::abs(exact[i] - rounded[i]) > 2 * same ? 1 : 0;
-      rounded_otherwise += std::abs(y[i] - rounded[i]) > same ? 1 : 0;
-      ASSERT_NEAR(y[i], rounded[i], 5e-3 * largest(exact)) << i;
     }
-    EXPECT_LE(rounded_otherwise, y.size() / 50);
-    EXPECT_GE(told_apart, marked_rows.front() == 1 ? 0 : y.size() / 2);
+    EXPECT_GE(told_apart, y.size() / 2);
   }
 
   std::vector<std::uint8_t> rows_marked(std::initializer_list<std::size_t> rows) const {
@@ -96,7 +90,6 @@ protected:
 
   int before_ = 0;
   problem p_ = bent_bar(1);
-  incidence corners_{p_};
   device_scale scale_{p_};
   std::shared_ptr<gpu::device> on_;
   cycle_kernels kernels_;
@@ -129,7 +122,7 @@ TEST_F(VulkanMatrix, MarksFollowAnEdit) {
   const auto now = rows_marked({16, 300, 500});
   vulkan_changes changes;
 
-  matrix_->update(p_, corners_, k_.places, now, {}, changes);
+  matrix_->update(k_, {}, now, changes);
 
   ASSERT_TRUE(changes.fits());
   EXPECT_EQ(changes.bytes(), 8 * (2 + 1));  // 8 and 16 are neighbouring slices; 300 stays

@@ -58,7 +58,7 @@ TEST_P(VulkanUpdate, ProductsAndCyclesFollowEdits) {
 
 TEST_P(VulkanUpdate, InManyPiecesAndLevelsToo) {
   vulkan_settings settings = in_pieces();
-  settings.most_bytes_per_binding = 160'000;  // Four pieces of most, with room in each.
+  settings.most_bytes_per_binding = 200'000;  // Four pieces of most, with room in each.
   expect_follows_edits(settings);
 }
 
@@ -86,7 +86,8 @@ TEST_P(VulkanUpdate, SliverClustersComeAndGo) {
   }
 }
 
-TEST_P(VulkanUpdate, ANodeOfMoreNeighboursThanTheKernelsHaveRoomForIsRefused) {
+/// Slices keep their width while their rows fit; this one's do not.
+TEST_P(VulkanUpdate, ANodeGetsManyMoreNeighbours) {
   followed_system one(bar(), held_at_one_end(), GetParam(), {});
   const auto& mesh = one.mesh();
   const auto at_middle = [&](tet_id t) {
@@ -94,15 +95,10 @@ TEST_P(VulkanUpdate, ANodeOfMoreNeighboursThanTheKernelsHaveRoomForIsRefused) {
       return norm(x - vec3{2, .75, .75}) < 1e-9;
     });
   };
-  ASSERT_NO_FATAL_FAILURE(one.advance(tedit::test::split(mesh, at_middle)));
 
-  const auto updated = one.update_device();
+  ASSERT_NO_FATAL_FAILURE(one.follow(tedit::test::split(mesh, at_middle)));
 
-  ASSERT_TRUE(updated.has_value()) << render(updated.error());
-  EXPECT_FALSE(*updated);
-  std::vector<double> y(one.current().dofs());
-  EXPECT_FALSE(one.system().multiply(test::wave(y.size(), 0.7), y).has_value());
-  EXPECT_FALSE(one.system().solve({test::wave(y.size(), 0.7), y, 1e-4}, 10, {}).has_value());
+  one.expect_as_fresh_and_native();
 }
 
 /// Sessions on a Vulkan device: each version solved after the one before, and anew.
@@ -225,7 +221,7 @@ TEST_P(VulkanUpdate, ARealPartSendsAFractionOfItself) {
   })));
 
   EXPECT_GT(one.system().uploaded_bytes(), 0u);
-  EXPECT_LT(one.system().uploaded_bytes(), cold / (GetParam() == 1 ? 3 : 10));
+  EXPECT_LT(one.system().uploaded_bytes(), cold / (GetParam() == 1 ? 3 : 7));
   RecordProperty("cold", static_cast<int>(cold));
   RecordProperty("after", static_cast<int>(one.system().uploaded_bytes()));
   one.expect_as_fresh_and_native();
