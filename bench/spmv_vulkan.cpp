@@ -16,8 +16,8 @@ constexpr std::uint64_t node_bytes = sizeof(device_float4);
 
 class vulkan_probe final : public product_probe {
 public:
-  explicit vulkan_probe(fem::cycle_kernels kernels)
-      : kernels_(std::move(kernels)), memory_(kernels_.layout, {}) {}
+  explicit vulkan_probe(std::shared_ptr<fem::kernel_store> kernels)
+      : store_(std::move(kernels)), memory_(kernels_.layout, {}) {}
 
   expected<void> make(const fem::problem& p, std::uint64_t copy_bytes) {
     const fem::device_scale scale(p);
@@ -98,7 +98,8 @@ private:
   }
 
   // What is recorded last goes first.
-  fem::cycle_kernels kernels_;
+  std::shared_ptr<fem::kernel_store> store_;
+  const fem::cycle_kernels& kernels_ = store_->for_one();
   fem::vulkan_memory memory_;
   std::unique_ptr<fem::row_operator> k_;
   gpu::kernel copy_kernel_;
@@ -115,7 +116,7 @@ expected<std::unique_ptr<product_probe>> probe_vulkan(const std::string& device,
   auto on = gpu::device::open(device == "lavapipe" ? "llvmpipe" : device);
   if (!on)
     return fail(on.error());
-  auto kernels = fem::make_cycle_kernels(*on, {});
+  auto kernels = fem::kernel_store::make(*on, {});
   if (!kernels)
     return fail(kernels.error());
   auto probe = std::make_unique<vulkan_probe>(std::move(*kernels));

@@ -27,7 +27,13 @@ public:
   expected<std::unique_ptr<linear_system>> assemble(const problem& p,
                                                     const execution& run) override {
     return guarded(run, [&]() -> expected<std::unique_ptr<linear_system>> {
-      return vulkan_system::make(device_, p, settings_, run);
+      if (!kernels_) {
+        auto made = kernel_store::make(device_, settings_);
+        if (!made)
+          return fail(made.error());
+        kernels_ = std::move(*made);
+      }
+      return vulkan_system::make(device_, kernels_, p, settings_, run);
     });
   }
 
@@ -35,6 +41,7 @@ private:
   std::shared_ptr<gpu::device> device_;
   vulkan_settings settings_;
   device_info info_;
+  std::shared_ptr<kernel_store> kernels_;  ///< Made with the first system.
 };
 
 }  // namespace

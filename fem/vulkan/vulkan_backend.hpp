@@ -44,9 +44,9 @@ struct vulkan_settings {
   }
 };
 
-/// A Vulkan device as a backend, in single precision: linear tets are assembled and both orders
-/// solved under a multilevel cycle; the hierarchy is built on the host. `part` is part of the
-/// device's name, "lavapipe" means Mesa's software device, "" any. Errors: `device_unavailable`.
+/// A Vulkan device as a backend, in single precision: both orders are solved under a multilevel
+/// cycle; blocks of linear tets and hierarchy are built on the host. `part` is part of the device's
+/// name, "lavapipe" means Mesa's software device, "" any. Errors: `device_unavailable`.
 [[nodiscard]] expected<std::unique_ptr<backend>> open_vulkan(const std::string& part,
                                                              const vulkan_settings& settings = {});
 

@@ -90,9 +90,10 @@ std::vector<entry> entries_of_linear_tets(cycle_kernels& to) {
 
 }  // namespace
 
-expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
-                                           const vulkan_settings& settings) {
-  cycle_kernels result;
+expected<std::shared_ptr<kernel_store>> kernel_store::make(std::shared_ptr<gpu::device> on,
+                                                           const vulkan_settings& settings) {
+  auto made = std::make_shared<kernel_store>();
+  auto& result = made->for_cases_[1];
   if (auto ok = choose_sizes(on->limits(), settings, result); !ok)
     return fail(ok.error());
   if (on->summary().kind != "software") {
@@ -121,10 +122,13 @@ expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
         {&result.quadratic_rows[earlier][mode], quadratic_rows_spirv, mode, earlier});
   if (auto ok = compile(result.layout, entries, result); !ok)
     return fail(ok.error());
-  return result;
+  return made;
 }
 
-expected<cycle_kernels> make_kernels_for_cases(const cycle_kernels& like, std::uint32_t cases) {
+expected<const cycle_kernels*> kernel_store::for_cases(std::uint32_t cases) {
+  if (const auto known = for_cases_.find(cases); known != for_cases_.end())
+    return &known->second;
+  const auto& like = for_one();
   cycle_kernels result;
   result.layout = like.layout;
   result.group_size = like.group_size;
@@ -137,7 +141,7 @@ expected<cycle_kernels> make_kernels_for_cases(const cycle_kernels& like, std::u
   result.cases = cases;
   if (auto ok = compile(result.layout, entries_of_linear_tets(result), result); !ok)
     return fail(ok.error());
-  return result;
+  return &for_cases_.emplace(cases, std::move(result)).first->second;
 }
 
 }  // namespace tedit::fem

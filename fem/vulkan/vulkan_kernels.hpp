@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 
 #include "fem/vulkan/vulkan_backend.hpp"
 #include "gpu/kernels.hpp"
@@ -41,12 +42,21 @@ struct cycle_kernels {
   }
 };
 
-/// Errors: those of the device; `invalid_argument` for sizes that it cannot have.
-[[nodiscard]] expected<cycle_kernels> make_cycle_kernels(std::shared_ptr<gpu::device> on,
-                                                         const vulkan_settings& settings);
+/// A device's kernels, compiled once for all systems on it. One thread at a time, as the device.
+class kernel_store {
+public:
+  /// Compiles those for one load case. Errors: those of the device; `invalid_argument` for sizes
+  /// that it cannot have.
+  [[nodiscard]] static expected<std::shared_ptr<kernel_store>> make(
+    std::shared_ptr<gpu::device> on, const vulkan_settings& settings);
 
-/// The same for several load cases at once, without those of quadratic tets.
-[[nodiscard]] expected<cycle_kernels> make_kernels_for_cases(const cycle_kernels& like,
-                                                             std::uint32_t cases);
+  [[nodiscard]] const cycle_kernels& for_one() const { return for_cases_.at(1); }
+  /// For so many load cases at once, without those of quadratic tets; compiled when first asked
+  /// for.
+  [[nodiscard]] expected<const cycle_kernels*> for_cases(std::uint32_t cases);
+
+private:
+  std::map<std::uint32_t, cycle_kernels> for_cases_;
+};
 
 }  // namespace tedit::fem

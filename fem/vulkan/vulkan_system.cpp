@@ -46,21 +46,34 @@ std::uint64_t estimated_bytes(const problem& p) {
 
 }  // namespace
 
-vulkan_system::vulkan_system(std::shared_ptr<gpu::device> on, const problem& p,
-                             const vulkan_settings& settings)
+vulkan_system::vulkan_system(std::shared_ptr<gpu::device> on, std::shared_ptr<kernel_store> kernels,
+                             const problem& p, const vulkan_settings& settings)
     : device_(std::move(on)),
       problem_(p),
       settings_(settings.for_order(p.element_order)),
-      scale_(p) {}
+      scale_(p),
+      kernels_(std::move(kernels)) {}
 
 expected<std::unique_ptr<vulkan_system>> vulkan_system::make(std::shared_ptr<gpu::device> on,
+                                                             const problem& p,
+                                                             const vulkan_settings& settings,
+                                                             const execution& run) {
+  auto kernels = kernel_store::make(on, settings);
+  if (!kernels)
+    return fail(kernels.error());
+  return make(std::move(on), std::move(*kernels), p, settings, run);
+}
+
+expected<std::unique_ptr<vulkan_system>> vulkan_system::make(std::shared_ptr<gpu::device> on,
+                                                             std::shared_ptr<kernel_store> kernels,
                                                              const problem& p,
                                                              const vulkan_settings& settings,
                                                              const execution& run) {
   if (run.cancel.cancelled())
     return fail(ec::cancelled, "the solve was cancelled");
   const stopwatch clock;
-  std::unique_ptr<vulkan_system> result(new vulkan_system(std::move(on), p, settings));
+  std::unique_ptr<vulkan_system> result(
+    new vulkan_system(std::move(on), std::move(kernels), p, settings));
   if (auto ok = result->check_memory(); !ok)
     return fail(ok.error());
   if (auto ok = result->build(); !ok)
@@ -84,21 +97,18 @@ expected<void> vulkan_system::check_memory() const {
 }
 
 expected<void> vulkan_system::build() {
-  auto kernels = make_cycle_kernels(device_, settings_);
-  if (!kernels)
-    return fail(kernels.error());
-  kernels_ = std::move(*kernels);
-  memory_ = std::make_unique<vulkan_memory>(kernels_.layout, settings_);
+  const auto& kernels = kernels_->for_one();
+  memory_ = std::make_unique<vulkan_memory>(kernels.layout, settings_);
   blocks_ = assemble_blocks(problem_, incidence(problem_, 4));
-  matrix_ = std::make_unique<vulkan_matrix>(kernels_, *memory_, blocks_, scale_);
+  matrix_ = std::make_unique<vulkan_matrix>(kernels, *memory_, blocks_, scale_);
   if (is_quadratic()) {
-    auto made = vulkan_quadratic::make(kernels_, *memory_, problem_, scale_);
+    auto made = vulkan_quadratic::make(kernels, *memory_, problem_, scale_);
     if (!made)
       return fail(made.error());
     quadratic_ = std::move(*made);
   }
   const row_operator& k = is_quadratic() ? static_cast<const row_operator&>(*quadratic_) : *matrix_;
-  krylov_.emplace(kernels_, *memory_, k);
+  krylov_.emplace(kernels, *memory_, k);
   return memory_->status();
 }
 
@@ -304,10 +314,9 @@ bool vulkan_system::fits_on_device(std::uint32_t cases) const {
 
 /// From now on so many cases may be solved at once.
 expected<void> vulkan_system::widen(std::uint32_t cases) {
-  auto kernels = make_kernels_for_cases(kernels_, cases);
+  const auto kernels = kernels_->for_cases(cases);
   if (!kernels)
     return fail(kernels.error());
-  kernels_for_cases_.push_back(std::move(*kernels));
   // From here on a cancel would leave a system that is good for nothing.
   const cancel_token never;
   const cancel_scope scope(never);
@@ -315,7 +324,7 @@ expected<void> vulkan_system::widen(std::uint32_t cases) {
   const auto before = memory_->bytes();
   cycle_->widen(*memory_, std::max(cases, krylov_->width()));
   cycle_bytes_ += memory_->bytes() - before;
-  krylov_->widen(kernels_for_cases_.back());
+  krylov_->widen(**kernels);
   if (auto ok = memory_->status(); !ok)
     return ok;
   return record();

@@ -17,6 +17,10 @@ public:
   [[nodiscard]] static expected<std::unique_ptr<vulkan_system>> make(
     std::shared_ptr<gpu::device> on, const problem& p, const vulkan_settings& settings,
     const execution& run);
+  /// With kernels that are there already, of a store with the same settings.
+  [[nodiscard]] static expected<std::unique_ptr<vulkan_system>> make(
+    std::shared_ptr<gpu::device> on, std::shared_ptr<kernel_store> kernels, const problem& p,
+    const vulkan_settings& settings, const execution& run);
 
   expected<inner_result> solve(const inner_case& one, int max_iterations,
                                const execution& run) override;
@@ -39,7 +43,8 @@ public:
   [[nodiscard]] expected<void> precondition(std::span<const double> r, std::span<double> z);
 
 private:
-  vulkan_system(std::shared_ptr<gpu::device> on, const problem& p, const vulkan_settings& settings);
+  vulkan_system(std::shared_ptr<gpu::device> on, std::shared_ptr<kernel_store> kernels,
+                const problem& p, const vulkan_settings& settings);
 
   [[nodiscard]] bool is_quadratic() const { return problem_.element_order == 2; }
 
@@ -85,8 +90,7 @@ private:
   std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
 
   // On the device. What is recorded last goes first.
-  cycle_kernels kernels_;
-  std::deque<cycle_kernels> kernels_for_cases_;  ///< Made when they are first needed.
+  std::shared_ptr<kernel_store> kernels_;
   std::unique_ptr<vulkan_memory> memory_;
   std::unique_ptr<vulkan_matrix> matrix_;
   std::unique_ptr<vulkan_quadratic> quadratic_;

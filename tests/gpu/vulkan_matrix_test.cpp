@@ -22,10 +22,10 @@ protected:
     vulkan_settings settings;
     settings.slice_rows = 8;
     settings.most_bytes_per_binding = 40'000;  // many pieces
-    kernels_ = *make_cycle_kernels(on_, settings);
-    memory_ = std::make_unique<vulkan_memory>(kernels_.layout, settings);
+    kernels_ = *kernel_store::make(on_, settings);
+    memory_ = std::make_unique<vulkan_memory>(kernels_->for_one().layout, settings);
     k_ = assemble_blocks(p_, incidence(p_));
-    matrix_ = std::make_unique<vulkan_matrix>(kernels_, *memory_, k_, scale_);
+    matrix_ = std::make_unique<vulkan_matrix>(kernels_->for_one(), *memory_, k_, scale_);
     ASSERT_TRUE(memory_->status().has_value());
     x_ = wave(p_.dofs(), 0.7);
   }
@@ -40,7 +40,7 @@ protected:
     const auto filter =
       memory_->put(std::vector<std::array<float, 8>>(p_.node_count(), packed_six(one.data(), 1)));
     EXPECT_TRUE(memory_->status().has_value());
-    vulkan_program program(kernels_);
+    vulkan_program program(kernels_->for_one());
     matrix_->add(program, TEDIT_RESIDUAL, {.x = &x, .r = &r, .diagonal = &filter}, {});
     EXPECT_TRUE(program.record().has_value());
     EXPECT_TRUE(program.run().has_value());
@@ -92,7 +92,7 @@ protected:
   problem p_ = bent_bar(1);
   device_scale scale_{p_};
   std::shared_ptr<gpu::device> on_;
-  cycle_kernels kernels_;
+  std::shared_ptr<kernel_store> kernels_;
   std::unique_ptr<vulkan_memory> memory_;
   block_matrix k_;
   std::unique_ptr<vulkan_matrix> matrix_;
