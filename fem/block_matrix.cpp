@@ -14,12 +14,8 @@ namespace tedit::fem {
 
 namespace {
 
-/// Three numbers in double precision and a lane that means nothing.
-using double4 [[gnu::vector_size(32)]] = double;
-using double4_anywhere [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-
-/// A 3x3 block, column by column, N/m. The alignment is said, for the compiler's own differs
-/// between a body for AVX2 and one for any machine.
+/// A 3x3 block, column by column, N/m; the fourth lane means nothing. The alignment is said, for
+/// the compiler's own differs between a body for AVX2 and one for any machine.
 struct alignas(32) block3 {
   std::array<double4, 3> column{};
 };

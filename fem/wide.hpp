@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-/// Registers of four and eight floats, and code that exists once for machines with AVX2 and once
-/// for all others.
+/// Registers of four and eight floats and of four doubles, and code that exists once for machines
+/// with AVX2 and once for all others.
 namespace tedit::fem {
 
 // Vectors wider than 16 bytes only live inside one function: all that takes or returns them is
@@ -95,6 +95,9 @@ using float4_anywhere [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] 
 
 /// Eight floats: two nodes or two columns of blocks side by side, one lane of each unused.
 using float8 [[gnu::vector_size(32)]] = float;
+
+using double4 [[gnu::vector_size(32)]] = double;
+using double4_anywhere [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 TEDIT_INLINE float8 pair(float4 first, float4 second) {
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);

@@ -58,11 +58,7 @@ void store_transfer(const problem& p, filter_span filter, const rigid_frame& fra
 
 namespace {
 
-/// Three numbers in double precision and a lane that means nothing.
-using double4 [[gnu::vector_size(32)]] = double;
-using double4_there [[gnu::vector_size(32), gnu::may_alias]] = double;
-
-/// A 3x3 block, column by column.
+/// A 3x3 block, column by column; the fourth lane means nothing.
 using columns3 = std::array<double4, 3>;
 
 TEDIT_INLINE double4 turned(double4 v) {
@@ -170,7 +166,7 @@ private:
     unrolled<6>([&](auto c) TEDIT_INLINED {
       const double4 v = columns[c];
       const double4 moment = cross(own, v);
-      auto* at = reinterpret_cast<double4_there*>(&to[8 * c]);
+      auto* at = reinterpret_cast<double4_anywhere*>(&to[8 * c]);
       at[0] += __builtin_shufflevector(v, moment, 0, 1, 2, 4);
       at[1] += __builtin_shufflevector(moment, double4{}, 1, 2, 4, 5);
     });

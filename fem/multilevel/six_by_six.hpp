@@ -8,8 +8,6 @@
 /// edit. For code inside `run_widest`.
 namespace tedit::fem {
 
-using double4 [[gnu::vector_size(32)]] = double;
-
 /// A 6x6 block whose columns fill two registers each, two lanes of them unused.
 class alignas(64) six_by_six {
 public:
