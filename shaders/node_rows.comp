@@ -15,7 +15,7 @@ TEDIT_WORDS(1, blocks)
 void add_entry(block33 b, uint column, vec3 own[cases], inout vec3 y[cases]) {
   for (uint c = 0; c < cases; ++c) {
     const vec3 d = x(cases * column + c).xyz - own[c];
-    y[c] += vec3(dot(b.x, d), dot(b.y, d), dot(b.z, d));
+    y[c] += b.x * d.x + b.y * d.y + b.z * d.z;
   }
 }
 

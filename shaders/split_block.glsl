@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The blocks of linear tets in halves of 16 bits a value, as natively (fem/split_float.hpp): the number rounded to eight
-// bits of mantissa, and what that lacks; both together are the number to the bit.
+// The blocks of linear tets in halves of 16 bits a value, column by column, as natively (half_block of fem/split_float.hpp):
+// the number rounded to eight bits of mantissa, and what that lacks; both together are the number to the bit.
 //
 // A slice holds its entries in pairs, lane by lane: for each pair two heads and one tail, then, behind all pairs, one rest
 // an entry. Who reads rounded values reads 24 bytes an entry in a row, who reads all of it 40.
-//   head  column; upper halves of values 0 1 2 (low 16 bits) and 3 4 5 (high)
-//   tail  of each of two entries: upper halves of 6 (low) and 7 (high); lower half (low) and upper half (high) of 8
-//   rest  lower halves of 0 1 2 (low) and 3 4 5 (high); of 6 (low) and 7 (high)
+//   head  number of the column; upper halves of column 0 (low 16 bits) and 1 (high)
+//   tail  of each of two entries: upper halves of column 2, rows 0 (low) and 1 (high); of its row 2 both halves (low, high)
+//   rest  lower halves of column 0 (low) and 1 (high); of column 2, rows 0 (low) and 1 (high)
 #include "slices.h"
 
 struct block33 {
-  vec3 x, y, z;  // by rows
+  vec3 x, y, z;  // columns
 };
 
 // Where the parts of entry k lie, in units of four words, for a slice with this first entry and width, both even.

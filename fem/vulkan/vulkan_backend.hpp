@@ -25,7 +25,7 @@ struct vulkan_settings {
   /// 1024, and as many rows as invocations.
   std::uint32_t group_size = 0;
   std::uint32_t slice_rows = 0;
-  /// Whether kernels read as texels what they do not write (`shaders/cycle.glsl`); nothing: on
+  /// Whether kernels read as texels what they do not write (`shaders/operands.glsl`); nothing: on
   /// software devices, which gather texels with vectors. The same bits either way.
   std::optional<bool> texels;
   /// Rows of all dispatches in one part of a recorded program; 0 takes what suits the device.

@@ -32,7 +32,7 @@ struct cycle_kernels {
   /// take about 5 ms on two cores.
   std::uint32_t rows_per_dispatch = 1u << 15;
 
-  /// Kernels read as texels what they do not write; see cycle.glsl.
+  /// Kernels read as texels what they do not write; see operands.glsl.
   bool texels = false;
   std::uint32_t cases = 1;  ///< Load cases side by side in every vector; see cycle.glsl.
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/vulkan/vulkan_matrix.hpp"
 
-#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "base/parallel.hpp"
 #include "fem/polled.hpp"
@@ -17,17 +17,6 @@ constexpr std::uint64_t entry_bytes = 40;  // column and nine values: see split_
 double power_of_two(double x) {
   return std::exp2(std::ceil(std::log2(x)));
 }
-
-/// The upper half of a number and what it lacks, as fem/split_float.hpp has them.
-struct halves {
-  std::uint32_t high, low;
-
-  explicit halves(float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    high = (bits + 0x8000U) >> 16;
-    low = (bits - (high << 16)) & 0xFFFFU;
-  }
-};
 
 /// Which of `list` (ascending) lie in first .. last.
 std::span<const std::uint32_t> within(std::span<const std::uint32_t> list, std::uint32_t first,
@@ -126,22 +115,19 @@ void vulkan_matrix::pack_slice(const block_matrix& k, const chunk& part, std::ui
 
 void vulkan_matrix::pack_entry(const block_matrix& k, std::size_t entry, std::uint32_t width,
                                std::uint32_t place, std::uint32_t lane, std::span<texel> to) const {
-  const auto block = k.block(entry);  // column by column
-  const auto value = [&](std::size_t i) { return halves(scale_ * block[i % 3 * 3 + i / 3]); };
+  const auto block = k.block(entry);
+  half_block high;
+  half_block low;
+  split_block({scale_ * load3(&block[0]), scale_ * load3(&block[3]), scale_ * load3(&block[6])},
+              high, low);
   auto& head = to[(place / 2 * 3 + place % 2) * per_slice_ + lane];
   auto& tails = to[(place / 2 * 3 + 2) * per_slice_ + lane];
   auto& rest = to[(width / 2 * 3 + place) * per_slice_ + lane];
   head[0] = k.column[entry];
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto first = value(c);
-    const auto second = value(3 + c);
-    head[1 + c] = first.high | second.high << 16;
-    rest[c] = first.low | second.low << 16;
-  }
-  const std::array third{value(6), value(7), value(8)};
-  tails[place % 2 * 2] = third[0].high | third[1].high << 16;
-  tails[place % 2 * 2 + 1] = third[2].low | third[2].high << 16;
-  rest[3] = third[0].low | third[1].low << 16;
+  std::memcpy(&head[1], &high[0], 12);
+  std::memcpy(&tails[place % 2 * 2], &high[6], 4);
+  tails[place % 2 * 2 + 1] = low[8] | std::uint32_t{high[8]} << 16;
+  std::memcpy(&rest[0], &low[0], 16);
 }
 
 std::array<std::uint32_t, 2> vulkan_matrix::slice_at(const chunk& part, std::uint32_t slice) const {

@@ -48,6 +48,12 @@ public:
   [[nodiscard]] const version_ptr& mesh() const { return mesh_; }
   [[nodiscard]] vulkan_system& system() { return *system_; }
 
+  /// Of the inverse of the coarsest level.
+  [[nodiscard]] std::uint64_t dense_bytes() const {
+    const std::uint64_t size = 6 * std::uint64_t{h_.levels.back().nodes()};
+    return size / 3 * size * 16;
+  }
+
   /// A system of the problem as it is now, without history.
   [[nodiscard]] std::unique_ptr<vulkan_system> fresh() const {
     auto made = vulkan_system::make(*gpu::device::open(""), p_, settings_, {});
