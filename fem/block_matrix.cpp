@@ -215,8 +215,31 @@ std::vector<std::array<float, 6>> diagonal_blocks(const block_matrix& k) {
   return result;
 }
 
+namespace {
+
+/// Of a symmetric matrix, upper triangle.
+std::array<float, 6> invert_symmetric(const std::array<float, 6>& of) {
+  std::array<double, 6> m;
+  std::ranges::copy(of, m.begin());
+  const double xx = m[3] * m[5] - m[4] * m[4];
+  const double xy = m[2] * m[4] - m[1] * m[5];
+  const double xz = m[1] * m[4] - m[2] * m[3];
+  const double scale = 1 / (m[0] * xx + m[1] * xy + m[2] * xz);
+  const auto entry = [&](double cofactor) { return static_cast<float>(scale * cofactor); };
+  return {entry(xx),
+          entry(xy),
+          entry(xz),
+          entry(m[0] * m[5] - m[2] * m[2]),
+          entry(m[1] * m[2] - m[0] * m[4]),
+          entry(m[0] * m[3] - m[1] * m[1])};
+}
+
+}  // namespace
+
 std::array<float, 6> invert_block(const std::array<float, 6>& diagonal,
                                   const std::array<double, 6>& filter) {
+  if (filter == std::array<double, 6>{1, 0, 0, 1, 0, 1} && diagonal[0] > 0)
+    return invert_symmetric(diagonal);
   const auto full = [](const auto& s) {
     Eigen::Matrix3d m;
     m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];

@@ -144,7 +144,7 @@ void element_operator::apply(std::span<const double> displacement, std::span<dou
   const auto fill = [&](std::size_t first, std::size_t last, std::size_t c,
                         std::array<double, 3>* force) {
     const chunk_elements elements(problem_, chunks_, c, first, last, displacement);
-    run_wide_unfused([&] TEDIT_INLINED {
+    run_wide_unfused([&]() TEDIT_INLINED {
       if (problem_.element_order == 2)
         add_forces<10>(elements, force);
       else

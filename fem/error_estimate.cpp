@@ -183,7 +183,7 @@ void estimate_error(const problem& p, const nodal_patches& patches, const elemen
   const auto fill = [&](std::size_t first, std::size_t last, std::size_t c,
                         std::array<double, 1>* sums) {
     const chunk_elements elements(p, chunks, c, first, last, out.displacement);
-    run_wide_unfused([&] TEDIT_INLINED {
+    run_wide_unfused([&]() TEDIT_INLINED {
       parts[c] = p.element_order == 2 ? add_errors<10>(patches, elements, sums, out.element_error)
                                       : add_errors<4>(patches, elements, sums, out.element_error);
     });

@@ -101,7 +101,7 @@ void nodal_patches::sum_stress(const element_chunks& chunks, std::span<const dou
   const auto fill = [&](std::size_t first, std::size_t last, std::size_t c,
                         std::array<double, 7>* sums) {
     const chunk_elements elements(p, chunks, c, first, last, displacement);
-    run_wide_unfused([&] TEDIT_INLINED {
+    run_wide_unfused([&]() TEDIT_INLINED {
       if (p.element_order == 2)
         add_elements<10>(elements, sums, parts[c]);
       else

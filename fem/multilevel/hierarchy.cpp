@@ -114,9 +114,7 @@ std::vector<float> dense_inverse(const coarsest_solver& solver, std::size_t unkn
 expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, filter_span filter,
                                     const multilevel_settings& settings, const execution& run) {
   hierarchy result;
-  std::vector<std::uint8_t> held(k.rows());
-  for (std::size_t n = 0; n < held.size(); ++n)
-    held[n] = is_held(filter[n]) ? 1 : 0;
+  const auto held = wholly_held(filter.first(k.rows()));
   sliver_clusters clusters;
   if (settings.sliver_condition > 0)
     clusters = cluster_slivers(p, held, 64, settings.sliver_condition);

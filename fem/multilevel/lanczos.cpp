@@ -4,11 +4,12 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "base/parallel.hpp"
-#include "fem/polled.hpp"
+#include "base/raw_vector.hpp"
 
 namespace tedit::fem {
 
@@ -21,12 +22,22 @@ float noise(std::uint64_t i) {
   return static_cast<float>(i >> 40) / static_cast<float>(1 << 24) - 0.5F;
 }
 
-double inner(const std::vector<float>& a, const std::vector<float>& b, std::size_t n) {
-  return parallel_sum(n, [&](std::size_t first, std::size_t last) {
-    double sum = 0;
+/// Calls `work(i)` for every i of [0, items), on all cores.
+template <class Work>
+void for_entries(std::size_t items, const Work& work) {
+  parallel_for(items, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i)
-      sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-    return sum;
+      work(i);
+  });
+}
+
+/// In four sums each chunk, which do not wait for one another.
+double inner(const raw_vector<float>& a, const raw_vector<float>& b, std::size_t n) {
+  return parallel_sum(n, [&](std::size_t first, std::size_t last) {
+    std::array<double, 4> sums{};
+    for (std::size_t i = first; i < last; ++i)
+      sums[i % 4] += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   });
 }
 
@@ -53,14 +64,15 @@ ritz_range extreme_ritz_values(std::span<const double> alpha, std::span<const do
 float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, const vector_map& a,
                          const vector_map& b) {
   const std::size_t n = unknowns + padding;
-  std::vector<float> r;
-  std::vector<float> z;
-  std::vector<float> q;
-  for (auto* v : {&r, &z, &q})
-    polled_resize(*v, n);
-  polled_for(unknowns, [&](std::size_t i) { r[i] = noise(i); });
+  raw_vector<float> r(n);
+  raw_vector<float> z(n);
+  raw_vector<float> q(n);
+  raw_vector<float> p(n);
+  for (auto* v : {&r, &z, &q, &p})
+    std::fill(v->begin() + static_cast<std::ptrdiff_t>(unknowns), v->end(), 0.0F);
+  for_entries(unknowns, [&](std::size_t i) { r[i] = noise(i); });
   b(r.data(), z.data());
-  std::vector<float> p = z;
+  for_entries(unknowns, [&](std::size_t i) { p[i] = z[i]; });
   double rz = inner(r, z, unknowns);
   std::vector<double> alphas;
   std::vector<double> betas;
@@ -72,7 +84,7 @@ float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, c
     const double alpha = rz / bend;
     alphas.push_back(alpha);
     const auto down = static_cast<float>(alpha);
-    polled_for(unknowns, [&](std::size_t i) { r[i] -= down * q[i]; });
+    for_entries(unknowns, [&](std::size_t i) { r[i] -= down * q[i]; });
     b(r.data(), z.data());
     const double next = inner(r, z, unknowns);
     if (!(next > 1e-12 * rz))
@@ -80,7 +92,7 @@ float largest_ritz_value(std::size_t unknowns, std::size_t padding, int steps, c
     betas.push_back(next / rz);
     rz = next;
     const auto keep = static_cast<float>(betas.back());
-    polled_for(unknowns, [&](std::size_t i) { p[i] = z[i] + keep * p[i]; });
+    for_entries(unknowns, [&](std::size_t i) { p[i] = z[i] + keep * p[i]; });
   }
   return static_cast<float>(extreme_ritz_values(alphas, betas).largest);
 }

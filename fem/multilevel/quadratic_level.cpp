@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/raw_vector.hpp"
 #include "fem/element.hpp"
 #include "fem/element_operator.hpp"
 #include "fem/multilevel/cluster_inverse.hpp"
@@ -52,20 +53,47 @@ Eigen::Matrix3d element_block(const std::array<vec3, 4>& v, const std::array<vec
   return c.lambda * m + c.mu * m.transpose() + c.mu * m.trace() * Eigen::Matrix3d::Identity();
 }
 
-/// `corners`: the elements around a node as element * 10 + local node.
+/// The integral of grad N_a (x) grad N_a over an element, upper triangle: with grad N_a linear
+/// between the corners, 12 V/20 g_a (x) g_a at a corner; in the middle of the edge ij, h = g_i +
+/// g_j, 16 V/20 (g_i (x) g_i + g_j (x) g_j + h (x) h).
+std::array<double, 6> gradient_square(const tet_gradients& g, int a) {
+  const auto add = [](double weight, vec3 v, std::array<double, 6>& to) {
+    const vec3 w = weight * v;
+    to[0] += w.x * v.x;
+    to[1] += w.x * v.y;
+    to[2] += w.x * v.z;
+    to[3] += w.y * v.y;
+    to[4] += w.y * v.z;
+    to[5] += w.z * v.z;
+  };
+  std::array<double, 6> m{};
+  if (a < 4) {
+    add(0.6 * g.volume, g.gradient[a], m);
+    return m;
+  }
+  const auto [i, j] = edge_corners[a - 4];
+  for (const auto v : {g.gradient[i], g.gradient[j], g.gradient[i] + g.gradient[j]})
+    add(0.8 * g.volume, v, m);
+  return m;
+}
+
+/// K_aa of the node where element corners meet, upper triangle: the sum of (lambda + mu) M +
+/// mu tr(M) I with M from `gradient_square`. `corners`: element * 10 + local node.
 template <class Corners>
 std::array<float, 6> diagonal_block(const problem& p, const Corners& corners) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  std::array<double, 6> sum{};
+  double pure = 0;
   for (const auto corner : corners) {
-    const auto g = gradients_of(p, corner / 10);
-    const auto v = corner_gradients(g, static_cast<int>(corner % 10));
-    sum += element_block(v, v, g.volume, p.constants[p.element_materials[corner / 10]]);
+    const auto m = gradient_square(gradients_of(p, corner / 10), static_cast<int>(corner % 10));
+    const auto& c = p.constants[p.element_materials[corner / 10]];
+    for (std::size_t i = 0; i < 6; ++i)
+      sum[i] += (c.lambda + c.mu) * m[i];
+    pure += c.mu * (m[0] + m[3] + m[5]);
   }
+  for (const std::size_t i : {0, 3, 5})
+    sum[i] += pure;
   std::array<float, 6> result;
-  int c = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j)
-      result[c++] = static_cast<float>(sum(i, j));
+  std::ranges::transform(sum, result.begin(), [](double s) { return static_cast<float>(s); });
   return result;
 }
 
@@ -127,37 +155,19 @@ problem corner_problem(const problem& quadratic) {
   return p;
 }
 
-edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter) {
+edge_transfer make_edge_transfer(const problem& quadratic) {
   edge_transfer result;
   result.ends = quadratic.edge_ends;
-  std::vector<std::uint32_t> owner;
-  owner.reserve(2 * result.ends.size());
-  polled_for(result.ends.size(), [&](std::size_t i) {
-    owner.insert(owner.end(), result.ends[i].begin(), result.ends[i].end());
-  });
-  result.middles = member_lists(owner, static_cast<std::uint32_t>(quadratic.corner_count));
-  bool filtered = false;
-  result.held.resize(filter.size());
-  polled_for(filter.size(), [&](std::size_t n) {
-    const double trace = filter[n][0] + filter[n][3] + filter[n][5];
-    result.held[n] = trace < 1e-9 ? 1 : 0;
-    filtered = filtered || trace < 3 - 1e-9;
-  });
-  if (!filtered)
-    return result;
-  result.filter.resize(filter.size());
-  polled_for(filter.size(), [&](std::size_t n) {
-    std::ranges::transform(filter[n], result.filter[n].begin(),
-                           [](double s) { return static_cast<float>(s); });
-  });
+  if (!result.ends.empty())
+    result.middles = member_lists({result.ends.front().data(), 2 * result.ends.size()},
+                                  static_cast<std::uint32_t>(quadratic.corner_count));
   return result;
 }
 
 node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filter,
                                       const sliver_clusters& clusters) {
   const incidence around(quadratic);
-  std::vector<std::array<float, 6>> diagonal;
-  polled_resize(diagonal, quadratic.node_count());
+  raw_vector<std::array<float, 6>> diagonal(quadratic.node_count());
   parallel_for(diagonal.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       diagonal[n] = diagonal_block(quadratic, around.of_node(n));
@@ -174,9 +184,7 @@ node_smoother make_quadratic_smoother(const problem& quadratic, filter_span filt
   return result;
 }
 
-void update_edge_transfer(const problem& quadratic, filter_span filter,
-                          std::span<const std::uint32_t> nodes, edge_transfer& edges) {
-  const auto corners = static_cast<std::uint32_t>(quadratic.corner_count);
+void update_edge_transfer(const problem& quadratic, edge_transfer& edges) {
   for (auto i = static_cast<std::uint32_t>(edges.ends.size()); i < quadratic.edge_ends.size();
        ++i) {
     edges.ends.push_back(quadratic.edge_ends[i]);
@@ -188,18 +196,6 @@ void update_edge_transfer(const problem& quadratic, filter_span filter,
       edges.middles.replace(end, more);
     }
   }
-  edges.held.resize(corners + edges.ends.size());
-  for (const auto n : nodes) {
-    const double trace = filter[n][0] + filter[n][3] + filter[n][5];
-    edges.held[n] = trace < 1e-9 ? 1 : 0;
-    if (edges.filter.empty() && trace > 3 - 1e-9)
-      continue;
-    edges.filter.resize(edges.held.size(), {1, 0, 0, 1, 0, 1});
-    std::ranges::transform(filter[n], edges.filter[n].begin(),
-                           [](double s) { return static_cast<float>(s); });
-  }
-  if (!edges.filter.empty())
-    edges.filter.resize(edges.held.size(), {1, 0, 0, 1, 0, 1});
 }
 
 namespace {

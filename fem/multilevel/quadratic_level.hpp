@@ -17,21 +17,18 @@ namespace tedit::fem {
                                                             std::uint32_t node);
 
 /// The prolongation from corners to all nodes of straight-sided quadratic tets: the middle of an
-/// edge takes the mean of its ends, filtered.
+/// edge takes the mean of its ends, before filters.
 struct edge_transfer {
   std::vector<std::array<std::uint32_t, 2>> ends;  ///< Of node corners() + i.
   member_lists middles;                            ///< At each corner: ends index * 2 + side.
-  std::vector<std::array<float, 6>> filter;        ///< Of every node; empty when all are free.
-  std::vector<std::uint8_t> held;                  ///< Of every node.
 
   [[nodiscard]] std::size_t corners() const { return middles.owners(); }
 };
 
-[[nodiscard]] edge_transfer make_edge_transfer(const problem& quadratic, filter_span filter);
+[[nodiscard]] edge_transfer make_edge_transfer(const problem& quadratic);
 
-/// After nodes and edges were added or their filters changed at `nodes`, ascending.
-void update_edge_transfer(const problem& quadratic, filter_span filter,
-                          std::span<const std::uint32_t> nodes, edge_transfer& edges);
+/// After edges were added.
+void update_edge_transfer(const problem& quadratic, edge_transfer& edges);
 
 /// The smoother's blocks of a problem of order 2, gathered from the elements, and dense inverses of
 /// sliver clusters of at most 100 nodes. `lambda` is left to the caller, who has the operator.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "fem/multilevel/galerkin.hpp"
 #include "fem/polled.hpp"
 #include "fem/rows.hpp"
 
@@ -79,6 +80,15 @@ std::vector<std::pair<double, std::uint32_t>> thin_tets(const problem& p, double
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> wholly_held(std::span<const std::array<double, 6>> filter) {
+  std::vector<std::uint8_t> result(filter.size());
+  parallel_for(filter.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n)
+      result[n] = is_held(filter[n]) ? 1 : 0;
+  });
+  return result;
+}
 
 sliver_clusters cluster_slivers(const problem& p, const std::vector<std::uint8_t>& excluded,
                                 std::uint32_t most, double condition) {

@@ -20,8 +20,11 @@ struct sliver_clusters {
   std::uint32_t count = 0;
 };
 
+/// 1 for each node that is wholly held.
+[[nodiscard]] std::vector<std::uint8_t> wholly_held(std::span<const std::array<double, 6>> filter);
+
 /// Joins the free nodes of tets with a condition above 10, worst first, into clusters of at most
-/// `most` nodes. `excluded` marks nodes that are wholly held; nodes beyond its length do
+/// `most` nodes. `excluded` marks nodes, as `wholly_held` does; nodes beyond its length do
 /// not count, so that the corners of quadratic tets can be taken alone. Cost: O(elements).
 [[nodiscard]] sliver_clusters cluster_slivers(const problem& p,
                                               const std::vector<std::uint8_t>& excluded,

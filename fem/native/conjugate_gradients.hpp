@@ -7,23 +7,11 @@
 
 #include "fem/energy_bound.hpp"
 #include "fem/kernels.hpp"
+#include "fem/native/held_nodes.hpp"
 #include "fem/native/vectors.hpp"
 #include "fem/polled.hpp"
 
 namespace tedit::fem {
-
-/// S of the nodes that are not free.
-using held_nodes = std::vector<std::pair<std::uint32_t, std::array<float, 6>>>;
-
-[[nodiscard]] inline held_nodes held_nodes_of(filter_span filter) {
-  held_nodes result;
-  for (std::uint32_t n = 0; n < filter.size(); ++n)
-    if (filter[n] != std::array<double, 6>{1, 0, 0, 1, 0, 1}) {
-      auto& [node, s] = result.emplace_back(n, std::array<float, 6>{});
-      std::ranges::transform(filter[n], s.begin(), [](double v) { return static_cast<float>(v); });
-    }
-  return result;
-}
 
 /// Conjugate gradients in single precision within the free directions (MPCG, Baraff & Witkin 1998;
 /// the filter as a projection on both sides: Ascher & Boxerman 2003). The preconditioner filters,
@@ -95,7 +83,7 @@ private:
           r_[L::width * i + c] = static_cast<float>(cases[c].residual[i]);
     });
     std::ranges::fill(x_, 0.0F);
-    filter(r_);
+    filter_held<L>(held_, r_.data());
   }
 
   template <class Operator, class Precondition>
@@ -116,7 +104,7 @@ private:
     }
     if (!any_running())
       return;
-    filter(q_);
+    filter_held<L>(held_, q_.data());
     rr_ = advance(factor);
     precondition(r_.data(), z_.data());
     const auto next = dots_of<L>(r_, z_);
@@ -174,11 +162,6 @@ private:
           for (std::size_t i = first; i < last; ++i)
             cases_[c].correction[i] = static_cast<double>(x_[L::width * i + c]);
     });
-  }
-
-  void filter(std::vector<float>& x) const {
-    for (const auto& [node, s] : held_)
-      L::store(multiply_symmetric(s, L::load(x.data(), node)), x.data(), node);
   }
 
   /// q = K p; returns p.q.

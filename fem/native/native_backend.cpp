@@ -242,7 +242,7 @@ struct quadratic_solver {
       : k(elements),
         krylov(k.rows(), held),
         corners(corner_matrix, h, settings.corner_cycle),
-        cycle(k, smoother, edges, corners, settings.cycle.quadratic_degree) {}
+        cycle(k, smoother, edges, held, corners, settings.cycle.quadratic_degree) {}
 
   void fit() {
     krylov.fit(k.rows());
@@ -269,9 +269,9 @@ public:
     if (!built)
       return fail(built.error());
     hierarchy_ = std::move(*built);
-    edges_ = make_edge_transfer(problem_, filter);
-    const auto clusters =
-      cluster_slivers(problem_, edges_.held, 100, settings_.corner_multilevel.sliver_condition);
+    edges_ = make_edge_transfer(problem_);
+    const auto clusters = cluster_slivers(problem_, wholly_held(filter), 100,
+                                          settings_.corner_multilevel.sliver_condition);
     smoother_ = make_quadratic_smoother(problem_, filter, clusters);
     cluster_of_ = clusters.of;
     smoother_.lambda =
@@ -303,7 +303,7 @@ public:
     update_blocks(problem_, corners, corner_nodes, corner_matrix_);
     update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
                      corner_nodes, settings_.corner_multilevel, hierarchy_);
-    update_edge_transfer(problem_, filter, change.nodes, edges_);
+    update_edge_transfer(problem_, edges_);
     update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.corner_multilevel,
                               cluster_of_, smoother_);
     held_ = held_nodes_of(filter);

@@ -15,14 +15,13 @@ void quadratic_cycle<L>::apply(const float* right, float* z) {
 template <class L>
 void quadratic_cycle<L>::restrict_residual() {
   const std::size_t corners = edges_.corners();
+  filter_held<L>(held_, v_.residual.data());
   const float* r = v_.residual.data();
   for_lanes<L>(corners, [&](std::size_t first, std::size_t last) TEDIT_INLINED {
     for (std::size_t c = first; c < last; ++c) {
-      node sum = filtered(c, L::load(r, c));
-      for (const auto side : edges_.middles.of(c)) {
-        const std::size_t middle = corners + side / 2;
-        sum += 0.5F * filtered(middle, L::load(r, middle));
-      }
+      node sum = L::load(r, c);
+      for (const auto side : edges_.middles.of(c))
+        sum += 0.5F * L::load(r, corners + side / 2);
       L::store(sum, coarse_right_.data(), c);
     }
   });
@@ -41,10 +40,10 @@ void quadratic_cycle<L>::prolongate() {
         continue;
       }
       const auto [a, b] = edges_.ends[n - corners];
-      const node mean = 0.5F * (L::load(from, a) + L::load(from, b));
-      L::store(filtered(n, mean), step, n);
+      L::store(0.5F * (L::load(from, a) + L::load(from, b)), step, n);
     }
   });
+  filter_held<L>(held_, step);
 }
 
 template class quadratic_cycle<one_case>;

@@ -3,6 +3,7 @@
 
 #include "fem/multilevel/quadratic_level.hpp"
 #include "fem/native/cycle.hpp"
+#include "fem/native/held_nodes.hpp"
 #include "fem/native/quadratic_operator.hpp"
 
 namespace tedit::fem {
@@ -14,10 +15,12 @@ class quadratic_cycle {
 public:
   /// All arguments must outlive the cycle.
   quadratic_cycle(const quadratic_operator& k, const node_smoother& smoother,
-                  const edge_transfer& edges, multilevel_cycle<L>& corners, int degree)
+                  const edge_transfer& edges, const held_nodes& held, multilevel_cycle<L>& corners,
+                  int degree)
       : k_(k),
         smoother_(smoother),
         edges_(edges),
+        held_(held),
         corners_(corners),
         degree_(degree),
         v_(k.rows()) {
@@ -39,16 +42,13 @@ public:
 private:
   using node = typename L::node;
 
-  [[nodiscard]] TEDIT_INLINE node filtered(std::size_t at, const node& x) const {
-    return edges_.filter.empty() ? x : multiply_symmetric(edges_.filter[at], x);
-  }
-
   void restrict_residual();
   void prolongate();
 
   const quadratic_operator& k_;
   const node_smoother& smoother_;
   const edge_transfer& edges_;
+  const held_nodes& held_;
   multilevel_cycle<L>& corners_;
   int degree_;
   node_vectors<L> v_;

@@ -2,6 +2,7 @@
 #include "fem/native/quadratic_operator.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "fem/element.hpp"
 #include "fem/polled.hpp"
@@ -124,11 +125,13 @@ TEDIT_INLINE void element_forces(const std::array<Vector, 10>& u,
 }
 
 /// Adds the forces of `count` elements of a patch to `sums`; `local` has the patch's nodes. The
-/// elements' sums enter one after the other, so that pairs change no bits.
-template <class Element>
+/// elements' sums enter one after the other, so that pairs change no bits. `ahead(e)` is called
+/// with every element, or with every second one.
+template <class Element, class Ahead>
 TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const float4* local,
-                               float4* sums) {
+                               float4* sums, const Ahead& ahead) {
   for (std::size_t e = 0; e < count; e += 2) {
+    ahead(e);
     const auto& one = elements[e];
     const bool both = e + 1 < count;
     const auto& two = elements[both ? e + 1 : e];
@@ -157,10 +160,12 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count, const
 }
 
 /// The same for several cases: element by element.
-template <class Element, std::size_t W>
+template <class Element, std::size_t W, class Ahead>
 TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
-                               const node_lanes<W>* local, node_lanes<W>* sums) {
+                               const node_lanes<W>* local, node_lanes<W>* sums,
+                               const Ahead& ahead) {
   for (std::size_t e = 0; e < count; ++e) {
+    ahead(e);
     const auto& one = elements[e];
     std::array<node_lanes<W>, 10> u;
 #pragma GCC unroll 10
@@ -184,8 +189,39 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
 
 }  // namespace
 
+/// Where the nodes of a patch are, for patches of up to 2,560 nodes: a table that stays in the
+/// nearest cache.
+class quadratic_operator::node_places {
+public:
+  void clear() { node_.fill(no_id); }
+
+  /// False if the node is there already.
+  bool insert(std::uint32_t node) {
+    auto& slot = node_[slot_of(node)];
+    return std::exchange(slot, node) == no_id;
+  }
+
+  /// Of a node that is there.
+  [[nodiscard]] std::uint16_t& of(std::uint32_t node) { return place_[slot_of(node)]; }
+
+private:
+  static constexpr std::uint32_t bits = 12;
+  static_assert(10 * elements_per_patch < (1 << bits));
+
+  /// The node's own or the next free one.
+  [[nodiscard]] std::size_t slot_of(std::uint32_t node) const {
+    std::size_t slot = (node * 0x9E3779B9U) >> (32 - bits);
+    while (node_[slot] != node && node_[slot] != no_id)
+      slot = (slot + 1) % node_.size();
+    return slot;
+  }
+
+  std::array<std::uint32_t, 1 << bits> node_;
+  std::array<std::uint16_t, 1 << bits> place_;
+};
+
 quadratic_operator::quadratic_operator(const problem& p) {
-  polled_resize(elements_, p.element_count());
+  elements_.resize(p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e)
       set_element(p, e);
@@ -220,6 +256,7 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
   const auto old_patches = std::exchange(patches_, {});
   const auto old_nodes = std::exchange(patch_nodes_, {});
   patch_nodes_.reserve(old_nodes.size() + 64);
+  node_places places;
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t i = 0; i * elements_per_patch < count; ++i) {
     if (i % 64 == 0)
@@ -228,7 +265,7 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
     patch part{first, std::min(count, first + elements_per_patch),
                static_cast<std::uint32_t>(patch_nodes_.size()), 0};
     if (std::ranges::binary_search(dirty, i)) {
-      number_patch(p, part, nodes);
+      number_patch(p, part, places, nodes);
       patch_nodes_.insert(patch_nodes_.end(), nodes.begin(), nodes.end());
     } else {
       const auto old = std::span(old_nodes).subspan(
@@ -241,49 +278,52 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
   make_shares(p.node_count());
 }
 
-/// The nodes of a patch's elements, ascending, and their numbers in the elements.
-void quadratic_operator::number_patch(const problem& p, const patch& part,
+/// Makes `nodes` those of a patch's elements, ascending, and numbers them in the elements.
+void quadratic_operator::number_patch(const problem& p, const patch& part, node_places& places,
                                       std::vector<std::uint32_t>& nodes) {
   const auto all = std::span(p.element_nodes)
                      .subspan(10 * std::size_t{part.first_element},
                               10 * std::size_t{part.last_element - part.first_element});
-  nodes.assign(all.begin(), all.end());
+  nodes.clear();
+  places.clear();
+  for (const auto node : all)
+    if (places.insert(node))
+      nodes.push_back(node);
   std::ranges::sort(nodes);
-  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
-  for (auto e = part.first_element; e < part.last_element; ++e)
-    for (int a = 0; a < 10; ++a) {
-      const auto found = std::ranges::lower_bound(nodes, p.element_nodes[10 * std::size_t{e} + a]);
-      elements_[e].node[a] = static_cast<std::uint16_t>(found - nodes.begin());
-    }
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    places.of(nodes[i]) = static_cast<std::uint16_t>(i);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    elements_[part.first_element + i / 10].node[i % 10] = places.of(all[i]);
 }
 
 void quadratic_operator::make_patches(const problem& p) {
-  std::vector<std::uint32_t> place(p.node_count(), no_id);
+  constexpr std::size_t patches_per_chunk = 32;
   const auto count = static_cast<std::uint32_t>(p.element_count());
-  for (std::uint32_t first = 0; first < count; first += elements_per_patch) {
-    check_cancelled();
-    patch part{first, std::min(count, first + elements_per_patch),
-               static_cast<std::uint32_t>(patch_nodes_.size()), 0};
-    const auto nodes =
-      std::span(p.element_nodes)
-        .subspan(10 * std::size_t{first}, 10 * std::size_t{part.last_element - part.first_element});
-    for (const auto node : nodes)
-      if (place[node] == no_id) {
-        place[node] = 0;
-        patch_nodes_.push_back(node);
+  patches_.resize((count + elements_per_patch - 1) / elements_per_patch);
+  std::vector<std::vector<std::uint32_t>> found((patches_.size() + patches_per_chunk - 1) /
+                                                patches_per_chunk);
+  parallel_for(
+    patches_.size(),
+    [&](std::size_t first, std::size_t last, std::size_t chunk) {
+      node_places places;
+      std::vector<std::uint32_t> nodes;
+      for (std::size_t i = first; i < last; ++i) {
+        const auto begin = static_cast<std::uint32_t>(i) * elements_per_patch;
+        patches_[i] = {begin, std::min(count, begin + elements_per_patch), 0, 0};
+        number_patch(p, patches_[i], places, nodes);
+        patches_[i].last_node = static_cast<std::uint32_t>(nodes.size());
+        found[chunk].insert(found[chunk].end(), nodes.begin(), nodes.end());
       }
-    part.last_node = static_cast<std::uint32_t>(patch_nodes_.size());
-    std::sort(patch_nodes_.begin() + part.first_node, patch_nodes_.end());
-    for (auto i = part.first_node; i < part.last_node; ++i)
-      place[patch_nodes_[i]] = i - part.first_node;
-    for (auto e = part.first_element; e < part.last_element; ++e)
-      for (int a = 0; a < 10; ++a)
-        elements_[e].node[a] =
-          static_cast<std::uint16_t>(place[p.element_nodes[10 * std::size_t{e} + a]]);
-    for (auto i = part.first_node; i < part.last_node; ++i)
-      place[patch_nodes_[i]] = no_id;
-    patches_.push_back(part);
+    },
+    patches_per_chunk);
+  std::uint32_t next = 0;
+  for (auto& part : patches_) {
+    part.first_node = next;
+    next = part.last_node += next;
   }
+  patch_nodes_.reserve(next);
+  for (const auto& nodes : found)
+    patch_nodes_.insert(patch_nodes_.end(), nodes.begin(), nodes.end());
 }
 
 void quadratic_operator::make_shares(std::size_t nodes) {
@@ -325,12 +365,30 @@ void quadratic_operator::sum_patches(const float* x) const {
             local[n] = L::load(x, patch_nodes_[part.first_node + n]);
           node* sums = &all[part.first_node];
           std::fill_n(sums, count, node{});
-          add_elements(&elements_[part.first_element], part.last_element - part.first_element,
-                       local.data(), sums);
+          const std::size_t elements = part.last_element - part.first_element;
+          const auto next = i + 1 < last ? patches_[i + 1] : patch{};
+          add_elements(&elements_[part.first_element], elements, local.data(), sums,
+                       [&](std::size_t e) TEDIT_INLINED { prefetch<L>(x, next, e); });
         }
       });
     },
     8);
+}
+
+/// Asks for some of the nodes that a patch will read and write, with element e of the one before
+/// it: they lie scattered, and its elements cannot start before all are there.
+template <class L>
+TEDIT_INLINE void quadratic_operator::prefetch(const float* x, const patch& part,
+                                               std::size_t e) const {
+  constexpr std::size_t nodes = L::width == 1 ? 6 : 3;
+  constexpr std::size_t line = 64 / sizeof(float);
+  const auto first = part.first_node + nodes * (L::width == 1 ? e / 2 : e);
+  const auto& all = shares<L>();
+  for (auto n = first, end = std::min<std::size_t>(first + nodes, part.last_node); n < end; ++n)
+    for (std::size_t at = 0; at < 3 * L::width; at += line) {
+      __builtin_prefetch(x + 3 * L::width * patch_nodes_[n] + at, 0);
+      __builtin_prefetch(reinterpret_cast<const float*>(&all[n]) + at, 1);
+    }
 }
 
 template void quadratic_operator::sum_patches<one_case>(const float*) const;

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "base/raw_vector.hpp"
 #include "fem/multilevel/lanes.hpp"
 #include "fem/problem.hpp"
 
@@ -62,9 +63,12 @@ private:
     std::uint32_t first_node, last_node;  ///< Into `patch_nodes_` and `shares_`.
   };
 
+  class node_places;
+
   void set_element(const problem& p, std::size_t e);
   void make_patches(const problem& p);
-  void number_patch(const problem& p, const patch& part, std::vector<std::uint32_t>& nodes);
+  void number_patch(const problem& p, const patch& part, node_places& places,
+                    std::vector<std::uint32_t>& nodes);
   void make_shares(std::size_t nodes);
   template <class L>
   [[nodiscard]] std::vector<typename L::node>& shares() const {
@@ -73,8 +77,10 @@ private:
 
   template <class L>
   void sum_patches(const float* x) const;
+  template <class L>
+  void prefetch(const float* x, const patch& part, std::size_t e) const;
 
-  std::vector<element> elements_;
+  raw_vector<element> elements_;
   std::vector<patch> patches_;
   std::vector<std::uint32_t> patch_nodes_;
   std::vector<std::uint32_t> share_first_, share_;  ///< Where the sums of each node lie.

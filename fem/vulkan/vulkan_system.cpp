@@ -148,9 +148,9 @@ expected<void> vulkan_system::prepare(filter_span filter, const execution& run) 
 }
 
 expected<void> vulkan_system::prepare_quadratic(filter_span filter) {
-  edges_ = make_edge_transfer(problem_, filter);
+  edges_ = make_edge_transfer(problem_);
   const auto clusters =
-    cluster_slivers(problem_, edges_.held, 100, settings_.multilevel.sliver_condition);
+    cluster_slivers(problem_, wholly_held(filter), 100, settings_.multilevel.sliver_condition);
   smoother_ = make_quadratic_smoother(problem_, filter, clusters);
   cluster_of_ = clusters.of;
   const auto lambda = largest_eigenvalue();
@@ -247,7 +247,7 @@ void vulkan_system::update_host(const problem_change& change, const incidence& c
                    settings_.multilevel, hierarchy_);
   if (!is_quadratic())
     return;
-  update_edge_transfer(problem_, filter, change.nodes, edges_);
+  update_edge_transfer(problem_, edges_);
   update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.multilevel,
                             cluster_of_, smoother_);
 }

@@ -83,7 +83,7 @@ public:
                      h_);
     if (p_.element_order == 1)
       return;
-    update_edge_transfer(p_, p_.filter, nodes, edges_);
+    update_edge_transfer(p_, edges_);
     update_quadratic_smoother(p_, updater_.corners(), p_.filter, nodes, settings_.multilevel,
                               cluster_of_, smoother_);
   }
@@ -116,9 +116,9 @@ private:
   }
 
   void make_quadratic() {
-    edges_ = make_edge_transfer(p_, p_.filter);
+    edges_ = make_edge_transfer(p_);
     const auto clusters =
-      cluster_slivers(p_, edges_.held, 100, settings_.multilevel.sliver_condition);
+      cluster_slivers(p_, wholly_held(p_.filter), 100, settings_.multilevel.sliver_condition);
     smoother_ = make_quadratic_smoother(p_, p_.filter, clusters);
     cluster_of_ = clusters.of;
     const quadratic_operator k(p_);
@@ -142,7 +142,7 @@ private:
     if (p_.element_order == 1)
       corners.apply(right.data(), z.data());
     else
-      quadratic_cycle(quadratic_operator(p_), smoother_, edges_, corners,
+      quadratic_cycle(quadratic_operator(p_), smoother_, edges_, held_nodes_of(p_.filter), corners,
                       settings_.cycle.quadratic_degree)
         .apply(right.data(), z.data());
     h_.exact_rows = rows;

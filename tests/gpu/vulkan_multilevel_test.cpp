@@ -52,11 +52,13 @@ std::vector<double> native_cycle(const problem& p, const vulkan_settings& given,
     corners.apply(right.data(), z.data());
   } else {
     const quadratic_operator q(p);
-    const auto edges = make_edge_transfer(p, p.filter);
+    const auto edges = make_edge_transfer(p);
     auto s = make_quadratic_smoother(
-      p, p.filter, cluster_slivers(p, edges.held, 100, settings.multilevel.sliver_condition));
+      p, p.filter,
+      cluster_slivers(p, wholly_held(p.filter), 100, settings.multilevel.sliver_condition));
     s.lambda = quadratic_lambda(p, q, s, settings.multilevel);
-    quadratic_cycle(q, s, edges, corners, settings.cycle.quadratic_degree)
+    const auto held = held_nodes_of(p.filter);
+    quadratic_cycle(q, s, edges, held, corners, settings.cycle.quadratic_degree)
       .apply(right.data(), z.data());
   }
   return {z.begin(), z.end() - 1};

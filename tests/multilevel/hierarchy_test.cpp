@@ -52,6 +52,35 @@ TEST(Lanczos, FindsTheLargestEigenvalueOfADiagonal) {
   EXPECT_GE(lambda, 3.8F);
 }
 
+/// The blocks come from a closed formula; the operator goes from strains to forces.
+TEST(QuadraticSmoother, InvertsTheBlocksOfTheOperator) {
+  const auto p = bar_problem({3, 2, 2}, {2, 1, 1}, 2);
+  const auto smoother = make_quadratic_smoother(p, p.filter, {});
+  const element_operator k(p);
+  std::vector<double> unit(p.dofs(), 0);
+  std::vector<double> column(p.dofs());
+  std::size_t held = 0;
+  for (std::size_t n = 0; n < p.node_count(); ++n) {
+    const bool is_free = p.filter[n] == std::array<double, 6>{1, 0, 0, 1, 0, 1};
+    held += is_free ? 0 : 1;
+    const auto& b = smoother.inverse[n];
+    const std::array<std::array<float, 3>, 3> inverse{
+      {{b[0], b[1], b[2]}, {b[1], b[3], b[4]}, {b[2], b[4], b[5]}}};
+    for (std::size_t j = 0; j < 3; ++j) {
+      unit[3 * n + j] = 1;
+      k.apply(unit, column);
+      unit[3 * n + j] = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        double product = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+          product += static_cast<double>(inverse[i][c]) * column[3 * n + c];
+        EXPECT_NEAR(product, is_free && i == j ? 1 : 0, 1e-5) << "node " << n;
+      }
+    }
+  }
+  EXPECT_GT(held, 0u);
+}
+
 /// The largest eigenvalue is looked for where something changed, and never falls.
 TEST(QuadraticSmoother, FindsTheEigenvaluesOfChangedElements) {
   const auto p = bar_problem({6, 3, 3}, {2, 1, 1}, 2);
