@@ -260,7 +260,8 @@ std::array<float, 6> invert_block(const std::array<float, 6>& diagonal,
 
 std::vector<std::array<float, 6>> invert_blocks(std::span<const std::array<float, 6>> diagonal,
                                                 std::span<const std::array<double, 6>> filter) {
-  std::vector<std::array<float, 6>> result(diagonal.size());
+  std::vector<std::array<float, 6>> result;
+  polled_resize(result, diagonal.size());
   parallel_for(diagonal.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       result[n] = invert_block(diagonal[n], filter[n]);

@@ -95,8 +95,10 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
                             vertices("relative_error", result.nodal_error)};
   if (!result.safety_factor.empty())
     fields.push_back(vertices("safety_factor", result.safety_factor));
-  if (range == field_range::all)
+  if (range == field_range::all) {
+    fields.push_back(vertices("strain", result.nodal_strain, 6));
     add_at_tets(mesh, p, result, fields);
+  }
   return fields;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/guard.hpp"
 #include "base/parallel.hpp"
+#include "fem/rows.hpp"
 
 namespace tedit::fem {
 
@@ -29,7 +30,7 @@ template <class T, class Allocator>
 void polled_resize(std::vector<T, Allocator>& items, std::size_t size) {
   constexpr std::size_t piece = (std::size_t{4} << 20) / sizeof(T);
   if (items.empty())
-    items.reserve(size);  // What is there already has room to grow by little.
+    reserve_for_edits(items, size);
   do {
     check_cancelled();
     items.resize(std::min(size, items.size() + piece));
@@ -41,7 +42,8 @@ template <class T>
 void polled_assign(std::vector<T>& items, std::size_t size, const T& value) {
   constexpr std::size_t piece = (std::size_t{4} << 20) / sizeof(T);
   items.clear();
-  items.reserve(size);
+  if (items.capacity() < size)
+    reserve_for_edits(items, size);
   while (items.size() < size) {
     check_cancelled();
     items.resize(std::min(size, items.size() + piece), value);

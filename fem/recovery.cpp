@@ -90,20 +90,10 @@ std::array<double, 6> strain_of(const double* s, const lame_constants& c) {
           s[5] / c.mu};
 }
 
-/// Mid nodes take the mean of their ends.
-void fill_mid_nodes(const problem& p, std::vector<double>& values, std::size_t width) {
-  for_each(p.edge_ends.size(), [&](std::size_t i) {
-    const auto [low, high] = p.edge_ends[i];
-    for (std::size_t c = 0; c < width; ++c)
-      values[width * (p.corner_count + i) + c] =
-        0.5 * (values[width * low + c] + values[width * high + c]);
-  });
-}
-
 /// Nodal stress and strain from the patches.
 void fill_nodal(const problem& p, const nodal_patches& patches, solution& out) {
-  polled_resize(out.nodal_strain, 6 * p.node_count());
-  polled_resize(out.nodal_stress, 6 * p.node_count());
+  polled_resize(out.nodal_strain, 6 * p.corner_count);
+  polled_resize(out.nodal_stress, 6 * p.corner_count);
   for_each(p.corner_count, [&](std::size_t n) {
     std::array<double, 6> strain{};
     std::array<double, 6> stress{};
@@ -118,22 +108,18 @@ void fill_nodal(const problem& p, const nodal_patches& patches, solution& out) {
     std::ranges::copy(strain, &out.nodal_strain[6 * n]);
     std::ranges::copy(stress, &out.nodal_stress[6 * n]);
   });
-  fill_mid_nodes(p, out.nodal_strain, 6);
-  fill_mid_nodes(p, out.nodal_stress, 6);
 }
 
 void fill_von_mises(const problem& p, const nodal_patches& patches, solution& out) {
-  polled_resize(out.von_mises, p.node_count());
-  polled_resize(out.principal_stress, 3 * p.node_count());
-  for_each(p.node_count(), [&](std::size_t n) {
+  polled_resize(out.von_mises, p.corner_count);
+  polled_resize(out.principal_stress, 3 * p.corner_count);
+  for_each(p.corner_count, [&](std::size_t n) {
     out.von_mises[n] = von_mises(&out.nodal_stress[6 * n]);
-    if (p.element_order == 2 && n < p.corner_count)
+    if (p.element_order == 2)
       for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i)
         out.von_mises[n] = std::max(out.von_mises[n], von_mises(patches.mean_of(i).data()));
-    if (n < p.corner_count)
-      std::ranges::copy(principal_values(&out.nodal_stress[6 * n]), &out.principal_stress[3 * n]);
+    std::ranges::copy(principal_values(&out.nodal_stress[6 * n]), &out.principal_stress[3 * n]);
   });
-  fill_mid_nodes(p, out.principal_stress, 3);
 }
 
 void find_max_von_mises(const problem& p, const nodal_patches& patches, solution& out) {
@@ -153,13 +139,12 @@ void find_max_von_mises(const problem& p, const nodal_patches& patches, solution
   out.max_von_mises_at = p.nodes[static_cast<std::size_t>(largest - out.von_mises.begin())];
 }
 
-/// Smallest over the materials at a node with known yield strength; mid nodes take the smaller of
-/// their ends.
+/// Smallest over the materials at a node with known yield strength.
 void fill_safety(const problem& p, const nodal_patches& patches, solution& out) {
   if (std::ranges::none_of(p.yield_strengths, [](double y) { return y > 0; }))
     return;
   const auto smaller = [](double a, double b) { return a == 0 || (b > 0 && b < a) ? b : a; };
-  polled_resize(out.safety_factor, p.node_count());
+  polled_resize(out.safety_factor, p.corner_count);
   for_each(p.corner_count, [&](std::size_t n) {
     for (std::size_t i = patches.first_of(n); i < patches.end_of(n); ++i) {
       const double yield = p.yield_strengths[patches.material_of(i)];
@@ -170,11 +155,6 @@ void fill_safety(const problem& p, const nodal_patches& patches, solution& out) 
         out.safety_factor[n] = smaller(out.safety_factor[n], factor);
     }
   });
-  for_each(p.edge_ends.size(), [&](std::size_t i) {
-    const auto [low, high] = p.edge_ends[i];
-    out.safety_factor[p.corner_count + i] =
-      smaller(out.safety_factor[low], out.safety_factor[high]);
-  });
   for (std::size_t n = 0; n < p.corner_count; ++n)
     if (const double factor = out.safety_factor[n];
         factor > 0 && (out.min_safety_factor == 0 || factor < out.min_safety_factor)) {
@@ -183,26 +163,55 @@ void fill_safety(const problem& p, const nodal_patches& patches, solution& out) 
     }
 }
 
+/// What each chunk of the nodes adds, in order: all cores work, and the bits do not depend on them.
+template <class Part, class Work>
+std::vector<Part> parts_of_nodes(const problem& p, const Work& work) {
+  std::vector<Part> parts(chunk_count(p.node_count()));
+  parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t chunk) {
+    for (std::size_t n = first; n < last; ++n)
+      work(n, parts[chunk]);
+  });
+  return parts;
+}
+
 void summarise_displacement(const problem& p, solution& out) {
-  polled_for(p.node_count(), [&](std::size_t n) {
+  struct part {
+    double largest = 0;
+    std::size_t node = 0;
+    vec3 applied;
+    double compliance = 0;
+  };
+  const auto parts = parts_of_nodes<part>(p, [&](std::size_t n, part& to) {
     const auto u = node_vector(out.displacement, n);
-    if (norm(u) > out.max_displacement_m) {
-      out.max_displacement_m = norm(u);
-      out.max_displacement_at = p.nodes[n];
+    if (const double size = norm(u); size > to.largest) {
+      to.largest = size;
+      to.node = n;
     }
     const auto f = node_vector(p.loads, n);
-    out.applied_n += f;
-    out.compliance_j += dot(f, u);
+    to.applied += f;
+    to.compliance += dot(f, u);
   });
+  for (const auto& one : parts) {
+    if (one.largest > out.max_displacement_m) {
+      out.max_displacement_m = one.largest;
+      out.max_displacement_at = p.nodes[one.node];
+    }
+    out.applied_n += one.applied;
+    out.compliance_j += one.compliance;
+  }
 }
 
 /// Reactions: K u - f in the held directions; strain energy u.Ku/2.
 void add_reactions(const problem& p, const element_operator& k, solution& out) {
+  struct part {
+    double energy = 0;
+    vec3 reaction;
+  };
   polled_resize(out.reactions, p.dofs());
   k.apply(out.displacement, out.reactions);
-  polled_for(p.node_count(), [&](std::size_t n) {
+  const auto parts = parts_of_nodes<part>(p, [&](std::size_t n, part& to) {
     const auto force = node_vector(out.reactions, n);
-    out.strain_energy_j += 0.5 * dot(node_vector(out.displacement, n), force);
+    to.energy += 0.5 * dot(node_vector(out.displacement, n), force);
     const vec3 rest = force - node_vector(p.loads, n);
     const auto& s = p.filter[n];
     const vec3 held = rest - vec3{s[0] * rest.x + s[1] * rest.y + s[2] * rest.z,
@@ -211,8 +220,12 @@ void add_reactions(const problem& p, const element_operator& k, solution& out) {
     out.reactions[3 * n] = held.x;
     out.reactions[3 * n + 1] = held.y;
     out.reactions[3 * n + 2] = held.z;
-    out.reaction_n += held;
+    to.reaction += held;
   });
+  for (const auto& one : parts) {
+    out.strain_energy_j += one.energy;
+    out.reaction_n += one.reaction;
+  }
   out.surface_reactions = reactions_by_surface(p, out.reactions);
 }
 

@@ -382,6 +382,13 @@ expected<void> solve_session::prepare(const version_ptr& mesh, case_list loads, 
   return assemble(mesh, loads, element_order, device, run);
 }
 
+/// With room for the nodes that edits add.
+void solve_session::keep_start(const std::string& name, const std::vector<double>& displacement) {
+  auto& start = starts_.emplace_back(name);
+  reserve_for_edits(start.displacement, displacement.size());
+  start.displacement = displacement;
+}
+
 /// For each case.
 std::vector<solve_settings> solve_session::with_starts(const solve_settings& settings) const {
   std::vector<solve_settings> each(set_->cases.size(), settings);
@@ -419,7 +426,7 @@ expected<solve_session::cases_result> solve_session::solve(const version_ptr& me
   }
   starts_.clear();
   for (std::size_t c = 0; c < loads.size(); ++c)
-    starts_.push_back({loads[c].name, solved->cases[c].displacement});
+    keep_start(loads[c].name, solved->cases[c].displacement);
   return cases_result{std::move(*solved), assembled_, renewed_rows_};
 }
 

@@ -68,8 +68,10 @@ private:
   /// A displacement of the last solve, on the present problem.
   struct kept_start {
     std::string name;  ///< Of its load case.
-    std::vector<double> displacement;
+    std::vector<double> displacement = {};
   };
+
+  void keep_start(const std::string& name, const std::vector<double>& displacement);
 
   [[nodiscard]] bool fits(case_list loads, int element_order, const backend& device) const;
   [[nodiscard]] expected<void> renew_conditions(case_list loads);

@@ -63,13 +63,15 @@ struct solution {
   static constexpr double most_safety = 1e6;
 
   std::vector<double> displacement;  ///< m, 3 per node.
-  std::vector<double> nodal_stress;  ///< Pa, 6 per node.
-  /// Pa, per node: of the nodal stress; order 2: where materials meet the largest of any one.
-  std::vector<double> von_mises;
   std::vector<double> reactions;     ///< N, 3 per node: K u - f on constrained directions.
-  std::vector<double> nodal_strain;  ///< 6 per node as the stress; shears are engineering shears.
-  std::vector<double> principal_stress;  ///< Pa, 3 per node, descending.
-  /// Yield strength over von Mises stress per node, at most `most_safety`; 0 where the yield
+  // What follows is at corner nodes alone: stress and strain of quadratic tets in the middle of an
+  // edge are the means of its ends.
+  std::vector<double> nodal_stress;  ///< Pa, 6 per corner node.
+  /// Pa: of the nodal stress; order 2: where materials meet the largest of any one.
+  std::vector<double> von_mises;
+  std::vector<double> nodal_strain;      ///< 6 as the stress; shears are engineering shears.
+  std::vector<double> principal_stress;  ///< Pa, 3 per corner node, descending.
+  /// Yield strength over von Mises stress, at most `most_safety`; 0 where the yield
   /// strength is unknown. Empty when it is unknown everywhere.
   std::vector<double> safety_factor;
   /// Estimated error of each element in the energy norm, sqrt(J): fem/error_estimate.hpp.

@@ -18,7 +18,7 @@ member_lists::member_lists(std::span<const std::uint32_t> owner, std::uint32_t o
       ++next[owner[i]];
   });
   places = row_places(next);
-  item.resize(places.room());
+  polled_resize(item, places.room());
   for (std::uint32_t o = 0; o < owners; ++o)
     next[o] = places.begin(o);
   polled_for(owner.size(), [&](std::size_t i) {

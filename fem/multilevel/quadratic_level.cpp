@@ -157,6 +157,7 @@ problem corner_problem(const problem& quadratic) {
 
 edge_transfer make_edge_transfer(const problem& quadratic) {
   edge_transfer result;
+  reserve_for_edits(result.ends, quadratic.edge_ends.size());
   result.ends = quadratic.edge_ends;
   if (!result.ends.empty())
     result.middles = member_lists({result.ends.front().data(), 2 * result.ends.size()},

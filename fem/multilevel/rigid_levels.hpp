@@ -104,6 +104,10 @@ template <class Content>
 void replace_rows(rigid_level& level, std::span<const std::uint32_t> rows, const Content& content) {
   const auto at =
     make_room(level.rows, rows, [&](std::size_t i) { return content(i).column.size(); });
+  if (level.column.empty()) {
+    reserve_for_edits(level.column, level.rows.room());
+    reserve_for_edits(level.block, level.rows.room());
+  }
   level.column.resize(level.rows.room());
   level.block.resize(level.rows.room());
   constexpr std::size_t rows_per_chunk = 64;

@@ -51,7 +51,8 @@ TEST_P(Recovery, UniformTensionIsExactEverywhere) {
   const auto s = solved(p);
 
   EXPECT_EQ(s.preview(), GetParam() == 1);
-  for (std::size_t n = 0; n < p.node_count(); ++n) {
+  ASSERT_EQ(s.nodal_stress.size(), 6 * p.corner_count);
+  for (std::size_t n = 0; n < p.corner_count; ++n) {
     EXPECT_NEAR(s.nodal_stress[6 * n], 1e6, 1e-3);
     EXPECT_NEAR(s.von_mises[n], 1e6, 1e-3);
     EXPECT_NEAR(s.principal_stress[3 * n], 1e6, 1e-3);
@@ -218,9 +219,14 @@ TEST(QuadraticRecovery, FieldsHoldTheCornerNodesOnly) {
   ASSERT_NE(stress, nullptr);
   ASSERT_NE(safety, nullptr);
   ASSERT_NE(find_field(fields, "element_error_sqrt_j"), nullptr);
+  const auto* strain = find_field(fields, "strain");
+  ASSERT_NE(strain, nullptr);
   EXPECT_EQ(stress->values.size(), mesh->vertex_slots());
-  for (vertex_id v = 0; v < mesh->vertex_slots(); ++v)
+  for (vertex_id v = 0; v < mesh->vertex_slots(); ++v) {
     EXPECT_NEAR(stress->at(v), 1e6, 1e-3);
+    EXPECT_NEAR(strain->at(v, 0), 5e-6, 1e-14);
+    EXPECT_NEAR(strain->at(v, 1), -1.5e-6, 1e-14);
+  }
 }
 
 TEST(NodalError, AddsUpToTheErrorOfThePart) {
