@@ -2,44 +2,12 @@
 #include "fem/element_operator.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fem/element_lanes.hpp"
+#include "fem/node_numbering.hpp"
 #include "fem/rows.hpp"
 
 namespace tedit::fem {
-
-namespace {
-
-/// Numbers the distinct values of a chunk by first appearance: an open hash table, since sorting
-/// all of them would cost more than several applications of the operator.
-class small_numbering {
-public:
-  std::uint16_t number_of(std::uint32_t value, std::vector<std::uint32_t>& list) {
-    for (std::uint32_t at = value * 2654435761u >> shift;; at = (at + 1) & mask) {
-      if (keys_[at] == value)
-        return numbers_[at];
-      if (keys_[at] != no_id)
-        continue;
-      keys_[at] = value;
-      numbers_[at] = static_cast<std::uint16_t>(list.size());
-      list.push_back(value);
-      return numbers_[at];
-    }
-  }
-
-private:
-  // At most 10 * parallel_chunk = 20480 values.
-  static constexpr std::uint32_t bits = 15;
-  static constexpr std::uint32_t shift = 32 - bits;
-  static constexpr std::uint32_t mask = (1u << bits) - 1;
-  static_assert(10 * parallel_chunk < (1u << bits));
-
-  std::vector<std::uint32_t> keys_ = std::vector<std::uint32_t>(1u << bits, no_id);
-  std::vector<std::uint16_t> numbers_ = std::vector<std::uint16_t>(1u << bits);
-};
-
-}  // namespace
 
 element_chunks::element_chunks(const problem& p)
     : problem_(p), chunks_(chunk_count(p.element_count())) {
@@ -62,7 +30,6 @@ void element_chunks::update(std::span<const std::uint32_t> elements) {
     if (c >= chunks_.size() || c == listed)
       continue;
     listed = c;
-    chunks_[c].nodes.clear();
     list_nodes(c * parallel_chunk, std::min(count, (c + 1) * parallel_chunk), chunks_[c].nodes);
   }
   share_nodes();
@@ -70,20 +37,13 @@ void element_chunks::update(std::span<const std::uint32_t> elements) {
 
 void element_chunks::list_nodes(std::size_t first, std::size_t last,
                                 std::vector<std::uint32_t>& nodes) {
+  constexpr std::uint32_t bits = 15;
+  static_assert(10 * parallel_chunk < (1U << bits));
   const auto per = static_cast<std::size_t>(problem_.nodes_per_element);
-  small_numbering numbering;
-  for (std::size_t i = per * first; i < per * last; ++i)
-    places_[i] = numbering.number_of(problem_.element_nodes[i], nodes);
   // Ascending nodes: neighbours in memory, corners before middles.
-  std::vector<std::uint16_t> order(nodes.size());
-  std::iota(order.begin(), order.end(), std::uint16_t{0});
-  std::ranges::sort(order, {}, [&](std::uint16_t i) { return nodes[i]; });
-  std::vector<std::uint16_t> rank(nodes.size());
-  for (std::size_t r = 0; r < order.size(); ++r)
-    rank[order[r]] = static_cast<std::uint16_t>(r);
-  for (std::size_t i = per * first; i < per * last; ++i)
-    places_[i] = rank[places_[i]];
-  std::ranges::sort(nodes);
+  thread_local node_numbering numbering(bits);
+  numbering.number(std::span(problem_.element_nodes).subspan(per * first, per * (last - first)),
+                   nodes, [&](std::size_t i, std::uint16_t at) { places_[per * first + i] = at; });
 }
 
 void element_chunks::share_nodes() {

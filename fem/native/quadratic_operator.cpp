@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fem/element.hpp"
+#include "fem/node_numbering.hpp"
 #include "fem/polled.hpp"
 
 namespace tedit::fem {
@@ -12,6 +13,8 @@ namespace tedit::fem {
 namespace {
 
 constexpr std::uint32_t elements_per_patch = 256;
+constexpr std::uint32_t numbering_bits = 12;
+static_assert(10 * elements_per_patch < (1U << numbering_bits));
 
 /// The ends of the edge with middle node 4 + i, in VTK's order.
 constexpr std::array<std::array<std::uint8_t, 2>, 6> ends{
@@ -189,37 +192,6 @@ TEDIT_INLINE void add_elements(const Element* elements, std::size_t count,
 
 }  // namespace
 
-/// Where the nodes of a patch are, for patches of up to 2,560 nodes: a table that stays in the
-/// nearest cache.
-class quadratic_operator::node_places {
-public:
-  void clear() { node_.fill(no_id); }
-
-  /// False if the node is there already.
-  bool insert(std::uint32_t node) {
-    auto& slot = node_[slot_of(node)];
-    return std::exchange(slot, node) == no_id;
-  }
-
-  /// Of a node that is there.
-  [[nodiscard]] std::uint16_t& of(std::uint32_t node) { return place_[slot_of(node)]; }
-
-private:
-  static constexpr std::uint32_t bits = 12;
-  static_assert(10 * elements_per_patch < (1 << bits));
-
-  /// The node's own or the next free one.
-  [[nodiscard]] std::size_t slot_of(std::uint32_t node) const {
-    std::size_t slot = (node * 0x9E3779B9U) >> (32 - bits);
-    while (node_[slot] != node && node_[slot] != no_id)
-      slot = (slot + 1) % node_.size();
-    return slot;
-  }
-
-  std::array<std::uint32_t, 1 << bits> node_;
-  std::array<std::uint16_t, 1 << bits> place_;
-};
-
 quadratic_operator::quadratic_operator(const problem& p) {
   elements_.resize(p.element_count());
   parallel_for(p.element_count(), [&](std::size_t first, std::size_t last, std::size_t) {
@@ -256,7 +228,7 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
   const auto old_patches = std::exchange(patches_, {});
   const auto old_nodes = std::exchange(patch_nodes_, {});
   patch_nodes_.reserve(old_nodes.size() + 64);
-  node_places places;
+  node_numbering numbering(numbering_bits);
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t i = 0; i * elements_per_patch < count; ++i) {
     if (i % 64 == 0)
@@ -265,7 +237,7 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
     patch part{first, std::min(count, first + elements_per_patch),
                static_cast<std::uint32_t>(patch_nodes_.size()), 0};
     if (std::ranges::binary_search(dirty, i)) {
-      number_patch(p, part, places, nodes);
+      number_patch(p, part, numbering, nodes);
       patch_nodes_.insert(patch_nodes_.end(), nodes.begin(), nodes.end());
     } else {
       const auto old = std::span(old_nodes).subspan(
@@ -279,21 +251,15 @@ void quadratic_operator::update(const problem& p, std::span<const std::uint32_t>
 }
 
 /// Makes `nodes` those of a patch's elements, ascending, and numbers them in the elements.
-void quadratic_operator::number_patch(const problem& p, const patch& part, node_places& places,
+void quadratic_operator::number_patch(const problem& p, const patch& part,
+                                      node_numbering& numbering,
                                       std::vector<std::uint32_t>& nodes) {
   const auto all = std::span(p.element_nodes)
                      .subspan(10 * std::size_t{part.first_element},
                               10 * std::size_t{part.last_element - part.first_element});
-  nodes.clear();
-  places.clear();
-  for (const auto node : all)
-    if (places.insert(node))
-      nodes.push_back(node);
-  std::ranges::sort(nodes);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    places.of(nodes[i]) = static_cast<std::uint16_t>(i);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    elements_[part.first_element + i / 10].node[i % 10] = places.of(all[i]);
+  numbering.number(all, nodes, [&](std::size_t i, std::uint16_t at) {
+    elements_[part.first_element + i / 10].node[i % 10] = at;
+  });
 }
 
 void quadratic_operator::make_patches(const problem& p) {
@@ -305,12 +271,12 @@ void quadratic_operator::make_patches(const problem& p) {
   parallel_for(
     patches_.size(),
     [&](std::size_t first, std::size_t last, std::size_t chunk) {
-      node_places places;
+      node_numbering numbering(numbering_bits);
       std::vector<std::uint32_t> nodes;
       for (std::size_t i = first; i < last; ++i) {
         const auto begin = static_cast<std::uint32_t>(i) * elements_per_patch;
         patches_[i] = {begin, std::min(count, begin + elements_per_patch), 0, 0};
-        number_patch(p, patches_[i], places, nodes);
+        number_patch(p, patches_[i], numbering, nodes);
         patches_[i].last_node = static_cast<std::uint32_t>(nodes.size());
         found[chunk].insert(found[chunk].end(), nodes.begin(), nodes.end());
       }

@@ -9,6 +9,8 @@
 
 namespace tedit::fem {
 
+class node_numbering;
+
 /// K x of straight-sided ten-node tets in single precision, element by element: no matrix. Elements
 /// are cut into patches that gather and sum in fast memory; a second pass adds the patches' shares
 /// of each node in a fixed order, so that the bits do not depend on the number of threads.
@@ -63,11 +65,9 @@ private:
     std::uint32_t first_node, last_node;  ///< Into `patch_nodes_` and `shares_`.
   };
 
-  class node_places;
-
   void set_element(const problem& p, std::size_t e);
   void make_patches(const problem& p);
-  void number_patch(const problem& p, const patch& part, node_places& places,
+  void number_patch(const problem& p, const patch& part, node_numbering& numbering,
                     std::vector<std::uint32_t>& nodes);
   void make_shares(std::size_t nodes);
   template <class L>
