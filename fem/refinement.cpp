@@ -13,24 +13,41 @@ namespace {
 
 constexpr int most_stalled_rounds = 8;
 
-double norm_of(std::span<const double> x) {
-  return std::sqrt(parallel_sum(x.size(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i)
-      sum += x[i] * x[i];
-    return sum;
-  }));
+using three = std::array<double, 3>;
+
+three at(std::span<const double> x, std::size_t n) {
+  return {x[3 * n], x[3 * n + 1], x[3 * n + 2]};
 }
 
-void apply_filter(std::span<const std::array<double, 6>> filter, std::span<double> x) {
-  polled_for(filter.size(), [&](std::size_t n) {
-    const auto& s = filter[n];
-    double* v = &x[3 * n];
-    const std::array<double, 3> y{s[0] * v[0] + s[1] * v[1] + s[2] * v[2],
-                                  s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
-                                  s[2] * v[0] + s[4] * v[1] + s[5] * v[2]};
-    std::ranges::copy(y, v);
+void put(const three& value, std::span<double> x, std::size_t n) {
+  std::ranges::copy(value, &x[3 * n]);
+}
+
+double dot(const three& a, const three& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+three filtered(const std::array<double, 6>& s, const three& v) {
+  return {s[0] * v[0] + s[1] * v[1] + s[2] * v[2], s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
+          s[2] * v[0] + s[4] * v[1] + s[5] * v[2]};
+}
+
+/// Calls work(n, sums) for every node, on all cores. Returns what the calls added to `sums`, chunk
+/// by chunk, so that the bits do not depend on the threads.
+template <std::size_t Sums, class Work>
+std::array<double, Sums> over_nodes(std::size_t nodes, const Work& work) {
+  std::vector<std::array<double, Sums>> parts(chunk_count(nodes));
+  parallel_for(nodes, [&](std::size_t first, std::size_t last, std::size_t chunk) {
+    std::array<double, Sums> sums{};
+    for (std::size_t n = first; n < last; ++n)
+      work(n, sums);
+    parts[chunk] = sums;
   });
+  std::array<double, Sums> all{};
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < Sums; ++i)
+      all[i] += part[i];
+  return all;
 }
 
 }  // namespace
@@ -49,13 +66,18 @@ expected<void> check_settings(const problem& p, const solve_settings& settings) 
 
 refinement::refinement(conditions_view conditions, const element_operator& k,
                        const solve_settings& settings, solution& out)
-    : conditions_(std::move(conditions)), k_(&k), settings_(&settings), out_(&out) {
-  polled_resize(residual_, conditions_.loads.size());
-  polled_resize(correction_, conditions_.loads.size());
+    : conditions_(std::move(conditions)),
+      k_(&k),
+      settings_(&settings),
+      out_(&out),
+      residual_(conditions_.loads.size()),
+      correction_(conditions_.loads.size()) {
   polled_resize(out.displacement, conditions_.prescribed.size());
-  polled_for(out.displacement.size(),
-             [&](std::size_t i) { out.displacement[i] = conditions_.prescribed[i]; });
-  reference_ = start_residual();
+  over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
+    put(at(conditions_.prescribed, n), out.displacement, n);
+    put({}, correction_, n);
+  });
+  reference_ = norm_ = start_residual();
   out.true_relative_residual = reference_ > 0 ? 1 : 0;
   if (!settings.start.empty())
     add_start();
@@ -83,8 +105,11 @@ inner_case refinement::next(bool early) {
   if (early && round_ == 1)
     energy = std::max(energy, settings_->preview_energy);
   // Single precision works best near one; its own scale is the residual's norm.
-  scale_ = norm_of(residual_);
-  polled_for(residual_.size(), [&](std::size_t i) { residual_[i] /= scale_; });
+  scale_ = norm_;
+  over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
+    const auto r = at(residual_, n);
+    put({r[0] / scale_, r[1] / scale_, r[2] / scale_}, residual_, n);
+  });
   inner_case inner{.residual = residual_, .correction = correction_};
   // The residual of single precision lags a little behind the true one. Should it stay above, the
   // preconditioned norm says when to look at the true one all the same.
@@ -113,65 +138,75 @@ bool refinement::take(const inner_result& inner) {
 }
 
 void refinement::add_correction(double factor) {
-  // Directions that are held stay so to double precision.
-  apply_filter(conditions_.filter, correction_);
-  polled_for(correction_.size(),
-             [&](std::size_t i) { out_->displacement[i] += factor * correction_[i]; });
-  update();
+  over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
+    // Directions that are held stay so to double precision.
+    const auto c = filtered(conditions_.filter[n], at(correction_, n));
+    put(c, correction_, n);
+    for (std::size_t i = 0; i < 3; ++i)
+      out_->displacement[3 * n + i] += factor * c[i];
+  });
+  norm_ = residual_norm();
+  out_->true_relative_residual = reference_ > 0 ? norm_ / reference_ : 0;
 }
 
 /// The residual of the prescribed displacement alone: mostly that is zero, and nothing to multiply.
 double refinement::start_residual() {
-  if (std::ranges::any_of(conditions_.prescribed, [](double u) { return u != 0; }))
-    return residual_norm();
-  polled_for(residual_.size(), [&](std::size_t i) { residual_[i] = conditions_.loads[i]; });
-  apply_filter(conditions_.filter, residual_);
-  return norm_of(residual_);
+  const auto [moved, squares] = over_nodes<2>(nodes(), [&](std::size_t n, auto& sums) {
+    const auto u = at(conditions_.prescribed, n);
+    const auto r = filtered(conditions_.filter[n], at(conditions_.loads, n));
+    put(r, residual_, n);
+    sums[0] += u == three{} ? 0 : 1;
+    sums[1] += dot(r, r);
+  });
+  return moved > 0 ? residual_norm() : std::sqrt(squares);
 }
 
 /// Adds the multiple of the start value d whose error has the least energy, alpha = d.r / d.Kd, and
 /// carries residual and energy along: with the prescribed displacement g, d.Kg = d.f - d.r.
 void refinement::add_start() {
-  auto d = settings_->start;
-  apply_filter(conditions_.filter, d);
-  std::vector<double> kd(d.size());
+  raw_vector<double> d(settings_->start.size());
+  raw_vector<double> kd(d.size());
+  over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
+    put(filtered(conditions_.filter[n], at(settings_->start, n)), d, n);
+  });
   k_->apply(d, kd);
-  apply_filter(conditions_.filter, kd);
-  double work = 0;
-  double by_loads = 0;
-  double energy = 0;
-  polled_for(d.size(), [&](std::size_t i) {
-    work += d[i] * residual_[i];
-    by_loads += d[i] * conditions_.loads[i];
-    energy += d[i] * kd[i];
+  const auto [work, by_loads, energy] = over_nodes<3>(nodes(), [&](std::size_t n, auto& sums) {
+    const auto its = at(d, n);
+    const auto force = filtered(conditions_.filter[n], at(kd, n));
+    put(force, kd, n);
+    sums[0] += dot(its, at(residual_, n));
+    sums[1] += dot(its, at(conditions_.loads, n));
+    sums[2] += dot(its, force);
   });
   if (!(energy > 0) || !std::isfinite(work))
     return;
   const double alpha = work / energy;
-  polled_for(d.size(), [&](std::size_t i) {
-    out_->displacement[i] += alpha * d[i];
-    residual_[i] -= alpha * kd[i];
+  const auto [squares] = over_nodes<1>(nodes(), [&](std::size_t n, auto& sums) {
+    for (std::size_t i = 3 * n; i < 3 * n + 3; ++i) {
+      out_->displacement[i] += alpha * d[i];
+      residual_[i] -= alpha * kd[i];
+      sums[0] += residual_[i] * residual_[i];
+    }
   });
   energy_ = std::sqrt(
     std::max(0.0, energy_ * energy_ + 2 * alpha * (by_loads - work) + alpha * alpha * energy));
-  out_->true_relative_residual = reference_ > 0 ? norm_of(residual_) / reference_ : 0;
+  norm_ = std::sqrt(squares);
+  out_->true_relative_residual = reference_ > 0 ? norm_ / reference_ : 0;
 }
 
+/// Makes the residual that of the displacement, and `energy_`, too.
 double refinement::residual_norm() {
   k_->apply(out_->displacement, residual_);
-  double twice_strain = 0;
-  polled_for(residual_.size(), [&](std::size_t i) {
-    twice_strain += residual_[i] * out_->displacement[i];
-    residual_[i] = conditions_.loads[i] - residual_[i];
+  const auto [strain, squares] = over_nodes<2>(nodes(), [&](std::size_t n, auto& sums) {
+    const auto f = at(conditions_.loads, n);
+    const auto ku = at(residual_, n);
+    const auto r = filtered(conditions_.filter[n], {f[0] - ku[0], f[1] - ku[1], f[2] - ku[2]});
+    put(r, residual_, n);
+    sums[0] += dot(ku, at(out_->displacement, n));
+    sums[1] += dot(r, r);
   });
-  energy_ = std::sqrt(std::max(0.0, twice_strain));
-  apply_filter(conditions_.filter, residual_);
-  return norm_of(residual_);
-}
-
-void refinement::update() {
-  const double now = residual_norm();
-  out_->true_relative_residual = reference_ > 0 ? now / reference_ : 0;
+  energy_ = std::sqrt(std::max(0.0, strain));
+  return std::sqrt(squares);
 }
 
 tl::unexpected<error> refinement::not_converged() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "base/raw_vector.hpp"
 #include "fem/solver.hpp"
 
 /// The outer iteration in double precision around a backend's inner solves; internal to fem/.
@@ -45,18 +46,19 @@ public:
   [[nodiscard]] tl::unexpected<error> not_converged() const;
 
 private:
+  [[nodiscard]] std::size_t nodes() const { return conditions_.filter.size(); }
   [[nodiscard]] double start_residual();
   void add_start();
   [[nodiscard]] double residual_norm();
-  void update();
   void add_correction(double factor);
 
   conditions_view conditions_;
   const element_operator* k_;
   const solve_settings* settings_;
   solution* out_;
-  std::vector<double> residual_;
-  std::vector<double> correction_;
+  raw_vector<double> residual_;
+  raw_vector<double> correction_;
+  double norm_ = 0;    ///< Of the residual.
   double scale_ = 1;   ///< Of the last correction.
   double energy_ = 0;  ///< sqrt(u.Ku) of the displacement.
   double reference_ = 0;
