@@ -8,7 +8,7 @@ goal. What is compared, with which settings, and what must be installed: bench/R
 
 Results of each solver on each mesh are kept in WORK/results, so that a comparison that was interrupted goes on where
 it was; what is older than its program or its mesh is measured again. Ends with status 1 when our own answer fails or
-disagrees, or when a mesh could not be made.
+disagrees, or when a mesh could not be made; with 2 when --only and --order leave none.
 """
 import argparse
 import json
@@ -139,21 +139,26 @@ def main(arguments):
     listed = meshes.cantilevers()
     for folder in options.parts:
         listed += [m for m in meshes.parts(folder) if m.name not in {known.name for known in listed}]
+    chosen = [(m, int(o)) for m in meshes.chosen(listed, options.only) for o in options.order if int(o) in m.orders]
+    if not chosen:
+        known = ", ".join(f"{m.name} ({' and '.join(map(str, m.orders))})" for m in listed)
+        print(f"no mesh is left by --only and --order; there are, with their orders: {known}", file=sys.stderr)
+        return 2
+    if options.list:
+        for mesh, order in chosen:
+            print(f"{mesh.name} order {order}: {', '.join(options.solvers)}")
+        return 0
     cases = []
     missing = False
-    for mesh in meshes.chosen(listed, options.only):
-        for order in (int(o) for o in options.order if int(o) in mesh.orders):
-            if options.list:
-                print(f"{mesh.name} order {order}: {', '.join(options.solvers)}")
-                continue
-            try:
-                file = meshes.prepare(mesh, options.work / "meshes")
-            except OSError as error:
-                print(f"{mesh.name}: {error}", file=sys.stderr)
-                missing = True
-                continue
-            cases.append(compare_case(bench, solvers.Case(mesh.name, file, mesh.load_case, order), options))
-            write_all(options, bench, cases)
+    for mesh, order in chosen:
+        try:
+            file = meshes.prepare(mesh, options.work / "meshes")
+        except OSError as error:
+            print(f"{mesh.name}: {error}", file=sys.stderr)
+            missing = True
+            continue
+        cases.append(compare_case(bench, solvers.Case(mesh.name, file, mesh.load_case, order), options))
+        write_all(options, bench, cases)
     print(tables.markdown(cases), end="")
     ours = [case["solvers"]["ours"] for case in cases if "ours" in case["solvers"]]
     return 0 if not missing and all(r["status"] == "ok" and r.get("agrees", True) for r in ours) else 1

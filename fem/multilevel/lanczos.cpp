@@ -4,12 +4,12 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "base/parallel.hpp"
 #include "base/raw_vector.hpp"
+#include "fem/wide.hpp"
 
 namespace tedit::fem {
 
@@ -31,13 +31,20 @@ void for_entries(std::size_t items, const Work& work) {
   });
 }
 
-/// In four sums each chunk, which do not wait for one another.
 double inner(const raw_vector<float>& a, const raw_vector<float>& b, std::size_t n) {
   return parallel_sum(n, [&](std::size_t first, std::size_t last) {
-    std::array<double, 4> sums{};
-    for (std::size_t i = first; i < last; ++i)
-      sums[i % 4] += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    double result = 0;
+    run_widest([&]() TEDIT_INLINED {
+      double4 sums{};
+      auto i = first;
+      for (; i + 4 <= last; i += 4)
+        sums += __builtin_convertvector(load4(&a[i]), double4) *
+                __builtin_convertvector(load4(&b[i]), double4);
+      for (; i < last; ++i)
+        result += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+      result += (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    });
+    return result;
   });
 }
 
