@@ -10,15 +10,12 @@
 #include "base/parallel.hpp"
 #include "fem/error_estimate.hpp"
 #include "fem/nodal_patches.hpp"
+#include "fem/node_values.hpp"
 #include "fem/polled.hpp"
 
 namespace tedit::fem {
 
 namespace {
-
-vec3 node_vector(std::span<const double> x, std::size_t n) {
-  return {x[3 * n], x[3 * n + 1], x[3 * n + 2]};
-}
 
 /// Calls work(i) for every item, on all cores.
 template <typename Work>
@@ -50,7 +47,7 @@ corner_stresses corner_stress(const problem& p, std::span<const double> displace
   }
   std::array<vec3, 10> u;
   for (std::size_t a = 0; a < 10; ++a)
-    u[a] = node_vector(displacement, p.element_nodes[10 * element + a]);
+    u[a] = value_at(displacement, p.element_nodes[10 * element + a]);
   return stress_at_corners(u, gradients_of(p, element), p.constants[p.element_materials[element]]);
 }
 
@@ -163,17 +160,6 @@ void fill_safety(const problem& p, const nodal_patches& patches, solution& out) 
     }
 }
 
-/// What each chunk of the nodes adds, in order: all cores work, and the bits do not depend on them.
-template <class Part, class Work>
-std::vector<Part> parts_of_nodes(const problem& p, const Work& work) {
-  std::vector<Part> parts(chunk_count(p.node_count()));
-  parallel_for(p.node_count(), [&](std::size_t first, std::size_t last, std::size_t chunk) {
-    for (std::size_t n = first; n < last; ++n)
-      work(n, parts[chunk]);
-  });
-  return parts;
-}
-
 void summarise_displacement(const problem& p, solution& out) {
   struct part {
     double largest = 0;
@@ -181,13 +167,13 @@ void summarise_displacement(const problem& p, solution& out) {
     vec3 applied;
     double compliance = 0;
   };
-  const auto parts = parts_of_nodes<part>(p, [&](std::size_t n, part& to) {
-    const auto u = node_vector(out.displacement, n);
+  const auto parts = parts_of_nodes<part>(p.node_count(), [&](std::size_t n, part& to) {
+    const auto u = value_at(out.displacement, n);
     if (const double size = norm(u); size > to.largest) {
       to.largest = size;
       to.node = n;
     }
-    const auto f = node_vector(p.loads, n);
+    const auto f = value_at(p.loads, n);
     to.applied += f;
     to.compliance += dot(f, u);
   });
@@ -209,17 +195,12 @@ void add_reactions(const problem& p, const element_operator& k, solution& out) {
   };
   polled_resize(out.reactions, p.dofs());
   k.apply(out.displacement, out.reactions);
-  const auto parts = parts_of_nodes<part>(p, [&](std::size_t n, part& to) {
-    const auto force = node_vector(out.reactions, n);
-    to.energy += 0.5 * dot(node_vector(out.displacement, n), force);
-    const vec3 rest = force - node_vector(p.loads, n);
-    const auto& s = p.filter[n];
-    const vec3 held = rest - vec3{s[0] * rest.x + s[1] * rest.y + s[2] * rest.z,
-                                  s[1] * rest.x + s[3] * rest.y + s[4] * rest.z,
-                                  s[2] * rest.x + s[4] * rest.y + s[5] * rest.z};
-    out.reactions[3 * n] = held.x;
-    out.reactions[3 * n + 1] = held.y;
-    out.reactions[3 * n + 2] = held.z;
+  const auto parts = parts_of_nodes<part>(p.node_count(), [&](std::size_t n, part& to) {
+    const auto force = value_at(out.reactions, n);
+    to.energy += 0.5 * dot(value_at(out.displacement, n), force);
+    const vec3 rest = force - value_at(p.loads, n);
+    const vec3 held = rest - filtered(p.filter[n], rest);
+    put(held, n, out.reactions);
     to.reaction += held;
   });
   for (const auto& one : parts) {

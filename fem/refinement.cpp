@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.hpp"
+#include "fem/node_values.hpp"
 #include "fem/polled.hpp"
 
 namespace tedit::fem {
@@ -13,36 +13,12 @@ namespace {
 
 constexpr int most_stalled_rounds = 8;
 
-using three = std::array<double, 3>;
-
-three at(std::span<const double> x, std::size_t n) {
-  return {x[3 * n], x[3 * n + 1], x[3 * n + 2]};
-}
-
-void put(const three& value, std::span<double> x, std::size_t n) {
-  std::ranges::copy(value, &x[3 * n]);
-}
-
-double dot(const three& a, const three& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-three filtered(const std::array<double, 6>& s, const three& v) {
-  return {s[0] * v[0] + s[1] * v[1] + s[2] * v[2], s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
-          s[2] * v[0] + s[4] * v[1] + s[5] * v[2]};
-}
-
 /// Calls work(n, sums) for every node, on all cores. Returns what the calls added to `sums`, chunk
 /// by chunk, so that the bits do not depend on the threads.
+/// Calls work(n, sums) for every node, on all cores; returns what the calls added to `sums`.
 template <std::size_t Sums, class Work>
 std::array<double, Sums> over_nodes(std::size_t nodes, const Work& work) {
-  std::vector<std::array<double, Sums>> parts(chunk_count(nodes));
-  parallel_for(nodes, [&](std::size_t first, std::size_t last, std::size_t chunk) {
-    std::array<double, Sums> sums{};
-    for (std::size_t n = first; n < last; ++n)
-      work(n, sums);
-    parts[chunk] = sums;
-  });
+  const auto parts = parts_of_nodes<std::array<double, Sums>>(nodes, work);
   std::array<double, Sums> all{};
   for (const auto& part : parts)
     for (std::size_t i = 0; i < Sums; ++i)
@@ -74,8 +50,8 @@ refinement::refinement(conditions_view conditions, const element_operator& k,
       correction_(conditions_.loads.size()) {
   polled_resize(out.displacement, conditions_.prescribed.size());
   over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
-    put(at(conditions_.prescribed, n), out.displacement, n);
-    put({}, correction_, n);
+    put(value_at(conditions_.prescribed, n), n, out.displacement);
+    put({}, n, correction_);
   });
   reference_ = norm_ = start_residual();
   out.true_relative_residual = reference_ > 0 ? 1 : 0;
@@ -106,10 +82,8 @@ inner_case refinement::next(bool early) {
     energy = std::max(energy, settings_->preview_energy);
   // Single precision works best near one; its own scale is the residual's norm.
   scale_ = norm_;
-  over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
-    const auto r = at(residual_, n);
-    put({r[0] / scale_, r[1] / scale_, r[2] / scale_}, residual_, n);
-  });
+  over_nodes<0>(nodes(),
+                [&](std::size_t n, auto&) { put(value_at(residual_, n) / scale_, n, residual_); });
   inner_case inner{.residual = residual_, .correction = correction_};
   // The residual of single precision lags a little behind the true one. Should it stay above, the
   // preconditioned norm says when to look at the true one all the same.
@@ -140,10 +114,9 @@ bool refinement::take(const inner_result& inner) {
 void refinement::add_correction(double factor) {
   over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
     // Directions that are held stay so to double precision.
-    const auto c = filtered(conditions_.filter[n], at(correction_, n));
-    put(c, correction_, n);
-    for (std::size_t i = 0; i < 3; ++i)
-      out_->displacement[3 * n + i] += factor * c[i];
+    const auto c = filtered(conditions_.filter[n], value_at(correction_, n));
+    put(c, n, correction_);
+    put(value_at(out_->displacement, n) + factor * c, n, out_->displacement);
   });
   norm_ = residual_norm();
   out_->true_relative_residual = reference_ > 0 ? norm_ / reference_ : 0;
@@ -152,10 +125,10 @@ void refinement::add_correction(double factor) {
 /// The residual of the prescribed displacement alone: mostly that is zero, and nothing to multiply.
 double refinement::start_residual() {
   const auto [moved, squares] = over_nodes<2>(nodes(), [&](std::size_t n, auto& sums) {
-    const auto u = at(conditions_.prescribed, n);
-    const auto r = filtered(conditions_.filter[n], at(conditions_.loads, n));
-    put(r, residual_, n);
-    sums[0] += u == three{} ? 0 : 1;
+    const auto u = value_at(conditions_.prescribed, n);
+    const auto r = filtered(conditions_.filter[n], value_at(conditions_.loads, n));
+    put(r, n, residual_);
+    sums[0] += u == vec3{} ? 0 : 1;
     sums[1] += dot(r, r);
   });
   return moved > 0 ? residual_norm() : std::sqrt(squares);
@@ -167,15 +140,15 @@ void refinement::add_start() {
   raw_vector<double> d(settings_->start.size());
   raw_vector<double> kd(d.size());
   over_nodes<0>(nodes(), [&](std::size_t n, auto&) {
-    put(filtered(conditions_.filter[n], at(settings_->start, n)), d, n);
+    put(filtered(conditions_.filter[n], value_at(settings_->start, n)), n, d);
   });
   k_->apply(d, kd);
   const auto [work, by_loads, energy] = over_nodes<3>(nodes(), [&](std::size_t n, auto& sums) {
-    const auto its = at(d, n);
-    const auto force = filtered(conditions_.filter[n], at(kd, n));
-    put(force, kd, n);
-    sums[0] += dot(its, at(residual_, n));
-    sums[1] += dot(its, at(conditions_.loads, n));
+    const auto its = value_at(d, n);
+    const auto force = filtered(conditions_.filter[n], value_at(kd, n));
+    put(force, n, kd);
+    sums[0] += dot(its, value_at(residual_, n));
+    sums[1] += dot(its, value_at(conditions_.loads, n));
     sums[2] += dot(its, force);
   });
   if (!(energy > 0) || !std::isfinite(work))
@@ -198,11 +171,11 @@ void refinement::add_start() {
 double refinement::residual_norm() {
   k_->apply(out_->displacement, residual_);
   const auto [strain, squares] = over_nodes<2>(nodes(), [&](std::size_t n, auto& sums) {
-    const auto f = at(conditions_.loads, n);
-    const auto ku = at(residual_, n);
-    const auto r = filtered(conditions_.filter[n], {f[0] - ku[0], f[1] - ku[1], f[2] - ku[2]});
-    put(r, residual_, n);
-    sums[0] += dot(ku, at(out_->displacement, n));
+    const auto f = value_at(conditions_.loads, n);
+    const auto ku = value_at(residual_, n);
+    const auto r = filtered(conditions_.filter[n], f - ku);
+    put(r, n, residual_);
+    sums[0] += dot(ku, value_at(out_->displacement, n));
     sums[1] += dot(r, r);
   });
   energy_ = std::sqrt(std::max(0.0, strain));

@@ -7,22 +7,13 @@
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
+#include "fem/node_values.hpp"
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 
 namespace tedit::fem {
 
 namespace {
-
-vec3 value_at(std::span<const double> u, std::size_t n) {
-  return {u[3 * n], u[3 * n + 1], u[3 * n + 2]};
-}
-
-void put(vec3 value, std::size_t n, std::vector<double>& u) {
-  u[3 * n] = value.x;
-  u[3 * n + 1] = value.y;
-  u[3 * n + 2] = value.z;
-}
 
 /// The node of `from` that is the same point as each corner of `to`.
 std::vector<std::uint32_t> same_corners(const problem& from, const problem& to) {
