@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import conventional  # noqa: E402
 from peers import calculix, meshes, process, tables  # noqa: E402
 
 HERE = process.Limits(wall_s=20)
@@ -15,6 +16,20 @@ def solved(**changes):
            "peak_mib": 10.0, "iterations": 7, "true_relative_residual": 1e-7, "compliance_j": 2.0,
            "max_displacement_m": 4.0}
     return dict(run, **changes)
+
+
+class Conventional(unittest.TestCase):
+    def test_the_quickest_that_ended_well_count(self):
+        meshed = {"a": {"status": "ok", "wall_s": 6.0}, "b": {"status": "ok", "wall_s": 2.0}}
+        solved_by = {"c": {"status": "over_limit", "wall_s": 1.0}, "d": {"status": "ok", "wall_s": 8.0}}
+        r = conventional.compare({"first_field_s": 0.1, "final_field_s": 0.5}, meshed, solved_by)
+        self.assertEqual((r["mesher"], r["solver"], r["conventional_s"]), ("b", "d", 10.0))
+        self.assertEqual((r["first_field_ratio"], r["final_field_ratio"]), (100.0, 20.0))
+
+    def test_without_a_solver_there_is_no_ratio(self):
+        with self.assertRaises(OSError):
+            conventional.compare({"first_field_s": 1, "final_field_s": 1}, {"a": {"status": "ok", "wall_s": 1.0}},
+                                 {"c": {"status": "failed"}})
 
 
 class Tables(unittest.TestCase):

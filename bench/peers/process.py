@@ -16,6 +16,7 @@ class Limits:
     wall_s: float = 600
     memory_bytes: int = 0  # of address space; 0: no limit
     cores: tuple = ()  # (): where the system likes
+    threads: int = 1  # that libraries may start
 
 
 @dataclass
@@ -54,9 +55,10 @@ def cpu_seconds_of(pid):
         return None
 
 
-def one_thread_environment():
-    """The environment in which every library that is compared uses one thread."""
-    return dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", CCX_NPROC_STIFFNESS="1")
+def environment(threads):
+    """The environment in which every library that is compared uses so many threads."""
+    names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "CCX_NPROC_STIFFNESS")
+    return dict(os.environ, **dict.fromkeys(names, str(threads)))
 
 
 def run(command, limits, folder=None, watch=False):
@@ -72,7 +74,7 @@ def run(command, limits, folder=None, watch=False):
     with tempfile.TemporaryFile() as errors:
         begin = time.monotonic()
         child = subprocess.Popen(
-            [str(word) for word in command], cwd=folder, env=one_thread_environment(), stdout=subprocess.PIPE,
+            [str(word) for word in command], cwd=folder, env=environment(limits.threads), stdout=subprocess.PIPE,
             stderr=errors, preexec_fn=prepare, start_new_session=True)
         over = threading.Event()
 

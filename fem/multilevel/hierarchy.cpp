@@ -115,9 +115,7 @@ expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k, fil
                                     const multilevel_settings& settings, const execution& run) {
   hierarchy result;
   const auto held = wholly_held(filter.first(k.rows()));
-  sliver_clusters clusters;
-  if (settings.sliver_condition > 0)
-    clusters = cluster_slivers(p, held, 64, settings.sliver_condition);
+  const auto clusters = cluster_slivers(p, held, 64, settings.sliver_condition);
   result.smoother = make_node_smoother(k, filter, clusters);
   result.memory = std::make_shared<hierarchy_memory>();
   result.memory->cluster_of = clusters.of;

@@ -84,6 +84,11 @@ public:
 /// with it. Cost: one solve per unknown, on all cores.
 [[nodiscard]] std::vector<float> dense_inverse(const coarsest_solver& solver, std::size_t unknowns);
 
+/// `multilevel_settings::sliver_condition` for quadratic tets, and the linear ones under them: 10 /
+/// 8 / 7 / 5 gave 66 / 55 / 55 / 54 iterations on the base_so101 part and 46 / 46 / 46 / 50 on
+/// heatsink_125. Linear tets alone do best with 10 (10 / 7 / 5: 25 / 27 / 28 on foot_cup).
+inline constexpr double quadratic_sliver_condition = 7;
+
 struct multilevel_settings {
   /// Edges below do not hold aggregates together: keeps aggregates within one material and one
   /// strip of a stretched mesh. 0.02 / 0.1 / 0.15 / 0.2 gave 28 / 26 / 24 / 22 iterations on the

@@ -63,6 +63,8 @@ private:
 };
 
 std::vector<std::pair<double, std::uint32_t>> thin_tets(const problem& p, double condition) {
+  if (condition <= 0)
+    return {};
   std::vector<double> of(p.element_count());
   parallel_for(of.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e) {
@@ -128,6 +130,8 @@ namespace {
 std::vector<std::pair<double, std::uint32_t>> thin_tets_around(
   const problem& p, std::span<const std::uint32_t> nodes, double condition,
   const std::function<std::vector<std::uint32_t>(std::uint32_t node)>& elements_at) {
+  if (condition <= 0)
+    return {};
   std::vector<std::uint32_t> elements;
   for (const auto n : nodes) {
     const auto around = elements_at(n);

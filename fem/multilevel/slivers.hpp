@@ -23,8 +23,8 @@ struct sliver_clusters {
 /// 1 for each node that is wholly held.
 [[nodiscard]] std::vector<std::uint8_t> wholly_held(std::span<const std::array<double, 6>> filter);
 
-/// Joins the free nodes of tets with a condition above 10, worst first, into clusters of at most
-/// `most` nodes. `excluded` marks nodes, as `wholly_held` does; nodes beyond its length do
+/// Joins the free nodes of tets with more than `condition` (0: none), worst first, into clusters of
+/// at most `most` nodes. `excluded` marks nodes, as `wholly_held` does; nodes beyond its length do
 /// not count, so that the corners of quadratic tets can be taken alone. Cost: O(elements).
 [[nodiscard]] sliver_clusters cluster_slivers(const problem& p,
                                               const std::vector<std::uint8_t>& excluded,

@@ -14,7 +14,8 @@ struct native_settings {
   cycle_settings cycle;
   /// The linear tets under quadratic ones are solved more closely: degree 3 and smaller aggregates
   /// took 49 to 55 iterations where 2 and 0.1 took 58 to 65, in less time (thin parts, coarse).
-  multilevel_settings corner_multilevel{.weak_edge = 0.15F, .rounded = true};
+  multilevel_settings corner_multilevel{
+    .weak_edge = 0.15F, .sliver_condition = quadratic_sliver_condition, .rounded = true};
   cycle_settings corner_cycle{.node_degree = 3};
   /// Bytes that a solve may take; 0: what there is (base/memory.hpp). More is refused.
   std::uint64_t memory_limit = 0;

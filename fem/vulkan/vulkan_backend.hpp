@@ -38,6 +38,7 @@ struct vulkan_settings {
     vulkan_settings result = *this;
     if (order == 2) {
       result.multilevel.weak_edge = corner_weak_edge;
+      result.multilevel.sliver_condition = quadratic_sliver_condition;
       result.cycle.node_degree = corner_degree;
     }
     return result;
