@@ -36,6 +36,28 @@ constexpr auto footer =
 unavailable, 130 interrupted. Progress and messages go to stderr; with --json, stdout holds one object.
 "tedit COMMAND --help" explains a command.)";
 
+/// CLI11 says no more than that a command is missing, also where a word stands that is none.
+tedit::error usage_error(const CLI::App& app, const CLI::ParseError& e) {
+  const auto* at = &app;
+  std::string name = at->get_name();
+  while (!at->get_subcommands().empty()) {
+    at = at->get_subcommands().front();
+    name += " " + at->get_name();
+  }
+  const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
+  if (e.get_name() != "RequiredError" || commands.empty())
+    return {tedit::ec::usage, e.what(), "\"tedit --help\" lists commands and options", {}};
+  std::string known;
+  for (const auto* command : commands)
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  const auto words = app.remaining(true);
+  return {tedit::ec::usage,
+          words.empty() ? "\"" + name + "\" needs a command"
+                        : "\"" + name + "\" has no \"" + words.front() + "\"",
+          "Commands: " + known + ". \"" + name + " --help\" explains them",
+          {}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,8 +94,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0)
       return app.exit(e);
-    return tedit::cli::print_error(
-      session, {tedit::ec::usage, e.what(), "\"tedit --help\" lists commands and options", {}});
+    return tedit::cli::print_error(session, usage_error(app, e));
   }
   install_signal_handlers(session.cancel);
   try {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
-#include "base/hash.hpp"
 #include "base/stopwatch.hpp"
+#include "fem/device_choice.hpp"
 #include "fem/native/native_backend.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/solver.hpp"
@@ -76,23 +73,10 @@ double trial_ms(backend& device, const problem& p) {
                                         : std::numeric_limits<double>::infinity();
 }
 
-std::filesystem::path cache_file() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"))
-    return std::filesystem::path(cache) / "tedit/fastest-device";
-  const char* home = std::getenv("HOME");
-  return home ? std::filesystem::path(home) / ".cache/tedit/fastest-device"
-              : std::filesystem::path{};
-}
-
-/// What the choice depends on: the devices and their drivers.
-std::string fingerprint(const std::vector<device_info>& devices) {
-  std::string text = "quadratic tets\n";
-  for (const auto& device : devices)
-    text += device.name + "|" + device.driver + "\n";
-  return to_hex(hash_bytes(std::as_bytes(std::span(text))));
-}
-
-std::string measure_fastest(const std::vector<device_info>& devices) {
+std::string measure_fastest() {
+  const auto devices = list_devices();
+  if (devices.size() == 1)
+    return "cpu";
   const auto p = trial_problem();
   std::string best = "cpu";
   double least = trial_ms(*make_native_backend(), p);
@@ -109,23 +93,21 @@ std::string measure_fastest(const std::vector<device_info>& devices) {
   return best;
 }
 
-std::string fastest_device() {
-  const auto devices = list_devices();
-  if (devices.size() == 1)
-    return "cpu";
-  const auto print = fingerprint(devices);
-  const auto file = cache_file();
-  std::ifstream in(file);
-  std::string known;
-  std::string name;
-  if (std::getline(in, known) && known == print && std::getline(in, name) && !name.empty())
-    return name;
-  name = measure_fastest(devices);
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  // Losing the note costs another trial, nothing else.
-  std::ofstream(file) << print << '\n' << name << '\n';
-  return name;
+expected<std::unique_ptr<backend>> open_native_or_vulkan(const std::string& name) {
+  if (name == "cpu")
+    return make_native_backend();
+  return open_vulkan(name);
+}
+
+/// What was the fastest once; measured where nothing is known, or where that device is gone.
+expected<std::unique_ptr<backend>> open_fastest() {
+  const auto choice = device_choice::of_this_machine();
+  if (const auto name = choice.kept())
+    if (auto opened = open_native_or_vulkan(*name))
+      return opened;
+  const auto name = measure_fastest();
+  choice.keep(name);
+  return open_native_or_vulkan(name);
 }
 
 }  // namespace
@@ -140,10 +122,8 @@ std::vector<device_info> list_devices() {
 expected<std::unique_ptr<backend>> open_backend(const std::string& name) {
   if (name == "cpu")
     return make_native_backend();
-  if (name == "auto") {
-    const auto fastest = fastest_device();
-    return fastest == "cpu" ? make_native_backend() : open_vulkan(fastest);
-  }
+  if (name == "auto")
+    return open_fastest();
   if (auto opened = open_vulkan(name); opened || opened.error().code != ec::device_unavailable)
     return opened;
   std::string known;

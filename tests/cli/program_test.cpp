@@ -148,7 +148,7 @@ TEST(Solve, HasTheDocumentedKeysAndWritesAField) {
         "strain_energy_j", "mass_kg", "relative_error_estimate", "min_safety_factor",
         "min_safety_factor_at_m", "surface_reactions", "singular_places", "singular_places_count"})
     EXPECT_TRUE(result.contains(key)) << key;
-  for (const auto* key : {"import", "assembly", "setup", "solve", "recovery", "total"})
+  for (const auto* key : {"import", "device", "assembly", "setup", "solve", "recovery", "total"})
     EXPECT_TRUE(result["timings_ms"].contains(key)) << key;
   // CalculiX 2.20, C3D10 on the same mesh.
   EXPECT_NEAR(result["max_displacement_m"], 4.690652e-05, 1e-10);
@@ -355,6 +355,18 @@ TEST(Render, ItsFailuresAreTheJsonObjectOfTheOtherCommands) {
   EXPECT_EQ(missing.parsed()["error"]["code"], "io_error");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.parsed()["error"]["code"], "usage");
+}
+
+TEST(Program, AWordThatIsNoCommandIsNamedWithThoseThatThereAre) {
+  for (const auto& [arguments, message] :
+       {std::pair("--json devices", R"("tedit" has no "devices")"),
+        std::pair("--json plugin tst", R"("tedit plugin" has no "tst")"),
+        std::pair("--json plugin", R"("tedit plugin" needs a command)")}) {
+    const auto wrong = run(arguments);
+    EXPECT_EQ(wrong.status, 2) << arguments;
+    EXPECT_EQ(wrong.parsed()["error"]["message"], message);
+  }
+  EXPECT_THAT(run("--json plugin tst").parsed()["error"]["remedy"], HasSubstr("new, test."));
 }
 
 TEST(Program, ADeviceThatIsNotThereEndsWith69) {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/device_choice.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "base/hash.hpp"
+
+namespace tedit::fem {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable(const char* name, const std::string& otherwise = {}) {
+  const char* value = std::getenv(name);
+  return value && *value ? value : otherwise;
+}
+
+std::vector<fs::path> split(const std::string& list) {
+  std::vector<fs::path> result;
+  std::istringstream in(list);
+  for (std::string item; std::getline(in, item, ':');)
+    if (!item.empty())
+      result.emplace_back(item);
+  return result;
+}
+
+/// The files of a folder whose names begin so, by name; none when it cannot be read.
+std::vector<fs::path> files_of(const fs::path& folder, const std::string& prefix = {}) {
+  std::vector<fs::path> result;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().starts_with(prefix))
+      result.push_back(entry.path());
+  std::ranges::sort(result);
+  return result;
+}
+
+fs::path cache_file() {
+  const auto home = variable("HOME");
+  const auto cache = variable("XDG_CACHE_HOME", home.empty() ? "" : home + "/.cache");
+  return cache.empty() ? fs::path{} : fs::path(cache) / "tedit/fastest-device";
+}
+
+}  // namespace
+
+std::vector<fs::path> driver_manifests() {
+  const auto home = variable("HOME");
+  std::string roots = variable("XDG_CONFIG_HOME", home + "/.config") + ":" +
+                      variable("XDG_CONFIG_DIRS", "/etc/xdg") +
+                      ":/etc:" + variable("XDG_DATA_HOME", home + "/.local/share") + ":" +
+                      variable("XDG_DATA_DIRS", "/usr/local/share:/usr/share");
+  std::vector<fs::path> result;
+  for (const auto& root : split(roots))
+    std::ranges::copy(files_of(root / "vulkan/icd.d"), std::back_inserter(result));
+  for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"})
+    for (const auto& file : split(variable(name))) {
+      // Which variable names it matters: some replace the folders, one adds to them.
+      result.push_back(fs::path(name) / "");
+      result.push_back(file);
+    }
+  return result;
+}
+
+std::string installed_drivers(const std::vector<fs::path>& manifests) {
+  std::ostringstream text;
+  std::error_code missing;
+  for (const auto& file : manifests) {
+    text << file.string();
+    const auto size = fs::file_size(file, missing);
+    if (!missing)
+      text << '|' << size << '|' << fs::last_write_time(file, missing).time_since_epoch().count();
+    text << '\n';
+  }
+  for (const auto& card : files_of("/dev/dri"))
+    text << card.string() << '\n';
+  for (const auto& card : files_of("/dev", "nvidia"))
+    text << card.string() << '\n';
+  text << std::ifstream("/proc/driver/nvidia/version").rdbuf();
+  return text.str();
+}
+
+device_choice device_choice::of_this_machine() {
+  return {cache_file(), installed_drivers(driver_manifests())};
+}
+
+std::optional<std::string> device_choice::kept() const {
+  std::ifstream in(file_);
+  std::string drivers;
+  std::string name;
+  if (std::getline(in, drivers) && std::getline(in, name) && !name.empty() &&
+      drivers == to_hex(hash_bytes(std::as_bytes(std::span(drivers_)))))
+    return name;
+  return {};
+}
+
+void device_choice::keep(const std::string& name) const {
+  std::error_code ignored;
+  std::filesystem::create_directories(file_.parent_path(), ignored);
+  std::ofstream(file_) << to_hex(hash_bytes(std::as_bytes(std::span(drivers_)))) << '\n'
+                       << name << '\n';
+}
+
+}  // namespace tedit::fem

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tedit::fem {
+
+/// Where Vulkan's loader looks for the manifests of drivers (LoaderDriverInterface, "Linux driver
+/// discovery"): folders with manifests, then single manifests that the environment names.
+[[nodiscard]] std::vector<std::filesystem::path> driver_manifests();
+
+/// A text that changes when drivers or graphics cards come, go or are exchanged: manifests by name,
+/// size and time, the cards' device files, the version of a driver without a manifest of its own
+/// for each release. No driver is loaded, which takes 20 to 200 ms. Cost: a few folders are listed.
+[[nodiscard]] std::string installed_drivers(const std::vector<std::filesystem::path>& manifests);
+
+/// The device that was the fastest, kept in a file for as long as the drivers are the same.
+class device_choice {
+public:
+  device_choice(std::filesystem::path file, std::string drivers)
+      : file_(std::move(file)), drivers_(std::move(drivers)) {}
+
+  /// Of this user and this machine.
+  [[nodiscard]] static device_choice of_this_machine();
+
+  /// The device's name; nothing when none is kept, or with other drivers.
+  [[nodiscard]] std::optional<std::string> kept() const;
+  /// Where that is impossible, nothing is kept: it costs another trial, nothing else.
+  void keep(const std::string& name) const;
+
+private:
+  std::filesystem::path file_;
+  std::string drivers_;
+};
+
+}  // namespace tedit::fem

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fem/device_choice.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "fem/solver.hpp"
+
+namespace tedit::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DeviceChoice : public testing::Test {
+protected:
+  DeviceChoice() {
+    fs::create_directories(manifests_);
+    for (const char* name : {"HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_CONFIG_DIRS",
+                             "XDG_DATA_HOME", "XDG_DATA_DIRS", "VK_DRIVER_FILES"}) {
+      const char* value = std::getenv(name);
+      before_.emplace_back(name, value ? std::optional<std::string>(value) : std::nullopt);
+    }
+    setenv("HOME", root_.c_str(), 1);
+    setenv("XDG_CACHE_HOME", (root_ / "cache").c_str(), 1);
+    setenv("XDG_DATA_DIRS", (root_ / "share").c_str(), 1);
+  }
+  ~DeviceChoice() override {
+    for (const auto& [name, value] : before_)
+      value ? setenv(name, value->c_str(), 1) : unsetenv(name);
+    fs::remove_all(root_);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(manifests_ / name) << text;
+  }
+  [[nodiscard]] static std::string drivers() { return installed_drivers(driver_manifests()); }
+
+  fs::path root_ = fs::path(testing::TempDir()) / ("choice." + std::to_string(getpid()));
+  fs::path manifests_ = root_ / "share/vulkan/icd.d";
+  std::vector<std::pair<const char*, std::optional<std::string>>> before_;
+};
+
+TEST_F(DeviceChoice, IsKeptWhileTheDriversAreTheSame) {
+  const auto file = root_ / "deep/er/fastest-device";
+  EXPECT_FALSE(device_choice(file, "one driver").kept());
+  device_choice(file, "one driver").keep("Card 7");
+  EXPECT_EQ(device_choice(file, "one driver").kept(), "Card 7");
+  EXPECT_FALSE(device_choice(file, "two drivers").kept());
+  std::ofstream(file) << "cut off";
+  EXPECT_FALSE(device_choice(file, "one driver").kept());
+}
+
+TEST_F(DeviceChoice, NothingIsKeptWhereNothingCanBeWritten) {
+  for (const fs::path file : {"", "/proc/no/such/folder/fastest-device"}) {
+    device_choice(file, "one driver").keep("Card 7");
+    EXPECT_FALSE(device_choice(file, "one driver").kept());
+  }
+}
+
+TEST_F(DeviceChoice, DriversThatComeChangeOrGoAreSeen) {
+  const auto none = drivers();
+  write("card.json", "1.0");
+  const auto one = drivers();
+  EXPECT_NE(one, none);
+  EXPECT_EQ(drivers(), one);
+  write("card.json", "1.10");  // Longer.
+  EXPECT_NE(drivers(), one);
+  write("card.json", "1.1");
+  fs::last_write_time(manifests_ / "card.json",
+                      fs::file_time_type::clock::now() + std::chrono::hours(1));
+  EXPECT_NE(drivers(), one);  // As long, but later.
+  setenv("VK_DRIVER_FILES", "/elsewhere/other.json", 1);
+  const auto other = drivers();
+  unsetenv("VK_DRIVER_FILES");
+  EXPECT_NE(other, drivers());
+  fs::remove(manifests_ / "card.json");
+  EXPECT_EQ(drivers(), none);
+}
+
+TEST_F(DeviceChoice, AutoKeepsTheFastestAndMeasuresAgainWhenItIsGone) {
+  const auto choice = device_choice::of_this_machine();
+  ASSERT_TRUE(open_backend("auto"));
+  const auto fastest = choice.kept();
+  ASSERT_TRUE(fastest);
+  choice.keep("a card that was taken out");
+  const auto opened = open_backend("auto");
+  ASSERT_TRUE(opened);
+  EXPECT_TRUE(choice.kept() == "cpu" || choice.kept() == (*opened)->info().name);
+}
+
+}  // namespace
+}  // namespace tedit::fem
