@@ -107,7 +107,7 @@ std::optional<double> formula(const mesh_version& mesh, const ops::round_plan& p
   const auto& chain = plan.chains.front();
   const auto& a = plan.shapes.at(chain.a);
   const auto& b = plan.shapes.at(chain.b);
-  using kind = ops::wall_shape::kind;
+  using kind = wall_shape::kind;
   if (a.type != kind::plane || b.type != kind::plane)
     return std::nullopt;
   const vec3 edge = mesh.position(chain.path.back()) - mesh.position(chain.path.front());

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/sparse_numbers.hpp"
+#include "fem/node_table.hpp"
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
+#include "fem/rollers.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit::fem {
@@ -109,29 +110,6 @@ struct held_directions {
   }
 };
 
-/// A value for each of few nodes, in the order in which they were first asked for.
-template <class T>
-class node_table {
-public:
-  explicit node_table(const problem& p) : place_(p.node_count()) {}
-
-  T& operator[](std::uint32_t node) {
-    auto at = place_[node];
-    if (at == sparse_numbers::none) {
-      at = static_cast<std::uint32_t>(rows_.size());
-      place_.set(node, at);
-      rows_.emplace_back(node, T{});
-    }
-    return rows_[at].second;
-  }
-
-  [[nodiscard]] const std::vector<std::pair<std::uint32_t, T>>& rows() const { return rows_; }
-
-private:
-  sparse_numbers place_;
-  std::vector<std::pair<std::uint32_t, T>> rows_;
-};
-
 using held_table = node_table<held_directions>;
 
 constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel.
@@ -140,32 +118,22 @@ vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
   return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
 }
 
-/// One direction for each node of a surface: the mean normal there.
-bool add_roller(const surface_triangles& triangles, surface_id id, problem& p, held_table& held) {
-  node_table<vec3> normals(p);
-  const auto& list = triangles.of(id);
-  polled_for(
-    list.size(),
-    [&](std::size_t i) {
-      const vec3 area = area_of(p, list[i]);
-      for (const auto node : list[i].all())
-        normals[node] += area;
-    },
-    triangles_between);
-  for (const auto& [node, normal] : normals.rows()) {
-    const vec3 d = normalized(normal);
-    const double area = norm(normal);
-    p.holders.push_back({node,
-                         id,
-                         {area * d.x * d.x, area * d.x * d.y, area * d.x * d.z, area * d.y * d.y,
-                          area * d.y * d.z, area * d.z * d.z}});
+/// What rollers on all these surfaces hold.
+void add_rollers(const mesh_version& mesh, const surface_triangles& triangles,
+                 std::vector<surface_id> surfaces, problem& p, held_table& held) {
+  std::ranges::sort(surfaces);
+  surfaces.erase(std::ranges::unique(surfaces).begin(), surfaces.end());
+  for (const auto& one : roller_directions(mesh, p, triangles, surfaces)) {
+    const vec3 d = one.direction;
+    for (const auto& [surface, area] : one.shares)
+      p.holders.push_back({one.node,
+                           surface,
+                           {area * d.x * d.x, area * d.x * d.y, area * d.x * d.z, area * d.y * d.y,
+                            area * d.y * d.z, area * d.z * d.z},
+                           one.uncertainty});
+    // What is held there already within 20 degrees counts as this direction, too.
+    held[one.node].add(d, 0, 0.34, true);
   }
-  bool ok = true;
-  // Two smooth halves of one cylinder give nearly the same normal at their seam: 20 degrees count
-  // as the same direction.
-  for (const auto& [node, normal] : normals.rows())
-    ok = held[node].add(normalized(normal), 0, 0.34, true) && ok;
-  return ok;
 }
 
 bool add_components(const surface_triangles& triangles, surface_id id,
@@ -188,7 +156,7 @@ bool add_components(const surface_triangles& triangles, surface_id id,
       if (values[i])
         ok = row.add(axes[i], *values[i], 1e-9, false) && ok;
     const auto along = [&](int axis) { return values[axis] ? area : 0.0; };
-    p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}});
+    p.holders.push_back({node, id, {along(0), 0, 0, along(1), 0, along(2)}, 0});
   }
   return ok;
 }
@@ -199,11 +167,14 @@ void merge_holders(std::vector<node_holder>& holders) {
   std::ranges::stable_sort(holders, {}, key);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < holders.size(); ++i) {
-    if (kept > 0 && key(holders[kept - 1]) == key(holders[i]))
+    if (kept > 0 && key(holders[kept - 1]) == key(holders[i])) {
+      auto& sum = holders[kept - 1];
       for (int c = 0; c < 6; ++c)
-        holders[kept - 1].stiffness[c] += holders[i].stiffness[c];
-    else
+        sum.stiffness[c] += holders[i].stiffness[c];
+      sum.uncertainty = std::max(sum.uncertainty, holders[i].uncertainty);
+    } else {
       holders[kept++] = holders[i];
+    }
   }
   holders.resize(kept);
 }
@@ -230,36 +201,37 @@ void write_filter(const held_table& held, problem& p) {
 
 }  // namespace
 
-expected<void> add_constraints(const surface_triangles& triangles, const load_case& loads,
-                               problem& p) {
+expected<void> add_constraints(const mesh_version& mesh, const surface_triangles& triangles,
+                               const load_case& loads, problem& p) {
   p.holders.clear();
   polled_assign(p.filter, p.node_count(), {1, 0, 0, 1, 0, 1});
   polled_assign(p.prescribed, p.dofs(), 0.0);
   held_table held(p);
   // Exact components first: a roller on the same node then only adds what is left.
-  for (const bool rollers : {false, true}) {
-    for (std::size_t i = 0; i < loads.constraints.size(); ++i) {
-      const auto& item = loads.constraints[i];
-      if (std::holds_alternative<roller>(item.kind) != rollers)
-        continue;
-      if (item.surfaces.empty())
-        return fail(ec::invalid_argument, "constraint " + std::to_string(i) + " names no surface");
-      std::array<std::optional<double>, 3> values{0.0, 0.0, 0.0};
-      if (const auto* given = std::get_if<prescribed_displacement>(&item.kind))
-        values = {given->x_m, given->y_m, given->z_m};
-      for (const auto& value : values)
-        if (value && !std::isfinite(*value))
-          return fail(ec::invalid_argument,
-                      "constraint " + std::to_string(i) + " has a value that is no number");
-      for (const auto id : item.surfaces)
-        if (!(rollers ? add_roller(triangles, id, p, held)
-                      : add_components(triangles, id, values, p, held)))
-          return fail(ec::invalid_argument,
-                      "constraint " + std::to_string(i) + " contradicts another one on surface " +
-                        std::to_string(id),
-                      "Prescribe one value for each direction where surfaces meet");
+  std::vector<surface_id> rollers;
+  for (std::size_t i = 0; i < loads.constraints.size(); ++i) {
+    const auto& item = loads.constraints[i];
+    if (item.surfaces.empty())
+      return fail(ec::invalid_argument, "constraint " + std::to_string(i) + " names no surface");
+    if (std::holds_alternative<roller>(item.kind)) {
+      rollers.insert(rollers.end(), item.surfaces.begin(), item.surfaces.end());
+      continue;
     }
+    std::array<std::optional<double>, 3> values{0.0, 0.0, 0.0};
+    if (const auto* given = std::get_if<prescribed_displacement>(&item.kind))
+      values = {given->x_m, given->y_m, given->z_m};
+    for (const auto& value : values)
+      if (value && !std::isfinite(*value))
+        return fail(ec::invalid_argument,
+                    "constraint " + std::to_string(i) + " has a value that is no number");
+    for (const auto id : item.surfaces)
+      if (!add_components(triangles, id, values, p, held))
+        return fail(ec::invalid_argument,
+                    "constraint " + std::to_string(i) + " contradicts another one on surface " +
+                      std::to_string(id),
+                    "Prescribe one value for each direction where surfaces meet");
   }
+  add_rollers(mesh, triangles, std::move(rollers), p, held);
   write_filter(held, p);
   merge_holders(p.holders);
   return {};
@@ -357,11 +329,18 @@ private:
 }  // namespace
 
 expected<void> add_loads(const surface_triangles& triangles, const load_case& loads, problem& p) {
+  constexpr double most = 1e100;  ///< Squares of it can still be summed.
   polled_assign(p.loads, p.dofs(), 0.0);
   load_adder adder(triangles, p);
   for (std::size_t i = 0; i < loads.loads.size(); ++i)
     if (auto ok = adder.add(loads.loads[i], "load " + std::to_string(i)); !ok)
       return ok;
+  for (const auto* values : {&p.loads, &p.prescribed})
+    if (!std::ranges::all_of(*values, [](double v) { return std::abs(v) <= most; }))
+      return fail(ec::invalid_load,
+                  values == &p.loads ? "the loads of a node sum to more than 1e+100 N"
+                                     : "a prescribed displacement is more than 1e+100 m",
+                  "Check values and units of the load case");
   const auto zero = [](double value) { return value == 0; };
   if (std::ranges::all_of(p.loads, zero) && std::ranges::all_of(p.prescribed, zero))
     return fail(ec::invalid_load,

@@ -22,6 +22,10 @@ expected<void> check_material(const material& m) {
   if (!(m.young_modulus_pa > 0) || !std::isfinite(m.young_modulus_pa))
     return refuse("Young's modulus is " + number(m.young_modulus_pa) + " Pa",
                   "It must be a positive number");
+  // What single precision can hold, with room for lengths and volumes.
+  if (m.young_modulus_pa < 1e-9 || m.young_modulus_pa > 1e18)
+    return refuse("Young's modulus is " + number(m.young_modulus_pa) + " Pa",
+                  "It must lie between 1e-9 and 1e18");
   if (!(m.poisson_ratio > -1 && m.poisson_ratio < 0.5))
     return refuse("Poisson's ratio is " + number(m.poisson_ratio),
                   "It must lie between -1 and 0.5, both excluded");

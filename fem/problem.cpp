@@ -280,7 +280,7 @@ expected<void> place_conditions(const mesh_version& mesh, const load_case& loads
       node_of[p.node_vertices[n]] = n;
   const surface_triangles triangles(mesh, loads, node_of, p);
   check_cancelled();
-  if (auto ok = add_constraints(triangles, loads, p); !ok)
+  if (auto ok = add_constraints(mesh, triangles, loads, p); !ok)
     return ok;
   for (const auto n : p.unused)
     p.filter[n] = {};

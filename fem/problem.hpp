@@ -24,6 +24,7 @@ struct node_holder {
   std::uint32_t node = 0;
   surface_id surface = 0;
   std::array<double, 6> stiffness{};
+  double uncertainty = 0;  ///< Sine of the angle by which the directions may be off.
 };
 
 /// A discretised static problem: what a backend assembles and solves. Nodes and elements are dense;

@@ -88,7 +88,8 @@ struct region_materials {
 
 /// Fills filter, prescribed values and holders. Errors: `invalid_argument` for contradictions, not
 /// finite values.
-[[nodiscard]] expected<void> add_constraints(const surface_triangles& triangles,
+[[nodiscard]] expected<void> add_constraints(const mesh_version& mesh,
+                                             const surface_triangles& triangles,
                                              const load_case& loads, problem& p);
 
 /// Fills loads. Errors: `invalid_load`.

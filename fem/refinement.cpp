@@ -15,7 +15,6 @@ constexpr int most_stalled_rounds = 8;
 
 /// Calls work(n, sums) for every node, on all cores. Returns what the calls added to `sums`, chunk
 /// by chunk, so that the bits do not depend on the threads.
-/// Calls work(n, sums) for every node, on all cores; returns what the calls added to `sums`.
 template <std::size_t Sums, class Work>
 std::array<double, Sums> over_nodes(std::size_t nodes, const Work& work) {
   const auto parts = parts_of_nodes<std::array<double, Sums>>(nodes, work);
@@ -123,15 +122,21 @@ void refinement::add_correction(double factor) {
 }
 
 /// The residual of the prescribed displacement alone: mostly that is zero, and nothing to multiply.
+/// Where supports take the whole load, only the rounding of their directions is left: that is none.
 double refinement::start_residual() {
-  const auto [moved, squares] = over_nodes<2>(nodes(), [&](std::size_t n, auto& sums) {
+  const auto [moved, squares, applied] = over_nodes<3>(nodes(), [&](std::size_t n, auto& sums) {
     const auto u = value_at(conditions_.prescribed, n);
-    const auto r = filtered(conditions_.filter[n], value_at(conditions_.loads, n));
+    const auto f = value_at(conditions_.loads, n);
+    const auto r = filtered(conditions_.filter[n], f);
     put(r, n, residual_);
     sums[0] += u == vec3{} ? 0 : 1;
     sums[1] += dot(r, r);
+    sums[2] += dot(f, f);
   });
-  return moved > 0 ? residual_norm() : std::sqrt(squares);
+  constexpr double rounding = 2e-12;  // See `roller_directions`.
+  if (moved > 0)
+    return residual_norm();
+  return squares > rounding * rounding * applied ? std::sqrt(squares) : 0;
 }
 
 /// Adds the multiple of the start value d whose error has the least energy, alpha = d.r / d.Kd, and

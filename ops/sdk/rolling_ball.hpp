@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "ops/sdk/wall_shape.hpp"
+#include "mesh/features/wall_shape.hpp"
 
 namespace tedit::ops {
 

@@ -3,8 +3,8 @@
 
 #include <map>
 
+#include "mesh/features/wall_shape.hpp"
 #include "ops/sdk/operation.hpp"
-#include "ops/sdk/wall_shape.hpp"
 
 namespace tedit::ops {
 

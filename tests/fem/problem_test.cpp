@@ -55,6 +55,21 @@ TEST(Loads, GravityIsTheWeight) {
   EXPECT_NEAR(sum_of_loads(*p).z, -2 * 7800 * 10, 1e-8);
 }
 
+TEST(Loads, WhatCannotBeComputedWithIsRefused) {
+  auto loads = clamped_bar();
+  loads.loads = {{{2}, force{{0, 0, 1e300}}}};
+  EXPECT_EQ(refusal(loads).code, ec::invalid_load);
+  EXPECT_THAT(refusal(loads).message, HasSubstr("more than 1e+100 N"));
+  loads.loads.clear();
+  loads.constraints.push_back({{2}, prescribed_displacement{1e300, {}, {}}});
+  EXPECT_THAT(refusal(loads).message, HasSubstr("more than 1e+100 m"));
+  for (const double young : {1e-300, 1e300}) {
+    auto material = clamped_bar();
+    material.materials[0].young_modulus_pa = young;
+    EXPECT_EQ(refusal(material).code, ec::invalid_material);
+  }
+}
+
 TEST(Loads, PressureOnAClosedSurfaceSumsToZero) {
   auto loads = clamped_bar();
   loads.loads = {{{1, 2, 3, 4, 5, 6}, pressure{1e5}}};

@@ -33,7 +33,7 @@ TEST_F(RoundedParts, AHolesEntryBecomesATorus) {
   EXPECT_EQ(result->surfaces_used, (std::vector<surface_id>{2, 8, 9}));
   const auto made = fresh(*base, *after);
   ASSERT_EQ(made.size(), 1u);
-  const auto shape = ops::fit_wall(*base, facets_of(*base, std::vector<surface_id>{8}));
+  const auto shape = fit_wall(*base, facets_of(*base, std::vector<surface_id>{8}));
   ASSERT_TRUE(shape);
   EXPECT_NEAR(shape->radius, hole, 1e-8);
   for (const auto p : points_of(*after, made.front())) {

@@ -6,7 +6,7 @@
 
 #include "mesh/version.hpp"
 
-namespace tedit::ops {
+namespace tedit {
 
 /// The exact surface behind a mesh surface: a plane, a round cylinder or a round cone, with the
 /// side on which the material lies.
@@ -45,4 +45,4 @@ struct fit_limits {
                                                  std::span<const facet_id> facets,
                                                  const fit_limits& limits = {});
 
-}  // namespace tedit::ops
+}  // namespace tedit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/sdk/wall_shape.hpp"
+#include "mesh/features/wall_shape.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace tedit::ops {
+namespace tedit {
 
 namespace {
 
@@ -257,4 +257,4 @@ std::optional<wall_shape> fit_wall(const mesh_version& mesh, std::span<const fac
   return shape;
 }
 
-}  // namespace tedit::ops
+}  // namespace tedit
