@@ -27,8 +27,11 @@ constexpr double most_at_a_seam = 70 * degree;
 /// facets on one side only.
 constexpr double uncertain_share = 0.2;
 constexpr double uncertain_share_at_rim = 1;
-constexpr double flat = 1e-4;                ///< Facets that turn by less, rad, are one plane.
-constexpr double fitted_uncertainty = 1e-3;  ///< Sine; vertices lie on the shape within 1e-4.
+constexpr double flat = 1e-4;  ///< Facets that turn by less, rad, are one plane.
+/// Vertices lie on a shape within this share of its radius. A flat piece of surface has a radius of
+/// up to 100 times its size: then its normals are known within `fitted_uncertainty`, a sine.
+constexpr double roundness = 1e-6;
+constexpr double fitted_uncertainty = 1e-3;
 
 using triangle = surface_triangles::triangle;
 
@@ -111,7 +114,7 @@ std::optional<wall_shape> round_shape(const mesh_version& mesh, surface_id id) {
   const auto facets = facets_of(mesh, std::span(&id, 1));
   if (facets.empty())
     return std::nullopt;
-  auto shape = fit_wall(mesh, facets, {.wide_facets = true, .cones = true});
+  auto shape = fit_wall(mesh, facets, {.roundness = roundness, .wide_facets = true, .cones = true});
   return shape && shape->type != wall_shape::kind::plane ? shape : std::nullopt;
 }
 
