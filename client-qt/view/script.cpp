@@ -96,7 +96,9 @@ expected<QJsonArray> read_script(const QString& path) {
   const auto json = QJsonDocument::fromJson(file.readAll(), &fault);
   if (fault.error != QJsonParseError::NoError || !json.isArray())
     return fail(ec::bad_input,
-                "the script is no JSON array of steps: " + fault.errorString().toStdString(),
+                fault.error == QJsonParseError::NoError
+                  ? "the script is no JSON array of steps"
+                  : "the script is no JSON: " + fault.errorString().toStdString(),
                 "See docs/desktop.md (F1 in the window) for the steps",
                 path.toStdString() + ":" + std::to_string(fault.offset));
   return json.array();
@@ -106,11 +108,11 @@ script::script(main_window& window, QJsonArray steps, QObject* parent)
     : QObject(parent), window_(window), steps_(std::move(steps)) {
   poll_.setInterval(poll_ms);
   connect(&poll_, &QTimer::timeout, this, &script::next);
-  connect(&window_.part(), &document::failed, this,
-          [this](const QString&, const error& reason) { stop(reason); });
 }
 
 void script::start() {
+  connect(&window_.part(), &document::failed, this,
+          [this](const QString&, const error& reason) { stop(reason); });
   poll_.start();
 }
 

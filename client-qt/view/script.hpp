@@ -13,22 +13,28 @@ class main_window;
 
 /// Carries out steps in a window without a person: for pictures, tests and bug reports. Each step
 /// is a JSON object with one of these keys:
-///   "click": id                a real click on the surface where it is visible
-///   "select": [ids]            these surfaces
-///   "choose": operation        opens its form
-///   "apply": operation, "parameters": {...}   in SI units; on the selection
-///   "drag": steps              turns the view by as many mouse moves, one each time the loop is
-///   idle "undo" | "redo": true, "go_to": version number "command": id              any command of
-///   the palette "field": id, "case": load case or "" for the envelope, "deform": factor, "bands":
-///   count, "isolines": bool           what is drawn "view": front|...|isometric, "camera":
-///   {"position", "focus", "up", "scale", "parallel"} "section": {"at", "normal"} or null "box":
-///   [left, top, width, height] in parts of the view, "enclosed": bool "hidden": [ids] that are not
-///   drawn "load_case": {...} as in its files, replaces the one of its name "remove_load_case":
-///   name "probe": {"number", "surface", "at"} "remove_probe": number "measure": [numbers] of the
-///   two probes whose distance is said "wait": "ready" | "final"
-///   until nothing runs; until the field is converged "screenshot": file, "width", "height";
-///   "window": true takes the whole window
-/// Every step first waits for what runs. The first that fails ends the script.
+///
+/// - "click": id; a real click on the surface where it is visible
+/// - "select": [ids]; these surfaces
+/// - "choose": operation; opens its form
+/// - "apply": operation, "parameters": {...} in SI units; on the selection
+/// - "drag": steps; turns the view by as many mouse moves, one each time the loop is idle
+/// - "undo" | "redo": true, "go_to": version number
+/// - "command": id; any command of the palette
+/// - "field": id, "case": load case or "" for the envelope, "deform": factor, "bands": count,
+///   "isolines": bool; what is drawn
+/// - "view": front|...|isometric, "camera": {"position", "focus", "up", "scale", "parallel"}
+/// - "section": {"at", "normal"} or null
+/// - "box": [left, top, width, height] in parts of the view, "enclosed": bool
+/// - "hidden": [ids]; that are not drawn
+/// - "load_case": {...} as in its files, replaces the one of its name; "remove_load_case": name
+/// - "probe": {"number", "surface", "at"}, "remove_probe": number, "measure": [numbers] of the two
+///   probes whose distance is said
+/// - "wait": "ready" | "final"; until nothing runs, until the field is converged
+/// - "screenshot": file, "width", "height"; "window": true takes the whole window
+///
+/// Every step first waits for what runs. The first that fails ends the script, and so does anything
+/// that fails in the window once it has started.
 class script : public QObject {
   Q_OBJECT
 

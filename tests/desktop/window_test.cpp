@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "client-qt/view/history_strip.hpp"
+#include "client-qt/view/script.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -50,6 +51,9 @@ TEST_F(Window, ASecondClickMeansTheSurfaceAloneAndShiftAdds) {
 }
 
 TEST_F(Window, WhatCannotBeDoneIsSaidAndChangesNothing) {
+  // A script that was not started hears nothing: its failure would end the program.
+  script idle(*window, {});
+  const QSignalSpy ended(&idle, &script::failed);
   open_plate(false);
 
   window->picked().set({98});
@@ -62,6 +66,7 @@ TEST_F(Window, WhatCannotBeDoneIsSaidAndChangesNothing) {
     << window->messages().text().toStdString();
   EXPECT_EQ(version(), 0U);
   EXPECT_FALSE(part().current_activity().has_value());
+  EXPECT_EQ(ended.count(), 0);
 }
 
 TEST_F(Window, ThePaletteFindsAndRunsByTheKeyboardAlone) {
