@@ -78,7 +78,8 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
   });
 }
 
-void history_strip::set_thumbnail(const std::string& version_id, const QImage& picture) {
+void history_strip::set_thumbnail(const std::string& version_id, const QImage& picture,
+                                  bool with_field) {
   const QSize size = thumbnail * devicePixelRatioF();
   const QImage fitted =
     picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
@@ -87,6 +88,10 @@ void history_strip::set_thumbnail(const std::string& version_id, const QImage& p
   auto pixmap = QPixmap::fromImage(fitted.copy(middle));
   pixmap.setDevicePixelRatio(devicePixelRatioF());
   pictures_[version_id] = std::move(pixmap);
+  if (with_field)
+    plain_.erase(version_id);
+  else
+    plain_.insert(version_id);
   refresh();
 }
 

@@ -5,6 +5,7 @@
 #include <QListWidget>
 
 #include <map>
+#include <set>
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/version_lanes.hpp"
@@ -21,11 +22,12 @@ class history_strip : public QListWidget {
 public:
   explicit history_strip(document& part, QWidget* parent = nullptr);
 
-  [[nodiscard]] bool has_thumbnail(const std::string& version_id) const {
-    return pictures_.contains(version_id);
+  /// A picture without a field counts while none with a field is asked for.
+  [[nodiscard]] bool has_thumbnail(const std::string& version_id, bool with_field) const {
+    return pictures_.contains(version_id) && (!with_field || !plain_.contains(version_id));
   }
   /// The picture of a version, by its content.
-  void set_thumbnail(const std::string& version_id, const QImage& picture);
+  void set_thumbnail(const std::string& version_id, const QImage& picture, bool with_field);
 
   /// Opens the fields for name and note of the chosen version.
   void edit_words();
@@ -51,6 +53,7 @@ private:
 
   document& part_;
   std::map<std::string, QPixmap> pictures_;
+  std::set<std::string> plain_;  ///< Whose pictures have no field.
   std::map<std::uint32_t, version_place> places_;
   std::map<std::uint32_t, QListWidgetItem*> rows_;
   std::optional<std::uint32_t> head_;  ///< As it is shown.

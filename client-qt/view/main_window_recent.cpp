@@ -77,7 +77,7 @@ void main_window::take_pictures() {
   if (fresh)
     keep_picture(frame);
   if (!due.empty())
-    history_->set_thumbnail(due, frame);
+    history_->set_thumbnail(due, frame, coloured);
 }
 
 }  // namespace tedit::desktop

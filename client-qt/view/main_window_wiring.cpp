@@ -117,8 +117,9 @@ void main_window::wire_view() {
     const auto field = view_->current().field;
     const bool whole = head && view_->value_extremes() && field && !field->interim() &&
                        field->version_id() == head->info.version_id;
-    thumbnail_due_ =
-      whole && !history_->has_thumbnail(head->info.version_id) ? head->info.version_id : "";
+    const bool due =
+      head && (whole || !field) && !history_->has_thumbnail(head->info.version_id, whole);
+    thumbnail_due_ = due ? head->info.version_id : "";
     emit settled();
   });
   connect(view_, &viewport::drawn, this, &main_window::take_pictures);

@@ -148,6 +148,17 @@ TEST_F(Window, AnyVersionOfTheHistoryCanBeGoneTo) {
   EXPECT_EQ(window->findChild<history_strip*>()->count(), 3);
 }
 
+TEST_F(Window, AVersionHasAPictureBeforeItHasAField) {
+  open_plate(false);
+  const auto& history = *window->findChild<history_strip*>();
+  const auto id = part().head()->info.version_id;
+  ASSERT_TRUE(wait([&] { return history.has_thumbnail(id, false); }));
+  EXPECT_FALSE(history.has_thumbnail(id, true));
+
+  window->open_file(plate(), {loads()});
+  ASSERT_TRUE(wait([&] { return is_final() && history.has_thumbnail(id, true); }));
+}
+
 TEST_F(Window, ASectionShowsTheFieldInside) {
   open_plate();
   const auto before = window->picture();
