@@ -69,7 +69,8 @@ def parse(arguments):
 def need(done, what):
     """The outcome, if it is one."""
     if done.status != "ok":
-        raise OSError(f"{what}: {done.status}: {(done.errors or done.output.strip()).splitlines()[-1:]}")
+        said = (done.errors or done.output.strip() or "it said nothing").splitlines()[-1]
+        raise OSError(f"{what} ({done.status}): {said}")
     return done
 
 

@@ -112,12 +112,6 @@ struct held_directions {
 
 using held_table = node_table<held_directions>;
 
-constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel.
-
-vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
-  return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
-}
-
 /// What rollers on all these surfaces hold.
 void add_rollers(const mesh_version& mesh, const surface_triangles& triangles,
                  std::vector<surface_id> surfaces, problem& p, held_table& held) {

@@ -8,8 +8,9 @@
 
 namespace tedit::fem {
 
-/// Where Vulkan's loader looks for the manifests of drivers (LoaderDriverInterface, "Linux driver
-/// discovery"): folders with manifests, then single manifests that the environment names.
+/// The manifests of the Vulkan drivers that its loader would find (LoaderDriverInterface, "Linux
+/// driver discovery"): the files of its folders, then each file that a variable of the environment
+/// names, after the name of that variable.
 [[nodiscard]] std::vector<std::filesystem::path> driver_manifests();
 
 /// A text that changes when drivers or graphics cards come, go or are exchanged: manifests by name,

@@ -49,6 +49,14 @@ private:
   std::vector<triangle> none_;
 };
 
+/// Between two looks for a cancel where each triangle of a surface is visited.
+inline constexpr std::size_t triangles_between = 2048;
+
+/// The area vector of a triangle, m^2: outward, as long as the area.
+[[nodiscard]] inline vec3 area_of(const problem& p, const surface_triangles::triangle& t) {
+  return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
+}
+
 /// Fills constants, yield strengths, densities per element. Errors: `invalid_material`.
 [[nodiscard]] expected<void> assign_materials(const mesh_version& mesh, const load_case& loads,
                                               problem& p);

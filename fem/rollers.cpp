@@ -15,7 +15,6 @@ namespace tedit::fem {
 
 namespace {
 
-constexpr std::size_t triangles_between = 2048;  ///< Looks for a cancel.
 constexpr double degree = std::numbers::pi / 180;
 /// Normals of two surfaces at a node are one direction up to this angle, or up to a little more
 /// than what the facets of both turn by: six facets around a hole have 60 degrees where its halves
@@ -58,10 +57,6 @@ struct surface_kind {
     return std::sin(turning) * (at_rim ? uncertain_share_at_rim : uncertain_share);
   }
 };
-
-vec3 area_of(const problem& p, const triangle& t) {
-  return area_vector(p.nodes[t.nodes[0]], p.nodes[t.nodes[1]], p.nodes[t.nodes[2]]);
-}
 
 /// A direction whose bits stay when an edit changes some facets of the surface that it came from:
 /// else all nodes there would count as changed.

@@ -13,7 +13,7 @@ namespace tedit::fem {
 /// A direction in which rollers hold a node.
 struct roller_direction {
   std::uint32_t node = 0;
-  vec3 direction;          ///< Unit normal, outward.
+  vec3 direction;          ///< Outward normal of length one, each component within 1e-12.
   double uncertainty = 0;  ///< Sine of the angle by which the true normal may differ; 0 when flat.
   /// The surfaces whose normals became this one, and the area around the node on each, m^2.
   struct share {
@@ -25,10 +25,9 @@ struct roller_direction {
 
 /// The directions that rollers on `surfaces` hold, by node. Each node has one for every surface
 /// that meets another there at an edge, and one for surfaces that continue each other smoothly, as
-/// the halves of a bore do. On planes, cylinders and cones normals are those of the shape, as far
-/// as the surface is one (`fit_wall`); elsewhere means of those of the facets around, weighted so
-/// that they are exact on a sphere (Max 1999, J. Graphics Tools 4(2)). Cost: the surfaces'
-/// triangles.
+/// the halves of a bore do. On a cylinder or a cone (`fit_wall`) normals are those of the shape;
+/// elsewhere means of those of the facets around, weighted so that they are exact on a plane and on
+/// a sphere (Max 1999, J. Graphics Tools 4(2)). Cost: the surfaces' triangles.
 [[nodiscard]] std::vector<roller_direction> roller_directions(const mesh_version& mesh,
                                                               const problem& p,
                                                               const surface_triangles& triangles,
