@@ -32,6 +32,9 @@ expected<void> check_material(const material& m) {
   if (!(m.density_kg_m3 >= 0) || !std::isfinite(m.density_kg_m3))
     return refuse("the density is " + number(m.density_kg_m3) + " kg/m3",
                   "It must not be negative");
+  if (m.density_kg_m3 > 1e30)
+    return refuse("the density is " + number(m.density_kg_m3) + " kg/m3",
+                  "It must be at most 1e30");
   if (!(m.yield_strength_pa >= 0) || !std::isfinite(m.yield_strength_pa))
     return refuse("the yield strength is " + number(m.yield_strength_pa) + " Pa",
                   "It must not be negative");
