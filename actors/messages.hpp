@@ -320,16 +320,16 @@ typename Inspector::result_type inspect(Inspector& f, job_preview& x) {
   return f(caf::meta::type_name("job_preview"), x.job, x.result);
 }
 
-/// A worker process that says that it is there.
+/// A worker process that says that it is there. That the supervisor started it is known by the link
+/// over which it says so.
 struct enlistment {
-  std::string ticket;  ///< Proves that the supervisor started it.
   std::int32_t pid = 0;
   caf::actor worker;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, enlistment& x) {
-  return f(caf::meta::type_name("enlistment"), x.ticket, x.pid, x.worker);
+  return f(caf::meta::type_name("enlistment"), x.pid, x.worker);
 }
 
 /// How a worker, or the pool that stands for several, is.

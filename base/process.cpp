@@ -39,7 +39,7 @@ std::vector<std::string> environment_with(const std::vector<std::string>& added)
 
 }  // namespace
 
-expected<pid_t> spawn_process(const std::vector<std::string>& command,
+expected<pid_t> spawn_process(const std::vector<std::string>& command, int inherited,
                               const std::vector<std::string>& environment) {
   if (access(command.front().c_str(), X_OK) != 0)
     return fail(ec::service_unavailable, "the program " + command.front() + " is not there",
@@ -55,9 +55,14 @@ expected<pid_t> spawn_process(const std::vector<std::string>& command,
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
       _exit(127);
+    setpgid(0, 0);
     dup2(nowhere, STDIN_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
-    close_range(3, ~0U, 0);
+    if (inherited == inherited_fd)
+      fcntl(inherited, F_SETFD, 0);  // dup2 onto itself would leave it closed by exec.
+    else if (inherited >= 0)
+      dup2(inherited, inherited_fd);
+    close_range(inherited >= 0 ? inherited_fd + 1 : inherited_fd, ~0U, 0);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -11,10 +11,16 @@
 
 namespace tedit {
 
+/// The descriptor under which a program finds the file that `spawn_process` lets it inherit.
+inline constexpr int inherited_fd = 3;
+
 /// Starts a program that runs beside this one: stdin is empty, stdout and stderr are this
-/// process's stderr, no other file is inherited, and it is killed when the thread that started it
-/// ends. `environment` adds NAME=VALUE entries. Errors: `service_unavailable`.
+/// process's stderr, `inherited` (if not -1) is its `inherited_fd`, no other file is inherited, and
+/// it is killed when the thread that started it ends. It has a process group of its own: signals to
+/// its group do not reach this process, nor Ctrl-C it. `environment` adds NAME=VALUE entries.
+/// Errors: `service_unavailable`.
 [[nodiscard]] expected<pid_t> spawn_process(const std::vector<std::string>& command,
+                                            int inherited = -1,
                                             const std::vector<std::string>& environment = {});
 
 /// How a process that has ended did so, for people: "was killed by signal 9 (Killed)" or "ended

@@ -33,6 +33,8 @@ struct gateway_parts {
   std::string token;  ///< Empty: nobody is asked for one (tests and servers inside a program).
   std::string server_name;
   std::function<std::size_t()> connections;  ///< Set by `start_gateway`.
+  /// Each role of workers and its state ("ready", "starting", "degraded"); called from any thread.
+  std::function<std::vector<std::pair<std::string, std::string>>()> roles;
 };
 
 /// One client: what it has open, what runs for it, what is on its way to it. The members are called

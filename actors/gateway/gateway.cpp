@@ -35,13 +35,29 @@ private:
   connection_count open_;
 };
 
+/// The worst of the roles: "ok" when all are ready, "starting", or "degraded".
+health_report health_of(const std::string& server,
+                        const std::vector<std::pair<std::string, std::string>>& roles) {
+  nlohmann::ordered_json workers = nlohmann::ordered_json::object();
+  bool degraded = false;
+  bool starting = false;
+  for (const auto& [role, state] : roles) {
+    workers[role] = state;
+    degraded = degraded || state == "degraded";
+    starting = starting || state == "starting";
+  }
+  const char* status = degraded ? "degraded" : starting ? "starting" : "ok";
+  return {
+    !degraded,
+    nlohmann::ordered_json{{"status", status}, {"server", server}, {"workers", workers}}.dump()};
+}
+
 }  // namespace
 
 expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
                                                    transport_options options, gateway_parts parts) {
-  const auto server_name = parts.server_name;
-  options.health = [server_name] {
-    return nlohmann::ordered_json{{"status", "ok"}, {"server", server_name}}.dump();
+  options.health = [name = parts.server_name, roles = parts.roles] {
+    return health_of(name, roles ? roles() : decltype(roles()){});
   };
   // Counted here, not asked of the transport: actors of clients may outlive it.
   const auto open = std::make_shared<std::atomic<std::size_t>>(0);

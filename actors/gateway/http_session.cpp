@@ -83,9 +83,11 @@ void http_session::route(const upgrade_request& r) {
   if (r.method() != http::verb::get && r.method() != http::verb::head)
     return respond(http::status::method_not_allowed, "Only GET and HEAD are understood.\n");
   const auto path = r.target().substr(0, r.target().find('?'));
-  if (path == "/healthz")
-    return respond(http::status::ok, hub_->options.health ? hub_->options.health() : "{}",
-                   "application/json");
+  if (path == "/healthz") {
+    auto health = hub_->options.health ? hub_->options.health() : health_report{};
+    return respond(health.well ? http::status::ok : http::status::service_unavailable,
+                   std::move(health.body), "application/json");
+  }
   if (path != "/v1")
     return respond(http::status::not_found, "There is nothing here. WebSocket is at /v1.\n");
   if (!websocket::is_upgrade(r))

@@ -84,6 +84,12 @@ struct transport_limits {
   std::chrono::milliseconds close_timeout{1'000};        ///< Wait for the client's side of a close.
 };
 
+/// What GET /healthz answers.
+struct health_report {
+  bool well = true;         ///< False: with status 503.
+  std::string body = "{}";  ///< JSON.
+};
+
 struct transport_options {
   std::string address = "127.0.0.1";         ///< An IP address, or "localhost".
   std::uint16_t port = 0;                    ///< 0: any free port.
@@ -91,8 +97,8 @@ struct transport_options {
   std::vector<std::string> allowed_hosts;    ///< See `host_allowed`; `address` need not be named.
   transport_limits limits;
 
-  /// The body of GET /healthz, JSON. Called from the I/O thread.
-  std::function<std::string()> health;
+  /// Called from the I/O thread; must not block.
+  std::function<health_report()> health;
 
   /// Makes the handler of a new connection. Called from the I/O thread before any message; null
   /// refuses the connection (closed with 1013).
@@ -100,8 +106,8 @@ struct transport_options {
 };
 
 /// Listens on one address and port with one I/O thread. WebSocket is at /v1, without compression,
-/// binary messages only (text is closed with 1003); GET /healthz answers 200; other paths 404,
-/// other methods 405, a foreign Origin or Host 403, too many connections 503.
+/// binary messages only (text is closed with 1003); GET /healthz answers 200 or 503; other paths
+/// 404, other methods 405, a foreign Origin or Host 403, too many connections 503.
 class transport {
 public:
   /// Binds, listens and starts the thread. Errors: `invalid_argument` for an address that is none

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "actors/errors.hpp"
+#include "actors/exits.hpp"
 #include "actors/session/session.hpp"
 #include "actors/store/store.hpp"
 
@@ -118,6 +119,7 @@ expected<void> check_document_name(const std::string& name) {
 }
 
 hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts) {
+  heed_only_own_exits(self);
   self->state.parts = std::move(parts);
   return {[=](const std::string& name) { return open(self, name); },
           [=](status_atom) { return status(self); }, [=](catalog_atom) { return catalogue(self); }};

@@ -39,6 +39,7 @@ pool_options options_of(const server_options& options, const std::string& role, 
   const auto program = options.program.empty() ? executable_folder() / "tedit" : options.program;
   pool_options result;
   result.role = role;
+  result.health = std::make_shared<role_health>(role);
   result.command = {program.string(), "worker", "--role", role};
   if (options.safe_mode && role == "modeling")
     result.command.emplace_back("--safe-mode");
@@ -49,15 +50,27 @@ pool_options options_of(const server_options& options, const std::string& role, 
   return result;
 }
 
-worker_set start_pools(caf::actor_system& system, const server_options& options) {
+using role_healths = std::vector<std::shared_ptr<role_health>>;
+
+worker_set start_pools(caf::actor_system& system, const server_options& options,
+                       role_healths& healths) {
   const auto of = [&](const char* role, unsigned workers, std::chrono::milliseconds limit) {
-    return options_of(options, role, workers, limit);
+    auto result = options_of(options, role, workers, limit);
+    healths.push_back(result.health);
+    return result;
   };
   return {
     make_modeling_pool(system, of("modeling", options.modeling_workers,
                                   std::max(options.import_limit, options.edit_limit))),
     make_optimizer_pool(system, of("optimizer", options.optimizer_workers, options.edit_limit)),
     make_solver_pool(system, of("solver", options.solver_workers, options.solve_limit))};
+}
+
+std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& h : healths)
+    result.emplace_back(h->role, to_string(h->state()));
+  return result;
 }
 
 }  // namespace
@@ -119,7 +132,8 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   auto& system = made->system;
   auto cache = std::make_shared<page_cache>(cache_bytes);
   const auto pages = system.spawn(make_page_store, cache);
-  const auto workers = options.worker_processes ? start_pools(system, options)
+  role_healths healths;
+  const auto workers = options.worker_processes ? start_pools(system, options, healths)
                                                 : start_threads(system, options, cache, pages);
   const auto hub =
     system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device});
@@ -131,8 +145,9 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   door.address = options.address;
   door.port = options.port;
   door.allowed_origins = options.allowed_origins;
-  auto opened = gateway::start_gateway(system, std::move(door),
-                                       {hub, options.token, "tedit " TEDIT_VERSION, {}});
+  auto opened = gateway::start_gateway(
+    system, std::move(door),
+    {hub, options.token, "tedit " TEDIT_VERSION, {}, [healths] { return states_of(healths); }});
   if (!opened) {
     made->stop();
     return fail(opened.error());

@@ -3,14 +3,12 @@
 
 #include <unistd.h>
 
-#include <thread>
-
 #include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
-#include <caf/io/middleman.hpp>
 #include <caf/scoped_actor.hpp>
 
 #include "actors/errors.hpp"
+#include "actors/links/link.hpp"
 #include "actors/modeling/modeling.hpp"
 #include "actors/node/system_config.hpp"
 #include "actors/optimizer/optimizer.hpp"
@@ -23,21 +21,6 @@ namespace {
 
 /// Pages of recent versions that stay in a worker, so that the next order moves only what is new.
 constexpr std::size_t cache_bytes = std::size_t{768} << 20;
-
-expected<caf::actor> connect(caf::actor_system& system, const worker_options& options) {
-  // A connect can fail when a heartbeat falls into its handshake: a few tries.
-  caf::error last;
-  for (int attempt = 0; attempt < 5; ++attempt) {
-    auto gate = system.middleman().remote_actor(options.host, options.port);
-    if (gate)
-      return *gate;
-    last = gate.error();
-    std::this_thread::sleep_for(std::chrono::milliseconds(100 << attempt));
-  }
-  return fail(ec::service_unavailable, "cannot reach the server at " + options.host + ":" +
-                                         std::to_string(options.port) + " (" +
-                                         caf::to_string(last) + ")");
-}
 
 expected<caf::actor> spawn_role(caf::actor_system& system, const worker_options& options) {
   const auto& role = options.role;
@@ -66,7 +49,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   const auto worker = spawn_role(system, options);
   if (!worker)
     return fail(worker.error());
-  const auto gate = connect(system, options);
+  const auto gate = join_link(system, unique_fd(options.link));
   if (!gate)
     return fail(gate.error());
   caf::scoped_actor self(system);
@@ -74,7 +57,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   std::optional<error> refused;
   self
     ->request(*gate, std::chrono::seconds(10),
-              enlistment{options.ticket, static_cast<std::int32_t>(getpid()), *worker})
+              enlistment{static_cast<std::int32_t>(getpid()), *worker})
     .receive(
       [&](bool accepted) {
         if (!accepted)

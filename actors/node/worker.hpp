@@ -10,10 +10,8 @@
 namespace tedit::actors {
 
 struct worker_options {
-  std::string role;  ///< "modeling", "optimizer" or "solver".
-  std::string host;  ///< The pool that it serves.
-  std::uint16_t port = 0;
-  std::string ticket;      ///< What the pool gave the process to prove that it started it.
+  std::string role;        ///< "modeling", "optimizer" or "solver".
+  int link = -1;           ///< The end of a link to its pool; it is taken over.
   bool safe_mode = false;  ///< Modeling: only the plugins that came with the program.
 };
 

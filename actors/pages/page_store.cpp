@@ -6,6 +6,7 @@
 #include <caf/typed_response_promise.hpp>
 
 #include "actors/errors.hpp"
+#include "actors/exits.hpp"
 
 namespace tedit::actors {
 
@@ -149,6 +150,7 @@ page_store_actor::behavior_type make_page_store(
       give_up(self, id,
               {ec::service_unavailable, "the node that has the pages is gone", "Try again", {}});
   });
+  heed_only_own_exits(self);
   return {[=](get_atom, const hash_list& ids) -> caf::result<page_batch> {
             auto batch = pack(*self->state.cache, ids);
             if (!batch)

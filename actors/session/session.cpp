@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
+#include "actors/exits.hpp"
 
 namespace tedit::actors {
 
@@ -146,6 +147,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
                      [&](const job_preview& preview) { self->state.on_preview(preview); }});
       return caf::message{};
     });
+  heed_only_own_exits(self);
   return {[&state](const attach_request& request) { return state.attach(request); },
           [&state](detach_atom, const caf::actor& subscriber) { state.detach(subscriber); },
           [&state](const import_request& request) { return state.import(request); },

@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/supervisor/pool.hpp"
 
-#include <random>
 #include <thread>
 #include <utility>
 
 #include <spdlog/spdlog.h>
-#include <caf/io/middleman.hpp>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
 #include "base/process.hpp"
 
 namespace tedit::actors {
-
-namespace {
-
-std::string random_ticket() {
-  std::random_device source;
-  std::string text;
-  for (int i = 0; i < 8; ++i)
-    text += std::to_string(source());
-  return text;
-}
-
-}  // namespace
 
 bool restart_budget::take(clock::time_point now) {
   while (!taken_.empty() && now - taken_.front() > window_)
@@ -43,8 +29,10 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
 }
 
 void pool_state::stop() {
-  for (const auto& c : children)
+  for (const auto& c : children) {
+    caf::anon_send_exit(c.gate, caf::exit_reason::user_shutdown);
     kill_process(c.pid);
+  }
   children.clear();
   refuse_waiting({ec::service_unavailable, "the server is stopping", {}, {}});
 }
@@ -164,22 +152,30 @@ void pool_state::give_up_on(job_id id, const std::string& why) {
 
 // -- processes -----------------------------------------------------------------------------------
 
-void pool_state::spawn_child() {
+expected<pool_state::child> pool_state::make_child() {
+  auto link = make_link();
+  if (!link)
+    return fail(link.error());
   child c;
-  c.ticket = random_ticket();
+  const auto pid = spawn_process(options.command, link->theirs.get());
+  if (!pid)
+    return fail(pid.error());
+  c.number = ++started;
+  c.pid = *pid;
   c.started = clock::now();
-  auto command = options.command;
-  command.push_back("--join");
-  command.push_back(address);
-  const auto pid = spawn_process(command, {"TEDIT_TICKET=" + c.ticket});
-  if (!pid) {
-    last_failure = pid.error().message;
-    spdlog::error("{} worker: {}", options.role, render(pid.error()));
+  c.gate = serve(std::move(link->ours), c.number);
+  return c;
+}
+
+void pool_state::spawn_child() {
+  auto made = make_child();
+  if (!made) {
+    last_failure = made.error().message;
+    spdlog::error("{} worker: {}", options.role, render(made.error()));
     return;
   }
-  c.pid = *pid;
-  spdlog::info("{} worker: process {} started", options.role, c.pid);
-  children.push_back(std::move(c));
+  spdlog::info("{} worker: process {} started", options.role, made->pid);
+  children.push_back(std::move(*made));
 }
 
 void pool_state::spawn_missing() {
@@ -207,12 +203,11 @@ void pool_state::spawn_missing() {
     refuse_waiting(no_worker());
 }
 
-bool pool_state::enlist(const enlistment& who) {
-  const auto c = std::ranges::find_if(
-    children, [&](const child& one) { return !one.worker && one.ticket == who.ticket; });
-  if (c == children.end() || !who.worker) {
-    spdlog::warn("{} worker: process {} was turned away: it was not started by this server",
-                 options.role, who.pid);
+bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
+  const auto c = std::ranges::find(children, number, &child::number);
+  if (c == children.end() || c->worker || !who.worker) {
+    spdlog::warn("{} worker: process {} was turned away: nobody waits for it", options.role,
+                 who.pid);
     return false;
   }
   c->worker = who.worker;
@@ -223,6 +218,7 @@ bool pool_state::enlist(const enlistment& who) {
   for (const auto& q : std::exchange(asked, {}))
     q.ask(c->worker);
   dispatch();
+  say_health();
   return true;
 }
 
@@ -244,6 +240,7 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   last_failure = "process " + std::to_string(dead->pid) + " " + how;
   spdlog::warn("{} worker: {}", options.role, last_failure);
   auto work = std::move(dead->work);
+  caf::anon_send_exit(dead->gate, caf::exit_reason::user_shutdown);
   children.erase(dead);
   if (work) {
     ++work->deaths;
@@ -264,6 +261,7 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   }
   spawn_missing();
   dispatch();
+  say_health();
 }
 
 void pool_state::on_down(const caf::actor_addr& source) {
@@ -284,6 +282,7 @@ void pool_state::on_down(const caf::actor_addr& source) {
 }
 
 void pool_state::tick() {
+  say_health();
   const auto now = clock::now();
   for (auto c = children.begin(); c != children.end();) {
     const auto current = c++;
@@ -311,17 +310,37 @@ void pool_state::tick() {
     spawn_missing();
 }
 
+const char* to_string(role_state state) {
+  switch (state) {
+    case role_state::ready:
+      return "ready";
+    case role_state::degraded:
+      return "degraded";
+    case role_state::starting:
+      break;
+  }
+  return "starting";
+}
+
+role_state pool_state::state() const {
+  const bool served = std::ranges::any_of(children, [](const child& c) { return !!c.worker; });
+  return served ? role_state::ready : degraded ? role_state::degraded : role_state::starting;
+}
+
+void pool_state::say_health() const {
+  if (options.health)
+    options.health->say(state());
+}
+
 worker_status pool_state::status() const {
   worker_status result;
   result.role = options.role;
   result.restarts = restarts;
   result.jobs = static_cast<std::uint32_t>(waiting.size());
-  result.state = degraded ? "degraded" : "starting";
+  result.state = to_string(state());
   for (const auto& c : children) {
-    if (c.worker) {
-      result.state = "ready";
+    if (c.worker)
       result.pid = c.pid;
-    }
     result.jobs += c.work.has_value();
   }
   result.detail = last_failure;

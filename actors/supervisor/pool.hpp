@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <chrono>
 #include <deque>
 #include <functional>
@@ -13,14 +14,44 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/interfaces.hpp"
+#include "actors/links/link.hpp"
 #include "actors/supervisor/quarantine.hpp"
 
 namespace tedit::actors {
 
+enum class role_state { starting, ready, degraded };
+
+[[nodiscard]] const char* to_string(role_state state);
+
+/// How a role is, for readers on any thread; its pool says it at every tick.
+class role_health {
+public:
+  using clock = std::chrono::steady_clock;
+
+  explicit role_health(std::string of) : role(std::move(of)) {}
+
+  void say(role_state now) {
+    said_ = now;
+    at_ = clock::now().time_since_epoch().count();
+  }
+
+  /// Degraded, too, when the pool has been silent for five seconds.
+  [[nodiscard]] role_state state() const {
+    const auto silent = clock::now().time_since_epoch() - clock::duration(at_.load());
+    return silent > std::chrono::seconds(5) ? role_state::degraded : said_.load();
+  }
+
+  const std::string role;
+
+private:
+  std::atomic<role_state> said_{role_state::starting};
+  std::atomic<clock::rep> at_{clock::now().time_since_epoch().count()};
+};
+
 /// How a pool keeps its workers.
 struct pool_options {
   std::string role;                  ///< "modeling", "optimizer", "solver".
-  std::vector<std::string> command;  ///< Starts a worker; "--join HOST:PORT" is added.
+  std::vector<std::string> command;  ///< Starts a worker; it inherits its end of a link.
   unsigned workers = 1;
   std::chrono::milliseconds job_limit{2 * 60 * 1000};  ///< A job that takes longer is ended.
   std::chrono::milliseconds operation_limit{0};  ///< For those that run a plugin; 0: the same.
@@ -28,8 +59,9 @@ struct pool_options {
   std::chrono::milliseconds start_limit{20000};  ///< For a process to enlist.
   unsigned restart_budget = 3;                   ///< Restarts within `restart_window`.
   std::chrono::milliseconds restart_window{60000};
-  int retries = 2;                ///< A job whose worker dies is given to another this often.
-  unsigned quarantine_after = 3;  ///< Deaths of one operation's edits; see `quarantine`.
+  int retries = 2;                      ///< A job whose worker dies is given to another this often.
+  unsigned quarantine_after = 3;        ///< Deaths of one operation's edits; see `quarantine`.
+  std::shared_ptr<role_health> health;  ///< May be null.
 };
 
 /// The restarts of the recent past, against a budget.
@@ -66,8 +98,9 @@ struct pool_state {
 
   /// A worker process, starting, idle or with a job.
   struct child {
+    std::uint64_t number = 0;  ///< Never used again.
     pid_t pid = 0;
-    std::string ticket;
+    caf::actor gate;  ///< What it talks to before it is a worker; ours.
     clock::time_point started;
     caf::actor worker;  ///< Null until it has enlisted.
     std::optional<job> work;
@@ -94,14 +127,19 @@ struct pool_state {
   [[nodiscard]] error reason_of(job_id id, const error& said);
   /// A worker failed in a way that says that it cannot be trusted any more.
   void give_up_on(job_id id, const std::string& why);
-  bool enlist(const enlistment& who);
+  /// The worker behind the link of a child says that it is there; false when none waits for it.
+  bool enlist(std::uint64_t number, const enlistment& who);
   void on_down(const caf::actor_addr& source);
   /// Looks after processes and time limits; called ten times a second.
   void tick();
   [[nodiscard]] worker_status status() const;
+  [[nodiscard]] role_state state() const;
+  void say_health() const;
 
   /// Ends previews that keep waiting work from running.
   void make_way();
+  /// Starts a process and serves its link. Errors: `service_unavailable`.
+  [[nodiscard]] expected<child> make_child();
   void spawn_child();
   void spawn_missing();
   void dispatch();
@@ -117,7 +155,9 @@ struct pool_state {
   caf::scheduled_actor* self = nullptr;
   pool_options options;
   std::optional<restart_budget> budget;
-  std::string address;  ///< Where workers enlist, host:port.
+  /// Serves a link and makes the gate of the child with this number; set by the actor.
+  std::function<caf::actor(unique_fd end, std::uint64_t number)> serve;
+  std::uint64_t started = 0;  ///< Children so far.
   std::list<child> children;
   std::deque<job> waiting;
   std::vector<question> asked;  ///< While no worker is there.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
-#include <caf/io/middleman.hpp>
 #include <caf/send.hpp>
 #include <caf/typed_response_promise.hpp>
 
 #include "actors/errors.hpp"
+#include "actors/exits.hpp"
 #include "actors/supervisor/pool.hpp"
 
 namespace tedit::actors {
@@ -56,11 +56,14 @@ auto job_handler(pool_pointer<Role> self) {
   };
 }
 
-/// What workers talk to before they are workers; it has a port of its own.
-caf::behavior make_gate(caf::event_based_actor* self, const caf::actor& pool) {
+/// What the process behind one link talks to before it is a worker. A process cannot speak for
+/// another: `number` is the child that inherited the other end.
+caf::behavior make_gate(caf::event_based_actor* self, const caf::actor& pool,
+                        std::uint64_t number) {
+  heed_only_own_exits(self);
   return {[=](const enlistment& who) {
     auto promise = self->make_response_promise<bool>();
-    self->request(pool, std::chrono::seconds(5), who)
+    self->request(pool, std::chrono::seconds(5), number, who)
       .then([=](bool accepted) mutable { promise.deliver(accepted); },
             [=](const caf::error&) mutable { promise.deliver(false); });
     return promise;
@@ -74,29 +77,25 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
   state.start(self, std::move(options));
   const auto own = caf::actor_cast<caf::actor>(self);
   self->set_down_handler([=](caf::down_msg& down) { self->state.on_down(down.source); });
-  self->set_exit_handler([=](caf::exit_msg& message) {
-    self->state.stop();
-    self->quit(std::move(message.reason));
-  });
+  heed_only_own_exits(self, [=] { self->state.stop(); });
   self->set_default_handler(
     [=](caf::scheduled_actor*, caf::message_view& view) -> caf::result<caf::message> {
       auto message = view.move_content_to_message();
       caf::message answer;
-      message.apply(
-        {[&](const enlistment& who) { answer = caf::make_message(self->state.enlist(who)); },
-         [&](tick_atom) {
-           self->state.tick();
-           caf::delayed_anon_send(own, tick_interval, tick_atom::value);
-         }});
+      message.apply({[&](std::uint64_t number, const enlistment& who) {
+                       answer = caf::make_message(self->state.enlist(number, who));
+                     },
+                     [&](tick_atom) {
+                       self->state.tick();
+                       caf::delayed_anon_send(own, tick_interval, tick_atom::value);
+                     }});
       return answer;
     });
-  const auto gate = self->template spawn<caf::linked>(make_gate, own);
-  const auto port = self->system().middleman().publish(gate, 0, "127.0.0.1");
-  if (!port) {
-    spdlog::critical("{} pool: no port on 127.0.0.1 to listen on", state.options.role);
-    return;
-  }
-  state.address = "127.0.0.1:" + std::to_string(*port);
+  state.serve = [=](unique_fd end, std::uint64_t number) {
+    auto gate = self->spawn(make_gate, own, number);
+    serve_link(self->system(), std::move(end), gate);
+    return gate;
+  };
   state.spawn_missing();
   caf::delayed_anon_send(own, tick_interval, tick_atom::value);
 }

@@ -182,7 +182,7 @@ private:
 class transport_fixture : public ::testing::Test {
 protected:
   void start() {
-    options.health = [] { return std::string(R"({"ok":true})"); };
+    options.health = [this] { return health_report{well, R"({"ok":true})"}; };
     options.accept = [l = seen](std::shared_ptr<connection> c) {
       l->update(l->opened, c);
       return std::make_unique<echo>(std::move(c), l);
@@ -215,6 +215,7 @@ protected:
   std::shared_ptr<log> seen = std::make_shared<log>();
   std::unique_ptr<transport> server;
   std::string host;
+  std::atomic<bool> well = true;
 };
 
 using transport_http = transport_fixture;
@@ -228,6 +229,8 @@ TEST_F(transport_http, health) {
                                          EndsWith("\r\n\r\n{\"ok\":true}")));
   EXPECT_THAT(ask("HEAD /healthz"), AllOf(HasSubstr("HTTP/1.1 200 "), EndsWith("\r\n\r\n"),
                                           HasSubstr("Content-Length: 11")));
+  well = false;
+  EXPECT_THAT(ask("GET /healthz"), HasSubstr("HTTP/1.1 503 "));
 }
 
 TEST_F(transport_http, what_is_not_there) {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/links/basp_guard.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace tedit::actors {
+
+namespace {
+
+// `caf::io::basp::message_type`; the numbers are the protocol's.
+constexpr std::uint8_t client_handshake = 1;
+constexpr std::uint8_t direct_message = 2;
+constexpr std::uint8_t routed_message = 3;
+constexpr std::uint8_t heartbeat = 6;
+
+/// Who joins greets again when it has chosen this of its connections.
+constexpr unsigned most_greetings = 2;
+
+std::uint8_t byte_at(std::span<const std::byte> bytes, std::size_t i) {
+  return std::to_integer<std::uint8_t>(bytes[i]);
+}
+
+/// Reads a size in CAF's variable-length form (seven bits a byte, the lowest first) at `at`, which
+/// moves behind it. False when the bytes end first or the size needs more than 32 bits.
+bool read_size(std::span<const std::byte> bytes, std::size_t& at, std::uint32_t& size) {
+  size = 0;
+  for (unsigned shift = 0; shift < 32; shift += 7) {
+    if (at >= bytes.size())
+      return false;
+    const auto b = byte_at(bytes, at++);
+    size |= std::uint32_t{b & 0x7fU} << shift;
+    if (b < 0x80)
+      return true;
+  }
+  return false;
+}
+
+/// The payload of a direct message begins with the actors that forwarded it (a count), a type
+/// number (two bytes, 0 for what has a name) and the names of the types that it holds.
+bool is_harmless(std::span<const std::byte> payload) {
+  std::size_t at = 0;
+  std::uint32_t forwarders = 0;
+  if (!read_size(payload, at, forwarders) || forwarders != 0)
+    return false;
+  at += 2;
+  std::uint32_t length = 0;
+  if (!read_size(payload, at, length) || length > payload.size() - at)
+    return false;
+  const std::string_view types(reinterpret_cast<const char*>(payload.data() + at), length);
+  return types.find("@exit") == std::string_view::npos;
+}
+
+}  // namespace
+
+bool basp_guard::admits_header(std::span<const std::byte> header) {
+  if (header.size() != header_bytes)
+    return false;
+  operation_ = byte_at(header, 0);
+  announced_ = 0;
+  for (std::size_t i = 4; i < 8; ++i)
+    announced_ = announced_ << 8 | byte_at(header, i);
+  if (operation_ <= client_handshake) {
+    if (talking_ || ++greetings_ > most_greetings)
+      return false;
+  } else if (greetings_ == 0) {
+    return false;
+  } else {
+    talking_ = true;
+  }
+  return operation_ <= heartbeat && operation_ != routed_message && announced_ <= most_payload &&
+         (announced_ == 0) == (operation_ == heartbeat);
+}
+
+bool basp_guard::admits(std::span<const std::byte> piece) {
+  if (announced_ == 0)
+    return admits_header(piece);
+  const auto expected = std::exchange(announced_, 0);
+  return piece.size() == expected && (operation_ != direct_message || is_harmless(piece));
+}
+
+}  // namespace tedit::actors

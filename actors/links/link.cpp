@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/links/link.hpp"
+
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+#include <set>
+
+#include <spdlog/spdlog.h>
+#include <caf/io/basp_broker.hpp>
+#include <caf/io/middleman.hpp>
+#include <caf/io/network/default_multiplexer.hpp>
+#include <caf/io/network/scribe_impl.hpp>
+#include <caf/scoped_actor.hpp>
+#include <caf/send.hpp>
+
+#include "actors/links/basp_guard.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+namespace net = caf::io::network;
+
+/// CAF's connection with a guard before it.
+class guarded_scribe final : public net::scribe_impl {
+public:
+  using net::scribe_impl::scribe_impl;
+
+  bool consume(caf::execution_unit* context, const void* data, std::size_t size) override {
+    if (guard_.admits({static_cast<const std::byte*>(data), size}))
+      return net::scribe_impl::consume(context, data, size);
+    spdlog::error("link: the other end broke the protocol between nodes; the link is cut");
+    this->io_failure(context, net::operation::read);
+    ::shutdown(stream_.fd(), SHUT_RDWR);
+    return false;
+  }
+
+private:
+  basp_guard guard_;
+};
+
+caf::actor broker_of(caf::actor_system& system) {
+  return system.middleman().named_broker<caf::io::basp_broker>(caf::atom("BASP"));
+}
+
+net::default_multiplexer& multiplexer_of(caf::actor_system& system) {
+  return dynamic_cast<net::default_multiplexer&>(system.middleman().backend());
+}
+
+caf::io::scribe_ptr make_scribe(caf::actor_system& system, unique_fd end) {
+  return caf::make_counted<guarded_scribe>(multiplexer_of(system), end.release());
+}
+
+}  // namespace
+
+expected<link_ends> make_link() {
+  int ends[2] = {-1, -1};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    return fail(ec::service_unavailable,
+                std::string("no link to a worker can be made: ") + std::strerror(errno),
+                errno == EMFILE || errno == ENFILE
+                  ? "Raise the limit of open files (ulimit -n) and start the server anew"
+                  : "Close other programs");
+  return link_ends{unique_fd(ends[0]), unique_fd(ends[1])};
+}
+
+void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& gate) {
+  // The broker wants a port for what it publishes. None is opened: the number only names the gate
+  // between here and the greeting that the same message sends, so all links share one.
+  constexpr std::uint16_t slot = 1;
+  caf::anon_send(broker_of(system), caf::publish_atom::value, make_scribe(system, std::move(end)),
+                 slot, caf::actor_cast<caf::strong_actor_ptr>(gate), std::set<std::string>{});
+}
+
+expected<caf::actor> join_link(caf::actor_system& system, unique_fd end) {
+  const auto broker = broker_of(system);
+  auto scribe = make_scribe(system, std::move(end));
+  // Else the connection counts as silent since the epoch, and the first heartbeat ends it.
+  multiplexer_of(system).post([broker, handle = scribe->hdl()] {
+    auto* actor = caf::actor_cast<caf::abstract_actor*>(broker);
+    static_cast<caf::io::basp_broker*>(actor)->set_context(handle);
+  });
+  caf::scoped_actor self(system);
+  expected<caf::actor> result =
+    fail(ec::service_unavailable, "the server at the other end of the link does not answer",
+         "Workers are started by \"tedit serve\"");
+  self
+    ->request(broker, std::chrono::seconds(5), caf::connect_atom::value, std::move(scribe),
+              std::uint16_t{0})
+    .receive(
+      [&](caf::node_id&, caf::strong_actor_ptr& gate, std::set<std::string>&) {
+        if (gate)
+          result = caf::actor_cast<caf::actor>(gate);
+      },
+      [](const caf::error&) {});
+  return result;
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Two nodes of CAF over a link, and peers that do not keep to the protocol.
+#include "actors/links/link.hpp"
+
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+#include <caf/event_based_actor.hpp>
+#include <caf/scoped_actor.hpp>
+#include <caf/send.hpp>
+
+#include "actors/exits.hpp"
+#include "actors/node/system_config.hpp"
+
+namespace tedit::actors {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(20);
+
+/// A node of its own.
+struct node {
+  system_config config{true};
+  caf::actor_system system{config};
+};
+
+caf::behavior doubler(caf::event_based_actor* self) {
+  heed_only_own_exits(self);
+  return {[](int x) { return 2 * x; }};
+}
+
+/// Ends by whoever asks it to, as CAF's actors do.
+caf::behavior weak_doubler(caf::event_based_actor*) {
+  return {[](int x) { return 2 * x; }};
+}
+
+int ask(caf::actor_system& system, const caf::actor& whom, int x) {
+  int result = -1;
+  caf::scoped_actor self(system);
+  self->request(whom, patience, x).receive([&](int y) { result = y; }, [](const caf::error&) {});
+  return result;
+}
+
+class Link : public ::testing::Test {
+protected:
+  node host;
+  caf::actor gate = host.system.spawn(doubler);
+
+  Link() { spdlog::set_level(spdlog::level::off); }
+  ~Link() override {
+    caf::anon_send_exit(gate, caf::exit_reason::user_shutdown);
+    spdlog::set_level(spdlog::level::info);
+  }
+
+  unique_fd served(const caf::actor& whom) {
+    auto link = make_link();
+    EXPECT_TRUE(link.has_value());
+    serve_link(host.system, std::move(link->ours), whom);
+    return std::move(link->theirs);
+  }
+
+  /// Whether the host ended the connection; reads what comes until then.
+  static bool is_cut(int fd) {
+    std::array<char, 4096> buffer{};
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < deadline) {
+      pollfd wait{fd, POLLIN, 0};
+      if (poll(&wait, 1, 100) > 0 && recv(fd, buffer.data(), buffer.size(), 0) <= 0)
+        return true;
+    }
+    return false;
+  }
+
+  /// An honest node gets answers still.
+  void expect_others_are_served() {
+    node other;
+    const auto found = join_link(other.system, served(gate));
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(ask(other.system, *found, 21), 42);
+  }
+};
+
+TEST_F(Link, JoinedNodesTalk) {
+  expect_others_are_served();
+}
+
+TEST_F(Link, WhoJoinsHearsOfTheEndOfTheOther) {
+  node worker;
+  const auto found = join_link(worker.system, served(gate));
+  ASSERT_TRUE(found.has_value());
+  caf::scoped_actor self(worker.system);
+  self->monitor(*found);
+  caf::anon_send_exit(gate, caf::exit_reason::user_shutdown);
+  bool told = false;
+  self->receive([&](const caf::down_msg&) { told = true; }, caf::after(patience) >> [] {});
+  EXPECT_TRUE(told);
+}
+
+TEST_F(Link, WithoutAServerJoiningFailsWithAReason) {
+  node worker;
+  auto link = make_link();
+  link->ours.reset();
+  const auto found = join_link(worker.system, std::move(link->theirs));
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().code, ec::service_unavailable);
+}
+
+TEST_F(Link, ThirtyTwoBytesDoNotEndTheServer) {
+  const auto fd = served(gate);
+  std::array<char, 32> bytes{1};
+  ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), 32);
+  EXPECT_TRUE(is_cut(fd.get()));
+  expect_others_are_served();
+}
+
+TEST_F(Link, AHeaderThatClaimsFourGigabytesGetsNone) {
+  const auto fd = served(gate);
+  std::array<unsigned char, 32> bytes{1, 0, 0, 0, 0xff, 0xff, 0xff, 0xff};
+  ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), 32);
+  EXPECT_TRUE(is_cut(fd.get()));
+}
+
+TEST_F(Link, AnExitMessageCutsTheLinkAndEndsNobody) {
+  const auto weak = host.system.spawn(weak_doubler);
+  node worker;
+  const auto found = join_link(worker.system, served(weak));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(ask(worker.system, *found, 1), 2);
+
+  caf::anon_send_exit(*found, caf::exit_reason::kill);
+
+  caf::scoped_actor self(worker.system);
+  self->monitor(*found);
+  bool cut = false;
+  self->receive([&](const caf::down_msg&) { cut = true; }, caf::after(patience) >> [] {});
+  EXPECT_TRUE(cut);
+  EXPECT_EQ(ask(host.system, weak, 3), 6);
+  caf::anon_send_exit(weak, caf::exit_reason::user_shutdown);
+}
+
+TEST_F(Link, ANodeThatLinksItselfToAnActorAndDiesTakesNobodyWithIt) {
+  auto worker = std::make_unique<node>();
+  const auto found = join_link(worker->system, served(gate));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(ask(worker->system, *found, 1), 2);
+  const auto linked = worker->system.spawn([peer = *found](caf::event_based_actor* self) {
+    self->link_to(peer);
+    return caf::behavior{[](int x) { return x; }};
+  });
+  EXPECT_EQ(ask(worker->system, linked, 5), 5);
+  caf::anon_send_exit(linked, caf::exit_reason::kill);
+  worker.reset();
+
+  expect_others_are_served();
+}
+
+/// Conversations as an honest node begins them, with some bytes changed, cut off or put in.
+TEST_F(Link, MutatedConversationsEndNothing) {
+  std::vector<std::vector<char>> starts;
+  {
+    // What an honest node says: its greeting and a request.
+    auto link = make_link();
+    auto between = make_link();
+    serve_link(host.system, std::move(link->ours), gate);
+    node worker;
+    std::vector<char> said;
+    std::jthread relay([&](const std::stop_token& stop) {
+      std::array<char, 65536> buffer{};
+      while (!stop.stop_requested()) {
+        std::array<pollfd, 2> both{pollfd{link->theirs.get(), POLLIN, 0},
+                                   pollfd{between->ours.get(), POLLIN, 0}};
+        if (poll(both.data(), 2, 50) <= 0)
+          continue;
+        for (std::size_t i = 0; i < 2; ++i) {
+          if (both[i].revents == 0)
+            continue;
+          const auto n = recv(both[i].fd, buffer.data(), buffer.size(), 0);
+          if (n <= 0)
+            return;
+          if (i == 1)
+            said.insert(said.end(), buffer.data(), buffer.data() + n);
+          send(both[1 - i].fd, buffer.data(), static_cast<std::size_t>(n), MSG_NOSIGNAL);
+        }
+      }
+    });
+    const auto found = join_link(worker.system, std::move(between->theirs));
+    ASSERT_TRUE(found.has_value());
+    ASSERT_EQ(ask(worker.system, *found, 4), 8);
+    relay.request_stop();
+    relay.join();
+    ASSERT_GT(said.size(), 100U);
+    starts.push_back(std::move(said));
+  }
+  const char* wanted = std::getenv("TEDIT_LINK_MUTATIONS");
+  const int rounds = wanted ? std::atoi(wanted) : 300;
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return random() % n; };
+  for (int round = 0; round < rounds; ++round) {
+    auto bytes = starts[below(starts.size())];
+    for (auto changes = 1 + below(4); changes > 0; --changes)
+      bytes[below(round % 2 == 0 ? 96 : bytes.size())] = static_cast<char>(random());
+    if (below(3) == 0)
+      bytes.resize(below(bytes.size()) + 1);
+    const auto fd = served(gate);
+    send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (round % 50 == 0) {
+      ASSERT_EQ(ask(host.system, gate, round), 2 * round);
+    }
+  }
+  expect_others_are_served();
+}
+
+}  // namespace
+}  // namespace tedit::actors

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Other users of the machine, who know no token: what they can reach, and what it does.
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+
+#include <random>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "base/unique_fd.hpp"
+#include "tests/scenarios/served.hpp"
+
+namespace tedit::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// The process and all that descend from it.
+std::vector<pid_t> family_of(pid_t head) {
+  std::vector<pid_t> all{head};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto tasks = "/proc/" + std::to_string(all[i]) + "/task";
+    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+      std::ifstream in(task.path() / "children");
+      for (pid_t child = 0; in >> child;)
+        all.push_back(child);
+    }
+  }
+  return all;
+}
+
+/// The inodes of the sockets that the processes hold.
+std::set<std::string> sockets_of(const std::vector<pid_t>& processes) {
+  std::set<std::string> inodes;
+  for (const auto pid : processes)
+    for (const auto& file :
+         std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/fd")) {
+      std::error_code gone;
+      const auto target = std::filesystem::read_symlink(file, gone).string();
+      if (target.starts_with("socket:["))
+        inodes.insert(target.substr(8, target.size() - 9));
+    }
+  return inodes;
+}
+
+/// The TCP ports that the processes listen on.
+std::set<int> ports_of(const std::vector<pid_t>& processes) {
+  const auto mine = sockets_of(processes);
+  std::set<int> ports;
+  for (const char* table : {"/proc/net/tcp", "/proc/net/tcp6"}) {
+    std::ifstream in(table);
+    std::string line;
+    while (std::getline(in, line)) {
+      std::istringstream words(line);
+      const std::vector<std::string> word{std::istream_iterator<std::string>(words), {}};
+      if (word.size() > 9 && word[3] == "0A" && mine.contains(word[9]))
+        ports.insert(std::stoi(word[1].substr(word[1].find(':') + 1), nullptr, 16));
+    }
+  }
+  return ports;
+}
+
+/// The names of the local sockets that the processes listen on.
+std::vector<std::string> local_names_of(const std::vector<pid_t>& processes) {
+  const auto mine = sockets_of(processes);
+  std::vector<std::string> names;
+  std::ifstream in("/proc/net/unix");
+  std::string line;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    const std::vector<std::string> word{std::istream_iterator<std::string>(words), {}};
+    if (word.size() > 7 && mine.contains(word[6]))
+      names.push_back(word[7]);
+  }
+  return names;
+}
+
+int port_of(const std::string& url) {
+  return std::stoi(url.substr(url.rfind(':') + 1));
+}
+
+unique_fd connect_to(int port) {
+  unique_fd fd(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  to.sin_port = htons(static_cast<std::uint16_t>(port));
+  const timeval limit{10, 0};
+  setsockopt(fd.get(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+  if (connect(fd.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0)
+    fd.reset();
+  return fd;
+}
+
+void say(int fd, const std::string& bytes) {
+  [[maybe_unused]] const auto sent = send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+}
+
+std::string health_of(int port) {
+  const auto fd = connect_to(port);
+  say(fd.get(), "GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+  std::string answer;
+  std::array<char, 4096> buffer{};
+  ssize_t n = 0;
+  while ((n = recv(fd.get(), buffer.data(), buffer.size(), 0)) > 0)
+    answer.append(buffer.data(), static_cast<std::size_t>(n));
+  return answer;
+}
+
+/// Waits until the server's health has these words; the last that it said.
+std::string wait_for_health(int port, const std::string& words) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  auto said = health_of(port);
+  while (said.find(words) == std::string::npos && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    said = health_of(port);
+  }
+  return said;
+}
+
+/// Runs `work` in a process of another user, if this one may become one.
+void as_a_stranger(const std::function<void()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    if (getuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0))
+      _exit(2);
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+int from_environment(const char* name, int otherwise) {
+  const char* given = std::getenv(name);
+  return given ? std::atoi(given) : otherwise;
+}
+
+class Neighbours : public ::testing::Test {
+protected:
+  scratch_folder folder;
+  served host{folder};
+
+  void SetUp() override {
+    EXPECT_THAT(wait_for_health(port_of(host.url()), R"("status":"ok")"), HasSubstr("200 OK"));
+  }
+
+  void expect_a_whole_server() {
+    auto user = host.connect();
+    value(user->open("plate", false, false));
+    value(user->import_file(plate_mesh, "mm", {}));
+    value(user->edit("fill_hole", {1, 2}, {}, {}));
+  }
+};
+
+TEST_F(Neighbours, NothingListensButThePortForClients) {
+  const auto family = family_of(host.pid());
+  EXPECT_GE(family.size(), 4U);
+  EXPECT_THAT(ports_of(family), ElementsAre(port_of(host.url())));
+  EXPECT_THAT(local_names_of(family), IsEmpty());
+}
+
+TEST_F(Neighbours, TheBytesThatEndCafsPortsEndNothing) {
+  const auto ports = ports_of(family_of(host.pid()));
+  as_a_stranger([&] {
+    for (const int port : ports) {
+      const auto fd = connect_to(port);
+      say(fd.get(), std::string(1, '\1') + std::string(31, '\0'));
+      char answer = 0;
+      recv(fd.get(), &answer, 1, 0);
+    }
+  });
+  EXPECT_THAT(health_of(port_of(host.url())), HasSubstr("200 OK"));
+  expect_a_whole_server();
+}
+
+/// A connection's first bytes with some of them changed: HTTP, WebSocket and BASP.
+/// TEDIT_MUTATED_CONNECTIONS=10000 is the long run.
+TEST_F(Neighbours, MutatedConnectionsEndNothing) {
+  const auto before = family_of(host.pid());
+  const auto ports = ports_of(before);
+  const int rounds = from_environment("TEDIT_MUTATED_CONNECTIONS", 200);
+  const std::array starts{
+    std::string(
+      "GET /v1 HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n") +
+      std::string("\x82\x85\1\2\3\4\x09\x0f\x15\x04\x05", 11),
+    std::string("GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"),
+    std::string(1, '\1') + std::string(6, '\0') + std::string(57, '\x20')};
+  as_a_stranger([&] {
+    std::mt19937 random(11);
+    const auto below = [&](std::size_t n) { return random() % n; };
+    for (int round = 0; round < rounds; ++round) {
+      auto bytes = starts[below(starts.size())];
+      for (auto changes = below(6); changes > 0; --changes)
+        bytes[below(bytes.size())] = static_cast<char>(random());
+      if (below(3) == 0)
+        bytes.resize(1 + below(bytes.size()));
+      for (const int port : ports) {
+        const auto fd = connect_to(port);
+        say(fd.get(), bytes);
+      }
+    }
+  });
+  EXPECT_THAT(wait_for_health(port_of(host.url()), R"("status":"ok")"), HasSubstr("200 OK"));
+  EXPECT_EQ(family_of(host.pid()), before) << "some process was replaced";
+  expect_a_whole_server();
+}
+
+TEST_F(Neighbours, HealthSaysThatARoleIsDegraded) {
+  const auto port = port_of(host.url());
+  auto user = host.connect();
+  const auto optimizer = [&] {
+    const auto workers = value(user->status()).workers;
+    return *std::ranges::find(workers, "optimizer", &client::worker_status::role);
+  };
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  pid_t last = 0;
+  for (auto now = optimizer(); now.state != "degraded"; now = optimizer()) {
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+    if (now.pid != 0 && static_cast<pid_t>(now.pid) != last)
+      ::kill(last = static_cast<pid_t>(now.pid), SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const auto said = wait_for_health(port, "degraded");
+  EXPECT_THAT(said, AllOf(HasSubstr("503 Service Unavailable"),
+                          HasSubstr(R"("workers":{"modeling":"ready","optimizer":"degraded")")));
+}
+
+}  // namespace
+}  // namespace tedit::test
