@@ -105,6 +105,9 @@ struct edit_order {
   std::vector<std::int64_t> surfaces;
   std::string parameters;  ///< JSON, see protocol/operation_message.hpp.
   bool preview = false;    ///< Gives way to all other work.
+  /// Whose edit this is, for the quarantine. They do not travel: workers need not know.
+  std::string document;
+  std::string client;
 };
 
 template <class Inspector>
@@ -330,6 +333,16 @@ struct enlistment {
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, enlistment& x) {
   return f(caf::meta::type_name("enlistment"), x.pid, x.worker);
+}
+
+/// A worker that wants no more work, sent to its pool before the answer to its last job.
+struct retirement {
+  std::string why;  ///< "it left 213 files open".
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, retirement& x) {
+  return f(caf::meta::type_name("retirement"), x.why);
 }
 
 /// How a worker, or the pool that stands for several, is.

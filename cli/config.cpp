@@ -165,6 +165,7 @@ const std::vector<option>& options() {
     {"limits", "edit_timeout_s", seconds(&c::edit_timeout_s)},
     {"limits", "import_timeout_s", seconds(&c::import_timeout_s)},
     {"limits", "solve_timeout_s", seconds(&c::solve_timeout_s)},
+    {"limits", "modeling_memory_mb", whole(&c::modeling_memory_mb, 0, 1 << 24)},
     {"log", "level", text(&c::log_level, level_fault)},
   };
   return list;

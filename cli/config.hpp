@@ -30,6 +30,7 @@ struct server_config {
   double edit_timeout_s = 120;
   double import_timeout_s = 600;
   double solve_timeout_s = 7200;
+  int modeling_memory_mb = 0;
   // [log]
   std::string log_level = "info";  ///< In the file: level.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "actors/node/worker.hpp"
 #include "base/process.hpp"
+#include "base/process_usage.hpp"
 #include "cli/command.hpp"
 #include "cli/logging.hpp"
 
@@ -19,12 +21,19 @@ namespace {
 struct worker_command {
   std::string role;
   bool safe_mode = false;
+  unsigned memory_mb = 0;
 };
 
 int run_worker_command(const worker_command& given, session& s) {
   start_logging("info", given.role + ": ");
   // Ctrl-C in a terminal reaches the whole group; the server ends its workers itself.
   std::signal(SIGINT, SIG_IGN);
+  if (given.role == "modeling") {
+    continue_in_child();  // Plugins run here.
+    const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
+    const auto most = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
+    limit_memory(given.memory_mb > 0 ? std::uint64_t{given.memory_mb} << 20 : most);
+  }
   struct stat kind {};
   if (fstat(inherited_fd, &kind) != 0 || !S_ISSOCK(kind.st_mode) ||
       fcntl(inherited_fd, F_SETFD, FD_CLOEXEC) != 0)
@@ -51,6 +60,8 @@ void add_worker(CLI::App& app, action& chosen) {
     ->check(CLI::IsMember({"modeling", "optimizer", "solver"}));
   command->add_flag("--safe-mode", options->safe_mode,
                     "Only the operations that came with the program");
+  command->add_option("--memory-mb", options->memory_mb,
+                      "Modeling: the most memory that it may take (default: three quarters)");
   command->callback([options, &chosen] {
     chosen = [options](session& s) { return run_worker_command(*options, s); };
   });

@@ -90,8 +90,10 @@ std::string describe(const ops::catalogue& plugins) {
 modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<modeling_state> self,
                                             std::shared_ptr<page_cache> cache,
                                             page_store_actor pages,
-                                            std::shared_ptr<const ops::catalogue> plugins) {
+                                            std::shared_ptr<const ops::catalogue> plugins,
+                                            std::optional<process_usage> at_start) {
   self->state.desk = make_desk(self, "modeling", std::move(cache), std::move(pages));
+  self->state.desk.at_start = std::move(at_start);
   self->state.plugins = std::move(plugins);
   self->state.services = ops::make_host_services();
   return {[=](job_id job, const import_order& order) { return handle(self, job, order); },

@@ -14,11 +14,12 @@ struct modeling_state {
   static inline const char* name = "modeling";
 };
 
-/// Reads and writes files and runs operations, one after the other.
+/// Reads and writes files and runs operations, one after the other. `at_start`: see `job_desk`.
 modeling_actor::behavior_type make_modeling(modeling_actor::stateful_pointer<modeling_state> self,
                                             std::shared_ptr<page_cache> cache,
                                             page_store_actor pages,
-                                            std::shared_ptr<const ops::catalogue> plugins);
+                                            std::shared_ptr<const ops::catalogue> plugins,
+                                            std::optional<process_usage> at_start);
 
 // -- the jobs, without actors -----------------------------------------------------------------
 

@@ -30,7 +30,7 @@ worker_set start_threads(caf::actor_system& system, const server_options& option
                          const std::shared_ptr<page_cache>& cache, const page_store_actor& pages) {
   const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
   auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
-  return {system.spawn(make_modeling, cache, pages, plugins),
+  return {system.spawn(make_modeling, cache, pages, plugins, std::nullopt),
           system.spawn(make_optimizer, cache, pages), system.spawn(make_solver, cache, pages)};
 }
 
@@ -43,6 +43,9 @@ pool_options options_of(const server_options& options, const std::string& role, 
   result.command = {program.string(), "worker", "--role", role};
   if (options.safe_mode && role == "modeling")
     result.command.emplace_back("--safe-mode");
+  if (options.modeling_memory_mb > 0 && role == "modeling")
+    result.command.insert(result.command.end(),
+                          {"--memory-mb", std::to_string(options.modeling_memory_mb)});
   result.quarantine_after = options.quarantine_after;
   result.operation_limit = options.edit_limit;
   result.workers = workers;

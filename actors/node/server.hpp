@@ -22,9 +22,11 @@ struct server_options {
 
   /// Workers in processes of their own, which may die; else on threads of this process.
   bool worker_processes = true;
-  std::filesystem::path program;  ///< The tedit program; empty: beside this executable.
-  bool safe_mode = false;         ///< Only the plugins that came with the program.
-  /// An operation whose edits ended so many processes is switched off; 0: never.
+  std::filesystem::path program;    ///< The tedit program; empty: beside this executable.
+  bool safe_mode = false;           ///< Only the plugins that came with the program.
+  unsigned modeling_memory_mb = 0;  ///< Of one modeling worker; 0: three quarters of the machine's.
+  /// An operation that failed so many edits of a document by ending its process is switched off
+  /// there, and after so many documents everywhere; 0: never.
   unsigned quarantine_after = 3;
   unsigned modeling_workers = 1;
   unsigned optimizer_workers = 1;

@@ -30,6 +30,7 @@ system_config::system_config(bool networked) {
   add_message_type<job_frame>("job_frame");
   add_message_type<job_preview>("job_preview");
   add_message_type<enlistment>("enlistment");
+  add_message_type<retirement>("retirement");
   add_message_type<worker_status>("worker_status");
   // The default lets idle threads steal work by polling, which each of the pools' ticks wakes: 17 %
   // of a core for a server that does nothing. Sharing also answers sooner (docs/decisions/0018).

@@ -22,16 +22,17 @@ namespace {
 /// Pages of recent versions that stay in a worker, so that the next order moves only what is new.
 constexpr std::size_t cache_bytes = std::size_t{768} << 20;
 
-expected<caf::actor> spawn_role(caf::actor_system& system, const worker_options& options) {
+expected<caf::actor> spawn_role(caf::actor_system& system, const worker_options& options,
+                                const std::shared_ptr<page_cache>& cache,
+                                const page_store_actor& pages) {
   const auto& role = options.role;
-  auto cache = std::make_shared<page_cache>(cache_bytes);
-  const auto pages = system.spawn(make_page_store, cache);
   if (role == "modeling") {
     const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
     auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
     for (const auto& refused : plugins->refused())
       spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
-    return caf::actor_cast<caf::actor>(system.spawn(make_modeling, cache, pages, plugins));
+    return caf::actor_cast<caf::actor>(
+      system.spawn(make_modeling, cache, pages, plugins, usage_of_this_process()));
   }
   if (role == "optimizer")
     return caf::actor_cast<caf::actor>(system.spawn(make_optimizer, cache, pages));
@@ -46,7 +47,9 @@ expected<caf::actor> spawn_role(caf::actor_system& system, const worker_options&
 expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
   system_config config(true);
   caf::actor_system system(config);
-  const auto worker = spawn_role(system, options);
+  const auto cache = std::make_shared<page_cache>(cache_bytes);
+  const auto pages = system.spawn(make_page_store, cache);
+  const auto worker = spawn_role(system, options, cache, pages);
   if (!worker)
     return fail(worker.error());
   const auto gate = join_link(system, unique_fd(options.link));
@@ -54,6 +57,9 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     return fail(gate.error());
   caf::scoped_actor self(system);
   self->monitor(*gate);
+  // Without one of these the process would refuse all work; its pool starts another instead.
+  self->monitor(*worker);
+  self->monitor(pages);
   std::optional<error> refused;
   self
     ->request(*gate, std::chrono::seconds(10),

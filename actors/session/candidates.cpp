@@ -37,8 +37,8 @@ expected<const graph_node*> session_state::base_of(const edit_request& request) 
 void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
   const auto& request = run->request;
   const auto job = new_job(request.ticket, request.client);
-  edit_order order{base_order(),     make_ref(*run->base), request.operation,
-                   request.surfaces, request.parameters,   run->preview};
+  edit_order order{base_order(),       make_ref(*run->base), request.operation, request.surfaces,
+                   request.parameters, run->preview,         parts.document,    {}};
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(

@@ -52,7 +52,8 @@ void pool_state::refuse_waiting(const error& why) {
 }
 
 void pool_state::ask(question q) {
-  const auto there = std::ranges::find_if(children, [](const child& c) { return !!c.worker; });
+  const auto there =
+    std::ranges::find_if(children, [](const child& c) { return c.worker && !c.retired; });
   if (there != children.end())
     return q.ask(there->worker);
   if (degraded && children.empty())
@@ -63,7 +64,7 @@ void pool_state::ask(question q) {
 // -- jobs --------------------------------------------------------------------------------------
 
 void pool_state::add(job j) {
-  if (const auto why = off.refusal(j.operation))
+  if (const auto why = off.refusal(j.edit))
     return j.refuse(*why);
   if (degraded && children.empty())
     return j.refuse(no_worker());
@@ -96,11 +97,11 @@ void pool_state::dispatch() {
   for (auto& c : children) {
     if (waiting.empty())
       return;
-    if (!c.worker || c.work)
+    if (!c.worker || c.work || c.retired)
       continue;
     auto next = std::move(waiting.front());
     waiting.pop_front();
-    if (const auto why = off.refusal(next.operation)) {
+    if (const auto why = off.refusal(next.edit)) {
       next.refuse(*why);  // Switched off while it waited.
       return dispatch();
     }
@@ -179,8 +180,8 @@ void pool_state::spawn_child() {
 }
 
 void pool_state::spawn_missing() {
-  while (children.size() < options.workers) {
-    const bool first = !started_once && restarts + children.size() < options.workers;
+  while (active() < options.workers) {
+    const bool first = !started_once && restarts + active() < options.workers;
     if (!first && forgiven > 0) {
       --forgiven;  // An operation's plugin is to blame, which has a count of its own.
     } else if (!first && !budget->take(clock::now())) {
@@ -198,7 +199,7 @@ void pool_state::spawn_missing() {
     if (children.size() == before)
       break;  // Counted against the budget; the next tick tries again.
   }
-  started_once = started_once || children.size() >= options.workers;
+  started_once = started_once || active() >= options.workers;
   if (degraded && children.empty())
     refuse_waiting(no_worker());
 }
@@ -211,6 +212,7 @@ bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
     return false;
   }
   c->worker = who.worker;
+  c->worker_pid = who.pid;
   self->monitor(c->worker);
   spdlog::info(
     "{} worker: process {} ready after {} ms", options.role, c->pid,
@@ -223,17 +225,42 @@ bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
 }
 
 std::chrono::milliseconds pool_state::limit_of(const job& work) const {
-  const bool own = !work.operation.empty() && options.operation_limit.count() > 0;
+  const bool own = !work.edit.operation.empty() && options.operation_limit.count() > 0;
   return own ? options.operation_limit : options.job_limit;
 }
 
-void pool_state::blame(const job& work, const std::string& how) {
-  if (work.operation.empty() || !off.counts())
+void pool_state::forgive(const job& work) {
+  if (work.edit.operation.empty() || !off.counts())
     return;
   ++forgiven;
-  spdlog::warn("{} worker: the operation {} was running", options.role, work.operation);
-  if (off.note(work.operation, how))
-    spdlog::error("plugin: {}", off.refusal(work.operation)->message);
+  spdlog::warn("{} worker: the operation {} was running{}", options.role, work.edit.operation,
+               work.preview ? ", for a preview" : "");
+}
+
+void pool_state::blame(const job& work, const std::string& how) {
+  if (work.edit.operation.empty() || work.preview || !off.note(work.edit, how))
+    return;
+  if (const auto why = off.refusal(work.edit))
+    spdlog::error("plugin: {}", why->message);
+}
+
+void pool_state::try_again(job work, const std::string& how) {
+  ++work.deaths;
+  forgive(work);
+  if (work.cancelled)
+    return work.refuse({ec::cancelled, "the work was cancelled", {}, {}});
+  // Nobody waits long for a preview: the next one is as good.
+  if (work.deaths <= (work.preview ? 1 : options.retries))
+    return waiting.push_front(std::move(work));
+  blame(work, how);
+  if (const auto why = off.refusal(work.edit))
+    return work.refuse(*why);
+  work.refuse({ec::internal,
+               "the " + options.role + " worker " + how + " while it worked on this" +
+                 (work.edit.operation.empty() ? "" : " (operation " + work.edit.operation + ")") +
+                 ", " + std::to_string(work.deaths) + " times",
+               "Try other values; if it goes on, report it with the server's log",
+               {}});
 }
 
 void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
@@ -242,26 +269,43 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   auto work = std::move(dead->work);
   caf::anon_send_exit(dead->gate, caf::exit_reason::user_shutdown);
   children.erase(dead);
-  if (work) {
-    ++work->deaths;
-    blame(*work, how);
-    if (work->cancelled)
-      work->refuse({ec::cancelled, "the work was cancelled", {}, {}});
-    else if (const auto why = off.refusal(work->operation))
-      work->refuse(*why);
-    else if (work->deaths > options.retries)
-      work->refuse({ec::internal,
-                    "the " + options.role + " worker " + how + " while it worked on this" +
-                      (work->operation.empty() ? "" : " (operation " + work->operation + ")") +
-                      ", " + std::to_string(work->deaths) + " times",
-                    "Try other values; if it goes on, report it with the server's log",
-                    {}});
-    else
-      waiting.push_front(std::move(*work));
-  }
+  if (work)
+    try_again(std::move(*work), how);
   spawn_missing();
   dispatch();
   say_health();
+}
+
+std::size_t pool_state::active() const {
+  return static_cast<std::size_t>(
+    std::ranges::count_if(children, [](const child& c) { return !c.retired; }));
+}
+
+void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
+  const auto c = std::ranges::find_if(
+    children, [&](const child& one) { return one.worker && one.worker.address() == source; });
+  if (c == children.end() || c->retired)
+    return;
+  spdlog::info("{} worker: process {} is replaced: {}", options.role, c->pid, why);
+  c->retired = clock::now();
+  ++forgiven;
+  spawn_missing();
+}
+
+void pool_state::dismiss_retired(clock::time_point now) {
+  constexpr std::ptrdiff_t most = 2;
+  auto too_many =
+    std::ranges::count_if(children, [](const child& c) { return !!c.retired; }) - most;
+  for (auto c = children.begin(); c != children.end();) {
+    const auto current = c++;
+    if (!current->retired || current->work)
+      continue;
+    if (too_many-- <= 0 && now - *current->retired < options.retired_stay)
+      continue;
+    kill_process(current->pid);
+    caf::anon_send_exit(current->gate, caf::exit_reason::user_shutdown);
+    children.erase(current);
+  }
 }
 
 void pool_state::on_down(const caf::actor_addr& source) {
@@ -296,17 +340,22 @@ void pool_state::tick() {
     if (late_work && !current->work->cancelled) {
       current->work->refuse(
         {ec::timeout,
-         (current->work->operation.empty() ? "the work"
-                                           : "the operation " + current->work->operation) +
+         (current->work->edit.operation.empty()
+            ? "the work"
+            : "the operation " + current->work->edit.operation) +
            " did not end within " + std::to_string(limit_of(*current->work).count() / 1000) + " s",
          "Take a coarser mesh, or raise the limit in the server's configuration",
          {}});
+      forgive(*current->work);
       blame(*current->work, "hung and was killed");
       current->work.reset();
+    } else if (late_work) {
+      blame(*current->work, "did not end when it was cancelled");
     }
     return bury(current, late_start ? "did not start in time" : "hung and was killed");
   }
-  if (children.size() < options.workers)
+  dismiss_retired(now);
+  if (active() < options.workers)
     spawn_missing();
 }
 
@@ -323,7 +372,8 @@ const char* to_string(role_state state) {
 }
 
 role_state pool_state::state() const {
-  const bool served = std::ranges::any_of(children, [](const child& c) { return !!c.worker; });
+  const bool served =
+    std::ranges::any_of(children, [](const child& c) { return c.worker && !c.retired; });
   return served ? role_state::ready : degraded ? role_state::degraded : role_state::starting;
 }
 
@@ -340,7 +390,7 @@ worker_status pool_state::status() const {
   result.state = to_string(state());
   for (const auto& c : children) {
     if (c.worker)
-      result.pid = c.pid;
+      result.pid = c.worker_pid;
     result.jobs += c.work.has_value();
   }
   result.detail = last_failure;

@@ -59,9 +59,10 @@ struct pool_options {
   std::chrono::milliseconds start_limit{20000};  ///< For a process to enlist.
   unsigned restart_budget = 3;                   ///< Restarts within `restart_window`.
   std::chrono::milliseconds restart_window{60000};
-  int retries = 2;                      ///< A job whose worker dies is given to another this often.
-  unsigned quarantine_after = 3;        ///< Deaths of one operation's edits; see `quarantine`.
-  std::shared_ptr<role_health> health;  ///< May be null.
+  int retries = 2;                ///< A job whose worker dies is given to another this often.
+  unsigned quarantine_after = 3;  ///< Failed edits of one operation; see `quarantine`.
+  std::chrono::milliseconds retired_stay{30000};  ///< For others to fetch its last result.
+  std::shared_ptr<role_health> health;            ///< May be null.
 };
 
 /// The restarts of the recent past, against a budget.
@@ -86,7 +87,7 @@ struct pool_state {
   /// A job from its order to its answer. Order and result types live in the closures.
   struct job {
     job_id id;
-    std::string operation;  ///< Whose plugin it runs; empty when none.
+    edit_origin edit;  ///< Of an operation; else without one.
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
     int deaths = 0;
@@ -102,7 +103,10 @@ struct pool_state {
     pid_t pid = 0;
     caf::actor gate;  ///< What it talks to before it is a worker; ours.
     clock::time_point started;
-    caf::actor worker;  ///< Null until it has enlisted.
+    caf::actor worker;            ///< Null until it has enlisted.
+    std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is `pid`.
+    /// Since when it gets no more work; others still fetch the pages of its last result.
+    std::optional<clock::time_point> retired;
     std::optional<job> work;
   };
 
@@ -130,6 +134,8 @@ struct pool_state {
   /// The worker behind the link of a child says that it is there; false when none waits for it.
   bool enlist(std::uint64_t number, const enlistment& who);
   void on_down(const caf::actor_addr& source);
+  /// A worker wants no more work.
+  void retire(const caf::actor_addr& source, const std::string& why);
   /// Looks after processes and time limits; called ten times a second.
   void tick();
   [[nodiscard]] worker_status status() const;
@@ -145,8 +151,14 @@ struct pool_state {
   void dispatch();
   /// How long this job may take.
   [[nodiscard]] std::chrono::milliseconds limit_of(const job& work) const;
-  /// Counts a death against the operation that ran.
+  /// Lets the budget be when an operation's plugin ran as its process died.
+  void forgive(const job& work);
+  /// Counts an edit that failed for good against its operation; previews do not count.
   void blame(const job& work, const std::string& how);
+  /// A job whose worker died: given to another, or refused when that has been tried often enough.
+  void try_again(job work, const std::string& how);
+  void dismiss_retired(clock::time_point now);
+  [[nodiscard]] std::size_t active() const;  ///< Children that have not retired.
   void bury(std::list<child>::iterator dead, const std::string& how);
   [[nodiscard]] std::list<child>::iterator child_with(job_id id);
   [[nodiscard]] error no_worker() const;

@@ -26,7 +26,7 @@ auto job_handler(pool_pointer<Role> self) {
     pool_state::job job;
     job.id = id;
     if constexpr (std::is_same_v<Order, edit_order>)
-      job.operation = order.operation;
+      job.edit = {order.operation, order.document, order.client};
     if constexpr (requires { order.preview; })
       job.preview = order.preview;
     job.refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
@@ -84,6 +84,10 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
       caf::message answer;
       message.apply({[&](std::uint64_t number, const enlistment& who) {
                        answer = caf::make_message(self->state.enlist(number, who));
+                     },
+                     [&](const retirement& note) {
+                       self->state.retire(caf::actor_cast<caf::actor_addr>(self->current_sender()),
+                                          note.why);
                      },
                      [&](tick_atom) {
                        self->state.tick();

@@ -9,38 +9,52 @@
 
 namespace tedit::actors {
 
-/// Counts how often an operation ended the process that ran it, by a crash or a hang. One that did
-/// so too often is switched off until the server starts anew: each of its edits would cost the
-/// others a restart.
+/// An edit as far as others are told of it.
+struct edit_origin {
+  std::string operation;  ///< Whose plugin it runs; empty: no plugin's.
+  std::string document;
+  std::string client;  ///< Who asked for it, as that client calls itself; may be empty.
+};
+
+/// Counts the edits that an operation's plugin failed by ending the process that ran it, by a crash
+/// or a hang. An operation that failed too many edits in one document is switched off there; one
+/// that is switched off in too many documents, everywhere: each of its edits costs others restarts.
+/// What is off stays off until the server starts anew. Previews and deaths that another attempt
+/// made good are not counted.
 class quarantine {
 public:
-  /// `limit` deaths are too many; 0 switches nothing off.
+  /// `limit` edits, and documents, are too many; 0 switches nothing off.
   explicit quarantine(unsigned limit = 3) : limit_(limit) {}
 
-  /// Notes that the process died or hung while the operation ran: `how` is "was killed by signal 11
-  /// (Segmentation fault)". True when this was one too many.
-  bool note(const std::string& operation, const std::string& how);
+  /// Notes that an edit failed: `how` is "was killed by signal 11 (Segmentation fault)". True when
+  /// this was one too many.
+  bool note(const edit_origin& edit, const std::string& how);
 
-  /// Why the operation is not run; nothing while it may.
-  [[nodiscard]] std::optional<error> refusal(const std::string& operation) const;
+  /// Why the operation is not run in this document; nothing while it may.
+  [[nodiscard]] std::optional<error> refusal(const edit_origin& edit) const;
 
-  /// Whether deaths are counted here; else they belong to the pool's restart budget.
+  /// Whether edits are counted here; else their deaths belong to the pool's restart budget.
   [[nodiscard]] bool counts() const { return limit_ > 0; }
 
-  /// A catalogue (the protocol's JSON) with the operations that are off among the refused.
+  /// A catalogue (the protocol's JSON) with the operations that are off everywhere among the
+  /// refused.
   [[nodiscard]] std::string apply_to(const std::string& catalogue) const;
 
 private:
+  /// The failed edits of one operation in one document.
   struct row {
-    unsigned deaths = 0;
-    std::string last;
+    unsigned edits = 0;
+    std::string last_client;
+    std::string last_end;
   };
+  using rows = std::map<std::string, row>;  ///< By document.
 
-  [[nodiscard]] bool is_off(const row& r) const { return limit_ > 0 && r.deaths >= limit_; }
-  [[nodiscard]] std::string reason(const std::string& operation, const row& r) const;
+  [[nodiscard]] bool is_off(const row& r) const { return limit_ > 0 && r.edits >= limit_; }
+  [[nodiscard]] bool is_off_everywhere(const rows& of) const;
+  [[nodiscard]] std::string reason(const std::string& operation, const rows& in) const;
 
   unsigned limit_;
-  std::map<std::string, row> rows_;
+  std::map<std::string, rows> operations_;
 };
 
 }  // namespace tedit::actors

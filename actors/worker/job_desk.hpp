@@ -19,6 +19,7 @@
 #include "actors/pages/page_cache.hpp"
 #include "actors/versions.hpp"
 #include "base/execution.hpp"
+#include "base/process_usage.hpp"
 
 namespace tedit::actors {
 
@@ -55,6 +56,8 @@ struct job_desk {
   bench_actor bench;
   std::map<job_id, cancel_token> running;
   std::deque<std::shared_ptr<const void>> kept;
+  /// Of a worker's own process at its start: it is looked at after each job. Else none is.
+  std::optional<process_usage> at_start;
 
   ~job_desk() {
     // The thread of the bench outlives the actor until its job notices.
@@ -75,6 +78,11 @@ struct job_desk {
   }
 
   [[nodiscard]] worker_status status() const;
+
+  /// Why this process must not be given another job; nothing while it may.
+  [[nodiscard]] std::optional<std::string> reason_to_retire() const {
+    return at_start ? used_up(*at_start, usage_of_this_process()) : std::nullopt;
+  }
 };
 
 /// An execution that reports to the listener of an order at most 20 times a second.
@@ -100,6 +108,8 @@ caf::result<Result> perform(
   Self self, job_id job, const order_base& order, const hash_list& needed,
   std::function<expected<job_output<Result>>(const page_set&, const execution&)> work) {
   using output = job_output<Result>;
+  // Before the promise, which takes the sender over.
+  const auto pool = caf::actor_cast<caf::actor>(self->current_sender());
   const auto promise = std::make_shared<caf::typed_response_promise<Result>>(
     self->template make_response_promise<Result>());
   const cancel_token token;
@@ -118,6 +128,8 @@ caf::result<Result> perform(
     self->request(self->state.desk.bench, std::chrono::minutes(24 * 60), std::move(task))
       .then(
         [=](acknowledged) {
+          if (const auto why = self->state.desk.reason_to_retire())
+            caf::unsafe_send_as(self, pool, retirement{*why});
           if (!(*slot)->has_value())
             return refuse((*slot)->error());
           self->state.desk.running.erase(job);

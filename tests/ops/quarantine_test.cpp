@@ -17,34 +17,60 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(Quarantine, SwitchesOffAfterSoManyDeaths) {
+/// An edit of the operation "bad" in a document.
+actors::edit_origin bad_in(const std::string& document, const std::string& client = "") {
+  return {"bad", document, client};
+}
+
+TEST(Quarantine, SwitchesOffInADocumentAfterSoManyEdits) {
   actors::quarantine off(2);
 
-  EXPECT_FALSE(off.note("bad", "hung and was killed"));
-  EXPECT_FALSE(off.refusal("bad").has_value());
-  EXPECT_TRUE(off.note("bad", "was killed by signal 11"));
+  EXPECT_FALSE(off.note(bad_in("plate", "Anna"), "hung and was killed"));
+  EXPECT_FALSE(off.refusal(bad_in("plate")).has_value());
+  EXPECT_TRUE(off.note(bad_in("plate", "Bert"), "was killed by signal 11"));
 
-  ASSERT_TRUE(off.refusal("bad").has_value());
-  EXPECT_EQ(off.refusal("bad")->code, ec::plugin_refused);
-  EXPECT_THAT(off.refusal("bad")->message,
-              HasSubstr("bad is switched off: its plugin ended the process that ran it 2 times; "
-                        "the last time it was killed by signal 11"));
-  EXPECT_FALSE(off.refusal("good").has_value());
+  ASSERT_TRUE(off.refusal(bad_in("plate")).has_value());
+  EXPECT_EQ(off.refusal(bad_in("plate"))->code, ec::plugin_refused);
+  EXPECT_EQ(
+    off.refusal(bad_in("plate"))->message,
+    "the operation bad is switched off: in the document \"plate\" its plugin failed 2 edits, "
+    "the last asked for by Bert: the process that ran it was killed by signal 11");
+  EXPECT_FALSE(off.refusal(bad_in("bracket")).has_value());
+  EXPECT_FALSE(off.refusal({"good", "plate", ""}).has_value());
+}
+
+TEST(Quarantine, SwitchesOffEverywhereAfterSoManyDocuments) {
+  actors::quarantine off(2);
+  for (const auto* document : {"plate", "bracket"})
+    for (int edit = 0; edit < 2; ++edit) {
+      EXPECT_FALSE(off.refusal(bad_in("other")).has_value());
+      off.note(bad_in(document), "crashed");
+    }
+
+  ASSERT_TRUE(off.refusal(bad_in("other")).has_value());
+  EXPECT_THAT(off.refusal(bad_in("other"))->message,
+              AllOf(HasSubstr("in the document \"bracket\" its plugin failed 2 edits"),
+                    HasSubstr("in the document \"plate\" its plugin failed 2 edits")));
 }
 
 TEST(Quarantine, ZeroSwitchesNothingOff) {
   actors::quarantine off(0);
   for (int i = 0; i < 10; ++i)
-    EXPECT_FALSE(off.note("bad", "crashed"));
-  EXPECT_FALSE(off.refusal("bad").has_value());
+    EXPECT_FALSE(off.note(bad_in("plate"), "crashed"));
+  EXPECT_FALSE(off.refusal(bad_in("plate")).has_value());
 }
 
-TEST(Quarantine, WhatIsOffStandsAmongTheRefusedOfTheCatalogue) {
-  actors::quarantine off(1);
-  off.note("bad", "crashed");
+TEST(Quarantine, WhatIsOffEverywhereStandsAmongTheRefusedOfTheCatalogue) {
+  const std::string all =
+    R"({"operations": [{"id": "bad", "plugin": "bad 1.0"}, {"id": "good", "plugin": "g 2"}]})";
+  actors::quarantine two(2);
+  two.note(bad_in("plate"), "crashed");
+  two.note(bad_in("plate"), "crashed");
+  EXPECT_EQ(nlohmann::json::parse(two.apply_to(all))["operations"].size(), 2u);
 
-  const auto json = nlohmann::json::parse(off.apply_to(
-    R"({"operations": [{"id": "bad", "plugin": "bad 1.0"}, {"id": "good", "plugin": "g 2"}]})"));
+  actors::quarantine off(1);
+  off.note(bad_in("plate"), "crashed");
+  const auto json = nlohmann::json::parse(off.apply_to(all));
 
   ASSERT_EQ(json["operations"].size(), 1u);
   EXPECT_EQ(json["operations"][0]["id"], "good");
@@ -81,25 +107,47 @@ protected:
   }
 };
 
-TEST_F(CrashingPlugin, CostsOneEditAndIsSwitchedOffWhileOthersGoOn) {
-  setenv("TEDIT_BREAK", "every_surface_alone", 1);
+TEST_F(CrashingPlugin, CostsOneEditAndIsSwitchedOffThereWhileOthersGoOn) {
+  setenv("TEDIT_BREAK", "surface_two", 1);
   const auto host = start(options_for(folder, true));
   const auto user = connect(host->url());
   value(user->open("plate", true, true));
   const auto imported = value(user->import_file(plate_mesh, "mm", {}));
-  EXPECT_THAT(value(user->catalogue_json()), HasSubstr("rule_breaker"));
 
-  const auto crashed = user->edit("rule_breaker", {1}, {}, {});
+  for (int edit = 0; edit < 3; ++edit) {
+    const auto crashed = user->edit("rule_breaker", {2}, {}, {});
+    ASSERT_FALSE(crashed.has_value());
+    EXPECT_EQ(crashed.error().code, edit < 2 ? ec::internal : ec::plugin_refused);
+    EXPECT_THAT(crashed.error().message, AllOf(HasSubstr("rule_breaker"), HasSubstr("signal 11")));
+  }
 
-  ASSERT_FALSE(crashed.has_value());
-  EXPECT_EQ(crashed.error().code, ec::plugin_refused);
-  EXPECT_THAT(crashed.error().message, HasSubstr("the operation rule_breaker is switched off"));
-  EXPECT_THAT(crashed.error().message, HasSubstr("signal 11"));
+  // Whatever the edit: it is off in this document.
   const auto again = user->edit("rule_breaker", {1}, {}, {});
   ASSERT_FALSE(again.has_value());
   EXPECT_EQ(again.error().code, ec::plugin_refused);
-  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
-  EXPECT_EQ(filled.head.parent, imported.head.number);
+  EXPECT_THAT(again.error().message,
+              HasSubstr("in the document \"plate\" its plugin failed 3 edits"));
+  EXPECT_EQ(value(user->edit("fill_hole", {1, 2}, {}, {})).head.parent, imported.head.number);
+  // Correct edits go on elsewhere.
+  const auto other = connect(host->url());
+  value(other->open("other", false, false));
+  value(other->import_file(plate_mesh, "mm", {}));
+  EXPECT_EQ(value(other->edit("rule_breaker", {1}, {}, {})).head.number, 1U);
+  EXPECT_THAT(value(user->catalogue_json()), HasSubstr("rule_breaker"));
+}
+
+TEST_F(CrashingPlugin, ThatIsOffEverywhereIsListedWithTheWayBack) {
+  setenv("TEDIT_BREAK", "every_surface_alone", 1);
+  auto options = options_for(folder, true);
+  options.quarantine_after = 1;
+  const auto host = start(options);
+  const auto user = connect(host->url());
+  value(user->open("plate", true, true));
+  value(user->import_file(plate_mesh, "mm", {}));
+  EXPECT_THAT(value(user->catalogue_json()), HasSubstr("rule_breaker"));
+
+  EXPECT_EQ(user->edit("rule_breaker", {1}, {}, {}).error().code, ec::plugin_refused);
+
   const auto catalogue = nlohmann::json::parse(value(user->catalogue_json()));
   for (const auto& row : catalogue["operations"])
     EXPECT_NE(row["id"], "rule_breaker");
@@ -110,7 +158,38 @@ TEST_F(CrashingPlugin, CostsOneEditAndIsSwitchedOffWhileOthersGoOn) {
   std::filesystem::permissions(token, std::filesystem::perms(0600));
   EXPECT_THAT(listed("--server " + host->url() + " --token-file " + token.string()),
               AllOf(HasSubstr("fill_hole 1"), HasSubstr("quarantined: rule_breaker (rule_breaker"),
-                    HasSubstr(", 3 crashes: "), HasSubstr("to lift it: start the server anew")));
+                    HasSubstr(", 1 crash: "), HasSubstr("to lift it: start the server anew")));
+}
+
+/// Plugins that harm more than their own edit: the server goes on, and the next edit is made.
+class HarmfulPlugin : public CrashingPlugin, public ::testing::WithParamInterface<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Rules, HarmfulPlugin,
+                         ::testing::Values("kills_parent", "kills_group", "leaves_no_descriptor",
+                                           "leaks"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(HarmfulPlugin, LeavesTheNextEditAlone) {
+  setenv("TEDIT_BREAK", GetParam(), 1);
+  auto options = options_for(folder, true);
+  options.modeling_memory_mb = 1500;
+  const auto host = start(options);
+  const auto user = connect(host->url());
+  value(user->open("plate", false, false));
+  value(user->import_file(plate_mesh, "mm", {}));
+
+  for (int round = 0; round < 2; ++round) {
+    const auto harmed = user->edit("rule_breaker", {1}, {}, {});
+    if (!harmed) {
+      EXPECT_THAT(harmed.error().message, HasSubstr("rule_breaker"));
+      EXPECT_NE(harmed.error().code, ec::plugin_refused);
+    }
+    EXPECT_FALSE(harmed && std::string(GetParam()).starts_with("kills"));
+    const auto filled = user->edit("fill_hole", {1, 2}, {}, {});  // Needs a program of its own.
+    EXPECT_TRUE(filled.has_value()) << render(filled.error());
+    value(user->undo());
+  }
+  EXPECT_EQ(value(user->status()).workers.front().state, "ready");
 }
 
 TEST_F(CrashingPlugin, ThatCrashesWhenItIsTriedIsListedWithTheWayBack) {

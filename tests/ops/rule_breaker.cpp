@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <set>
@@ -127,6 +129,20 @@ void misbehave(const mesh_version& mesh, const ops::context& ctx) {
     throw std::runtime_error("out of luck");
   if (breaks("exits"))
     _exit(0);
+  if (breaks("kills_parent")) {
+    kill(getppid(), SIGKILL);
+    pause();
+  }
+  if (breaks("kills_group"))
+    kill(0, SIGKILL);
+  if (breaks("leaves_no_descriptor"))
+    while (open("/dev/null", O_RDONLY) >= 0) {
+    }
+  if (breaks("leaks"))
+    while (void* more = std::malloc(1 << 20)) {
+      lost = more;
+      std::memset(more, 1, 1 << 20);
+    }
   if (breaks("free_slots") && mesh.surfaces().size() > 6)
     for (tet_id t = 0; t < mesh.tet_slots(); ++t)
       if (mesh.tet_at(t).v[0] == no_id)
@@ -151,6 +167,8 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
                                          const std::vector<surface_id>& given, double distance,
                                          std::int64_t layers, ops::context& ctx) {
   misbehave(mesh, ctx);
+  if (breaks("surface_two") && given.size() == 1 && given[0] == 2)
+    crash();
   auto surfaces = given;
   if (surfaces.empty() && breaks("empty_selection"))
     surfaces = {mesh.surfaces()[0].id};

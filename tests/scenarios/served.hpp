@@ -89,4 +89,15 @@ inline bool runs(pid_t pid) {
   return state != 'Z' && state != 'X';
 }
 
+/// Waits until none of the processes runs.
+inline bool all_end(const std::vector<pid_t>& pids) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    if (std::ranges::none_of(pids, runs))
+      return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
 }  // namespace tedit::test

@@ -8,17 +8,6 @@
 namespace tedit::test {
 namespace {
 
-/// Waits until none of the processes runs.
-bool all_end(const std::vector<pid_t>& pids) {
-  const auto deadline = std::chrono::steady_clock::now() + patience;
-  while (std::chrono::steady_clock::now() < deadline) {
-    if (std::ranges::none_of(pids, runs))
-      return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
-
 TEST(ServerDeath, AcknowledgedVersionsAreThereAfterAKillAtAnyMoment) {
   const scratch_folder folder;
   std::set<std::string> acknowledged;

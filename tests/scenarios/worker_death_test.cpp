@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Workers that are killed or frozen in the middle of their work: it is done again, nothing is lost.
-#include <csignal>
-#include <fstream>
 #include <future>
-#include <thread>
 
-#include "tests/scenarios/fixture.hpp"
+#include "tests/scenarios/served.hpp"
 
 namespace tedit::test {
 namespace {
@@ -152,7 +149,7 @@ TEST_F(WorkerDeath, AFrozenWorkerIsReplaced) {
 
   EXPECT_EQ(filled.head.number, 1U);
   EXPECT_NE(status_of("modeling").pid, frozen.pid);
-  EXPECT_NE(::kill(static_cast<pid_t>(frozen.pid), 0), 0);  // It does not come back.
+  EXPECT_TRUE(all_end({static_cast<pid_t>(frozen.pid)}));  // It does not come back.
 }
 
 TEST_F(WorkerDeath, ACancelledJobOfAFrozenWorkerEndsSoon) {
