@@ -65,16 +65,19 @@ struct contents {
   std::vector<log_row> log;           ///< Ascending by sequence.
 };
 
-/// One session document in one SQLite file, its pages compressed with zstd. While it is open an
-/// exclusive lock on FILE-lock keeps every other `open` out; the lock file stays when it is closed.
+/// One session document in one SQLite file, its pages compressed with zstd. Every row has a hash
+/// beside it and all rows together a seal, so that damage and careless edits are noticed
+/// (docs/decisions/0018); a page's identity is its hash. While it is open an exclusive lock on
+/// FILE-lock keeps every other `open` out; the lock file stays when it is closed.
 /// Not thread-safe: one thread at a time.
 class document {
 public:
-  /// Opens the document in `file`, or creates it when the file is absent or empty. A file that is
-  /// no document is left as it is.
-  /// Errors: `storage_error` when the file is no SQLite database, no TEdit document, damaged or of
-  /// a newer format; `io_error` when the system refuses to read or write it; `conflict` when it is
-  /// open already, here or in another process.
+  /// Opens the document in `file`, or creates it when the file is absent: whole or not at all. A
+  /// file that is no document is left as it is; one of an older format is brought to the present
+  /// one, which older programs refuse.
+  /// Errors: `storage_error` when the file is empty, no SQLite database, no TEdit document, damaged
+  /// or of a newer format; `io_error` when the system refuses to read or write it; `conflict` when
+  /// it is open already, here or in another process.
   [[nodiscard]] static expected<std::unique_ptr<document>> open(const std::filesystem::path& file);
 
   ~document();
@@ -83,11 +86,14 @@ public:
 
   /// Writes `c` in one transaction, which is durable when this returns.
   /// Errors: `storage_error` when a number is taken, names no stored version, a page is null or
-  /// over `max_page_bytes`, another program holds the file, or the disk fails; then nothing of `c`
-  /// is stored. Cost: one compression per new page and one fsync; now and then a checkpoint.
+  /// over `max_page_bytes`, another program holds or has changed the file, a row to change is
+  /// damaged, or the disk fails; then nothing of `c` is stored. Cost: one compression per new page,
+  /// two hashes of each changed row and one fsync, however long the history is; now and then a
+  /// checkpoint.
   [[nodiscard]] expected<void> commit(const change& c);
 
-  /// Reads all rows but the pages. Errors: `storage_error`. Cost: O(rows), with all manifests.
+  /// Reads all rows but the pages, and checks each and all together. Errors: `storage_error` naming
+  /// what is damaged. Cost: O(rows), with all manifests.
   [[nodiscard]] expected<contents> read() const;
 
   /// Reads a page and checks its size and hash.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/store/store.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include <nlohmann/json.hpp>
@@ -16,17 +17,43 @@ struct named_load_cases {
   std::vector<std::string> names;
 };
 
-expected<named_load_cases> split_load_cases(const std::string& text) {
-  const auto rows = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (!rows.is_array())
-    return fail(ec::storage_error, "the document's load cases are damaged",
-                "Restore the document from a backup");
+tl::unexpected<error> damaged(const std::string& what) {
+  return fail(ec::storage_error, "the document is damaged: " + what,
+              "Restore the document from a backup");
+}
+
+expected<named_load_cases> split_load_cases(const store::version_row& row) {
+  const auto list = nlohmann::ordered_json::parse(row.load_cases, nullptr, false);
+  const auto named = [](const auto& one) {
+    return one.is_object() && (!one.contains("name") || one["name"].is_string());
+  };
+  if (!list.is_array() || !std::ranges::all_of(list, named))
+    return damaged("the load cases of version " + std::to_string(row.number));
   named_load_cases result;
-  for (const auto& row : rows) {
-    result.texts.push_back(row.dump());
-    result.names.push_back(row.value("name", ""));
+  for (const auto& one : list) {
+    result.texts.push_back(one.dump());
+    result.names.push_back(one.value("name", ""));
   }
   return result;
+}
+
+/// Whether the versions are a tree in the order in which they were made, and the head is one of
+/// them. Errors: `storage_error` naming the version.
+expected<void> check_tree(const store::contents& all) {
+  const auto& rows = all.versions;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const auto& row = rows[n];
+    const auto name = "version " + std::to_string(row.number);
+    if (row.number != n)
+      return damaged("the versions have gaps before " + name);
+    if (row.parent && *row.parent >= row.number)
+      return damaged(name + " has no parent before it");
+    if (row.redo && (*row.redo >= rows.size() || rows[*row.redo].parent != row.number))
+      return damaged("the redo of " + name);
+  }
+  if (all.head ? *all.head >= rows.size() : !rows.empty())
+    return damaged("no version is the current one");
+  return {};
 }
 
 expected<version_ptr> load_mesh(const store::version_row& row, const store::document& document,
@@ -47,7 +74,9 @@ expected<version_ptr> load_mesh(const store::version_row& row, const store::docu
     return p;
   });
   if (failure)
-    return fail(*failure);
+    return damaged(failure->message);
+  if (version && (*version)->id() != row.id)
+    return damaged("the mesh of version " + std::to_string(row.number) + " is another one");
   return version;
 }
 
@@ -64,15 +93,14 @@ expected<stored_document> load(const store::document& document) {
   const auto contents = document.read();
   if (!contents)
     return fail(contents.error());
+  if (auto ok = check_tree(*contents); !ok)
+    return fail(ok.error());
   stored_document result;
   result.head = contents->head;
   page_map known;
   for (const auto& row : contents->versions) {
-    if (row.number != result.nodes.size())
-      return fail(ec::storage_error, "the document's versions have gaps",
-                  "Restore the document from a backup");
     auto mesh = load_mesh(row, document, known);
-    auto load_cases = split_load_cases(row.load_cases);
+    auto load_cases = split_load_cases(row);
     if (!mesh || !load_cases)
       return fail(mesh ? load_cases.error() : mesh.error());
     graph_node node;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A document's file before there is a database in it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "base/error.hpp"
+
+namespace tedit::store {
+
+/// Whether there is a file that begins like a database; false when there is none. Errors:
+/// `storage_error` for an empty file and one that is no database; `io_error` when the system
+/// refuses to read it.
+[[nodiscard]] expected<bool> has_database(const std::filesystem::path& file);
+
+/// Makes `file`, readable by its owner alone, with these bytes. It is there with all of them or not
+/// at all, also after a power failure. @pre there is no such file, and nobody else makes it.
+/// Errors: `io_error`; `conflict` when the log of another document lies where its own will be.
+[[nodiscard]] expected<void> create_file(const std::filesystem::path& file,
+                                         std::span<const std::byte> bytes);
+
+}  // namespace tedit::store

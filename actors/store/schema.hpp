@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The tables of a document, and the step from the format of older programs to this one's.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "actors/store/sql.hpp"
+
+namespace tedit::store {
+
+/// The bytes of a new document's file. Errors: `storage_error`.
+[[nodiscard]] expected<std::vector<std::byte>> blank_document();
+
+/// Whether the database of `file` is a document of this format; false when it is one of an older
+/// format that `upgrade` brings to this one. Nothing is written. Errors: `storage_error` when it is
+/// no document, one of a newer format, or damaged.
+[[nodiscard]] expected<bool> check_format(sqlite3* db, const std::filesystem::path& file);
+
+/// Brings a document of an older format to this one, in one transaction: older programs refuse it
+/// from then on. Errors: those of `sql_failure`. Cost: one pass over all rows but the pages.
+[[nodiscard]] expected<void> upgrade(sqlite3* db);
+
+}  // namespace tedit::store
