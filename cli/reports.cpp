@@ -286,10 +286,6 @@ nlohmann::ordered_json to_json(const edit_report& report) {
               {"tets_added", report.tets_added},
               {"tets_removed", report.tets_removed},
               {"volume_change_m3", report.volume_change},
-              {"radius_ratio_touched",
-               {{"before_min", report.touched_min_before},
-                {"after_min", report.touched_min_after},
-                {"after_median", report.touched_median_after}}},
               {"loads", fem::policy_name(report.loads.policy)},
               {"keep_traction", report.loads.keep_traction},
               {"receipt", receipt},
@@ -299,6 +295,10 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                 {"improve", report.improve_ms},
                 {"check", report.check_ms},
                 {"total", report.total_ms}}}};
+  if (report.ratios)
+    result["radius_ratio_touched"] = {{"before_min", report.ratios->min_before},
+                                      {"after_min", report.ratios->min_after},
+                                      {"after_median", report.ratios->median_after}};
   for (const auto& f : report.figures)
     if (!result.contains(f.id))
       result[f.id] = is_count(f) ? json(std::llround(f.value)) : json(f.value);
@@ -317,9 +317,10 @@ std::string describe(const edit_report& report) {
             "+" + std::to_string(report.tets_added) + " -" + std::to_string(report.tets_removed));
   lines.add("volume",
             (report.volume_change > 0 ? "+" : "") + pretty(1e9 * report.volume_change, 6) + " mm3");
-  lines.add("radius ratio", "worst touched " + pretty(report.touched_min_after, 3) + " (before " +
-                              pretty(report.touched_min_before, 3) + "), median " +
-                              pretty(report.touched_median_after, 3));
+  if (const auto& ratios = report.ratios)
+    lines.add("radius ratio", "worst touched " + pretty(ratios->min_after, 3) + " (before " +
+                                pretty(ratios->min_before, 3) + "), median " +
+                                pretty(ratios->median_after, 3));
   for (const auto& f : report.figures)
     lines.add(f.help, pretty(f.value, 6) + (f.unit.empty() ? "" : " " + f.unit));
   if (report.optimisation && report.optimisation->before && report.optimisation->after) {

@@ -241,9 +241,11 @@ void to_message(const edit_report& report, v1::EditReport* out) {
   out->set_tets_added(report.tets_added);
   out->set_tets_removed(report.tets_removed);
   out->set_volume_change_m3(report.volume_change);
-  out->set_touched_min_before(report.touched_min_before);
-  out->set_touched_min_after(report.touched_min_after);
-  out->set_touched_median_after(report.touched_median_after);
+  if (report.ratios) {
+    out->set_touched_min_before(report.ratios->min_before);
+    out->set_touched_min_after(report.ratios->min_after);
+    out->set_touched_median_after(report.ratios->median_after);
+  }
   out->set_operation_ms(report.operation_ms);
   if (report.optimisation)
     to_message(*report.optimisation, out->mutable_optimisation());
@@ -274,9 +276,8 @@ edit_report from_message(const v1::EditReport& m) {
   report.tets_added = m.tets_added();
   report.tets_removed = m.tets_removed();
   report.volume_change = m.volume_change_m3();
-  report.touched_min_before = m.touched_min_before();
-  report.touched_min_after = m.touched_min_after();
-  report.touched_median_after = m.touched_median_after();
+  if (m.has_touched_min_after())
+    report.ratios = {m.touched_min_before(), m.touched_min_after(), m.touched_median_after()};
   report.operation_ms = m.operation_ms();
   if (m.has_optimisation())
     report.optimisation = from_message(m.optimisation());

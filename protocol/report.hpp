@@ -35,10 +35,8 @@ struct edit_report {
   std::optional<improve_report> optimisation;  ///< Of a thorough one; both figures are there.
   std::uint64_t tets_added = 0;
   std::uint64_t tets_removed = 0;
-  double volume_change = 0;  ///< m^3.
-  double touched_min_before = 0;
-  double touched_min_after = 0;
-  double touched_median_after = 0;
+  double volume_change = 0;              ///< m^3.
+  std::optional<touched_ratios> ratios;  ///< Empty where the edit made and changed no tet.
   double operation_ms = 0;
   double improve_ms = 0;
   double check_ms = 0;

@@ -83,9 +83,10 @@ QString receipt_html(const edit_report& report) {
   html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
                                      .arg(count(static_cast<double>(report.tets_added)),
                                           count(static_cast<double>(report.tets_removed))));
-  html += row(phrases::tr("Worst tet here"),
-              phrases::tr("%1 before, %2 now")
-                .arg(number(report.touched_min_before), number(report.touched_min_after)));
+  if (const auto& ratios = report.ratios)
+    html += row(
+      phrases::tr("Worst tet here"),
+      phrases::tr("%1 before, %2 now").arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
     html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
                 number(figure.value) + " " + words_of(figure.unit));
