@@ -152,13 +152,17 @@ private:
   expected<std::vector<solution>> as_they_are() {
     auto copies = out_.cases;
     for (std::size_t c = 0; c < copies.size(); ++c)
-      recover_one(c, copies[c]);
+      if (auto ok = recover_one(c, copies[c]); !ok)
+        return fail(ok.error());
     return copies;
   }
 
-  void recover_one(std::size_t c, solution& out) {
+  expected<void> recover_one(std::size_t c, solution& out) {
     const standing_for now(set_, c);
-    recover(set_.problem, on_.k, out);
+    auto ok = recover(set_.problem, on_.k, out);
+    if (!ok && set_.cases.size() > 1)
+      ok.error().message = in_case(set_.cases[c].name, ok.error().message);
+    return ok;
   }
 
   expected<void> recover_all() {
@@ -169,7 +173,8 @@ private:
         return fail(ec::cancelled, "the solve was cancelled");
       auto& out = out_.cases[c];
       out.converged = out.true_relative_residual <= settings_[c].tolerance;
-      recover_one(c, out);
+      if (auto ok = recover_one(c, out); !ok)
+        return ok;
     }
     out_.recovery_ms = clock.milliseconds();
     return {};

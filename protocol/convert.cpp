@@ -7,6 +7,7 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include "protocol/numbers.hpp"
 #include "tedit/v1/load_case.pb.h"
 
 namespace tedit::protocol {
@@ -181,7 +182,8 @@ expected<fem::load_case> load_case_from_json(std::string_view json, const std::s
   if (!status.ok())
     return fail(ec::bad_input, "this is no load case: " + std::string(status.message()),
                 "See the message LoadCase in protocol/tedit/v1/load_case.proto", source);
-  auto result = from_message(message);
+  auto sound = check_numbers(message, any_number(), ec::bad_input);
+  auto result = sound ? from_message(message) : fail(sound.error());
   if (!result) {
     auto failure = result.error();
     failure.where = source;

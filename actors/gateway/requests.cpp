@@ -9,6 +9,7 @@
 #include "actors/session/session.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
+#include "protocol/numbers.hpp"
 #include "protocol/selection_message.hpp"
 
 namespace tedit::gateway {
@@ -106,6 +107,8 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
 
 void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {
   using body = v1::ClientMessage;
+  if (auto ok = protocol::check_numbers(message, finite_number(), ec::invalid_argument); !ok)
+    return refuse(id, ok.error());
   switch (message.body_case()) {
     case body::kListOperations:
       return list_operations(id);

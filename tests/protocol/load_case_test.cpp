@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "protocol/convert.hpp"
 
+#include <cmath>
+#include <functional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "protocol/json.hpp"
+#include "protocol/numbers.hpp"
+#include "tedit/v1/envelope.pb.h"
 
 namespace tedit::protocol {
 namespace {
