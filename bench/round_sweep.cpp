@@ -149,9 +149,9 @@ void try_pair(const ops::catalogue& plugins, const version_ptr& base, double bas
   const auto& report = outcome->report;
   sum.ms.push_back(ms);
   sum.added.push_back(static_cast<double>(report.tets_added));
-  sum.worst.push_back(report.touched_min_after);
-  sum.below_floor +=
-    report.touched_min_after < std::min(0.15, report.touched_min_before) * (1 - 1e-9);
+  const auto ratios = report.ratios.value_or(touched_ratios{1, 1, 1});  // A rounding makes tets.
+  sum.worst.push_back(ratios.min_after);
+  sum.below_floor += ratios.min_after < std::min(0.15, ratios.min_before) * (1 - 1e-9);
   const double error = radius_error(*base, *outcome->version, plan, radius);
   sum.radius_error = std::max(sum.radius_error, error);
   double off = -1;
@@ -162,10 +162,9 @@ void try_pair(const ops::catalogue& plugins, const version_ptr& base, double bas
     sum.volume_error = std::max(sum.volume_error, off);
   }
   if (verbose)
-    std::cout << "  done " << name << ": q " << cli::pretty(report.touched_min_before, 3) << " -> "
-              << cli::pretty(report.touched_min_after, 3) << ", radius off "
-              << cli::pretty(error, 2) << ", volume off " << cli::pretty(off, 2) << ", "
-              << cli::pretty(ms, 3) << " ms\n";
+    std::cout << "  done " << name << ": q " << cli::pretty(ratios.min_before, 3) << " -> "
+              << cli::pretty(ratios.min_after, 3) << ", radius off " << cli::pretty(error, 2)
+              << ", volume off " << cli::pretty(off, 2) << ", " << cli::pretty(ms, 3) << " ms\n";
   if (const auto check = check_version(*outcome->version);
       !check.ok() && check_version(*base).total < check.total) {
     ++sum.faults;

@@ -183,7 +183,7 @@ attempt_result sweep::attempt(const version_ptr& mesh, const planned_feature& fe
       !report.ok() && check_version(*mesh).total < report.total)
     fault(to_error(report).message);
   result.median_before = radius_ratios(*mesh, region_before(*mesh, after)).median;
-  result.median_after = outcome->report.touched_median_after;
+  result.median_after = outcome->report.ratios.value_or(touched_ratios{}).median_after;
   result.outcome = std::move(*outcome);
   return result;
 }
@@ -198,7 +198,9 @@ std::string row_of(const planned_feature& feature, const attempt_result& tried) 
   const auto& done = tried.outcome->report;
   row += " | done | " + cli::pretty(tried.cpu_ms, 2) + " | +" + std::to_string(done.tets_added) +
          " -" + std::to_string(done.tets_removed) + " | " +
-         cli::pretty(done.touched_min_before, 2) + " -> " + cli::pretty(done.touched_min_after, 2) +
+         (done.ratios ? cli::pretty(done.ratios->min_before, 2) + " -> " +
+                          cli::pretty(done.ratios->min_after, 2)
+                      : std::string()) +
          " | " + cli::pretty(tried.median_before, 2) + " -> " + cli::pretty(tried.median_after, 2) +
          " | ";
   if (feature.exact_volume)
@@ -214,7 +216,8 @@ void tally::add(const attempt_result& result) {
     return;
   }
   ++done;
-  worst_after.push_back(result.outcome->report.touched_min_after);
+  if (const auto& ratios = result.outcome->report.ratios)
+    worst_after.push_back(ratios->min_after);
   claimed_error = std::max(claimed_error, result.claimed_error);
 }
 

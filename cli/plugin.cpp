@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/local_edit.hpp"
 #include "cli/plugin_new.hpp"
+#include "cli/render/number_option.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/conformance/conformance.hpp"
 
@@ -140,7 +141,7 @@ void add_test(CLI::App& plugin, action& chosen) {
   command->add_option("--set", options->pairs, "A parameter as NAME=VALUE; may be repeated");
   command->add_option("--limit", options->limit_s, "Seconds for one call of the plugin")
     ->capture_default_str()
-    ->check(CLI::Range(0.1, 3600.0));
+    ->check(number_in({0.1, 3600, "s"}));
   auto* list = command->add_flag("--list", options->list, "Only list the checks");
   file->excludes(list);
   command->callback([options, &chosen] {

@@ -135,8 +135,8 @@ expected<void> recipe_runner::take_head(const std::string& what, const client::c
   std::string quality;
   if (done.report) {
     json = cli::to_json(*done.report);
-    quality = pretty(done.report->touched_min_after, 3) + " (" +
-              pretty(done.report->touched_min_before, 3) + ")";
+    if (const auto& ratios = done.report->ratios)
+      quality = pretty(ratios->min_after, 3) + " (" + pretty(ratios->min_before, 3) + ")";
     details_ += what + " -> " + version_name() + "\n" + describe(*done.report);
   }
   json["step"] = done.cause;

@@ -116,15 +116,24 @@ void add_sums(const solve_report& report, double scale, labelled_lines& lines) {
   lines.add("applied", force(report.applied_n, scale));
 }
 
-/// A line when the largest stress sits at a singular place and says nothing about strength.
-std::string warning_line(const solve_report& report) {
+/// How it was computed, where that is not as asked for.
+std::string notice_line(const solve_report& report) {
+  return report.notice.empty() ? "" : "  NOTE: " + report.notice + "\n";
+}
+
+/// What its load case warns of, and a line when the largest stress sits at a singular place and
+/// says nothing about strength.
+std::string warning_lines(const solve_report& report) {
+  std::string text;
+  for (const auto& warning : report.warnings)
+    text += "  WARNING: " + warning + "\n";
   if (!report.max_von_mises_singularity)
-    return {};
+    return text;
   const bool rim = *report.max_von_mises_singularity == fem::singularity::clamp_rim;
   const bool safety = report.min_safety_factor &&
                       std::ranges::find(report.singular_places, report.min_safety_factor_at,
                                         &stress_peak::at) != report.singular_places.end();
-  return std::string("  WARNING: the largest stress is at a ") +
+  return text + "  WARNING: the largest stress is at a " +
          (rim ? "clamp's rim" : "re-entrant edge") +
          ", where it grows with every refinement: do not read it" +
          (safety ? ", nor the safety factor there," : "") + " as strength\n";
@@ -162,6 +171,8 @@ void add_judgement(const solve_report& report, nlohmann::ordered_json& json) {
     json["max_von_mises_singularity"] = singularity_name(*report.max_von_mises_singularity);
   if (!report.notice.empty())
     json["notice"] = report.notice;
+  if (!report.warnings.empty())
+    json["warnings"] = report.warnings;
 }
 
 /// One row for each case; safety factors where they are known.
@@ -197,9 +208,9 @@ std::string worst_lines(const solve_outcome& outcome) {
                                  (linear ? " (nodal means)" : ""));
   std::string text = "  worst of all load cases:\n" + lines.text();
   for (const auto& report : outcome.cases)
-    if (const auto warning = warning_line(report); !warning.empty())
+    if (const auto warning = warning_lines(report); !warning.empty())
       text += "  " + report.load_case + ":\n" + warning;
-  return text;
+  return text + notice_line(outcome.cases.front());
 }
 
 bool is_count(const ops::figure& f) {
@@ -266,7 +277,7 @@ nlohmann::ordered_json to_json(const edit_report& report) {
       changed.push_back(change.id);
   }
   json receipt = json::array();
-  for (const auto& line : report.receipt)
+  for (const auto& line : report.receipt) {
     receipt.push_back({{"load_case", line.load_case},
                        {"item", line.item},
                        {"fate", fem::fate_name(line.fate)},
@@ -277,6 +288,9 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                        {"total_before_n", line.total_before},
                        {"total_after_n", line.total_after},
                        {"text", line.text}});
+    if (!line.warning.empty())
+      receipt.back()["warning"] = line.warning;
+  }
   json result{{"from_version", report.from_version},
               {"to_version", report.to_version},
               {"surfaces_removed", removed},
@@ -286,10 +300,6 @@ nlohmann::ordered_json to_json(const edit_report& report) {
               {"tets_added", report.tets_added},
               {"tets_removed", report.tets_removed},
               {"volume_change_m3", report.volume_change},
-              {"radius_ratio_touched",
-               {{"before_min", report.touched_min_before},
-                {"after_min", report.touched_min_after},
-                {"after_median", report.touched_median_after}}},
               {"loads", fem::policy_name(report.loads.policy)},
               {"keep_traction", report.loads.keep_traction},
               {"receipt", receipt},
@@ -299,6 +309,10 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                 {"improve", report.improve_ms},
                 {"check", report.check_ms},
                 {"total", report.total_ms}}}};
+  if (report.ratios)
+    result["radius_ratio_touched"] = {{"before_min", report.ratios->min_before},
+                                      {"after_min", report.ratios->min_after},
+                                      {"after_median", report.ratios->median_after}};
   for (const auto& f : report.figures)
     if (!result.contains(f.id))
       result[f.id] = is_count(f) ? json(std::llround(f.value)) : json(f.value);
@@ -317,9 +331,10 @@ std::string describe(const edit_report& report) {
             "+" + std::to_string(report.tets_added) + " -" + std::to_string(report.tets_removed));
   lines.add("volume",
             (report.volume_change > 0 ? "+" : "") + pretty(1e9 * report.volume_change, 6) + " mm3");
-  lines.add("radius ratio", "worst touched " + pretty(report.touched_min_after, 3) + " (before " +
-                              pretty(report.touched_min_before, 3) + "), median " +
-                              pretty(report.touched_median_after, 3));
+  if (const auto& ratios = report.ratios)
+    lines.add("radius ratio", "worst touched " + pretty(ratios->min_after, 3) + " (before " +
+                                pretty(ratios->min_before, 3) + "), median " +
+                                pretty(ratios->median_after, 3));
   for (const auto& f : report.figures)
     lines.add(f.help, pretty(f.value, 6) + (f.unit.empty() ? "" : " " + f.unit));
   if (report.optimisation && report.optimisation->before && report.optimisation->after) {
@@ -340,6 +355,9 @@ std::string describe(const edit_report& report) {
   });
   for (const auto& row : report.receipt)
     lines.add("load case", several ? row.load_case + ": " + row.text : row.text);
+  for (const auto& row : report.receipt)
+    if (!row.warning.empty())
+      lines.add("WARNING", several ? row.load_case + ": " + row.warning : row.warning);
   for (const auto& notice : report.notices)
     lines.add("note", notice);
   return lines.text();
@@ -375,7 +393,7 @@ std::string summarize(const solve_report& report) {
   add_judgement(report, lines);
   if (report.mass_kg)
     lines.add("mass", pretty(*report.mass_kg) + " kg");
-  return lines.text() + warning_line(report);
+  return lines.text() + notice_line(report) + warning_lines(report);
 }
 
 std::string describe(const solve_report& report) {
@@ -451,9 +469,7 @@ std::string remarks(const solve_report& report) {
   std::string text;
   if (report.surface_reactions.size() > 1)
     text += reaction_table(report.surface_reactions, force_scale(report));
-  if (!report.notice.empty())
-    text += "  NOTE: " + report.notice + "\n";
-  return text + warning_line(report);
+  return text + notice_line(report) + warning_lines(report);
 }
 
 }  // namespace tedit::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/render/number_option.hpp"
 #include "mesh/features/select.hpp"
 #include "mesh/io/import.hpp"
 
@@ -121,7 +122,8 @@ void add_select(CLI::App& app, action& chosen) {
     ->add_option("--holes", options->holes_mm,
                  "All round holes with a diameter from MIN to MAX mm, as MIN,MAX")
     ->delimiter(',')
-    ->expected(2);
+    ->expected(2)
+    ->check(number_in({0, largest_number, "mm"}));
   command
     ->add_option("--smooth", options->smooth,
                  "All surfaces that hang together with these over edges of a small angle")
@@ -133,7 +135,7 @@ void add_select(CLI::App& app, action& chosen) {
   command
     ->add_option("--angle", options->angle_degrees,
                  "What counts as small for --smooth and --neighbours, degrees")
-    ->check(CLI::Range(0.0, 180.0))
+    ->check(number_in({0, 180, "degrees"}))
     ->capture_default_str();
   command->add_option("--length-unit", options->length_unit, "The mesh file's length unit")
     ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/field_file.hpp"
+#include "cli/render/number_option.hpp"
 #include "cli/reports.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
@@ -123,7 +124,9 @@ int run_solve(const solve_options& options, session& s) {
     return print_error(s, result.error());
   if (auto written = write_output(options, mesh, *set, *result); !written)
     return print_error(s, written.error());
-  const auto outcome = make_outcome(mesh, *set, *result, false, 0);
+  auto outcome = make_outcome(mesh, *set, *result, false, 0);
+  for (auto& report : outcome.cases)
+    report.notice = (*device)->info().notice;
   const solve_times times{import_ms,           result->assembly_ms, result->setup_ms + problem_ms,
                           result->solve_ms,    result->recovery_ms, device_ms,
                           total.milliseconds()};
@@ -151,13 +154,13 @@ void add_solve(CLI::App& app, action& chosen) {
                  "cpu, lavapipe, auto (the fastest by a short trial) or part of a device's name")
     ->capture_default_str();
   command->add_option("--tolerance", options->tolerance, "True relative residual to reach")
-    ->check(CLI::Range(1e-12, 1e-1))
+    ->check(number_in({1e-12, 1e-1, {}}))
     ->capture_default_str();
   command
     ->add_option(
       "--energy-tolerance", options->energy_tolerance,
       "Stop already when the estimated relative error in energy is below this: a preview")
-    ->check(CLI::Range(1e-9, 0.5));
+    ->check(number_in({1e-9, 0.5, {}}));
   command
     ->add_option("--order", options->order,
                  "2: quadratic tets; 1: linear tets, a quick preview that is too stiff in bending")

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/number_range.hpp"
+
 namespace tedit::client {
 
 namespace {
@@ -17,6 +19,24 @@ using nlohmann::json;
 /// In the order of `recipe_step`.
 constexpr std::array<const char*, std::variant_size_v<recipe_step>> kind_names{
   "import", "load_case", "edit", "undo", "redo", "solve", "export"};
+
+/// Errors: thrown, `bad_input` when it is no number or out of its range.
+double number(const json& value, const number_range& range, const std::string& name) {
+  if (!value.is_number())
+    throw error{ec::bad_input, name + " must be a number", {}, {}};
+  const auto given = value.get<double>();
+  if (const auto ok = check_number(given, range, name); !ok)
+    throw error{ec::bad_input, ok.error().message + ". " + ok.error().remedy, {}, {}};
+  return given;
+}
+
+/// The same for a whole number: neither cut off nor wrapped around.
+std::int64_t whole(const json& value, const std::string& name) {
+  const bool too_large = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX;
+  if (!value.is_number_integer() || too_large)
+    throw error{ec::bad_input, name + " must be a whole number", {}, {}};
+  return value.get<std::int64_t>();
+}
 
 /// Reads one step; unknown fields are errors, so that a typing mistake does not pass silently.
 class step_reader {
@@ -42,9 +62,7 @@ public:
     known_.insert("surfaces");
     std::vector<surface_id> result;
     for (const auto& id : body_.value("surfaces", json::array())) {
-      if (!id.is_number_integer())
-        throw error{ec::bad_input, where_ + ": \"surfaces\" must list whole numbers", {}, {}};
-      result.push_back(id.get<surface_id>());
+      result.push_back(whole(id, where_ + ": each of \"surfaces\""));
     }
     return result;
   }
@@ -57,9 +75,9 @@ public:
       if (value.is_boolean())
         result[name] = value.get<bool>();
       else if (value.is_number_integer())
-        result[name] = value.get<std::int64_t>();
+        result[name] = whole(value, where_ + ": parameter \"" + name + "\"");
       else if (value.is_number())
-        result[name] = value.get<double>();
+        result[name] = number(value, any_number(), where_ + ": parameter \"" + name + "\"");
       else if (value.is_string())
         result[name] = value.get<std::string>();
       else
@@ -74,9 +92,14 @@ public:
     if (!body_.contains(field))
       return std::nullopt;
     const auto& given = body_[field];
-    if (!given.is_array() || given.size() != 2 || !given[0].is_number() || !given[1].is_number())
-      throw error{ec::bad_input, where_ + ": \"" + field + "\" must be [least, largest]", {}, {}};
-    return std::pair(given[0].get<double>(), given[1].get<double>());
+    const auto what = where_ + ": \"" + field + "\"";
+    if (!given.is_array() || given.size() != 2)
+      throw error{ec::bad_input, what + " must be [least, largest]", {}, {}};
+    const std::pair ends(number(given[0], any_number(), what),
+                         number(given[1], any_number(), what));
+    if (!(ends.first < ends.second))
+      throw error{ec::bad_input, what + " must be [least, largest], the smaller one first", {}, {}};
+    return ends;
   }
 
   fem::carry_settings loads() {
@@ -105,10 +128,9 @@ public:
       throw error{
         ec::bad_input, where_ + ": \"load_cases\" must be a list of names, or \"all\"", {}, {}};
     known_.insert("energy_tolerance");
-    const auto tolerance = body_.value("energy_tolerance", json(0));
-    if (!tolerance.is_number())
-      throw error{ec::bad_input, where_ + ": \"energy_tolerance\" must be a number", {}, {}};
-    result.energy_tolerance = tolerance.get<double>();
+    if (body_.contains("energy_tolerance"))
+      result.energy_tolerance =
+        number(body_["energy_tolerance"], {1e-9, 0.5, {}}, where_ + ": \"energy_tolerance\"");
     return result;
   }
 
@@ -153,10 +175,12 @@ recipe parse(const json& body, const std::filesystem::path& folder) {
       throw error{ec::bad_input, "the recipe has an unknown field \"" + name + "\"", {}, {}};
   result.name = body.value("name", std::string{});
   result.device = body.value("device", std::string("auto"));
-  result.tolerance = body.value("tolerance", 1e-6);
-  result.order = body.value("order", 2);
-  if (result.order != 1 && result.order != 2)
+  if (body.contains("tolerance"))
+    result.tolerance = number(body["tolerance"], {1e-12, 0.1, {}}, "\"tolerance\"");
+  const auto order = body.contains("order") ? whole(body["order"], "\"order\"") : 2;
+  if (order != 1 && order != 2)
     throw error{ec::bad_input, "\"order\" must be 1 (linear tets) or 2 (quadratic)", {}, {}};
+  result.order = static_cast<int>(order);
   std::size_t number = 0;
   for (const auto& step : body["steps"]) {
     const std::string where = "step " + std::to_string(++number);

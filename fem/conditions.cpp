@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_range.hpp"
 #include "fem/node_table.hpp"
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
@@ -84,13 +85,24 @@ expected<void> check_surfaces(const mesh_version& mesh, const load_case& loads) 
 
 namespace {
 
-/// Refuses what is no number, and what could not be squared and summed later on.
-expected<void> check_value(double value, const std::string& of, ec code) {
-  constexpr double most = 1e60;
-  if (!std::isfinite(value))
-    return fail(code, of + " has a value that is no number");
-  if (std::abs(value) > most)
-    return fail(code, of + " has a value beyond 1e+60", "Check its unit");
+/// Each component by itself, with its letter.
+expected<void> check_vector(vec3 value, const char* unit, const std::string& of) {
+  const std::array<std::pair<const char*, double>, 3> components{
+    {{"x", value.x}, {"y", value.y}, {"z", value.z}}};
+  for (const auto& [letter, component] : components)
+    if (auto ok = check_number(component, any_number(unit), of + ": " + letter, ec::invalid_load);
+        !ok)
+      return ok;
+  return {};
+}
+
+/// Those components that are given.
+expected<void> check_displacement(const prescribed_displacement& given, const std::string& of) {
+  const std::array<std::pair<const char*, std::optional<double>>, 3> components{
+    {{"x_m", given.x_m}, {"y_m", given.y_m}, {"z_m", given.z_m}}};
+  for (const auto& [field, value] : components)
+    if (auto ok = check_number(value.value_or(0), any_number("m"), of + ": " + field); !ok)
+      return ok;
   return {};
 }
 
@@ -222,13 +234,11 @@ expected<void> add_constraints(const mesh_version& mesh, const surface_triangles
       continue;
     }
     std::array<std::optional<double>, 3> values{0.0, 0.0, 0.0};
-    if (const auto* given = std::get_if<prescribed_displacement>(&item.kind))
-      values = {given->x_m, given->y_m, given->z_m};
-    for (const auto& value : values)
-      if (auto ok =
-            check_value(value.value_or(0), "constraint " + std::to_string(i), ec::invalid_argument);
-          !ok)
+    if (const auto* given = std::get_if<prescribed_displacement>(&item.kind)) {
+      if (auto ok = check_displacement(*given, "constraint " + std::to_string(i)); !ok)
         return ok;
+      values = {given->x_m, given->y_m, given->z_m};
+    }
     for (const auto id : item.surfaces)
       if (!add_components(triangles, id, values, p, held))
         return fail(ec::invalid_argument,
@@ -259,8 +269,11 @@ public:
       return add_gravity(g->m_s2, name);
     if (item.surfaces.empty() || !(area > 0))
       return fail(ec::invalid_load, name + " acts on no surface", "Name at least one surface");
-    if (const auto* f = std::get_if<force>(&item.kind))
-      return add_traction(item, f->total_n / area, name);
+    if (const auto* f = std::get_if<force>(&item.kind)) {
+      if (auto ok = check_vector(f->total_n, "N", name); !ok)
+        return ok;
+      return add_traction(item, f->total_n / area, name + " on its area");
+    }
     if (const auto* t = std::get_if<traction>(&item.kind))
       return add_traction(item, t->pa, name);
     return add_pressure(item, std::get<pressure>(item.kind).pa, name);
@@ -274,7 +287,7 @@ private:
   }
 
   expected<void> add_traction(const load& item, vec3 pa, const std::string& name) {
-    if (auto ok = check_value(norm(pa), name, ec::invalid_load); !ok)
+    if (auto ok = check_vector(pa, "Pa", name); !ok)
       return ok;
     for (const auto id : item.surfaces)
       for (const auto& t : triangles_.of(id)) {
@@ -286,7 +299,7 @@ private:
   }
 
   expected<void> add_pressure(const load& item, double pa, const std::string& name) {
-    if (auto ok = check_value(pa, name, ec::invalid_load); !ok)
+    if (auto ok = check_number(pa, any_number("Pa"), name, ec::invalid_load); !ok)
       return ok;
     for (const auto id : item.surfaces)
       for (const auto& t : triangles_.of(id)) {
@@ -303,7 +316,7 @@ private:
   }
 
   expected<void> add_gravity(vec3 m_s2, const std::string& name) {
-    if (auto ok = check_value(norm(m_s2), name, ec::invalid_load); !ok)
+    if (auto ok = check_vector(m_s2, "m/s2", name); !ok)
       return ok;
     bool known = true;
     polled_for(p_.element_count(), [&](std::size_t e) {

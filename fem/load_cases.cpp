@@ -152,13 +152,17 @@ private:
   expected<std::vector<solution>> as_they_are() {
     auto copies = out_.cases;
     for (std::size_t c = 0; c < copies.size(); ++c)
-      recover_one(c, copies[c]);
+      if (auto ok = recover_one(c, copies[c]); !ok)
+        return fail(ok.error());
     return copies;
   }
 
-  void recover_one(std::size_t c, solution& out) {
+  expected<void> recover_one(std::size_t c, solution& out) {
     const standing_for now(set_, c);
-    recover(set_.problem, on_.k, out);
+    auto ok = recover(set_.problem, on_.k, out);
+    if (!ok && set_.cases.size() > 1)
+      ok.error().message = in_case(set_.cases[c].name, ok.error().message);
+    return ok;
   }
 
   expected<void> recover_all() {
@@ -169,7 +173,8 @@ private:
         return fail(ec::cancelled, "the solve was cancelled");
       auto& out = out_.cases[c];
       out.converged = out.true_relative_residual <= settings_[c].tolerance;
-      recover_one(c, out);
+      if (auto ok = recover_one(c, out); !ok)
+        return ok;
     }
     out_.recovery_ms = clock.milliseconds();
     return {};
@@ -226,7 +231,7 @@ expected<void> add_cases(const mesh_version& mesh, std::span<const load_case> lo
     if (!known)
       if (auto ok = check_supports(mesh, p); !ok)
         return fail_in_case(loads, c, ok.error());
-    set.cases.push_back(take_conditions(p, loads[c].name));
+    set.cases.push_back(take_conditions(p, loads[c]));
   }
   set.let_stand(0);
   return {};
@@ -246,8 +251,16 @@ void case_set::let_stand(std::size_t c) {
   standing = c;
 }
 
-conditions take_conditions(problem& p, const std::string& name) {
-  conditions taken{name, {}, {}, {}, {}};
+conditions take_conditions(problem& p, const load_case& of) {
+  conditions taken{of.name, {}, {}, {}, {}, {}};
+  const auto warn = [&](const std::string& text) {
+    if (!text.empty() && std::ranges::find(taken.warnings, text) == taken.warnings.end())
+      taken.warnings.push_back(text);
+  };
+  for (const auto& item : of.constraints)
+    warn(item.warning);
+  for (const auto& item : of.loads)
+    warn(item.warning);
   exchange(p, taken);
   return taken;
 }
@@ -278,7 +291,7 @@ expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_cas
   if (!p)
     return fail_in_case(loads, 0, p.error());
   case_set set{std::move(*p), {}};
-  set.cases.push_back(take_conditions(set.problem, loads.front().name));
+  set.cases.push_back(take_conditions(set.problem, loads.front()));
   if (auto ok = add_cases(mesh, loads, {}, set); !ok)
     return fail(ok.error());
   return set;

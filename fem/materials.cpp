@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <cmath>
 #include <set>
 
+#include "base/number_range.hpp"
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 
@@ -9,36 +9,20 @@ namespace tedit::fem {
 
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%g", value);
-  return text;
-}
-
 expected<void> check_material(const material& m) {
-  const auto refuse = [&](const std::string& why, const std::string& remedy) {
-    return fail(ec::invalid_material, "material \"" + m.name + "\": " + why, remedy);
+  const auto check = [&](const char* what, double value, const number_range& range) {
+    return check_number(value, range, "material \"" + m.name + "\": " + what, ec::invalid_material);
   };
-  if (!(m.young_modulus_pa > 0) || !std::isfinite(m.young_modulus_pa))
-    return refuse("Young's modulus is " + number(m.young_modulus_pa) + " Pa",
-                  "It must be a positive number");
   // What single precision can hold, with room for lengths and volumes.
-  if (m.young_modulus_pa < 1e-9 || m.young_modulus_pa > 1e18)
-    return refuse("Young's modulus is " + number(m.young_modulus_pa) + " Pa",
-                  "It must lie between 1e-9 and 1e18");
+  if (auto ok = check("Young's modulus", m.young_modulus_pa, {1e-9, 1e18, "Pa"}); !ok)
+    return ok;
   if (!(m.poisson_ratio > -1 && m.poisson_ratio < 0.5))
-    return refuse("Poisson's ratio is " + number(m.poisson_ratio),
-                  "It must lie between -1 and 0.5, both excluded");
-  if (!(m.density_kg_m3 >= 0) || !std::isfinite(m.density_kg_m3))
-    return refuse("the density is " + number(m.density_kg_m3) + " kg/m3",
-                  "It must not be negative");
-  if (m.density_kg_m3 > 1e30)
-    return refuse("the density is " + number(m.density_kg_m3) + " kg/m3",
-                  "It must be at most 1e30");
-  if (!(m.yield_strength_pa >= 0) || !std::isfinite(m.yield_strength_pa))
-    return refuse("the yield strength is " + number(m.yield_strength_pa) + " Pa",
-                  "It must not be negative");
-  return {};
+    return fail(ec::invalid_material,
+                "material \"" + m.name + "\": Poisson's ratio is " + number_text(m.poisson_ratio),
+                "It must lie between -1 and 0.5, both excluded");
+  if (auto ok = check("the density", m.density_kg_m3, {0, largest_number, "kg/m3"}); !ok)
+    return ok;
+  return check("the yield strength", m.yield_strength_pa, {0, largest_number, "Pa"});
 }
 
 }  // namespace

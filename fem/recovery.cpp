@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "base/number_range.hpp"
 #include "base/parallel.hpp"
 #include "fem/error_estimate.hpp"
 #include "fem/nodal_patches.hpp"
@@ -257,7 +259,27 @@ std::vector<surface_reaction> reactions_by_surface(const problem& p,
   return result;
 }
 
-void recover(const problem& p, const element_operator& k, solution& out) {
+namespace {
+
+/// The sums over all nodes and elements hide nothing that is no number; maxima would.
+expected<void> check_result(const solution& out) {
+  const auto& reaction = out.reaction_n;
+  for (const double value :
+       {out.max_displacement_m, out.max_von_mises_pa, out.strain_energy_j, out.compliance_j,
+        out.relative_error, reaction.x, reaction.y, reaction.z})
+    if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+      return fail(ec::invalid_load,
+                  "the result is beyond what a number can hold: displacement " +
+                    number_text(out.max_displacement_m) + " m, stress " +
+                    number_text(out.max_von_mises_pa) + " Pa, energy " +
+                    number_text(out.strain_energy_j) + " J",
+                  "Check the units of loads, materials and the mesh");
+  return {};
+}
+
+}  // namespace
+
+expected<void> recover(const problem& p, const element_operator& k, solution& out) {
   const nodal_patches patches(p, k.chunks(), out.displacement);
   fill_nodal(p, patches, out);
   fill_von_mises(p, patches, out);
@@ -268,6 +290,7 @@ void recover(const problem& p, const element_operator& k, solution& out) {
   add_mass(p, patches, out);
   estimate_error(p, patches, k.chunks(), out);
   find_singular_places(p, patches, out);
+  return check_result(out);
 }
 
 }  // namespace tedit::fem

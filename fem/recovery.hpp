@@ -28,8 +28,9 @@ namespace tedit::fem {
 [[nodiscard]] std::vector<surface_reaction> reactions_by_surface(const problem& p,
                                                                  std::span<const double> reactions);
 
-/// Fills everything of `out` that follows from its displacement, in fp64 on the host. Cost:
-/// O(mesh), on all cores.
-void recover(const problem& p, const element_operator& k, solution& out);
+/// Fills everything of `out` that follows from its displacement, in fp64 on the host. Errors:
+/// `invalid_load` when a number of the result is not finite or more than single precision holds, in
+/// which fields are sent and stored. Cost: O(mesh), on all cores.
+[[nodiscard]] expected<void> recover(const problem& p, const element_operator& k, solution& out);
 
 }  // namespace tedit::fem

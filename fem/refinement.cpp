@@ -34,6 +34,8 @@ std::string in_case(const std::string& name, const std::string& message) {
 expected<void> check_settings(const problem& p, const solve_settings& settings) {
   if (!(settings.tolerance > 0))
     return fail(ec::invalid_argument, "the tolerance must be a positive number");
+  if (!(settings.energy_tolerance >= 0))
+    return fail(ec::invalid_argument, "the energy tolerance must be a number, 0 or more");
   if (!settings.start.empty() && settings.start.size() != p.dofs())
     return fail(ec::invalid_argument, "the start value has the wrong length");
   return {};
@@ -53,10 +55,20 @@ refinement::refinement(conditions_view conditions, const element_operator& k,
     put({}, n, correction_);
   });
   reference_ = norm_ = start_residual();
-  out.true_relative_residual = reference_ > 0 ? 1 : 0;
+  out.true_relative_residual = reference_ == 0 ? 0 : 1;
   if (!settings.start.empty())
     add_start();
   out.energy_error = out.true_relative_residual > 0 ? 1 : 0;  // Nobody knows yet.
+}
+
+expected<void> refinement::check_start() const {
+  if (std::isfinite(reference_))
+    return {};
+  return fail(ec::invalid_load,
+              in_case(conditions_.name,
+                      "the loads and prescribed displacements add up to no "
+                      "finite number"),
+              "Check their units, and those of the materials");
 }
 
 bool refinement::done() const {
@@ -136,7 +148,9 @@ double refinement::start_residual() {
   constexpr double rounding = 2e-12;  // See `roller_directions`.
   if (moved > 0)
     return residual_norm();
-  return squares > rounding * rounding * applied ? std::sqrt(squares) : 0;
+  // What is no finite number must not pass for none: `applied` may be infinite, too.
+  return squares <= rounding * rounding * applied && std::isfinite(applied) ? 0
+                                                                            : std::sqrt(squares);
 }
 
 /// Adds the multiple of the start value d whose error has the least energy, alpha = d.r / d.Kd, and
@@ -200,6 +214,9 @@ tl::unexpected<error> refinement::not_converged() const {
 expected<void> refine(std::span<refinement> cases, linear_system& system,
                       const solve_settings& settings, const execution& run,
                       const std::function<void(int round)>& on_round) {
+  for (const auto& c : cases)
+    if (auto ok = c.check_start(); !ok)
+      return ok;
   for (int round = 1;; ++round) {
     std::vector<refinement*> open;
     std::vector<inner_case> inner;

@@ -18,7 +18,8 @@ struct conditions_view {
 /// A message that starts with the load case it is about; an empty name changes nothing.
 [[nodiscard]] std::string in_case(const std::string& name, const std::string& message);
 
-/// Errors: `invalid_argument` for a tolerance that is not positive or a start of another length.
+/// Errors: `invalid_argument` for a tolerance that is not positive, an energy tolerance below 0 or
+/// a start of another length.
 [[nodiscard]] expected<void> check_settings(const problem& p, const solve_settings& settings);
 
 /// How far one load case has come. The true residual is its own, whatever it is solved with.
@@ -29,6 +30,9 @@ public:
   /// must outlive this.
   refinement(conditions_view conditions, const element_operator& k, const solve_settings& settings,
              solution& out);
+
+  /// Errors: `invalid_load` when the case begins with no finite number.
+  [[nodiscard]] expected<void> check_start() const;
 
   [[nodiscard]] bool done() const;
   [[nodiscard]] bool gave_up() const;
@@ -67,8 +71,8 @@ private:
 };
 
 /// Inner solves of all cases that are not done, until all are. `on_round(round)` is called after
-/// each round that is not the last; empty: not wanted. Errors: those of the system;
-/// `not_converged`.
+/// each round that is not the last; empty: not wanted. Errors: those of the system; `invalid_load`
+/// for a case that begins with no finite number; `not_converged`.
 [[nodiscard]] expected<void> refine(std::span<refinement> cases, linear_system& system,
                                     const solve_settings& settings, const execution& run,
                                     const std::function<void(int round)>& on_round = {});

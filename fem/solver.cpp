@@ -22,7 +22,8 @@ expected<solution> refine_and_recover(const problem& p, const element_operator& 
   run.report(0.1, "solving");
   const auto as_it_is = [&]() -> expected<solution> {
     solution copy = out;
-    recover(p, k, copy);
+    if (auto ok = recover(p, k, copy); !ok)
+      return fail(ok.error());
     return copy;
   };
   std::function<void(int)> on_round;
@@ -38,7 +39,8 @@ expected<solution> refine_and_recover(const problem& p, const element_operator& 
   out.converged = out.true_relative_residual <= settings.tolerance;
   out.solve_ms = clock.restart();
   run.report(0.95, "recovering stresses");
-  recover(p, k, out);
+  if (auto ok = recover(p, k, out); !ok)
+    return fail(ok.error());
   out.recovery_ms = clock.restart();
   run.report(1, "done");
   return out;

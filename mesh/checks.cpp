@@ -381,7 +381,8 @@ private:
     if (worst == no_id || after >= claim_.quality_floor)
       return;
     const double before = worst_quality_before(base_, mesh_, claim_.touched);
-    if (after < std::min(claim_.quality_floor, before) * (1 - 1e-9))
+    // A floor that is no number allows nothing.
+    if (!(after >= std::min(claim_.quality_floor, before) * (1 - 1e-9)))
       slots_.add(ec::postcondition_failed, "worst quality of the touched region",
                  named("tet", worst),
                  "q = " + number(after) + ", before " + number(before) + ", floor " +

@@ -165,10 +165,11 @@ expected<finished_edit> finish_edit(const version_ptr& base, const version_ptr& 
   const auto report = check_edit(*base, *result.version, final_claim);
   if (!report.ok())
     return fail(to_error(report));
-  result.touched_min_before = worst_quality_before(*base, *result.version, result.touched);
-  const auto quality = radius_ratios(*result.version, result.touched);
-  result.touched_min_after = quality.min;
-  result.touched_median_after = quality.median;
+  if (!result.touched.empty()) {
+    const auto after = radius_ratios(*result.version, result.touched);
+    result.ratios = {worst_quality_before(*base, *result.version, result.touched), after.min,
+                     after.median};
+  }
   result.check_ms = clock.restart();
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/checks.hpp"
@@ -16,6 +17,15 @@ struct finish_settings {
 /// An operation may promise less than the host's floor, but no less than this.
 inline constexpr double lowest_quality_floor = 0.05;
 
+/// Radius ratios (mesh/quality.hpp) around what an edit did.
+struct touched_ratios {
+  double min_before = 0;  ///< Worst of the base's tets in and around the region.
+  double min_after = 0;   ///< Worst of the touched tets.
+  double median_after = 0;
+
+  friend bool operator==(const touched_ratios&, const touched_ratios&) = default;
+};
+
 /// A candidate that passed every postcondition.
 struct finished_edit {
   version_ptr version;
@@ -23,9 +33,7 @@ struct finished_edit {
   improve_report improvement;
   /// m^3: the claim's, and what the optimizer did to the boundary within its tolerance.
   double volume_change = 0;
-  double touched_min_before = 0;  ///< Worst q of the base's tets in and around the region.
-  double touched_min_after = 0;
-  double touched_median_after = 0;
+  std::optional<touched_ratios> ratios;  ///< Empty where no tet is new or changed.
   double improve_ms = 0;
   double check_ms = 0;
 };

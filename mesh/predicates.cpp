@@ -32,6 +32,9 @@ int orient3d(vec3 a, vec3 b, vec3 c, vec3 d) {
     return 1;
   if (det < -bound)
     return -1;
+  // CGAL's exact numbers know no nan.
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d))
+    return 0;
   switch (CGAL::orientation(point(a), point(b), point(c), point(d))) {
     case CGAL::POSITIVE:
       return 1;

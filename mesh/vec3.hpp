@@ -48,8 +48,10 @@ constexpr vec3& operator-=(vec3& a, vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Never hides a component that is no number: libstdc++ calls the length of (0, 0, nan) 0.
 [[nodiscard]] inline double norm(vec3 a) {
-  return std::hypot(a.x, a.y, a.z);
+  const double length = std::hypot(a.x, a.y, a.z);
+  return length == 0 ? std::abs(a.x) + std::abs(a.y) + std::abs(a.z) : length;
 }
 
 /// `a / |a|`; the zero vector stays zero.

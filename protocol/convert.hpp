@@ -11,7 +11,7 @@
 namespace tedit::protocol {
 
 /// Parses the canonical JSON of `tedit.v1.LoadCase`. Errors: `bad_input` naming the field, the
-/// constraint or the load; `where` is prefixed with `source`.
+/// constraint or the load, also for a number that `check_numbers` refuses; `where` is `source`.
 [[nodiscard]] expected<fem::load_case> load_case_from_json(std::string_view json,
                                                            const std::string& source);
 

@@ -122,6 +122,7 @@ solve_outcome make_outcome(const mesh_version& mesh, const fem::case_set& set,
     auto report = make_report(mesh, set.cases[c].name, set.problem, result.cases[c]);
     report.interim = interim;
     report.total_ms = total_ms / static_cast<double>(count);
+    report.warnings = set.cases[c].warnings;
     outcome.cases.push_back(std::move(report));
   }
   if (count > 1)
@@ -206,6 +207,7 @@ void judgement_to(const solve_report& report, v1::SolveReport* out) {
   if (report.max_von_mises_singularity)
     out->set_max_von_mises_singularity(kind_to(*report.max_von_mises_singularity));
   out->set_notice(report.notice);
+  out->mutable_warnings()->Assign(report.warnings.begin(), report.warnings.end());
 }
 
 void judgement_from(const v1::SolveReport& m, solve_report& report) {
@@ -224,6 +226,7 @@ void judgement_from(const v1::SolveReport& m, solve_report& report) {
   report.singular_places_count = m.singular_places_count();
   report.max_von_mises_singularity = kind_from(m.max_von_mises_singularity());
   report.notice = m.notice();
+  report.warnings.assign(m.warnings().begin(), m.warnings().end());
 }
 
 }  // namespace
@@ -241,9 +244,11 @@ void to_message(const edit_report& report, v1::EditReport* out) {
   out->set_tets_added(report.tets_added);
   out->set_tets_removed(report.tets_removed);
   out->set_volume_change_m3(report.volume_change);
-  out->set_touched_min_before(report.touched_min_before);
-  out->set_touched_min_after(report.touched_min_after);
-  out->set_touched_median_after(report.touched_median_after);
+  if (report.ratios) {
+    out->set_touched_min_before(report.ratios->min_before);
+    out->set_touched_min_after(report.ratios->min_after);
+    out->set_touched_median_after(report.ratios->median_after);
+  }
   out->set_operation_ms(report.operation_ms);
   if (report.optimisation)
     to_message(*report.optimisation, out->mutable_optimisation());
@@ -274,9 +279,8 @@ edit_report from_message(const v1::EditReport& m) {
   report.tets_added = m.tets_added();
   report.tets_removed = m.tets_removed();
   report.volume_change = m.volume_change_m3();
-  report.touched_min_before = m.touched_min_before();
-  report.touched_min_after = m.touched_min_after();
-  report.touched_median_after = m.touched_median_after();
+  if (m.has_touched_min_after())
+    report.ratios = {m.touched_min_before(), m.touched_min_after(), m.touched_median_after()};
   report.operation_ms = m.operation_ms();
   if (m.has_optimisation())
     report.optimisation = from_message(m.optimisation());

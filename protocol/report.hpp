@@ -35,10 +35,8 @@ struct edit_report {
   std::optional<improve_report> optimisation;  ///< Of a thorough one; both figures are there.
   std::uint64_t tets_added = 0;
   std::uint64_t tets_removed = 0;
-  double volume_change = 0;  ///< m^3.
-  double touched_min_before = 0;
-  double touched_min_after = 0;
-  double touched_median_after = 0;
+  double volume_change = 0;              ///< m^3.
+  std::optional<touched_ratios> ratios;  ///< Empty where the edit made and changed no tet.
   double operation_ms = 0;
   double improve_ms = 0;
   double check_ms = 0;
@@ -98,7 +96,8 @@ struct solve_report {
   std::size_t singular_places_count = 0;          ///< All that were found.
   /// What the largest von Mises stress sits at; empty: at no singular place that was found.
   std::optional<fem::singularity> max_von_mises_singularity;
-  std::string notice;  ///< How it was computed, where that is not as asked for.
+  std::string notice;                 ///< How it was computed, where that is not as asked for.
+  std::vector<std::string> warnings;  ///< About its loads and supports: `fem::constraint::warning`.
 };
 
 /// The report of a solution, without `total_ms`.

@@ -9,6 +9,7 @@
 #include "actors/session/session.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
+#include "protocol/numbers.hpp"
 #include "protocol/selection_message.hpp"
 
 namespace tedit::gateway {
@@ -106,6 +107,8 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
 
 void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {
   using body = v1::ClientMessage;
+  if (auto ok = protocol::check_numbers(message, finite_number(), ec::invalid_argument); !ok)
+    return refuse(id, ok.error());
   switch (message.body_case()) {
     case body::kListOperations:
       return list_operations(id);
@@ -396,8 +399,14 @@ void client_state::select(std::uint64_t id, const v1::SelectSurfaces& body) {
       [=, this](const selected& found) {
         v1::ServerMessage message;
         auto* out = message.mutable_surfaces_selected();
-        if (const auto features = protocol::features_from_json(found.features))
-          protocol::to_message(*features, out);
+        const auto features = protocol::features_from_json(found.features);
+        if (!features)
+          return refuse(id,
+                        {ec::internal,
+                         "the answer to the selection cannot be read: " + features.error().message,
+                         "Use a server and workers of one release",
+                         {}});
+        protocol::to_message(*features, out);
         out->set_document(found.document);
         out->set_version_id(found.version);
         answer(id, std::move(message));

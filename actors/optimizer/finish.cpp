@@ -55,9 +55,7 @@ expected<finished_candidate> finish_candidate(const version_ptr& base, const ver
   report.volume_change = finished->volume_change;
   if (finished->improvement.before)
     report.optimisation = finished->improvement;
-  report.touched_min_before = finished->touched_min_before;
-  report.touched_min_after = finished->touched_min_after;
-  report.touched_median_after = finished->touched_median_after;
+  report.ratios = finished->ratios;
   report.improve_ms = finished->improve_ms;
   report.check_ms = finished->check_ms;
   return result;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/virtual_display.hpp"
+#include "cli/render/number_option.hpp"
 #include "cli/render/scene.hpp"
 
 namespace {
@@ -39,11 +40,14 @@ int main(int argc, char** argv) {
   app.add_option("--field", options.field, "Point field; vectors show their length")
     ->capture_default_str();
   app.add_option("--unit", options.unit, "Unit in the legend")->capture_default_str();
+  const auto any = tedit::cli::number_in(tedit::any_number());
   app.add_option("--scale", options.scale, "Field value times this is in the unit")
+    ->check(any)
     ->capture_default_str();
   app.add_option("--range", range, "Legend from MIN to MAX, in the unit")
     ->expected(2)
-    ->delimiter(',');
+    ->delimiter(',')
+    ->check(any);
   app.add_option("--title", options.title, "Heading");
   app.add_option("--caption", options.caption, "Small print");
   app.add_option("--size", size, "WIDTH HEIGHT in pixels")
@@ -52,11 +56,13 @@ int main(int argc, char** argv) {
     ->check(CLI::Range(64, 8192));
   app.add_option("--view", options.view, "iso, x, y, z, -x, -y or -z")
     ->check(CLI::IsMember({"iso", "x", "y", "z", "-x", "-y", "-z"}));
-  app.add_option("--zoom", options.zoom, "Nearer by this factor")->check(CLI::PositiveNumber);
+  app.add_option("--zoom", options.zoom, "Nearer by this factor")
+    ->check(tedit::cli::number_in({1e-6, 1e6, {}}));
   app.add_option("--focus", focus, "X,Y,Z in metres: what lies in the middle")
     ->expected(3)
-    ->delimiter(',');
-  app.add_option("--deform", options.deform, "Draw the displacement times this factor");
+    ->delimiter(',')
+    ->check(any);
+  app.add_option("--deform", options.deform, "Draw the displacement times this factor")->check(any);
   app.add_flag("--edges", options.edges, "Draw the mesh edges");
   app.add_flag("--json", json, "Print one JSON object on stdout");
   try {
@@ -67,6 +73,12 @@ int main(int argc, char** argv) {
     return report({tedit::ec::usage, e.what(), "\"tedit render --help\" lists the options", {}},
                   app.count("--json") > 0);
   }
+  if (range.size() == 2 && !(range[0] < range[1]))
+    return report({tedit::ec::usage,
+                   "--range goes from the smaller number to the larger one",
+                   "Write MIN,MAX",
+                   {}},
+                  json);
   if (range.size() == 2)
     options.range = {range[0], range[1]};
   if (focus.size() == 3)

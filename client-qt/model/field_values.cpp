@@ -24,7 +24,7 @@ float of_stress(const float* s, shown_field wanted) {
 
 float of_displacement(const float* u, shown_field wanted) {
   if (wanted == displacement)
-    return std::hypot(u[0], u[1], u[2]);
+    return static_cast<float>(norm({u[0], u[1], u[2]}));
   return u[static_cast<int>(wanted) - static_cast<int>(displacement_x)];
 }
 

@@ -2067,6 +2067,10 @@ Inhalt %1</translation>
         <translation>Es wurde noch nichts geändert.</translation>
     </message>
     <message>
+        <source>This edit made and changed no tet.</source>
+        <translation>Diese Bearbeitung hat kein Tetraeder neu gemacht oder geändert.</translation>
+    </message>
+    <message>
         <source>Worst tet: %1 before, %2 now; median now %3.
 How many have which quality is counted by a thorough improvement only (&quot;Improve mesh&quot;).</source>
         <translation>Schlechtestes Tetraeder: vorher %1, jetzt %2; Median jetzt %3.
@@ -2561,6 +2565,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>stresses follow when it is applied</source>
         <translation>Spannungen folgen beim Anwenden</translation>
+    </message>
+    <message>
+        <source>check the loads</source>
+        <translation>Lasten prüfen</translation>
     </message>
     <message>
         <source>residual %1</source>

@@ -141,9 +141,9 @@ QString history_strip::details(const version_record& version) const {
     lines << tr("mass %1").arg(desktop::mass(*m));
   if (version.report) {
     lines << tr("volume %1").arg(quantity(version.report->volume_change, "m3"));
-    lines << tr("worst tet where it changed: %1 before, %2 now")
-               .arg(number(version.report->touched_min_before),
-                    number(version.report->touched_min_after));
+    if (const auto& ratios = version.report->ratios)
+      lines << tr("worst tet where it changed: %1 before, %2 now")
+                 .arg(number(ratios->min_before), number(ratios->min_after));
   }
   return lines.join("\n");
 }

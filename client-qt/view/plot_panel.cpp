@@ -293,12 +293,15 @@ plot plot_panel::quality() const {
     return result;
   }
   const auto& report = *head->report;
+  const auto& ratios = report.ratios;
   if (!report.optimisation || !report.optimisation->before || !report.optimisation->after) {
-    result.note = tr(
-                    "Worst tet: %1 before, %2 now; median now %3.\nHow many have which quality is "
-                    "counted by a thorough improvement only (\"Improve mesh\").")
-                    .arg(number(report.touched_min_before), number(report.touched_min_after),
-                         number(report.touched_median_after));
+    result.note = ratios
+                    ? tr(
+                        "Worst tet: %1 before, %2 now; median now %3.\nHow many have which "
+                        "quality is counted by a thorough improvement only (\"Improve mesh\").")
+                        .arg(number(ratios->min_before), number(ratios->min_after),
+                             number(ratios->median_after))
+                    : tr("This edit made and changed no tet.");
     return result;
   }
   const auto& before = *report.optimisation->before;

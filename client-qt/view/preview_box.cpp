@@ -55,9 +55,10 @@ QString preview_html(const client::edit_preview& made) {
                                      .arg(count(static_cast<double>(made.tets)),
                                           count(static_cast<double>(report.tets_added)),
                                           count(static_cast<double>(report.tets_removed))));
-  html += row(phrases::tr("Worst tet here"),
-              phrases::tr("%1 before, %2 then")
-                .arg(number(report.touched_min_before), number(report.touched_min_after)));
+  if (const auto& ratios = report.ratios)
+    html += row(
+      phrases::tr("Worst tet here"),
+      phrases::tr("%1 before, %2 then").arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
     html += row(escaped(figure.help), number(figure.value) + " " + escaped(figure.unit));
   html += "</table>";
@@ -70,6 +71,9 @@ QString preview_html(const client::edit_preview& made) {
   for (const auto& line : report.receipt)
     if (line.fate != fem::receipt_fate::kept)
       html += "<p>" + escaped(line.text) + "</p>";
+  for (const auto& line : report.receipt)
+    if (!line.warning.empty())
+      html += "<p><b>" + escaped(line.warning) + "</b></p>";
   for (const auto& text : report.notices)
     html += "<p>" + escaped(text) + "</p>";
   return html;

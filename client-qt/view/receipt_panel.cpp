@@ -78,14 +78,18 @@ QString receipt_html(const edit_report& report) {
         html += "<li>" + words_of(line.text).toHtmlEscaped() + "</li>";
     html += "</ul>";
   }
+  for (const auto& line : report.receipt)
+    if (!line.warning.empty())
+      html += "<p><b>" + words_of(line.warning).toHtmlEscaped() + "</b></p>";
   html += "<table>";
   html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
   html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
                                      .arg(count(static_cast<double>(report.tets_added)),
                                           count(static_cast<double>(report.tets_removed))));
-  html += row(phrases::tr("Worst tet here"),
-              phrases::tr("%1 before, %2 now")
-                .arg(number(report.touched_min_before), number(report.touched_min_after)));
+  if (const auto& ratios = report.ratios)
+    html += row(
+      phrases::tr("Worst tet here"),
+      phrases::tr("%1 before, %2 now").arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
     html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
                 number(figure.value) + " " + words_of(figure.unit));

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/number_range.hpp"
 #include "mesh/features/hole.hpp"
 #include "mesh/features/protrusion.hpp"
 #include "mesh/features/surface_shape.hpp"
@@ -151,6 +152,10 @@ expected<void> check(const mesh_version& mesh, const selection_query& query) {
                 "Give surface ids");
   if (!(query.angle >= 0 && query.angle <= std::numbers::pi))
     return fail(ec::invalid_argument, "the angle must lie between 0 and 180 degrees");
+  for (const auto& [value, name] : {std::pair(query.min_diameter, "the smallest diameter"),
+                                    std::pair(query.max_diameter, "the largest diameter")})
+    if (auto ok = check_number(value, finite_number("m"), name); !ok)
+      return ok;
   if (!(query.min_diameter <= query.max_diameter))
     return fail(ec::invalid_argument, "the smallest diameter is larger than the largest");
   return {};

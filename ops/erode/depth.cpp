@@ -108,7 +108,8 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& done, d
   if (area == 0)
     return;
   sum.figures.push_back({"thickness_change_mm", 1e3 * mean / area, "mm", "thickness taken off"});
-  sum.figures.push_back({"thickness_change_worst_mm", 1e3 * worst, "mm", "furthest from asked"});
+  sum.figures.push_back(
+    {"thickness_change_worst_mm", 1e3 * worst, "mm", "taken off at the least exact place"});
 }
 
 /// Round surfaces, with flat ones beside them: all move at once.

@@ -4,22 +4,24 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/number_range.hpp"
 #include "ops/loader/catalogue.hpp"
 
 namespace tedit::ops {
 
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%g", value);
-  return text;
+number_range range_of(const parameter_description& p) {
+  return {p.min.value_or(-largest_number), p.max.value_or(largest_number), p.unit};
 }
 
 tl::unexpected<error> wrong(const parameter_description& p, const std::string& why) {
   std::string remedy = p.help;
-  if (p.min && p.max)
-    remedy = "It takes " + number(*p.min) + " to " + number(*p.max) + " " + p.unit;
+  if (p.type == parameter_type::integer || p.type == parameter_type::real) {
+    const auto range = range_of(p);
+    remedy =
+      "It takes " + number_text(range.least) + " to " + number_text(range.most) + " " + range.unit;
+  }
   if (!p.choices.empty()) {
     remedy = "Choose one of";
     for (const auto& choice : p.choices)
@@ -89,8 +91,8 @@ expected<void> check_range(const parameter_description& p, const parameter_value
     return {};
   if (!std::isfinite(real))
     return wrong(p, "it is not a finite number");
-  if ((p.min && real < *p.min) || (p.max && real > *p.max))
-    return wrong(p, number(real) + " is out of range");
+  if (const auto range = range_of(p); real < range.least || real > range.most)
+    return wrong(p, number_text(real) + " is out of range");
   return {};
 }
 

@@ -453,7 +453,9 @@ std::vector<figure> measure_shift(const mesh_version& base, const mesh_version& 
   if (area == 0)
     return figures;
   figures.push_back({"thickness_change_mm", sign * 1e3 * mean / area, "mm", what});
-  figures.push_back({"thickness_change_worst_mm", sign * 1e3 * worst, "mm", "furthest from asked"});
+  figures.push_back(
+    {"thickness_change_worst_mm", sign * 1e3 * worst, "mm",
+     distance < 0 ? "taken off at the least exact place" : "put on at the least exact place"});
   if (const auto change = radius_change(mesh, walls))
     figures.push_back({"radius_change_mm", 1e3 * *change, "mm", "change of the radius, fitted"});
   return figures;

@@ -121,7 +121,8 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& before,
   if (area == 0)
     return;
   result.figures.push_back({"thickness_change_mm", 1e3 * mean / area, "mm", "thickness put on"});
-  result.figures.push_back({"thickness_change_worst_mm", 1e3 * worst, "mm", "furthest from asked"});
+  result.figures.push_back(
+    {"thickness_change_worst_mm", 1e3 * worst, "mm", "put on at the least exact place"});
 }
 
 /// Flat surfaces, one after the other.

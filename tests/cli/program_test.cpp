@@ -253,6 +253,39 @@ TEST(Solve, AnEnergyToleranceEndsEarlyAndTheResultIsAPreview) {
   EXPECT_THAT(solve.out, HasSubstr("PREVIEW: stopped at the energy tolerance"));
 }
 
+TEST(Solve, NumbersThatAreNoneAreUsageErrors) {
+  const std::string command = "solve --json --device cpu " + plate + " --load-case " + plate_loads;
+  for (const auto* option : {"--tolerance nan", "--tolerance inf", "--tolerance 1", "--tolerance x",
+                             "--energy-tolerance nan", "--energy-tolerance -1"}) {
+    const auto refused = run(command + " " + option);
+    EXPECT_EQ(refused.status, 2) << option;
+    EXPECT_THAT(refused.parsed()["error"]["message"], HasSubstr("tolerance")) << option;
+  }
+  EXPECT_EQ(run("select " + plate + " --smooth 1 --angle nan").status, 2);
+  EXPECT_EQ(run("select " + plate + " --holes nan,8").status, 2);
+  EXPECT_EQ(run("select " + plate + " --holes 3,inf").status, 2);
+}
+
+TEST(Solve, ALoadThatIsNoNumberEndsWith65AndNamesTheField) {
+  const auto file = scratch("loads.json");
+  for (const auto& [kind, field] : {std::pair<std::string, std::string>{"force", "total_n"},
+                                    {"traction", "pa"},
+                                    {"gravity", "m_s2"}}) {
+    std::ifstream in(plate_loads);
+    auto loads = nlohmann::json::parse(in);
+    loads["loads"] = {{{kind, {{field, {{"x", 0}, {"y", 0}, {"z", "NaN"}}}}}}};
+    if (kind != "gravity")
+      loads["loads"][0]["surfaces"] = {3};
+    std::ofstream(file) << loads;
+
+    const auto solve = run("solve --json --device cpu " + plate + " --load-case " + file.string());
+
+    EXPECT_EQ(solve.status, 65);
+    EXPECT_EQ(solve.parsed()["error"]["message"], "loads[0]." + kind + "." + field + ".z is nan");
+    EXPECT_EQ(solve.parsed()["error"]["where"], file.string());
+  }
+}
+
 TEST(Solve, AnUnheldPartEndsWith1AndSaysWhatMoves) {
   const auto file = scratch("free.json");
   std::ifstream in(plate_loads);

@@ -137,6 +137,27 @@ TEST(Run, WrongLoadCasesOfASolveStepAreNamed) {
   }
 }
 
+TEST(Run, NumbersOutOfRangeAreNamedAndNoneIsCutOff) {
+  const auto file = scratch("recipe.json");
+  const auto message = [&](const std::string& recipe) {
+    std::ofstream(file) << recipe;
+    const auto result = run("run --json " + file.string());
+    EXPECT_EQ(result.status, 65) << recipe;
+    return result.parsed()["error"]["message"].get<std::string>();
+  };
+  const auto step = [&](const std::string& body) { return message("{\"steps\": [" + body + "]}"); };
+
+  EXPECT_THAT(message(R"({"order": 1.9, "steps": []})"), HasSubstr("\"order\" must be a whole"));
+  EXPECT_THAT(message(R"({"tolerance": 0.5, "steps": []})"), HasSubstr("1e-12 to 0.1"));
+  EXPECT_THAT(message(R"({"tolerance": 1e999, "steps": []})"), HasSubstr("no JSON"));
+  EXPECT_THAT(step(R"({"solve": {"energy_tolerance": 7}})"), HasSubstr("1e-09 to 0.5"));
+  EXPECT_THAT(step(R"({"export": {"png": "a.png", "range_mpa": [9, 1]}})"), HasSubstr("smaller"));
+  EXPECT_THAT(step(R"({"edit": {"operation": "erode", "surfaces": [18446744073709551615]}})"),
+              HasSubstr("\"surfaces\" must be a whole number"));
+  EXPECT_THAT(step(R"({"edit": {"operation": "erode", "parameters": {"depth": 1e300}}})"),
+              HasSubstr("parameter \"depth\" is 1e+300"));
+}
+
 TEST(Run, ATypingMistakeInARecipeIsNamed) {
   const auto file = scratch("recipe.json");
   std::ofstream(file) << R"({"steps": [{"import": {"mash": "a.msh", "mesh": "a.msh"}}]})";

@@ -201,6 +201,34 @@ TEST(Solver, CancelIsObeyed) {
   EXPECT_EQ(result.error().code, ec::cancelled);
 }
 
+/// However they came into a problem: what is no finite number has no solution, least of all zero.
+TEST(Solver, LoadsThatAreNoFiniteNumbersAreRefused) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
+    auto p = patch_problem();
+    std::ranges::fill(p.prescribed, 0.0);
+    const auto free = std::ranges::find(p.filter, std::array<double, 6>{1, 0, 0, 1, 0, 1});
+    p.loads[3 * static_cast<std::size_t>(free - p.filter.begin()) + 2] = bad;
+
+    const auto result = solve(p, *make_native_backend(), {}, {});
+
+    ASSERT_FALSE(result.has_value()) << bad;
+    EXPECT_EQ(result.error().code, ec::invalid_load);
+  }
+}
+
+TEST(Solver, AResultThatSinglePrecisionCannotHoldIsRefused) {
+  auto loads = one_material(1e-9, 0.3);
+  loads.constraints = {{{1}, fixed{}}};
+  loads.loads = {{{2}, force{{0, 0, 1e30}}}};
+  const auto p = *make_problem(*test::box_mesh({4, 2, 2}, {1, 1, 1}), loads);
+
+  const auto result = solve(p, *make_native_backend(), {}, {});
+
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ec::invalid_load);
+  EXPECT_NE(result.error().message.find("beyond what a number can hold"), std::string::npos);
+}
+
 TEST(Devices, AnUnknownNameListsTheKnownOnes) {
   const auto device = open_backend("no such device");
 

@@ -140,6 +140,18 @@ TEST(CheckEdit, ALossOfQualityIsFound) {
   EXPECT_THAT(to_error(report).message, HasSubstr("worst quality"));
 }
 
+TEST(CheckEdit, AVertexThatIsNowhereIsFound) {
+  EXPECT_THAT(to_error(moved({std::nan(""), 0, 0}, true)).message,
+              HasSubstr("positive orientation"));
+}
+
+TEST(CheckEdit, AFloorThatIsNoNumberAllowsNothing) {
+  edit_claim claim;
+  claim.quality_floor = std::nan("");
+
+  EXPECT_THAT(to_error(moved({0.45, 0, 0}, true, claim)).message, HasSubstr("worst quality"));
+}
+
 TEST(CheckEdit, AnInversionIsFound) {
   EXPECT_THAT(to_error(moved({0.7, 0, 0}, true)).message, HasSubstr("positive orientation"));
 }

@@ -29,6 +29,21 @@ TEST(Orient3d, WorksAtAnyScale) {
     EXPECT_EQ(orient3d({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), 1) << s;
 }
 
+TEST(Norm, NeverHidesAComponentThatIsNoNumber) {
+  const double nan = std::nan("");
+  for (const vec3 v : {vec3{nan, 0, 0}, {0, nan, 0}, {0, 0, nan}, {3, 0, nan}, {nan, nan, nan}})
+    EXPECT_TRUE(std::isnan(norm(v)));
+  EXPECT_EQ(norm({0, 0, 0}), 0);
+  EXPECT_EQ(norm({3, 0, -4}), 5);
+}
+
+TEST(Orient3d, APointThatIsNoNumberHasNoSide) {
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, bad}), 0);
+    EXPECT_EQ(orient3d({bad, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0);
+  }
+}
+
 TEST(TrianglesIntersect, TellsTouchingFromApart) {
   const std::array<vec3, 3> a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
 

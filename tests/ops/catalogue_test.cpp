@@ -116,6 +116,17 @@ TEST(Parameters, WhatDoesNotFitIsRefusedByName) {
   EXPECT_THAT(refused("side", std::string("up")), HasSubstr("Choose one of in out"));
   EXPECT_THAT(refused("dept", 0.1), HasSubstr("Did you mean depth?"));
   EXPECT_THAT(refused("depth", std::nan("")), HasSubstr("finite"));
+  EXPECT_THAT(refused("depth", std::string("nan")), HasSubstr("finite"));
+}
+
+TEST(Parameters, OneWithoutARangeStillHasALimit) {
+  auto description = sample();
+  description.parameters[0].max.reset();
+
+  const auto values = complete_parameters(description, {{"depth", 1e308}});
+
+  ASSERT_FALSE(values.has_value());
+  EXPECT_THAT(render(values.error()), HasSubstr("1e+308 is out of range. It takes 0 to 1e+30 m"));
 }
 
 }  // namespace

@@ -123,11 +123,12 @@ std::string result_fault(const mesh_version& before, const finished_edit& done, 
   const double volume = total_volume(before);
   if (std::abs(total_volume(after) - volume - done.volume_change) > 1e-9 * volume)
     return "the volume changed by other than was claimed";
-  if (!done.touched.empty() &&
-      done.touched_min_after < std::min(floor, done.touched_min_before) * (1 - 1e-9))
+  if (done.ratios.has_value() == done.touched.empty())
+    return "radius ratios are told where no tet was touched, or are not told";
+  if (done.ratios && done.ratios->min_after < std::min(floor, done.ratios->min_before) * (1 - 1e-9))
     return "the worst of " + std::to_string(done.touched.size()) + " touched tets has q " +
-           std::to_string(done.touched_min_after) + ", before " +
-           std::to_string(done.touched_min_before);
+           std::to_string(done.ratios->min_after) + ", before " +
+           std::to_string(done.ratios->min_before);
   const auto map = compare_surfaces(before, after);
   const auto fault = surface_fault(before, after, map);
   return fault.empty() ? load_fault(before, after, map) : fault;

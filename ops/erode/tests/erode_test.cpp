@@ -257,6 +257,22 @@ TEST_F(Erode, TheThicknessChangeIsMeasured) {
   EXPECT_EQ(figure_of(*result, "hinges_repaired"), 0);
 }
 
+/// The cut runs between two layers of cells: whole tets go, none is made.
+TEST_F(Erode, WhatOnlyTakesTetsOffTellsNoRatios) {
+  const auto mesh = test::box_mesh({4, 4, 4}, {4, 4, 4});
+
+  const auto result = lower(mesh, {6}, 1);
+
+  ASSERT_TRUE(result) << render(result.error());
+  EXPECT_EQ(result->candidate->tet_count(), mesh->tet_count() * 3 / 4);
+  edit_claim claim;
+  claim.touched = result->touched;
+  claim.volume_change = result->volume_change;
+  const auto done = finish_edit(mesh, result->candidate, claim, improvement::none, {}, {});
+  ASSERT_TRUE(done) << render(done.error());
+  EXPECT_EQ(done->ratios, std::nullopt);
+}
+
 TEST_F(Erode, TwoSidesOfAnEdgeAreLoweredTogether) {
   const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
 

@@ -51,7 +51,8 @@ TEST(FillHole, ThroughHoleClosesIntoTheSurfacesAroundIt) {
   EXPECT_EQ(after.find_surface(7), nullptr);
   EXPECT_EQ(after.surfaces().size(), 6u);
   EXPECT_TRUE(check_version(after).ok());
-  EXPECT_GE(result.finished->touched_min_after, 0.15);
+  ASSERT_TRUE(result.finished->ratios.has_value());
+  EXPECT_GE(result.finished->ratios->min_after, 0.15);
 }
 
 TEST(FillHole, BlindHoleClosesWithItsBottom) {

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// One client's actor between a connection and a session that are made up.
+#include "actors/gateway/client_actor.hpp"
+
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <caf/actor_system.hpp>
+
+#include "actors/node/system_config.hpp"
+
+namespace tedit::gateway {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Keeps what the actor sends.
+class kept_connection final : public connection {
+public:
+  void send(frame bytes) override {
+    v1::ServerMessage message;
+    EXPECT_TRUE(message.ParseFromString(*bytes));
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+    more_.notify_all();
+  }
+  [[nodiscard]] std::size_t queued_bytes() const override { return 0; }
+  void authenticated() override {}
+  void close(std::uint16_t, std::string) override {}
+  [[nodiscard]] std::string peer() const override { return "test"; }
+
+  /// The next message; one without a body when none comes.
+  v1::ServerMessage next() {
+    std::unique_lock lock(mutex_);
+    if (!more_.wait_for(lock, std::chrono::seconds(30), [&] { return !messages_.empty(); }))
+      return {};
+    auto message = std::move(messages_.front());
+    messages_.pop_front();
+    return message;
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable more_;
+  std::deque<v1::ServerMessage> messages_;
+};
+
+/// A document whose session answers every selection with `features`.
+caf::behavior session_of(const std::string& features) {
+  return {[](const actors::attach_request&) {
+            actors::session_snapshot snapshot;
+            snapshot.document = "part";
+            return snapshot;
+          },
+          [=](const actors::select_request&) {
+            return actors::selected{"part", std::string(32, 'a'), features};
+          },
+          [](actors::detach_atom, const caf::actor&) {}};
+}
+
+class ClientActor : public ::testing::Test {
+protected:
+  ~ClientActor() override { caf::anon_send(client_, closed_atom::value); }
+
+  /// Says hello and opens the document.
+  void open(const std::string& features) {
+    const auto session = system_.spawn([=] { return session_of(features); });
+    const auto hub = system_.spawn([=]() -> caf::behavior {
+      return {[=](const std::string& name) { return actors::opened_document{name, session}; }};
+    });
+    gateway_parts parts;
+    parts.hub = caf::actor_cast<actors::hub_actor>(hub);
+    client_ = system_.spawn(make_client, std::shared_ptr<connection>(peer_), parts);
+    v1::ClientMessage hello;
+    hello.mutable_hello()->set_protocol_major(1);
+    ASSERT_TRUE(ask(std::move(hello)).has_welcome());
+    v1::ClientMessage opening;
+    opening.mutable_open_document()->set_name("part");
+    ASSERT_TRUE(ask(std::move(opening)).has_document_state());
+  }
+
+  v1::ServerMessage ask(v1::ClientMessage message) {
+    message.set_request_id(++last_);
+    caf::anon_send(client_, message.SerializeAsString());
+    auto answer = peer_->next();
+    EXPECT_EQ(answer.request_id(), last_);
+    return answer;
+  }
+
+  v1::ServerMessage select() {
+    v1::ClientMessage message;
+    message.mutable_select_surfaces()->set_document("part");
+    message.mutable_select_surfaces()->set_kind(v1::SelectSurfaces::HOLES);
+    return ask(std::move(message));
+  }
+
+  actors::system_config config_{false};
+  caf::actor_system system_{config_};
+  std::shared_ptr<kept_connection> peer_ = std::make_shared<kept_connection>();
+  caf::actor client_;
+  std::uint64_t last_ = 0;
+};
+
+TEST_F(ClientActor, ASelectionsAnswerThatCannotBeReadIsAnErrorAndNoEmptySuccess) {
+  open(R"({"features": "many"})");
+
+  const auto answer = select();
+
+  ASSERT_TRUE(answer.has_error());
+  EXPECT_EQ(answer.error().code(), "internal");
+  EXPECT_THAT(answer.error().message(), HasSubstr("the answer to the selection cannot be read"));
+}
+
+TEST_F(ClientActor, ASelectionsAnswerIsHandedOn) {
+  open(R"({"features": [{"kind": "HOLE", "surfaces": ["7"]}]})");
+
+  const auto answer = select();
+
+  ASSERT_TRUE(answer.has_surfaces_selected()) << answer.error().message();
+  ASSERT_EQ(answer.surfaces_selected().features_size(), 1);
+  EXPECT_EQ(answer.surfaces_selected().features(0).surfaces(0), 7);
+}
+
+/// Whatever the request, and before anything else looks at it.
+TEST_F(ClientActor, ANumberThatIsNoneIsRefusedWithItsField) {
+  open("{}");
+  std::vector<std::pair<v1::ClientMessage, std::string>> requests(5);
+  requests[0].first.mutable_cut_section()->mutable_normal()->set_z(std::nan(""));
+  requests[0].second = "cut_section.normal.z is nan";
+  requests[1].first.mutable_select_surfaces()->set_max_diameter_m(HUGE_VAL);
+  requests[1].second = "select_surfaces.max_diameter_m is inf";
+  requests[2].first.mutable_solve()->set_energy_tolerance(std::nan(""));
+  requests[2].second = "solve.energy_tolerance is nan";
+  auto& edit = *requests[3].first.mutable_preview_edit()->mutable_edit();
+  (*edit.mutable_parameters())["depth"].set_real(-HUGE_VAL);
+  requests[3].second = "preview_edit.edit.parameters[depth].value.real is -inf";
+  auto* load = requests[4].first.mutable_set_load_case()->mutable_load_case()->add_loads();
+  load->mutable_force()->mutable_total_n()->set_z(std::nan(""));
+  requests[4].second = "set_load_case.load_case.loads[0].force.total_n.z is nan";
+
+  for (const auto& [request, words] : requests) {
+    const auto answer = ask(request);
+    ASSERT_TRUE(answer.has_error()) << words;
+    EXPECT_EQ(answer.error().code(), "invalid_argument");
+    EXPECT_EQ(answer.error().message(), words);
+  }
+}
+
+}  // namespace
+}  // namespace tedit::gateway
