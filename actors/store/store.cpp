@@ -66,6 +66,7 @@ expected<stored_document> load(const store::document& document) {
     return fail(contents.error());
   stored_document result;
   result.head = contents->head;
+  result.log = contents->log;
   page_map known;
   for (const auto& row : contents->versions) {
     if (row.number != result.nodes.size())

@@ -79,18 +79,18 @@ void pool_state::add(job j) {
     return j.refuse(*why);
   if (degraded && children.empty())
     return j.refuse(no_worker());
-  const auto previews = std::ranges::find(waiting, true, &job::preview);  // They are the last.
-  waiting.insert(j.preview ? waiting.end() : previews, std::move(j));
+  waiting.push_back(std::move(j));
   dispatch();
   make_way();
 }
 
 void pool_state::make_way() {
-  auto held_up = std::ranges::count(waiting, false, &job::preview);
+  auto held_up =
+    std::ranges::count_if(waiting, [](const job& j) { return j.place.what == urgency::edit; });
   for (const auto& c : children)
     held_up -= c.work && c.work->cancelled;
   for (auto& c : children)
-    if (held_up > 0 && c.work && c.work->preview && !c.work->cancelled) {
+    if (held_up > 0 && c.work && c.work->place.what == urgency::preview && !c.work->cancelled) {
       c.work->superseded = true;
       cancel(c.work->id);
       --held_up;
@@ -104,14 +104,23 @@ error pool_state::reason_of(job_id id, const error& said) {
   return {ec::superseded, "the preview gave way to other work", "Ask for it again", {}};
 }
 
+pool_state::job pool_state::take_next() {
+  std::vector<turn> places;
+  for (const auto& j : waiting)
+    places.push_back(j.place);
+  const auto at = waiting.begin() + static_cast<std::ptrdiff_t>(turns.take(places));
+  auto next = std::move(*at);
+  waiting.erase(at);
+  return next;
+}
+
 void pool_state::dispatch() {
   for (auto& c : children) {
     if (waiting.empty())
       return;
     if (!c.worker || c.work)
       continue;
-    auto next = std::move(waiting.front());
-    waiting.pop_front();
+    auto next = take_next();
     if (const auto why = off.refusal(next.operation)) {
       next.refuse(*why);  // Switched off while it waited.
       return dispatch();
@@ -247,6 +256,7 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   children.erase(dead);
   if (work) {
     ++work->deaths;
+    work->place.again = true;
     blame(*work, how);
     if (work->cancelled)
       work->refuse({ec::cancelled, "the work was cancelled", {}, {}});

@@ -14,6 +14,7 @@
 
 #include "actors/interfaces.hpp"
 #include "actors/supervisor/quarantine.hpp"
+#include "actors/supervisor/turns.hpp"
 
 namespace tedit::actors {
 
@@ -57,8 +58,8 @@ struct pool_state {
     std::string operation;  ///< Whose plugin it runs; empty when none.
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
+    turn place;  ///< Previews are ended, too, when what goes before them finds no free worker.
     int deaths = 0;
-    bool preview = false;  ///< Other work goes before it, and ends it when no worker is free.
     bool cancelled = false;
     bool superseded = false;     ///< Ended for other work.
     clock::time_point deadline;  ///< Once it runs.
@@ -100,7 +101,9 @@ struct pool_state {
   void tick();
   [[nodiscard]] worker_status status() const;
 
-  /// Ends previews that keep waiting work from running.
+  /// Takes the job whose turn it is. @pre one waits.
+  [[nodiscard]] job take_next();
+  /// Ends previews that keep waiting edits from running.
   void make_way();
   void spawn_child();
   void spawn_missing();
@@ -119,7 +122,8 @@ struct pool_state {
   std::optional<restart_budget> budget;
   std::string address;  ///< Where workers enlist, host:port.
   std::list<child> children;
-  std::deque<job> waiting;
+  std::deque<job> waiting;      ///< As they came.
+  turn_order turns;             ///< Which of them is next.
   std::vector<question> asked;  ///< While no worker is there.
   std::string catalogue;        ///< The last that a worker gave; of modeling.
   quarantine off;
