@@ -111,12 +111,11 @@ class exporter final : public bad_client {
 public:
   exporter(const client::connect_options& server, std::string document, int at_once)
       : document_(std::move(document)),
+        at_once_(at_once),
         socket_({[this](std::string_view bytes) { received(bytes); }, [](const error&) {}}) {
     value(socket_.connect(server.url, 30s).map([] { return true; }));
     socket_.send(hello_of(server).SerializeAsString());
     socket_.send(open_of(document_).SerializeAsString());
-    for (int i = 0; i < at_once; ++i)
-      ask();
   }
 
   [[nodiscard]] std::string deeds() const override {
@@ -130,6 +129,8 @@ private:
     v1::ServerMessage message;
     if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
       return;
+    for (int i = 0; message.has_document_state() && i < at_once_; ++i)
+      ask();
     files_ += message.has_file_ready();
     refused_ += message.has_error();
     if (message.has_file_ready())
@@ -137,6 +138,7 @@ private:
   }
 
   std::string document_;
+  int at_once_;
   std::atomic<std::uint64_t> last_id_{10};
   std::atomic<int> files_{0};
   std::atomic<int> refused_{0};

@@ -114,27 +114,34 @@ expected<void> only_errors(const expected<T>& got) {
   return got ? expected<void>() : expected<void>(fail(got.error()));
 }
 
-/// An edit and its undo, on a document of its own; small requests; connections: all at once.
-report honest_work(const served& server, double seconds) {
+/// One client that edits a document of its own, one that asks small things.
+struct honest {
+  explicit honest(const served& server) : editor(server.connect()), asker(server.connect()) {
+    value(editor->open("honest", false, false));
+    value(editor->import_file(TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh", "mm", {}));
+    wall = value(editor->select({feature_kind::holes, {}}, {})).back().surfaces;
+  }
+
+  std::unique_ptr<client::client> editor;
+  std::unique_ptr<client::client> asker;
+  std::vector<surface_id> wall;
+};
+
+/// An edit and its undo, small requests, new connections: all at once.
+report honest_work(const served& server, honest& who, double seconds) {
   report result;
-  auto editor = server.connect();
-  value(editor->open("honest", false, false));
-  value(editor->import_file(TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh", "mm", {}));
-  const auto holes = value(editor->select({feature_kind::holes, {}}, {}));
-  const auto wall = holes.back().surfaces;
-  const auto asker = server.connect();
   const auto end = steady::now() + std::chrono::milliseconds(static_cast<int>(1000 * seconds));
   std::thread edits([&] {
     measure(result.edits, end, 20ms, [&]() -> expected<void> {
-      auto ok = only_errors(editor->edit("fill_hole", wall, {}, {}));
-      return ok ? only_errors(editor->undo()) : ok;
+      auto ok = only_errors(who.editor->edit("fill_hole", who.wall, {}, {}));
+      return ok ? only_errors(who.editor->undo()) : ok;
     });
   });
   std::thread connects([&] {
     measure(result.connects, end, 20ms,
             [&] { return only_errors(client::client::connect(server.options, {})); });
   });
-  measure(result.requests, end, 2ms, [&] { return only_errors(asker->status()); });
+  measure(result.requests, end, 2ms, [&] { return only_errors(who.asker->status()); });
   edits.join();
   connects.join();
   return result;
@@ -160,9 +167,10 @@ std::unique_ptr<bad_client> make_neighbour(const std::string& name, const served
 
 bool run(const settings& given, const std::string& name) {
   const served server(given.program);
+  honest who(server);
   const auto neighbour = make_neighbour(name, server, given);
   std::this_thread::sleep_for(300ms);  // Until it is in full swing.
-  auto seen = honest_work(server, given.seconds);
+  auto seen = honest_work(server, who, given.seconds);
   std::printf("%-11s", name.c_str());
   for (auto* s : {&seen.requests, &seen.edits, &seen.connects})
     std::printf(" | %6zu %7.2f %7.1f %7.1f", s->ms.size(), s->at(0.5), s->at(0.99), s->at(1));
