@@ -13,7 +13,32 @@ namespace {
 
 constexpr caf::atom_value category = caf::atom("tedit");
 
+/// What comes behind the three texts of an error.
+constexpr std::size_t rival_at = 3;
+
+bool has_texts(const caf::message& context) {
+  return context.size() >= rival_at && context.match_element<std::string>(0) &&
+         context.match_element<std::string>(1) && context.match_element<std::string>(2);
+}
+
 }  // namespace
+
+caf::error to_caf(const error& e, const rival& other) {
+  return {static_cast<std::uint8_t>(e.code), category,
+          caf::make_message(e.message, e.remedy, e.where, other.version, other.number, other.client,
+                            other.cause, other.operation, other.time)};
+}
+
+std::optional<rival> rival_in(const caf::error& e) {
+  const auto& context = e.context();
+  if (e.category() != category ||
+      !context.match_elements<std::string, std::string, std::string, std::string, std::uint32_t,
+                              std::string, std::string, std::string, std::string>())
+    return std::nullopt;
+  const auto text = [&](std::size_t i) { return context.get_as<std::string>(rival_at + i); };
+  return rival{text(0), context.get_as<std::uint32_t>(rival_at + 1), text(2), text(3), text(4),
+               text(5)};
+}
 
 caf::error to_caf(const error& e) {
   return {static_cast<std::uint8_t>(e.code), category,
@@ -24,7 +49,7 @@ error from_caf(const caf::error& e, const std::string& what) {
   if (e.category() == category) {
     error result{static_cast<ec>(e.code()), what, {}, {}};
     const auto& context = e.context();
-    if (context.match_elements<std::string, std::string, std::string>()) {
+    if (has_texts(context)) {
       result.message = context.get_as<std::string>(0);
       result.remedy = context.get_as<std::string>(1);
       result.where = context.get_as<std::string>(2);

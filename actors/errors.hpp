@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+
 #include <caf/error.hpp>
 
 #include "base/error.hpp"
@@ -9,6 +13,20 @@ namespace tedit::actors {
 
 /// An error of ours as CAF carries it, over the network too.
 [[nodiscard]] caf::error to_caf(const error& e);
+
+/// Whose change a request did not know of.
+struct rival {
+  std::string version;  ///< Of the head as it is, hexadecimal.
+  std::uint32_t number = 0;
+  std::string client;  ///< What follows is empty when it is not known.
+  std::string cause;
+  std::string operation;
+  std::string time;  ///< UTC.
+};
+
+/// A `conflict` that says with whom; never sent over the network.
+[[nodiscard]] caf::error to_caf(const error& e, const rival& other);
+[[nodiscard]] std::optional<rival> rival_in(const caf::error& e);
 
 /// The inverse. What CAF itself reports becomes `timeout` or `service_unavailable`; `what` names
 /// the work that failed.

@@ -54,10 +54,19 @@ struct attach_request {
   caf::actor subscriber;
 };
 
+/// What a request that changes a document says beside what it wants.
+struct change_terms {
+  std::string client;            ///< Who asks, by the name that the client gave itself.
+  std::string edit_id;           ///< Made by the client: the same again is done once. May be empty.
+  std::string expected_version;  ///< Of the head, hexadecimal; empty: any.
+};
+
 struct import_request {
   std::uint64_t ticket = 0;
   caf::actor client;
+  change_terms terms;
   std::vector<page_ptr> file;
+  std::shared_ptr<const void> held;  ///< Keeps the file on the account of who sent it.
   std::uint64_t size = 0;
   std::string file_name;
   std::string length_unit;
@@ -68,9 +77,9 @@ struct edit_request {
   caf::actor client;
   std::string operation;
   std::vector<std::int64_t> surfaces;
-  std::string parameters;        ///< JSON.
-  std::string expected_version;  ///< Hexadecimal; empty: any.
+  std::string parameters;  ///< JSON.
   fem::carry_settings loads;
+  change_terms terms;
 };
 
 /// An edit that is only looked at.
@@ -83,14 +92,17 @@ enum class move_kind { undo, redo, go_to };
 struct move_request {
   move_kind kind = move_kind::undo;
   std::uint32_t number = 0;  ///< For go_to.
+  change_terms terms;
 };
 
 struct load_case_request {
   std::string load_case;  ///< JSON.
+  change_terms terms;
 };
 
 struct remove_case_request {
   std::string load_case;  ///< Name.
+  change_terms terms;
 };
 
 /// A name and a note for a version, checked by the session.
@@ -98,6 +110,7 @@ struct annotate_request {
   std::uint32_t number = 0;
   std::string name;
   std::string note;
+  change_terms terms;  ///< Without a version: it changes no head.
 };
 
 struct solve_request {
@@ -147,6 +160,7 @@ struct head_moved {
   bool can_undo = false;
   bool can_redo = false;
   double commit_ms = 0;
+  bool repeated = false;  ///< It was made before, for the same edit id; the head may be another.
 };
 
 /// What an edit would make of the head; nowhere stored.
@@ -241,6 +255,7 @@ struct graph_node {
 struct stored_document {
   std::vector<graph_node> nodes;  ///< By number.
   std::optional<std::uint32_t> head;
+  std::vector<store::log_row> log;  ///< Ascending by sequence.
 };
 
 /// A session, with the name that the server gave it.

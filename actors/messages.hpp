@@ -68,6 +68,8 @@ typename Inspector::result_type inspect(Inspector& f, page_batch& x) {
 struct order_base {
   caf::actor source;
   caf::actor listener;
+  /// Who asked, for the turns in a pool; 0: nobody. It does not travel: workers need not know.
+  std::uint64_t client = 0;
 };
 
 /// A mesh file, cut into pages, to be read.

@@ -64,6 +64,21 @@ setter whole(int server_config::*member, int least, int most) {
   };
 }
 
+setter bytes(std::int64_t server_config::*member) {
+  constexpr std::int64_t least = std::int64_t{1} << 20;
+  constexpr std::int64_t most = std::int64_t{1} << 50;
+  return [=](const toml::node& given, server_config& config) -> std::string {
+    const auto value = given.value_exact<std::int64_t>();
+    const auto range = std::to_string(least) + " to " + std::to_string(most);
+    if (!value)
+      return "must be a whole number of bytes, " + range;
+    if (*value < least || *value > most)
+      return "must be " + range + " bytes, not " + std::to_string(*value);
+    config.*member = *value;
+    return {};
+  };
+}
+
 setter yes_no(bool server_config::*member) {
   return [=](const toml::node& given, server_config& config) -> std::string {
     const auto value = given.value_exact<bool>();
@@ -166,6 +181,8 @@ const std::vector<option>& options() {
     {"limits", "import_timeout_s", seconds(&c::import_timeout_s)},
     {"limits", "solve_timeout_s", seconds(&c::solve_timeout_s)},
     {"limits", "modeling_memory_mb", whole(&c::modeling_memory_mb, 0, 1 << 24)},
+    {"limits", "upload_bytes", bytes(&c::upload_bytes)},
+    {"limits", "all_upload_bytes", bytes(&c::all_upload_bytes)},
     {"log", "level", text(&c::log_level, level_fault)},
   };
   return list;

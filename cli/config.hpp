@@ -31,6 +31,8 @@ struct server_config {
   double import_timeout_s = 600;
   double solve_timeout_s = 7200;
   int modeling_memory_mb = 0;
+  std::int64_t upload_bytes = std::int64_t{2} << 30;
+  std::int64_t all_upload_bytes = std::int64_t{4} << 30;
   // [log]
   std::string log_level = "info";  ///< In the file: level.
 

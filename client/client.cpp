@@ -2,7 +2,9 @@
 #include "client/client.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
+#include <random>
 #include <system_error>
 
 #include "client/impl.hpp"
@@ -42,6 +44,21 @@ expected<std::unique_ptr<client>> client::connect(const connect_options& options
 
 bool client::connected() const noexcept {
   return impl_->link.connected();
+}
+
+bool client::knows_edit_ids() const noexcept {
+  return impl_->link.server_minor() >= minor_of_change_terms;
+}
+
+std::string make_edit_id() {
+  std::random_device source;
+  std::string id;
+  for (int i = 0; i < 4; ++i) {
+    char digits[16];
+    std::snprintf(digits, sizeof(digits), "%08x", static_cast<unsigned>(source()));
+    id += digits;
+  }
+  return id;
 }
 
 void client::abort() {
@@ -140,8 +157,8 @@ expected<connection::answer> client::impl::import_mesh(std::ifstream& file, std:
 }
 
 expected<committed> client::import_file(const std::filesystem::path& path, const std::string& unit,
-                                        const execution& run) {
-  auto document = impl_->open_document();
+                                        const execution& run, const change_terms& terms) {
+  auto document = impl_->open_document(terms);
   if (!document)
     return fail(std::move(document.error()));
   std::error_code code;
@@ -156,6 +173,7 @@ expected<committed> client::import_file(const std::filesystem::path& path, const
   import.set_document(*document);
   import.set_file_name(path.filename().string());
   import.set_length_unit(unit);
+  set_terms(terms, import);
   run.report(0, "uploading");
   return convert(impl_->import_mesh(file, size, std::move(import), run), &body::committed);
 }
@@ -190,10 +208,11 @@ expected<committed> client::edit(const std::string& operation,
                                  const std::vector<surface_id>& surfaces,
                                  const ops::parameters& values, const execution& run,
                                  const std::string& expected_version,
-                                 const fem::carry_settings& loads) {
+                                 const fem::carry_settings& loads, const std::string& edit_id) {
   auto edit = impl_->describe_edit(operation, surfaces, values, expected_version, loads);
   if (!edit)
     return fail(std::move(edit.error()));
+  edit->set_edit_id(edit_id);
   v1::ClientMessage request;
   *request.mutable_apply_edit() = std::move(*edit);
   return convert(impl_->ask(std::move(request), body::kCommitted, run), &body::committed);
@@ -218,31 +237,34 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
   return read_preview(got->message.edit_preview(), *got->bulk);
 }
 
-expected<committed> client::undo() {
-  auto document = impl_->open_document();
+expected<committed> client::undo(const change_terms& terms) {
+  auto document = impl_->open_document(terms);
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   request.mutable_undo()->set_document(*document);
+  set_terms(terms, *request.mutable_undo());
   return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
 }
 
-expected<committed> client::redo() {
-  auto document = impl_->open_document();
+expected<committed> client::redo(const change_terms& terms) {
+  auto document = impl_->open_document(terms);
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   request.mutable_redo()->set_document(*document);
+  set_terms(terms, *request.mutable_redo());
   return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
 }
 
-expected<committed> client::go_to(std::uint32_t number) {
-  auto document = impl_->open_document(4, "go to a version");
+expected<committed> client::go_to(std::uint32_t number, const change_terms& terms) {
+  auto document = impl_->open_document(4, "go to a version", terms);
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   request.mutable_go_to_version()->set_document(*document);
   request.mutable_go_to_version()->set_number(number);
+  set_terms(terms, *request.mutable_go_to_version());
   return convert(impl_->ask(std::move(request), body::kCommitted), &body::committed);
 }
 

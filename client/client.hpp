@@ -25,8 +25,10 @@ namespace tedit::client {
 /// breaks (it does not come back: connect anew), `protocol_error` when the server breaks the
 /// protocol, `timeout` when the time limit of `connect_options` passes (the request is cancelled
 /// then). Requests about a document also: `invalid_argument` when none is open.
-/// Requests with an `execution` end with `cancelled` once the server has confirmed it (30 s at
-/// most), or with their result when that came first; progress is reported by the calling thread.
+/// Changes of a document take `change_terms`: errors then also `conflict`, when the head is not the
+/// expected version (the message says whose change it is) or the edit id was used for another
+/// change. Requests with an `execution` end with `cancelled` once the server has confirmed it (30 s
+/// at most), or with their result when that came first; progress is reported by the calling thread.
 class client {
 public:
   /// Connects and introduces itself. Errors: `invalid_argument` for the URL, `service_unavailable`
@@ -40,6 +42,9 @@ public:
   client& operator=(const client&) = delete;
 
   [[nodiscard]] bool connected() const noexcept;
+
+  /// Whether the server makes a change that is asked for again with its edit id only once.
+  [[nodiscard]] bool knows_edit_ids() const noexcept;
 
   /// Ends the connection at once; calls that run fail with `service_unavailable`. Thread-safe.
   void abort();
@@ -60,20 +65,23 @@ public:
   /// the new head. `unit` is the file's length unit, "mm" when empty.
   /// Errors: also `io_error`, `bad_input` for an empty file.
   [[nodiscard]] expected<committed> import_file(const std::filesystem::path& path,
-                                                const std::string& unit, const execution& run);
+                                                const std::string& unit, const execution& run,
+                                                const change_terms& terms = {});
 
   /// Replaces the load case of this name at the head, or adds it. A running solve of the old one
   /// ends with `superseded`; the new one is solved by itself then.
-  [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads);
+  [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads,
+                                             const change_terms& terms = {});
 
   /// Takes a load case from the head, the last one, too. Errors: also `not_found`,
   /// `protocol_error` from a server with protocol_minor below 5.
-  [[nodiscard]] expected<void> remove_load_case(const std::string& name);
+  [[nodiscard]] expected<void> remove_load_case(const std::string& name,
+                                                const change_terms& terms = {});
 
   /// Gives a version a name (one line, 80 characters) and a note (4000) instead of those it had.
   /// Errors: also `not_found`, `invalid_argument`, `protocol_error` as above.
   [[nodiscard]] expected<void> annotate(std::uint32_t number, const std::string& name,
-                                        const std::string& note);
+                                        const std::string& note, const change_terms& terms = {});
 
   /// What every field event and section has from now on beside the usual; until the document is
   /// opened again. The fields of the head come again with it; when they cannot, the result says
@@ -89,7 +97,8 @@ public:
                                          const std::vector<surface_id>& surfaces,
                                          const ops::parameters& values, const execution& run,
                                          const std::string& expected_version = {},
-                                         const fem::carry_settings& loads = {});
+                                         const fem::carry_settings& loads = {},
+                                         const std::string& edit_id = {});
 
   /// Asks what such an edit would make of the head; nothing is changed or kept. The arguments are
   /// those of `edit`, which takes the result over at once when it follows with the same. Applied
@@ -103,12 +112,12 @@ public:
                                                     const std::string& expected_version = {},
                                                     const fem::carry_settings& loads = {});
 
-  [[nodiscard]] expected<committed> undo();
-  [[nodiscard]] expected<committed> redo();
+  [[nodiscard]] expected<committed> undo(const change_terms& terms = {});
+  [[nodiscard]] expected<committed> redo(const change_terms& terms = {});
 
   /// Makes any version the head, by its number; undo and redo go along its branch from then on.
   /// Errors: also `not_found`, `protocol_error` from a server with protocol_minor below 4.
-  [[nodiscard]] expected<committed> go_to(std::uint32_t number);
+  [[nodiscard]] expected<committed> go_to(std::uint32_t number, const change_terms& terms = {});
 
   /// Cuts the head with the plane through `at` (m) across `normal`, with the field of a load case;
   /// an empty name: the only one, or the envelope of several. Errors: also `superseded` when

@@ -13,6 +13,15 @@ namespace tedit::client {
 
 using body = v1::ServerMessage;
 
+/// Servers that know `change_terms`.
+inline constexpr unsigned minor_of_change_terms = 7;
+
+template <class Request>
+void set_terms(const change_terms& terms, Request& request) {
+  request.set_expected_version(terms.expected_version);
+  request.set_edit_id(terms.edit_id);
+}
+
 /// What a client is made of; its requests are spread over client.cpp and notes.cpp.
 struct client::impl {
   impl(const connect_options& given, events handlers) : options(given), link(std::move(handlers)) {}
@@ -35,6 +44,16 @@ struct client::impl {
       return fail(ec::protocol_error, std::string("the server is too old to ") + what,
                   "Use a server of this client's release.");
     return open_document();
+  }
+
+  /// The same, for changes that such a server would make of any head: they are not asked for.
+  expected<std::string> open_document(unsigned since, const char* what, const change_terms& terms) {
+    if (!terms.expected_version.empty() && link.server_minor() < minor_of_change_terms)
+      return open_document(minor_of_change_terms, "look at the version that a change is made of");
+    return open_document(since, what);
+  }
+  expected<std::string> open_document(const change_terms& terms) {
+    return open_document(0, "", terms);
   }
 
   /// Errors: `invalid_argument` when no document is open.

@@ -105,6 +105,7 @@ committed from_message(const v1::Committed& message) {
   result.can_undo = message.can_undo();
   result.can_redo = message.can_redo();
   result.commit_ms = message.commit_ms();
+  result.repeated = message.repeated();
   result.load_cases = load_cases_from(message.load_cases(), result.warnings);
   return result;
 }
@@ -164,8 +165,13 @@ stream_header from_message(const v1::Stream& message) {
     const bool known =
       array.type() >= v1::ArrayInfo::UINT8 && array.type() <= v1::ArrayInfo::FLOAT64;
     result.arrays.push_back(
-      {array.name(), known ? static_cast<array_type>(array.type()) : array_type::unspecified,
-       array.components(), array.items()});
+      {array.name(),
+       known ? static_cast<array_type>(array.type()) : array_type::unspecified,
+       array.components(),
+       array.items(),
+       {}});
+    if (array.has_offset())
+      result.arrays.back().offset = array.offset();
   }
   return result;
 }

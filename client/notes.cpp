@@ -6,8 +6,8 @@
 
 namespace tedit::client {
 
-expected<void> client::set_load_case(const fem::load_case& loads) {
-  auto document = impl_->open_document();
+expected<void> client::set_load_case(const fem::load_case& loads, const change_terms& terms) {
+  auto document = impl_->open_document(terms);
   if (!document)
     return fail(std::move(document.error()));
   auto message = protocol::message_from_json<v1::LoadCase>(protocol::load_case_to_json(loads));
@@ -16,19 +16,21 @@ expected<void> client::set_load_case(const fem::load_case& loads) {
   v1::ClientMessage request;
   request.mutable_set_load_case()->set_document(*document);
   *request.mutable_set_load_case()->mutable_load_case() = std::move(*message);
+  set_terms(terms, *request.mutable_set_load_case());
   const auto got = impl_->ask(std::move(request), body::kDone);
   if (!got)
     return fail(got.error());
   return {};
 }
 
-expected<void> client::remove_load_case(const std::string& name) {
-  auto document = impl_->open_document(5, "remove a load case");
+expected<void> client::remove_load_case(const std::string& name, const change_terms& terms) {
+  auto document = impl_->open_document(5, "remove a load case", terms);
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   request.mutable_remove_load_case()->set_document(*document);
   request.mutable_remove_load_case()->set_load_case(name);
+  set_terms(terms, *request.mutable_remove_load_case());
   const auto got = impl_->ask(std::move(request), body::kDone);
   if (!got)
     return fail(got.error());
@@ -48,7 +50,7 @@ expected<void> client::cancel_solve() {
 }
 
 expected<void> client::annotate(std::uint32_t number, const std::string& name,
-                                const std::string& note) {
+                                const std::string& note, const change_terms& terms) {
   auto document = impl_->open_document(5, "name versions");
   if (!document)
     return fail(std::move(document.error()));
@@ -58,6 +60,7 @@ expected<void> client::annotate(std::uint32_t number, const std::string& name,
   wanted->set_number(number);
   wanted->set_name(name);
   wanted->set_note(note);
+  wanted->set_edit_id(terms.edit_id);
   const auto got = impl_->ask(std::move(request), body::kDone);
   if (!got)
     return fail(got.error());

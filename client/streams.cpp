@@ -45,20 +45,24 @@ tl::unexpected<error> stream_error(std::uint64_t stream, const std::string& what
 }  // namespace
 
 expected<incoming_stream> incoming_stream::begin(stream_header header, std::size_t message_bytes) {
-  std::uint64_t sum = 0;
-  for (const auto& array : header.arrays) {
+  std::uint64_t end = 0;
+  for (auto& array : header.arrays) {
     if (value_size(array.type) == 0 || array.components == 0)
       return stream_error(header.stream, "has array \"" + array.name + "\" of an unknown type");
-    sum += array_size(array);
-    if (sum > max_stream_bytes)
+    if (!array.offset)
+      array.offset = end;
+    if (*array.offset < end)
+      return stream_error(header.stream, "has array \"" + array.name + "\" inside the one before");
+    end = *array.offset > max_stream_bytes ? *array.offset : *array.offset + array_size(array);
+    if (end > max_stream_bytes)
       return stream_error(header.stream,
                           "is larger than " + std::to_string(max_stream_bytes) + " bytes");
   }
-  if (sum != header.bytes)
+  if (end != header.bytes)
     return stream_error(header.stream, "announces " + std::to_string(header.bytes) +
-                                         " bytes, but its arrays have " + std::to_string(sum));
+                                         " bytes, but its arrays end at " + std::to_string(end));
   incoming_stream result;
-  result.data_.reserve(std::min(sum, max_reserved));
+  result.data_.reserve(std::min(end, max_reserved));
   result.header_ = std::move(header);
   result.moved_ = {1, message_bytes, 0};
   result.began_ = std::chrono::steady_clock::now();
@@ -91,13 +95,11 @@ void incoming_stream::discard() {
 template <class T>
 expected<std::vector<T>> incoming_stream::read(std::string_view name, array_type type,
                                                std::uint32_t components) const {
-  std::uint64_t at = 0;
   for (const auto& array : header_.arrays) {
-    const std::uint64_t size = array_size(array);
-    if (array.name != name) {
-      at += size;
+    if (array.name != name)
       continue;
-    }
+    const std::uint64_t at = *array.offset;
+    const std::uint64_t size = array_size(array);
     if (array.type != type || array.components != components)
       return stream_error(header_.stream, "has array \"" + array.name + "\" in another form");
     if (data_.size() < at + size)

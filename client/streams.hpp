@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ struct stream_array {
   array_type type = array_type::unspecified;
   std::uint32_t components = 1;  ///< Values per item.
   std::uint64_t items = 0;
+  /// Where it begins in the stream, bytes; when it is not said (older servers) where the one before
+  /// ends.
+  std::optional<std::uint64_t> offset;
 };
 
 /// What a server announces (message `tedit.v1.Stream`).
@@ -37,8 +41,8 @@ inline constexpr std::uint64_t max_stream_bytes = std::uint64_t{4} << 30;
 class incoming_stream {
 public:
   /// `message_bytes`: the WebSocket payload of the message that announced the stream.
-  /// Errors: `protocol_error` when the sizes do not add up, an array is of no known type or the
-  /// stream is larger than `max_stream_bytes`.
+  /// Errors: `protocol_error` when the sizes do not add up, arrays overlap, one is of no known type
+  /// or the stream is larger than `max_stream_bytes`.
   [[nodiscard]] static expected<incoming_stream> begin(stream_header header,
                                                        std::size_t message_bytes);
 

@@ -86,6 +86,19 @@ struct watched_quantities {
   friend bool operator==(const watched_quantities&, const watched_quantities&) = default;
 };
 
+/// What a change of a document says beside what it wants. Servers with protocol_minor 7 know both;
+/// older ones are not asked for a change with an expected version (but for edits, which they know),
+/// and make a change that is asked for twice twice.
+struct change_terms {
+  std::string expected_version;  ///< The head must be this version (`conflict` else); empty: any.
+  /// Names the change, so that asking again (`make_edit_id`) after a connection broke makes it
+  /// once.
+  std::string edit_id;
+};
+
+/// A new edit id: 32 random hexadecimal digits.
+[[nodiscard]] std::string make_edit_id();
+
 /// The head moved; what it says is durable (message `tedit.v1.Committed`).
 struct committed {
   version_info head;
@@ -96,6 +109,8 @@ struct committed {
   bool can_redo = false;
   double commit_ms = 0;                    ///< Waiting for the storage.
   std::vector<fem::load_case> load_cases;  ///< Of the head. Older servers say nothing.
+  /// It was made before, by a change with the same edit id; the document's head may be another.
+  bool repeated = false;
 };
 
 /// The numbers of `tedit.v1.SolveStatus.Phase`.

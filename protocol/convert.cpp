@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "protocol/convert.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <sstream>
 
 #include <google/protobuf/util/json_util.h>
 
+#include "base/text.hpp"
 #include "protocol/numbers.hpp"
 #include "tedit/v1/load_case.pb.h"
 
@@ -91,7 +93,34 @@ expected<fem::load> load_from(const v1::Load& l, int index) {
               "Give it one of force, traction, pressure, gravity");
 }
 
+/// Names go into reports, receipts, files and every message about a version.
+constexpr std::size_t longest_name = 200;
+
+/// Errors: `bad_input` for a name that is too long or has control characters.
+expected<void> check_name(const std::string& name, const char* whose) {
+  const bool control = std::ranges::any_of(
+    name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  if (name.size() <= longest_name && !control)
+    return {};
+  return fail(ec::bad_input,
+              "the name of a " + std::string(whose) + " has " +
+                (control ? "control characters"
+                         : std::to_string(name.size()) + " bytes: \"" +
+                             std::string(cut_text(name, 40)) + "...\""),
+              "Take one line of at most " + std::to_string(longest_name) + " bytes");
+}
+
+expected<void> check_names(const v1::LoadCase& message) {
+  auto ok = check_name(message.name(), "load case");
+  for (const auto& m : message.materials())
+    if (ok)
+      ok = check_name(m.name(), "material");
+  return ok;
+}
+
 expected<fem::load_case> from_message(const v1::LoadCase& message) {
+  if (auto ok = check_names(message); !ok)
+    return fail(ok.error());
   fem::load_case result;
   result.name = message.name();
   for (const auto& m : message.materials()) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The checks that need no test run: include rules, format, file sizes, and clang-tidy on changed files.
+# The checks that need no test run: include rules, the page made from the protocol, format, file sizes, and clang-tidy on changed files.
 # usage: scripts/check.sh [--fix] [--tidy]
 #   --fix   formats instead of complaining
 #   --tidy  also runs clang-tidy on the C++ files that differ from the last commit (or from $TEDIT_TIDY_BASE)
@@ -18,6 +18,7 @@ for option in "$@"; do
 done
 
 python3 scripts/check_includes.py
+python3 scripts/protocol_reference.py --check
 
 mapfile -t sources < <(git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' | grep -v '^tests/data/')
 if [ "$fix" = yes ]; then

@@ -27,6 +27,7 @@ PAGES = [
     ("verification", "Verification", "What the numbers were compared with.", ["docs/verification.md"]),
     ("plugins", "Plugins", "An operation of your own, from its first line to its test.", ["docs/plugins.md"]),
     ("protocol", "Protocol", "How a program speaks with the server.", ["docs/protocol.md"]),
+    ("protocol_reference", "Protocol reference", "Every message, event and error code.", ["docs/protocol_reference.md"]),
     ("actors", "Inside the server", "Its actors and worker processes.", ["docs/actors.md"]),
 ]
 STYLE = """

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/gateway/bulk.hpp"
 
+#include <array>
+
+#include "protocol/text_fields.hpp"
+
 namespace tedit::gateway {
 
 namespace {
@@ -10,10 +14,55 @@ constexpr std::size_t chunk_bytes = 256 * 1024;
 /// Bytes that may wait in the connection; above its low-water mark, so that it reports back.
 constexpr std::size_t ahead_bytes = 2 * 1024 * 1024;
 
+constexpr std::size_t alignment = 8;
+
+std::uint64_t bytes_of(const v1::ArrayInfo& array) {
+  const auto value = [&]() -> std::uint64_t {
+    switch (array.type()) {
+      case v1::ArrayInfo::UINT8:
+        return 1;
+      case v1::ArrayInfo::UINT32:
+      case v1::ArrayInfo::FLOAT32:
+        return 4;
+      default:
+        return 8;
+    }
+  };
+  return value() * array.components() * array.items();
+}
+
+/// Puts zeros before arrays that would not begin at a multiple of 8 bytes. Those of one stream are
+/// one part, a file's pages are parts of a single array.
+void align(bulk& data) {
+  static constexpr std::array<std::byte, alignment> zeros{};
+  if (data.stream->arrays_size() == 1)
+    return data.stream->mutable_arrays(0)->set_offset(0);
+  const auto whole = data.parts.empty() ? std::span<const std::byte>() : data.parts.front();
+  data.parts.clear();
+  std::uint64_t at = 0;
+  std::size_t taken = 0;
+  for (auto& array : *data.stream->mutable_arrays()) {
+    const auto gap = (alignment - at % alignment) % alignment;
+    const auto size = bytes_of(array);
+    data.parts.push_back(std::span(zeros).first(gap));
+    data.parts.push_back(whole.subspan(taken, size));
+    array.set_offset(at + gap);
+    at += gap + size;
+    taken += size;
+  }
+  data.stream->set_bytes(at);
+}
+
 }  // namespace
 
+/// All that goes out passes here. Names and error messages may come from files, in whatever
+/// encoding; most languages refuse a whole message for one text that is no UTF-8.
 void send(connection& to, const v1::ServerMessage& message) {
-  to.send(std::make_shared<const std::string>(message.SerializeAsString()));
+  if (protocol::has_valid_text(message))
+    return to.send(std::make_shared<const std::string>(message.SerializeAsString()));
+  auto valid = message;
+  protocol::make_text_valid(valid);
+  to.send(std::make_shared<const std::string>(valid.SerializeAsString()));
 }
 
 void outbox::pump() {
@@ -24,14 +73,22 @@ void outbox::pump() {
   }
 }
 
+std::uint64_t outbox::prepared() const {
+  const auto rest = current_ ? current_->stream->bytes() - offset_ : 0;
+  return held_ + rest + to_->queued_bytes();
+}
+
 bool outbox::begin_next() {
   while (!waiting_.empty()) {
-    const auto make = std::move(waiting_.front());
+    const auto next = std::move(waiting_.front());
     waiting_.pop_front();
-    current_ = make();
+    held_ -= next.holds;
+    current_ = next.make();
     if (!current_)
       continue;
     current_->stream->set_stream(++last_stream_);
+    if (aligned_)
+      align(*current_);
     offset_ = 0;
     part_ = 0;
     part_offset_ = 0;

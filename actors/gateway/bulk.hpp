@@ -60,17 +60,34 @@ public:
 
   explicit outbox(std::shared_ptr<connection> to) : to_(std::move(to)) {}
 
-  void add(producer make) { waiting_.push_back(std::move(make)); }
+  /// `holds`: bytes that the producer keeps in memory until its turn.
+  void add(producer make, std::uint64_t holds = 0) {
+    waiting_.push_back({std::move(make), holds});
+    held_ += holds;
+  }
+
+  /// Bytes that are kept in memory for this client: prepared, on their way, or in the connection.
+  [[nodiscard]] std::uint64_t prepared() const;
+
+  /// Whether arrays are to begin at multiples of 8 bytes, as clients of protocol_minor 7 expect.
+  void align_arrays(bool yes) { aligned_ = yes; }
 
   /// Sends until the client has enough to take; call it after `add` and when the queue has drained.
   void pump();
 
 private:
+  struct item {
+    producer make;
+    std::uint64_t holds = 0;
+  };
+
   bool begin_next();
   void send_chunk();
 
   std::shared_ptr<connection> to_;
-  std::deque<producer> waiting_;
+  bool aligned_ = false;
+  std::deque<item> waiting_;
+  std::uint64_t held_ = 0;  ///< By those that wait.
   std::optional<bulk> current_;
   std::uint64_t last_stream_ = 0;
   std::uint64_t offset_ = 0;

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
+#include "protocol/text_fields.hpp"
 
 namespace tedit::gateway {
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr int protobuf_depth = 32;
 constexpr std::size_t most_requests = 64;
+
+/// Bytes of any text in a request. Notes of versions have at most 4000 characters.
+constexpr std::size_t longest_text = 16 * 1024;
 
 bool parse(const std::string& bytes, v1::ClientMessage& message) {
   google::protobuf::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(bytes.data()),
@@ -30,9 +34,12 @@ void client_state::start(client_pointer owner, std::shared_ptr<connection> peer,
   to = std::move(peer);
   parts = std::move(with);
   bulk_out.emplace(to);
+  upload_bytes = std::make_shared<upload_account>(parts.upload_bytes, parts.all_uploads);
 }
 
 void client_state::on_message(const std::string& bytes) {
+  if (turned_away)
+    return;
   v1::ClientMessage message;
   if (!parse(bytes, message)) {
     refuse(0, {ec::protocol_error,
@@ -48,17 +55,31 @@ void client_state::on_message(const std::string& bytes) {
     refuse(id, {ec::protocol_error, "the first message must be Hello", {}, {}});
     return to->close(1008, "no Hello");
   }
-  const bool uploading = message.has_upload_chunk();
-  if (id == 0 && !uploading)
-    return refuse(id, {ec::protocol_error, "a request needs a request_id", {}, {}});
-  if (requests.contains(id) && !uploading)
-    return refuse(id, {ec::protocol_error, "this request_id is in use", {}, {}});
-  if (requests.size() >= most_requests)
-    return refuse(id, {ec::conflict,
-                       "too many requests at once (" + std::to_string(most_requests) + ")",
-                       "Wait for answers before asking more",
-                       {}});
+  if (auto ok = check(message); !ok)
+    return reject(id, ok.error());
   dispatch(id, message);
+}
+
+/// Errors: `protocol_error` for an id that cannot be, `invalid_argument` for a text that is too
+/// long, `conflict` when too much is asked at once. Pieces of uploads take no place among the
+/// requests, and what makes places free always has one.
+expected<void> client_state::check(const v1::ClientMessage& message) const {
+  if (const auto where = protocol::find_long_text(message, longest_text); !where.empty())
+    return fail(ec::invalid_argument,
+                "the text " + where + " has more than " + std::to_string(longest_text) + " bytes",
+                "Shorten it");
+  if (message.has_upload_chunk())
+    return {};
+  if (message.request_id() == 0)
+    return fail(ec::protocol_error, "a request needs a request_id");
+  if (requests.contains(message.request_id()))
+    return fail(ec::protocol_error,
+                "request_id " + std::to_string(message.request_id()) + " is in use",
+                "Number requests without repeating yourself; the one that runs goes on");
+  if (requests.size() >= most_requests && !message.has_cancel())
+    return fail(ec::conflict, "too many requests at once (" + std::to_string(most_requests) + ")",
+                "Wait for answers before asking more");
+  return {};
 }
 
 void client_state::on_closed() {
@@ -78,9 +99,23 @@ void client_state::answer(std::uint64_t id, v1::ServerMessage message) {
 }
 
 void client_state::refuse(std::uint64_t id, const error& e) {
+  end(id);
+  reject(id, e);
+}
+
+void client_state::refuse(std::uint64_t id, const caf::error& e, const char* what) {
   v1::ServerMessage message;
-  to_message(e, message.mutable_error());
+  to_message(actors::from_caf(e, what), message.mutable_error());
+  if (const auto other = actors::rival_in(e))
+    to_message(*other, message.mutable_error()->mutable_conflict());
   answer(id, std::move(message));
+}
+
+void client_state::reject(std::uint64_t id, const error& e) {
+  v1::ServerMessage message;
+  message.set_request_id(id);
+  to_message(e, message.mutable_error());
+  send(*to, message);
 }
 
 client_state::open_document* client_state::find(std::uint64_t id, const std::string& document) {
@@ -191,8 +226,12 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
   auto& state = self->state;
   state.start(self, std::move(to), std::move(parts));
   return {[&state](const std::string& bytes) { state.on_message(bytes); },
-          [&state](drained_atom) { state.bulk_out->pump(); },
+          [&state](drained_atom) {
+            state.bulk_out->pump();
+            state.start_exports();
+          },
           [&state](closed_atom) { state.on_closed(); },
+          [&state](refused_atom, std::uint64_t id) { state.refuse_token(id); },
           [&state](const actors::head_moved& event) { state.on_head(event); },
           [&state](const actors::solved& event) { state.on_solved(event); },
           [&state](const section_cut& cut) { state.on_section(cut); },

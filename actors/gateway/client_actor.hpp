@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <map>
 
 #include <caf/event_based_actor.hpp>
 #include <caf/send.hpp>
 #include <caf/stateful_actor.hpp>
 
+#include "actors/errors.hpp"
 #include "actors/gateway/bulk.hpp"
 #include "actors/gateway/surface_stream.hpp"
+#include "actors/gateway/token_guard.hpp"
+#include "actors/gateway/uploads.hpp"
 #include "actors/interfaces.hpp"
 
 namespace tedit::gateway {
@@ -16,6 +20,8 @@ namespace tedit::gateway {
 /// The connection can take more; the connection is gone.
 using drained_atom = caf::atom_constant<caf::atom("drained")>;
 using closed_atom = caf::atom_constant<caf::atom("closed")>;
+/// The answer to a wrong token has waited long enough.
+using refused_atom = caf::atom_constant<caf::atom("refused")>;
 
 /// A section that was made aside, or why it was not.
 struct section_cut {
@@ -30,9 +36,11 @@ using client_pointer = caf::stateful_actor<client_state>*;
 /// What all clients of a gateway share.
 struct gateway_parts {
   actors::hub_actor hub;
-  std::string token;  ///< Empty: nobody is asked for one (tests and servers inside a program).
+  std::shared_ptr<token_guard> guard;
   std::string server_name;
-  std::function<std::size_t()> connections;  ///< Set by `start_gateway`.
+  std::uint64_t upload_bytes = 0;               ///< That one connection may hold.
+  std::shared_ptr<upload_account> all_uploads;  ///< Of all connections.
+  std::function<std::size_t()> connections;     ///< Set by `start_gateway`.
   /// Each role of workers and its state ("ready", "starting", "degraded"); called from any thread.
   std::function<std::vector<std::pair<std::string, std::string>>()> roles;
 };
@@ -60,10 +68,10 @@ struct client_state {
     std::optional<section_request> next_section;  ///< Asked for meanwhile; the newest wins.
   };
 
-  struct upload {
-    std::vector<page_ptr> pages;
-    std::string rest;  ///< Less than a page.
-    std::uint64_t size = 0;
+  struct waiting_export {
+    std::uint64_t id = 0;
+    actors::session_actor session;
+    actors::export_request request;
   };
 
   struct running_request {
@@ -73,24 +81,41 @@ struct client_state {
 
   void start(client_pointer owner, std::shared_ptr<connection> to, gateway_parts with);
   void on_message(const std::string& bytes);
+  /// Whether a message may be taken as a request.
+  [[nodiscard]] expected<void> check(const v1::ClientMessage& message) const;
   void on_closed();
 
   // -- requests (requests.cpp) ---------------------------------------------------------------
 
   void hello(std::uint64_t id, const v1::Hello& body);
+  void turn_away(std::uint64_t id);
+  void refuse_token(std::uint64_t id);
   void dispatch(std::uint64_t id, const v1::ClientMessage& message);
   void list_operations(std::uint64_t id);
   void get_status(std::uint64_t id);
   void cancel(std::uint64_t id, const v1::Cancel& body);
   void open(std::uint64_t id, const v1::OpenDocument& body);
   void close(std::uint64_t id, const v1::CloseDocument& body);
-  void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
-  void import(std::uint64_t id, const v1::ImportMesh& body);
-  void move(std::uint64_t id, const std::string& document, const actors::move_request& request);
+  /// Undo, redo or going to a version; what they have in common is read here.
+  template <class Body>
+  void move(std::uint64_t id, const Body& body, actors::move_request request);
   void solve(std::uint64_t id, const v1::Solve& body);
-  void export_file(std::uint64_t id, const v1::ExportFile& body);
   void select(std::uint64_t id, const v1::SelectSurfaces& body);
   void history(std::uint64_t id, const v1::GetHistory& body);
+
+  // -- files that come (uploads.cpp) ---------------------------------------------------------
+
+  void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
+  void import(std::uint64_t id, const v1::ImportMesh& body);
+
+  // -- files that go (exports.cpp) -----------------------------------------------------------
+
+  void export_file(std::uint64_t id, const v1::ExportFile& body);
+  /// Has the next files written, as long as this client takes those that are.
+  void start_exports();
+  void send_file(std::uint64_t id, const actors::exported& file);
+  /// Ends an export that was not begun; whether it was one.
+  bool drop_export(std::uint64_t id);
 
   // -- edits (edits.cpp) ---------------------------------------------------------------------
 
@@ -130,23 +155,37 @@ struct client_state {
   void want_surface(const std::string& document, const version_ptr& mesh);
   /// Puts the next field update of a document into the outbox, and after it the ones that follow.
   void queue_field(const std::string& document);
+  /// Answers a running request, which ends it.
   void answer(std::uint64_t id, v1::ServerMessage message);
   void refuse(std::uint64_t id, const error& e);
+  /// With what an actor said about `what`.
+  void refuse(std::uint64_t id, const caf::error& e, const char* what);
+  /// Says that a message is not taken as a request; one that runs with its id goes on.
+  void reject(std::uint64_t id, const error& e);
 
   /// The document with this name; refuses the request when it is not open here.
   open_document* find(std::uint64_t id, const std::string& document);
   /// Notes a request that can be cancelled; returns its ticket.
   std::uint64_t begin(std::uint64_t id, const actors::session_actor& session);
+  /// What every request that changes the head says.
+  template <class Body>
+  [[nodiscard]] actors::change_terms terms_of(const Body& body) const {
+    return {client_name, body.edit_id(), body.expected_version()};
+  }
   void end(std::uint64_t id) { requests.erase(id); }
 
   client_pointer self = nullptr;
   std::shared_ptr<connection> to;
   gateway_parts parts;
   std::optional<outbox> bulk_out;
-  bool known = false;  ///< Has said hello and proved its right.
+  bool known = false;        ///< Has said hello and proved its right.
+  bool turned_away = false;  ///< Gave a wrong token: nothing else of it is heard.
+  std::string client_name;   ///< As it introduced itself.
   std::map<std::string, open_document> documents;
   std::map<std::uint64_t, upload> uploads;
-  std::uint64_t uploaded_bytes = 0;
+  std::shared_ptr<upload_account> upload_bytes;  ///< Of this connection.
+  std::deque<waiting_export> exports;            ///< Not begun.
+  unsigned exporting = 0;                        ///< Begun, and not written yet.
   std::map<std::uint64_t, running_request> requests;
   std::uint64_t previewing = 0;  ///< The newest PreviewEdit; answered or not.
 
@@ -175,6 +214,7 @@ void to_messages(const std::vector<std::string>& load_cases,
 void to_message(const actors::solve_note& note, v1::SolveStatus* out);
 void to_message(const actors::solved& done, v1::Solved* out);
 void to_message(const error& e, v1::Error* out);
+void to_message(const actors::rival& other, v1::Conflict* out);
 void to_message(const actors::server_status& status, v1::ServerStatus* out);
 
 }  // namespace tedit::gateway

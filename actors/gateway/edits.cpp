@@ -13,8 +13,16 @@ namespace {
 
 using namespace actors;
 
-/// Without ticket and client. Errors: `invalid_argument` for what becomes of loads.
-expected<edit_request> read_edit(const v1::ApplyEdit& body) {
+constexpr int most_surfaces = 100'000;
+
+/// Without ticket and client. Errors: `invalid_argument` for what becomes of loads and for too many
+/// surfaces.
+expected<edit_request> read_edit(const v1::ApplyEdit& body, change_terms terms) {
+  if (body.surfaces_size() > most_surfaces)
+    return fail(ec::invalid_argument,
+                "an edit takes at most " + std::to_string(most_surfaces) + " surfaces, not " +
+                  std::to_string(body.surfaces_size()),
+                "Select fewer");
   ops::parameters parameters;
   for (const auto& [key, value] : body.parameters())
     parameters[key] = protocol::from_message(value);
@@ -25,7 +33,7 @@ expected<edit_request> read_edit(const v1::ApplyEdit& body) {
   request.operation = body.operation();
   request.surfaces.assign(body.surfaces().begin(), body.surfaces().end());
   request.parameters = protocol::parameters_to_json(parameters);
-  request.expected_version = body.expected_version();
+  request.terms = std::move(terms);
   request.loads = *loads;
   return request;
 }
@@ -36,7 +44,7 @@ void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
   const auto* document = find(id, body.document());
   if (!document)
     return;
-  auto request = read_edit(body);
+  auto request = read_edit(body, terms_of(body));
   if (!request)
     return refuse(id, request.error());
   request->ticket = begin(id, document->session);
@@ -48,7 +56,7 @@ void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
         to_message(moved, message.mutable_committed());
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the edit")); });
+      [=, this](const caf::error& e) { refuse(id, e, "the edit"); });
 }
 
 // -- previews ------------------------------------------------------------------------------------
@@ -67,7 +75,7 @@ void client_state::preview(std::uint64_t id, const v1::PreviewEdit& body) {
   const auto* document = find(id, body.edit().document());
   if (!document)
     return;
-  auto request = read_edit(body.edit());
+  auto request = read_edit(body.edit(), terms_of(body.edit()));
   if (!request)
     return refuse(id, request.error());
   end_preview({ec::superseded, "another preview was asked for meanwhile", {}, {}});
@@ -87,7 +95,7 @@ void client_state::preview(std::uint64_t id, const v1::PreviewEdit& body) {
       },
       [=, this](const caf::error& e) {
         if (waits())
-          refuse(id, from_caf(e, "the preview"));
+          refuse(id, e, "the preview");
       });
 }
 

@@ -23,7 +23,7 @@ public:
   }
 
   void run() {
-    slot_->end = [weak = weak_from_this()] {
+    slot_->end = [weak = weak_from_this()](ending) {
       if (const auto self = weak.lock())
         self->stream_.close();
     };

@@ -13,8 +13,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -47,6 +49,9 @@ struct hub : std::enable_shared_from_this<hub> {
   void accept_next();
   void take(tcp_socket socket);
   void shut();
+  /// Whether another client of this address may be let in.
+  [[nodiscard]] bool has_place(const std::string& address) const;
+  void make_room();
 
   net::io_context io{1};
   transport_options options;
@@ -56,32 +61,72 @@ struct hub : std::enable_shared_from_this<hub> {
   acceptor listener{io};
   net::steady_timer retry{io};
   std::set<slot*> slots;
-  std::map<std::string, std::size_t> per_address;
+  std::list<slot*> strangers;                ///< Those that are not authenticated, as they came.
+  std::map<std::string, std::size_t> known;  ///< Authenticated connections by address.
+  std::size_t all_known = 0;
   std::atomic<std::size_t> open_websockets{0};
 };
 
-/// Counts one socket for as long as it lives, and says how to end it when the transport stops.
+/// Why a connection is ended from outside.
+enum class ending { server_stops, gives_way };
+
+/// Counts one socket for as long as it lives, as a stranger's until it is `promote`d, and says how
+/// to end it.
 class slot {
 public:
   slot(std::shared_ptr<hub> owner, std::string address)
       : hub_(std::move(owner)), address_(std::move(address)) {
     hub_->slots.insert(this);
-    ++hub_->per_address[address_];
+    place_ = hub_->strangers.insert(hub_->strangers.end(), this);
   }
   slot(const slot&) = delete;
   slot& operator=(const slot&) = delete;
   ~slot() {
     hub_->slots.erase(this);
-    const auto count = hub_->per_address.find(address_);
+    leave_strangers();
+    if (!known_)
+      return;
+    const auto count = hub_->known.find(address_);
     if (--count->second == 0)
-      hub_->per_address.erase(count);
+      hub_->known.erase(count);
+    --hub_->all_known;
   }
 
-  std::function<void()> end;
+  /// Takes a client's place instead of a stranger's; false when none is left.
+  [[nodiscard]] bool promote() {
+    if (known_)
+      return true;
+    if (!hub_->has_place(address_))
+      return false;
+    leave_strangers();
+    known_ = true;
+    ++hub_->known[address_];
+    ++hub_->all_known;
+    return true;
+  }
+
+  /// Ends it for a newcomer.
+  void give_way() {
+    leave_strangers();
+    if (end)
+      end(ending::gives_way);
+  }
+
+  [[nodiscard]] const std::string& address() const { return address_; }
+
+  std::function<void(ending)> end;
 
 private:
+  void leave_strangers() {
+    if (place_)
+      hub_->strangers.erase(*place_);
+    place_.reset();
+  }
+
   std::shared_ptr<hub> hub_;
   std::string address_;
+  std::optional<std::list<slot*>::iterator> place_;  ///< Among the strangers.
+  bool known_ = false;
 };
 
 /// "address:port", an IPv6 address in brackets.

@@ -42,6 +42,7 @@ void to_message(const actors::head_moved& moved, v1::Committed* out) {
   out->set_can_undo(moved.can_undo);
   out->set_can_redo(moved.can_redo);
   out->set_commit_ms(moved.commit_ms);
+  out->set_repeated(moved.repeated);
   to_messages(moved.load_cases, out->mutable_load_cases());
 }
 
@@ -71,6 +72,15 @@ void to_message(const error& e, v1::Error* out) {
   out->set_message(e.message);
   out->set_remedy(e.remedy);
   out->set_where(e.where);
+}
+
+void to_message(const actors::rival& other, v1::Conflict* out) {
+  out->set_version_id(other.version);
+  out->set_number(other.number);
+  out->set_client(other.client);
+  out->set_cause(other.cause);
+  out->set_operation(other.operation);
+  out->set_made_at(other.time);
 }
 
 void to_message(const actors::server_status& status, v1::ServerStatus* out) {

@@ -44,7 +44,7 @@ void client_state::carry_out(std::uint64_t id, const session_actor& session, Req
         message.mutable_done();
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, what)); });
+      [=, this](const caf::error& e) { refuse(id, e, what); });
 }
 
 void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) {
@@ -55,12 +55,13 @@ void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) 
   const auto checked = protocol::load_case_from_json(json, "load case");
   if (!checked)
     return refuse(id, checked.error());
-  carry_out(id, document->session, load_case_request{json}, "setting the load case");
+  carry_out(id, document->session, load_case_request{json, terms_of(body)},
+            "setting the load case");
 }
 
 void client_state::remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body) {
   if (const auto* document = find(id, body.document()))
-    carry_out(id, document->session, remove_case_request{body.load_case()},
+    carry_out(id, document->session, remove_case_request{body.load_case(), terms_of(body)},
               "removing the load case");
 }
 
@@ -71,8 +72,10 @@ void client_state::cancel_solve(std::uint64_t id, const v1::CancelSolve& body) {
 
 void client_state::annotate(std::uint64_t id, const v1::AnnotateVersion& body) {
   if (const auto* document = find(id, body.document()))
-    carry_out(id, document->session, annotate_request{body.number(), body.name(), body.note()},
-              "naming the version");
+    carry_out(
+      id, document->session,
+      annotate_request{body.number(), body.name(), body.note(), {client_name, body.edit_id(), {}}},
+      "naming the version");
 }
 
 // -- what is watched -----------------------------------------------------------------------------
@@ -99,7 +102,7 @@ void client_state::watch(std::uint64_t id, const v1::WatchFields& body) {
         if (held.result)
           send_again(of, *held.result);
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "watching fields")); });
+      [=, this](const caf::error& e) { refuse(id, e, "watching fields"); });
 }
 
 /// Queues the fields of a solve for those who watch them; also when they were sent before.

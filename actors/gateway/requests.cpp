@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <set>
 
-#include <openssl/crypto.h>
 #include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
+#include "base/text.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
 #include "protocol/numbers.hpp"
@@ -19,15 +19,14 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 6;
+constexpr std::uint32_t protocol_minor = 7;
+
+/// Clients that know this one get arrays that begin at multiples of 8 bytes.
+constexpr std::uint32_t minor_of_aligned_arrays = 7;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
-/// Uploaded and not yet imported, per connection.
-constexpr std::uint64_t most_upload_bytes = std::uint64_t{4} << 30;
-
-bool same_secret(const std::string& a, const std::string& b) {
-  return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
-}
+/// Bytes of a client's name that are kept.
+constexpr std::size_t longest_client_name = 100;
 
 constexpr auto short_limit = std::chrono::seconds(60);
 
@@ -85,17 +84,13 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
                 {}});
     return to->close(1008, "protocol version");
   }
-  if (!parts.token.empty() && !same_secret(body.token(), parts.token)) {
-    spdlog::warn("client {}: wrong token", to->peer());
-    refuse(id, {ec::invalid_argument,
-                "the token is wrong",
-                "Give the token that the server wrote when it started (tedit serve --help)",
-                {}});
-    return to->close(1008, "wrong token");
-  }
+  if (!parts.guard->admits(body.token()))
+    return turn_away(id);
   known = true;
+  bulk_out->align_arrays(body.protocol_minor() >= minor_of_aligned_arrays);
   to->authenticated();
-  spdlog::info("client {}: {}", to->peer(), body.client().substr(0, 100));
+  client_name = cut_text(body.client(), longest_client_name);
+  spdlog::info("client {}: {}", to->peer(), client_name);
   v1::ServerMessage message;
   auto* welcome = message.mutable_welcome();
   welcome->set_protocol_major(protocol_major);
@@ -103,6 +98,41 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
   welcome->set_server(parts.server_name);
   welcome->set_max_message_bytes(max_client_message);
   answer(id, std::move(message));
+}
+
+/// The answer waits, see `token_guard`.
+void client_state::turn_away(std::uint64_t id) {
+  turned_away = true;
+  const auto peer = to->peer();
+  const auto wait =
+    parts.guard->turn_away(peer.substr(0, peer.rfind(':')), token_guard::clock::now());
+  if (wait)
+    self->delayed_send(self, *wait, refused_atom::value, id);
+}
+
+void client_state::refuse_token(std::uint64_t id) {
+  refuse(id, {ec::invalid_argument,
+              "the token is wrong",
+              "Give the token that the server wrote when it started (tedit serve --help)",
+              {}});
+  to->close(1008, "wrong token");
+}
+
+template <class Body>
+void client_state::move(std::uint64_t id, const Body& body, move_request request) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  begin(id, {});
+  request.terms = terms_of(body);
+  self->request(document->session, answer_limit, std::move(request))
+    .then(
+      [=, this](const head_moved& moved) {
+        v1::ServerMessage message;
+        to_message(moved, message.mutable_committed());
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, e, "moving the head"); });
 }
 
 void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {
@@ -131,12 +161,12 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
     case body::kPreviewEdit:
       return preview(id, message.preview_edit());
     case body::kUndo:
-      return move(id, message.undo().document(), {move_kind::undo});
+      return move(id, message.undo(), {move_kind::undo, 0, {}});
     case body::kRedo:
-      return move(id, message.redo().document(), {move_kind::redo});
+      return move(id, message.redo(), {move_kind::redo, 0, {}});
     case body::kGoToVersion:
-      return move(id, message.go_to_version().document(),
-                  {move_kind::go_to, message.go_to_version().number()});
+      return move(id, message.go_to_version(),
+                  {move_kind::go_to, message.go_to_version().number(), {}});
     case body::kCutSection:
       return section(id, message.cut_section());
     case body::kCancelSolve:
@@ -177,7 +207,7 @@ void client_state::list_operations(std::uint64_t id) {
         *message.mutable_catalogue() = std::move(*catalogue);
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "listing the operations")); });
+      [=, this](const caf::error& e) { refuse(id, e, "listing the operations"); });
 }
 
 void client_state::get_status(std::uint64_t id) {
@@ -189,14 +219,15 @@ void client_state::get_status(std::uint64_t id) {
         to_message(status, message.mutable_server_status());
         message.mutable_server_status()->set_connections(
           static_cast<std::uint32_t>(parts.connections()));
+        message.mutable_server_status()->set_wrong_tokens(parts.guard->turned_away());
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "asking for the status")); });
+      [=, this](const caf::error& e) { refuse(id, e, "asking for the status"); });
 }
 
 void client_state::cancel(std::uint64_t id, const v1::Cancel& body) {
   const auto found = requests.find(body.request_id());
-  if (found != requests.end() && found->second.session)
+  if (!drop_export(body.request_id()) && found != requests.end() && found->second.session)
     caf::anon_send(found->second.session, cancel_atom::value, found->second.ticket);
   v1::ServerMessage message;
   message.mutable_done();
@@ -209,9 +240,7 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
   begin(id, {});
   const bool surface = body.watch_surface();
   const bool fields = body.watch_fields();
-  const auto failed = [=, this](const caf::error& e) {
-    refuse(id, from_caf(e, "opening the document"));
-  };
+  const auto failed = [=, this](const caf::error& e) { refuse(id, e, "opening the document"); };
   const auto attached = [=, this](const session_snapshot& snapshot, const session_actor& session) {
     auto& document = documents[snapshot.document];
     document.session = session;
@@ -256,72 +285,6 @@ void client_state::close(std::uint64_t id, const v1::CloseDocument& body) {
   answer(id, std::move(message));
 }
 
-void client_state::receive_upload(std::uint64_t id, const v1::UploadChunk& body) {
-  auto& target = uploads[body.upload()];
-  const auto drop = [&](const std::string& why) {
-    uploaded_bytes -= target.size;
-    uploads.erase(body.upload());
-    refuse(id, {ec::protocol_error, why, "Send the file again", {}});
-  };
-  if (body.offset() != target.size)
-    return drop("a piece of an upload is missing");
-  if (uploaded_bytes + body.data().size() > most_upload_bytes)
-    return drop("the upload is too large (more than 4 GiB)");
-  uploaded_bytes += body.data().size();
-  target.size += body.data().size();
-  target.rest += body.data();
-  std::size_t used = 0;
-  for (; target.rest.size() - used >= max_page_bytes; used += max_page_bytes)
-    target.pages.push_back(
-      page::from_bytes(std::as_bytes(std::span(target.rest).subspan(used, max_page_bytes))));
-  target.rest.erase(0, used);
-}
-
-void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
-  const auto* document = find(id, body.document());
-  const auto found = uploads.find(body.upload());
-  if (!document)
-    return;
-  if (found == uploads.end() || found->second.size != body.size())
-    return refuse(id,
-                  {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
-  import_request request;
-  request.file = std::move(found->second.pages);
-  if (!found->second.rest.empty())
-    request.file.push_back(page::from_bytes(std::as_bytes(std::span(found->second.rest))));
-  uploaded_bytes -= found->second.size;
-  uploads.erase(found);
-  request.ticket = begin(id, document->session);
-  request.client = caf::actor_cast<caf::actor>(self);
-  request.size = body.size();
-  request.file_name = body.file_name().substr(0, 200);
-  request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
-  self->request(document->session, answer_limit, std::move(request))
-    .then(
-      [=, this](const head_moved& moved) {
-        v1::ServerMessage message;
-        to_message(moved, message.mutable_committed());
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the import")); });
-}
-
-void client_state::move(std::uint64_t id, const std::string& document_name,
-                        const move_request& request) {
-  const auto* document = find(id, document_name);
-  if (!document)
-    return;
-  begin(id, {});
-  self->request(document->session, answer_limit, request)
-    .then(
-      [=, this](const head_moved& moved) {
-        v1::ServerMessage message;
-        to_message(moved, message.mutable_committed());
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "moving the head")); });
-}
-
 void client_state::solve(std::uint64_t id, const v1::Solve& body) {
   const auto* document = find(id, body.document());
   if (!document)
@@ -338,49 +301,7 @@ void client_state::solve(std::uint64_t id, const v1::Solve& body) {
         to_message(done, message.mutable_solved());
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the solve")); });
-}
-
-void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
-  const auto* document = find(id, body.document());
-  if (!document)
-    return;
-  const std::map<v1::ExportFile::Format, std::string> formats{
-    {v1::ExportFile::MSH, "msh"}, {v1::ExportFile::STL, "stl"}, {v1::ExportFile::VTU, "vtu"}};
-  const auto format = formats.find(body.format());
-  if (format == formats.end())
-    return refuse(
-      id, {ec::invalid_argument, "there is no such file format", "Take MSH, STL or VTU", {}});
-  export_request request;
-  request.ticket = begin(id, document->session);
-  request.client = caf::actor_cast<caf::actor>(self);
-  request.version = body.version_id();
-  request.format = format->second;
-  request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
-  const auto deliver = [=, this](const exported& file) {
-    bulk_out->add([=, this]() -> std::optional<bulk> {
-      end(id);
-      bulk result;
-      result.header.set_request_id(id);
-      auto* ready = result.header.mutable_file_ready();
-      ready->set_file_name(file.file_name);
-      result.stream = ready->mutable_stream();
-      result.stream->set_bytes(file.size);
-      auto* info = result.stream->add_arrays();
-      info->set_name("file");
-      info->set_type(v1::ArrayInfo::UINT8);
-      info->set_components(1);
-      info->set_items(file.size);
-      const auto pages = std::make_shared<const std::vector<page_ptr>>(file.pages);
-      for (const auto& p : *pages)
-        result.parts.push_back(p->bytes());
-      result.owner = pages;
-      return result;
-    });
-    bulk_out->pump();
-  };
-  self->request(document->session, answer_limit, std::move(request))
-    .then(deliver, [=, this](const caf::error& e) { refuse(id, from_caf(e, "writing the file")); });
+      [=, this](const caf::error& e) { refuse(id, e, "the solve"); });
 }
 
 void client_state::select(std::uint64_t id, const v1::SelectSurfaces& body) {
@@ -411,7 +332,7 @@ void client_state::select(std::uint64_t id, const v1::SelectSurfaces& body) {
         out->set_version_id(found.version);
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "the selection")); });
+      [=, this](const caf::error& e) { refuse(id, e, "the selection"); });
 }
 
 void client_state::history(std::uint64_t id, const v1::GetHistory& body) {
@@ -430,7 +351,7 @@ void client_state::history(std::uint64_t id, const v1::GetHistory& body) {
           to_message(info, out->add_versions());
         answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, from_caf(e, "asking for the history")); });
+      [=, this](const caf::error& e) { refuse(id, e, "asking for the history"); });
 }
 
 }  // namespace tedit::gateway

@@ -140,17 +140,23 @@ void client_state::begin_section(open_document& document, const section_request&
     request);
 }
 
+/// The next one is begun when this one's turn to be sent has come: who takes long gets fewer.
 void client_state::on_section(const section_cut& cut) {
-  const auto found = documents.find(cut.document);
-  if (found != documents.end()) {
+  const auto go_on = [this, document = cut.document] {
+    const auto found = documents.find(document);
+    if (found == documents.end())
+      return;
     found->second.cutting = false;
     if (const auto next = std::exchange(found->second.next_section, std::nullopt))
       begin_section(found->second, *next);
+  };
+  if (!*cut.result) {
+    refuse(cut.id, cut.result->error());
+    return go_on();
   }
-  if (!*cut.result)
-    return refuse(cut.id, cut.result->error());
-  bulk_out->add([this, cut]() -> std::optional<bulk> {
+  bulk_out->add([=, this]() -> std::optional<bulk> {
     end(cut.id);
+    go_on();
     bulk result = **cut.result;
     result.header.set_request_id(cut.id);
     result.stream = result.header.mutable_section_ready()->mutable_stream();

@@ -5,6 +5,7 @@
 
 #include "actors/gateway/hub.hpp"
 
+#include <algorithm>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <mutex>
@@ -12,9 +13,6 @@
 
 namespace tedit::gateway {
 namespace {
-
-/// So many sockets above a limit still get a 503; further ones are closed unanswered.
-constexpr std::size_t refusals_at_once = 32;
 
 /// Worker processes started from here must not inherit sockets.
 void keep_from_children(int descriptor) {
@@ -75,22 +73,38 @@ void hub::accept_next() {
 }
 
 void hub::take(tcp_socket socket) {
-  const auto& limits = options.limits;
   error_code problem;
   const auto peer = socket.remote_endpoint(problem);
   if (problem)
     return;
   const std::string address = peer.address().to_string();
-  const auto known = per_address.find(address);
-  const std::size_t same = known == per_address.end() ? 0 : known->second;
-  if (slots.size() >= limits.max_connections + refusals_at_once ||
-      same >= limits.max_per_address + refusals_at_once)
-    return;
   keep_from_children(socket.native_handle());
   socket.set_option(tcp::no_delay(true), problem);
-  const bool refused = slots.size() >= limits.max_connections || same >= limits.max_per_address;
+  const bool refused = !has_place(address);
   auto place = std::make_unique<slot>(shared_from_this(), address);
   serve_http(shared_from_this(), std::move(socket), std::move(place), refused);
+  make_room();
+}
+
+bool hub::has_place(const std::string& address) const {
+  const auto same = known.find(address);
+  return all_known < options.limits.max_connections &&
+         (same == known.end() || same->second < options.limits.max_per_address);
+}
+
+/// Whoever opens many connections and finishes none loses his own first. All local users have one
+/// address: there the oldest goes, and a flood would have to be quicker than a handshake.
+void hub::make_room() {
+  while (strangers.size() > options.limits.max_strangers) {
+    std::map<std::string, std::size_t> count;
+    for (const slot* s : strangers)
+      ++count[s->address()];
+    const auto by_count = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const auto& most = std::ranges::max_element(count, by_count)->first;
+    const auto oldest =
+      std::ranges::find_if(strangers, [&](const slot* s) { return s->address() == most; });
+    (*oldest)->give_way();
+  }
 }
 
 void hub::shut() {
@@ -98,11 +112,11 @@ void hub::shut() {
   error_code ignored;
   listener.close(ignored);
   retry.cancel();
-  std::vector<std::function<void()>> ends;
+  std::vector<std::function<void(ending)>> ends;
   for (const slot* s : slots)
     ends.push_back(s->end);
   for (const auto& end : ends)
-    end();
+    end(ending::server_stops);
 }
 
 // -- transport --------------------------------------------------------------------------------

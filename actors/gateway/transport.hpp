@@ -35,8 +35,9 @@ public:
   /// Bytes accepted by `send` and not yet handed to the operating system.
   [[nodiscard]] virtual std::size_t queued_bytes() const = 0;
 
-  /// Says that the client has proved who it is: ends the hello timeout and raises the message limit
-  /// from `max_first_message` to `max_message`. Call it before the reply to the hello is sent.
+  /// Says that the client has proved who it is: ends the hello timeout, raises the message limit
+  /// from `max_first_message` to `max_message` and takes one of `max_connections` places, or closes
+  /// with 1013 when none is left. Call it before the reply to the hello is sent.
   virtual void authenticated() = 0;
 
   /// Closes after what is queued. `code` is a WebSocket close code (1000, 1008, 4000-4999, ...);
@@ -73,15 +74,18 @@ struct transport_limits {
   std::size_t max_first_message = std::size_t{4} << 10;  ///< The same until `authenticated`.
   std::size_t max_queue = std::size_t{32} << 20;         ///< Outbound, the newest message included.
   std::size_t low_water = std::size_t{1} << 20;          ///< See `on_drained`.
-  std::size_t max_connections = 256;                     ///< Sockets, HTTP included; then 503.
-  std::size_t max_per_address = 64;                      ///< The same for one client address.
-  std::size_t max_header = std::size_t{8} << 10;         ///< HTTP request header; else 431.
-  std::chrono::milliseconds handshake_timeout{5'000};    ///< From TCP accept to HTTP reply.
-  std::chrono::milliseconds hello_timeout{5'000};        ///< Until `authenticated`, else 1008.
-  std::chrono::milliseconds slow_client{10'000};         ///< Time above `max_queue`; then 1013.
-  std::chrono::milliseconds ping_after{15'000};          ///< Silence before a ping.
-  std::chrono::milliseconds idle_timeout{45'000};        ///< Silence before the client is dropped.
-  std::chrono::milliseconds close_timeout{1'000};        ///< Wait for the client's side of a close.
+  std::size_t max_connections = 256;  ///< Of clients that are `authenticated`; then 503.
+  std::size_t max_per_address = 64;   ///< The same for one client address.
+  /// Sockets of all others, HTTP included. Above it the oldest of the address that has most of them
+  /// gives way to the newcomer: an honest client needs its place for moments only.
+  std::size_t max_strangers = 128;
+  std::size_t max_header = std::size_t{8} << 10;       ///< HTTP request header; else 431.
+  std::chrono::milliseconds handshake_timeout{5'000};  ///< From TCP accept to HTTP reply.
+  std::chrono::milliseconds hello_timeout{5'000};      ///< Until `authenticated`, else 1008.
+  std::chrono::milliseconds slow_client{10'000};       ///< Time above `max_queue`; then 1013.
+  std::chrono::milliseconds ping_after{15'000};        ///< Silence before a ping.
+  std::chrono::milliseconds idle_timeout{45'000};      ///< Silence before the client is dropped.
+  std::chrono::milliseconds close_timeout{1'000};      ///< Wait for the client's side of a close.
 };
 
 /// What GET /healthz answers.
@@ -107,7 +111,8 @@ struct transport_options {
 
 /// Listens on one address and port with one I/O thread. WebSocket is at /v1, without compression,
 /// binary messages only (text is closed with 1003); GET /healthz answers 200 or 503; other paths
-/// 404, other methods 405, a foreign Origin or Host 403, too many connections 503.
+/// 404, other methods 405, a foreign Origin or Host 403, too many connections 503. Connections that
+/// are not `authenticated` have places of their own, so that they take none from clients.
 class transport {
 public:
   /// Binds, listens and starts the thread. Errors: `invalid_argument` for an address that is none

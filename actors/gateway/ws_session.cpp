@@ -10,6 +10,8 @@
 #include <exception>
 #include <optional>
 
+#include "base/text.hpp"
+
 namespace tedit::gateway {
 namespace {
 
@@ -26,17 +28,6 @@ constexpr std::size_t read_piece = std::size_t{256} << 10;
 constexpr std::size_t kept_buffer = std::size_t{1} << 20;
 
 constexpr std::size_t longest_reason = 123;
-
-/// Cuts at a UTF-8 character's start: half a character in a close frame is a protocol error.
-std::string cut_reason(std::string text) {
-  if (text.size() <= longest_reason)
-    return text;
-  std::size_t end = longest_reason;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-    --end;
-  text.resize(end);
-  return text;
-}
 
 class ws_session final : public connection, public std::enable_shared_from_this<ws_session> {
 public:
@@ -77,6 +68,7 @@ private:
   void on_tick();
   void check_life(steady::time_point now);
   void check_queue(steady::time_point now);
+  void end(ending why);
   void begin_close(std::uint16_t code, std::string reason, bool drop_queue);
   void send_close();
   void drop_queue();
@@ -124,8 +116,10 @@ void ws_session::authenticated() {
   // Dispatched, not posted: from within `on_message` it holds before the next message is read.
   net::dispatch(ws_.get_executor(), [weak = weak_from_this()] {
     const auto self = weak.lock();
-    if (!self)
+    if (!self || self->done_)
       return;
+    if (!self->slot_->promote())
+      return self->begin_close(1013, "there are too many connections", true);
     self->known_ = true;
     self->ws_.read_message_max(self->limits().max_message);
   });
@@ -159,9 +153,9 @@ void ws_session::call_handler(Call call) {
 }
 
 void ws_session::run() {
-  slot_->end = [weak = weak_from_this()] {
+  slot_->end = [weak = weak_from_this()](ending why) {
     if (const auto self = weak.lock())
-      self->on_strand([](ws_session& s) { s.begin_close(1001, "the server stops", true); });
+      self->on_strand([why](ws_session& s) { s.end(why); });
   };
   beast::get_lowest_layer(ws_).expires_never();
   // The rules after the handshake are kept by `on_tick`.
@@ -344,6 +338,13 @@ void ws_session::check_queue(steady::time_point now) {
 
 // -- the end
 
+/// Who gives way is not waited for: its place is taken already.
+void ws_session::end(ending why) {
+  if (why == ending::gives_way)
+    return finish("gave way to another connection before it said hello");
+  begin_close(1001, "the server stops", true);
+}
+
 void ws_session::begin_close(std::uint16_t code, std::string reason, bool drop) {
   if (done_ || dropped_ || (closing_ && !drop))
     return;
@@ -352,7 +353,8 @@ void ws_session::begin_close(std::uint16_t code, std::string reason, bool drop) 
   closing_ = true;
   if (!close_sent_) {
     close_code_ = code;
-    close_reason_ = cut_reason(std::move(reason));
+    // Half a character in a close frame is a protocol error.
+    close_reason_ = cut_text(to_utf8(reason), longest_reason);
   }
   if (drop) {
     dropped_ = true;

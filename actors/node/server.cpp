@@ -148,9 +148,14 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   door.address = options.address;
   door.port = options.port;
   door.allowed_origins = options.allowed_origins;
-  auto opened = gateway::start_gateway(
-    system, std::move(door),
-    {hub, options.token, "tedit " TEDIT_VERSION, {}, [healths] { return states_of(healths); }});
+  gateway::gateway_parts parts;
+  parts.hub = hub;
+  parts.guard = std::make_shared<gateway::token_guard>(options.token);
+  parts.server_name = "tedit " TEDIT_VERSION;
+  parts.upload_bytes = options.upload_bytes;
+  parts.all_uploads = std::make_shared<gateway::upload_account>(options.all_upload_bytes);
+  parts.roles = [healths] { return states_of(healths); };
+  auto opened = gateway::start_gateway(system, std::move(door), std::move(parts));
   if (!opened) {
     made->stop();
     return fail(opened.error());

@@ -20,25 +20,14 @@ error cancelled_edit() {
 
 }  // namespace
 
-expected<const graph_node*> session_state::base_of(const edit_request& request) const {
-  const auto* head = graph.head();
-  if (!head)
-    return fail(ec::conflict, "the document is empty", "Import a mesh first");
-  if (!request.expected_version.empty() && request.expected_version != to_hex(head->info.id))
-    return fail(
-      ec::conflict,
-      "the head is version " + to_hex(head->info.id) + ", not " + request.expected_version,
-      "Look at the new head, then edit again");
-  return head;
-}
-
 // -- the operation, then the checks --------------------------------------------------------------
 
 void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
   const auto& request = run->request;
   const auto job = new_job(request.ticket, request.client);
-  edit_order order{base_order(),       make_ref(*run->base), request.operation, request.surfaces,
-                   request.parameters, run->preview,         parts.document,    {}};
+  edit_order order{
+    base_order(request.client), make_ref(*run->base), request.operation, request.surfaces,
+    request.parameters,         run->preview,         parts.document,    request.terms.client};
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
@@ -74,7 +63,7 @@ void session_state::check_candidate(const std::shared_ptr<candidate_run>& run,
   if (run->cancelled)
     return run->refuse(cancelled_edit());
   const auto job = new_job(run->request.ticket, run->request.client);
-  finish_order order{base_order(),
+  finish_order order{base_order(run->request.client),
                      make_ref(*run->base),
                      candidate,
                      run->load_cases,
@@ -131,22 +120,24 @@ void session_state::retry_candidate(const std::shared_ptr<candidate_run>& run, c
 /// gets, so it is refused, and what comes later ends it.
 caf::result<previewed> session_state::preview(const preview_request& wanted) {
   const auto& request = wanted.edit;
-  const auto head = base_of(request);
+  if (const auto refusal = check_expected(request.terms))
+    return *refusal;
+  const auto* head = graph.head();
   if (!head)
-    return to_caf(head.error());
+    return to_caf({ec::conflict, "the document is empty", "Import a mesh first", {}});
   if (running || !waiting.empty())
     return to_caf({ec::superseded,
                    "the document is being changed",
                    "Ask for the preview again when that is done",
                    {}});
-  if (last_preview && last_preview->serves(request, **head))
+  if (last_preview && last_preview->serves(request, *head))
     return describe_preview(*last_preview);
   auto run = std::make_shared<preview_run>();
   run->promise = self->make_response_promise<previewed>();
   run->work = std::make_shared<candidate_run>();
   run->work->request = request;
-  run->work->base = (*head)->mesh;
-  run->work->load_cases = (*head)->load_cases;
+  run->work->base = head->mesh;
+  run->work->load_cases = head->load_cases;
   run->work->preview = true;
   const auto ticket = request.ticket;
   run->work->done = [=, this,

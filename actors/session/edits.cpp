@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <span>
+
 #include <spdlog/spdlog.h>
 #include <nlohmann/json.hpp>
 
@@ -20,6 +22,32 @@ error no_head() {
   return {ec::conflict, "the document is empty", "Import a mesh first", {}};
 }
 
+/// Which file, whatever it is called.
+asked_change asked_by(const import_request& request) {
+  std::string ids;
+  for (const auto& p : request.file)
+    ids += to_hex(p->id());
+  const nlohmann::json how{{"file", request.file_name},
+                           {"length_unit", request.length_unit},
+                           {"content", to_hex(hash_bytes(std::as_bytes(std::span(ids))))}};
+  return {"import", how.dump()};
+}
+
+asked_change asked_by(const edit_request& request) {
+  const nlohmann::json how{{"operation", request.operation},
+                           {"surfaces", request.surfaces},
+                           {"parameters", request.parameters},
+                           {"loads", fem::policy_name(request.loads.policy)},
+                           {"keep_traction", request.loads.keep_traction}};
+  return {"edit", how.dump()};
+}
+
+asked_change asked_by(const move_request& request) {
+  if (request.kind == move_kind::go_to)
+    return {"goto", nlohmann::json{{"number", request.number}}.dump()};
+  return {request.kind == move_kind::undo ? "undo" : "redo", "{}"};
+}
+
 void describe_mesh(graph_node& node, version_ptr mesh) {
   node.info.id = mesh->id();
   node.info.tets = mesh->tet_count();
@@ -32,12 +60,14 @@ void describe_mesh(graph_node& node, version_ptr mesh) {
 
 struct session_state::import_run {
   import_request request;
+  asked_change asked;
   caf::typed_response_promise<head_moved> promise;
   int retries = 0;
 };
 
 struct session_state::edit_run {
   edit_request request;
+  asked_change asked;
   caf::typed_response_promise<head_moved> promise;
   stopwatch total;
 };
@@ -47,6 +77,7 @@ struct session_state::edit_run {
 caf::result<head_moved> session_state::import(const import_request& request) {
   auto run = std::make_shared<import_run>();
   run->request = request;
+  run->asked = asked_by(request);
   run->promise = self->make_response_promise<head_moved>();
   enqueue({request.ticket, [=, this] { begin_import(run); },
            [=](const error& e) { run->promise.deliver(to_caf(e)); }});
@@ -55,6 +86,8 @@ caf::result<head_moved> session_state::import(const import_request& request) {
 
 void session_state::begin_import(const std::shared_ptr<import_run>& run) {
   const auto& request = run->request;
+  if (is_settled(request.terms, run->asked, run->promise))
+    return finish_command();
   const auto job = new_job(request.ticket, request.client);
   const auto fail_import = [=, this](const error& e) {
     progress_of.erase(job);
@@ -63,7 +96,8 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
     run->promise.deliver(to_caf(e));
     finish_command();
   };
-  import_order order{base_order(), {}, request.size, request.file_name, request.length_unit};
+  import_order order{
+    base_order(request.client), {}, request.size, request.file_name, request.length_unit};
   for (const auto& p : request.file) {
     parts.cache->put(p);
     order.file.push_back(p->id());
@@ -79,9 +113,9 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
     auto node = graph.draft();
     node.info.operation = "import";
     describe_mesh(node, *mesh);
-    const nlohmann::json details{{"file", run->request.file_name},
-                                 {"length_unit", run->request.length_unit}};
-    commit_node(std::move(node), "import", details.dump(), result.warnings, run->promise);
+    auto made = begin_change(run->request.terms, run->asked);
+    made.warnings = result.warnings;
+    commit_node(std::move(node), std::move(made), run->asked.how, run->promise);
   };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
@@ -100,6 +134,7 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
 caf::result<head_moved> session_state::edit(const edit_request& request) {
   auto run = std::make_shared<edit_run>();
   run->request = request;
+  run->asked = asked_by(request);
   run->promise = self->make_response_promise<head_moved>();
   enqueue({request.ticket, [=, this] { begin_edit(run); },
            [=](const error& e) { run->promise.deliver(to_caf(e)); }});
@@ -109,15 +144,17 @@ caf::result<head_moved> session_state::edit(const edit_request& request) {
 /// What was previewed is not made again.
 void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   const auto& request = run->request;
-  const auto head = base_of(request);
+  if (is_settled(request.terms, run->asked, run->promise))
+    return finish_command();
+  const auto* head = graph.head();
   if (!head)
-    return refuse_edit(run, head.error());
-  if (last_preview && last_preview->serves(request, **head))
+    return refuse_edit(run, no_head());
+  if (last_preview && last_preview->serves(request, *head))
     return commit_edit(run, *last_preview->made);
   auto work = std::make_shared<candidate_run>();
   work->request = request;
-  work->base = (*head)->mesh;
-  work->load_cases = (*head)->load_cases;
+  work->base = head->mesh;
+  work->load_cases = head->load_cases;
   work->done = [=, this](const std::shared_ptr<const checked_edit>& made) {
     commit_edit(run, *made);
   };
@@ -141,37 +178,27 @@ void session_state::commit_edit(const std::shared_ptr<edit_run>& run, const chec
   auto full = made.report;
   full.total_ms = run->total.milliseconds();
   node.report = protocol::to_json(full);
-  const nlohmann::json details{{"operation", request.operation},
-                               {"surfaces", request.surfaces},
-                               {"parameters", request.parameters},
-                               {"loads", fem::policy_name(request.loads.policy)},
-                               {"keep_traction", request.loads.keep_traction}};
-  commit_node(std::move(node), "edit", details.dump(), {}, run->promise);
+  auto made_now = begin_change(request.terms, run->asked);
+  made_now.operation = request.operation;
+  commit_node(std::move(node), std::move(made_now), run->asked.how, run->promise);
 }
 
 // -- the head moves ------------------------------------------------------------------------------
 
-void session_state::commit_node(graph_node node, const std::string& cause,
-                                const std::string& details, std::vector<std::string> warnings,
+void session_state::commit_node(graph_node node, past_change made, const std::string& how,
                                 caf::typed_response_promise<head_moved> promise) {
   const auto* head = graph.head();
   auto change = change_of(node, head ? head->mesh.get() : nullptr);
-  change.what = cause;
-  change.details = details;
+  made.version = node.info.number;
+  change.what = made.what;
+  change.details = made.to_details(how);
   parts.cache->put(*node.mesh);
   auto shared = std::make_shared<graph_node>(std::move(node));
   commit(
     std::move(change),
     [=, this](double ms) mutable {
       graph.add(std::move(*shared));
-      last_preview.reset();
-      auto moved = describe_head(cause);
-      moved.commit_ms = ms;
-      moved.warnings = warnings;
-      broadcast(moved);
-      promise.deliver(std::move(moved));
-      follow_head();
-      finish_command();
+      show_head(made, ms, std::move(promise));
     },
     [=, this](const error& e) mutable {
       promise.deliver(to_caf(e));
@@ -179,18 +206,31 @@ void session_state::commit_node(graph_node node, const std::string& cause,
     });
 }
 
-head_moved session_state::describe_head(const std::string& cause) const {
-  const auto* head = graph.head();
+/// What follows once a change that moved the head is durable.
+void session_state::show_head(const past_change& made, double commit_ms,
+                              caf::typed_response_promise<head_moved> promise) {
+  past.add(made);
+  last_preview.reset();
+  auto moved = describe(*graph.head(), made.what);
+  moved.commit_ms = commit_ms;
+  moved.warnings = made.warnings;
+  broadcast(moved);
+  promise.deliver(std::move(moved));
+  follow_head();
+  finish_command();
+}
+
+head_moved session_state::describe(const graph_node& node, const std::string& cause) const {
   head_moved moved;
   moved.document = parts.document;
-  moved.head = head->info;
-  moved.version = head->mesh;
-  moved.load_cases = head->load_cases;
+  moved.head = node.info;
+  moved.version = node.mesh;
+  moved.load_cases = node.load_cases;
   moved.cause = cause;
   if (cause == "edit")
-    moved.report = head->report;
-  moved.can_undo = graph.can_undo();
-  moved.can_redo = graph.can_redo();
+    moved.report = node.report;
+  moved.can_undo = node.info.parent.has_value();
+  moved.can_redo = node.redo.has_value();
   return moved;
 }
 
@@ -203,17 +243,20 @@ caf::result<head_moved> session_state::move(const move_request& request) {
 
 void session_state::begin_move(const move_request& request,
                                caf::typed_response_promise<head_moved> promise) {
+  const auto asked = asked_by(request);
+  if (is_settled(request.terms, asked, promise))
+    return finish_command();
   const auto target = graph.target_of(request);
   if (!target) {
     promise.deliver(to_caf(target.error()));
     return finish_command();
   }
-  const std::string cause = request.kind == move_kind::undo   ? "undo"
-                            : request.kind == move_kind::redo ? "redo"
-                                                              : "goto";
+  auto made = begin_change(request.terms, asked);
+  made.version = target->number;
   store::change change;
   change.head = target->number;
-  change.what = cause;
+  change.what = made.what;
+  change.details = made.to_details(asked.how);
   change.redo.assign(target->redo.begin(), target->redo.end());
   commit(
     std::move(change),
@@ -221,13 +264,7 @@ void session_state::begin_move(const move_request& request,
       for (const auto& [number, child] : target.redo)
         graph.set_redo(number, child);
       graph.move_to(target.number);
-      last_preview.reset();
-      auto moved = describe_head(cause);
-      moved.commit_ms = ms;
-      broadcast(moved);
-      promise.deliver(std::move(moved));
-      follow_head();
-      finish_command();
+      show_head(made, ms, std::move(promise));
     },
     [=, this](const error& e) mutable {
       promise.deliver(to_caf(e));
@@ -246,8 +283,8 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   const auto promise = std::make_shared<caf::typed_response_promise<exported>>(
     self->make_response_promise<exported>());
   const auto job = new_job(request.ticket, request.client);
-  export_order order{base_order(), make_ref(*node->mesh), {},
-                     {},           request.format,        request.length_unit};
+  export_order order{base_order(request.client), make_ref(*node->mesh), {}, {}, request.format,
+                     request.length_unit};
   const auto version = to_hex(node->info.id);
   const auto fields = std::ranges::find(results, version, &kept_result::version);
   if (fields != results.end()) {
@@ -288,7 +325,7 @@ caf::result<selected> session_state::select(const select_request& request) {
   const auto version = to_hex(head->info.id);
   self
     ->request(parts.workers.modeling, answer_limit, job,
-              select_order{base_order(), make_ref(*head->mesh), request.query})
+              select_order{base_order(request.client), make_ref(*head->mesh), request.query})
     .then(
       [=, this](const select_result& result) {
         progress_of.erase(job);

@@ -2,6 +2,8 @@
 // What belongs to a version and makes no new one: its load cases, its name and note.
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "actors/errors.hpp"
 #include "actors/session/session.hpp"
 #include "actors/store/store.hpp"
@@ -13,6 +15,9 @@ namespace {
 
 constexpr std::size_t longest_name = 80;
 constexpr std::size_t longest_note = 4000;
+
+/// Load cases of a version together, as JSON: they travel with every message about a new head.
+constexpr std::size_t most_load_case_bytes = std::size_t{4} << 20;
 
 error no_head() {
   return {ec::conflict, "the document is empty", "Import a mesh first", {}};
@@ -29,6 +34,19 @@ bool has_control(const std::string& text, bool lines) {
     const auto code = static_cast<unsigned char>(c);
     return (code < 0x20 && !(lines && (c == '\n' || c == '\t'))) || code == 0x7F;
   });
+}
+
+/// Errors: `conflict`.
+expected<void> check_size(const std::vector<std::string>& load_cases) {
+  std::size_t bytes = 0;
+  for (const auto& text : load_cases)
+    bytes += text.size();
+  if (bytes <= most_load_case_bytes)
+    return {};
+  return fail(ec::conflict,
+              "the load cases of a version may have " + std::to_string(most_load_case_bytes) +
+                " bytes together (as JSON), not " + std::to_string(bytes),
+              "Remove load cases that are not needed");
 }
 
 /// Errors: `invalid_argument`.
@@ -49,6 +67,7 @@ expected<void> check_words(const annotate_request& request) {
 }  // namespace
 
 caf::result<acknowledged> session_state::carry_out(
+  const change_terms& terms, asked_change request,
   std::function<expected<quiet_change>()> prepare) {
   const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
     self->make_response_promise<acknowledged>());
@@ -58,12 +77,23 @@ caf::result<acknowledged> session_state::carry_out(
     finish_command();
   };
   const auto begin = [=, this, prepare = std::move(prepare)] {
-    auto made = prepare();
-    if (!made)
-      return end(made.error());
+    const auto found = judge(terms, request);
+    if (found.refusal)
+      promise->deliver(*found.refusal);
+    else if (found.made)
+      promise->deliver(acknowledged{});
+    if (found.refusal || found.made)
+      return finish_command();
+    auto prepared = prepare();
+    if (!prepared)
+      return end(prepared.error());
+    const auto made = begin_change(terms, request);
+    prepared->change.what = made.what;
+    prepared->change.details = made.to_details(request.how);
     commit(
-      std::move(made->change),
-      [=, this, done = std::move(made->done)](double) {
+      std::move(prepared->change),
+      [=, this, done = std::move(prepared->done)](double) {
+        past.add(made);
         done();
         promise->deliver(acknowledged{});
         finish_command();
@@ -77,14 +107,10 @@ caf::result<acknowledged> session_state::carry_out(
 // -- load cases --------------------------------------------------------------------------------
 
 session_state::quiet_change session_state::change_load_cases(std::vector<std::string> texts,
-                                                             std::vector<std::string> names,
-                                                             const std::string& what,
-                                                             const std::string& details) {
+                                                             std::vector<std::string> names) {
   const auto number = graph.head()->info.number;
   quiet_change result;
   result.change.load_cases.emplace_back(number, join_load_cases(texts));
-  result.change.what = what;
-  result.change.details = details;
   result.done = [=, this] {
     graph.set_load_cases(number, texts, names);
     last_preview.reset();
@@ -94,7 +120,8 @@ session_state::quiet_change session_state::change_load_cases(std::vector<std::st
 }
 
 caf::result<acknowledged> session_state::set_load_case(const load_case_request& request) {
-  return carry_out([=, this]() -> expected<quiet_change> {
+  const asked_change asked{"load_case", nlohmann::json{{"load_case", request.load_case}}.dump()};
+  return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
     const auto* head = graph.head();
     const auto given = protocol::load_case_from_json(request.load_case, "load case");
     if (!head || !given)
@@ -107,8 +134,9 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
       texts.emplace_back();
     }
     texts[static_cast<std::size_t>(same)] = request.load_case;
-    auto change =
-      change_load_cases(std::move(texts), std::move(names), "load_case", request.load_case);
+    if (auto ok = check_size(texts); !ok)
+      return fail(ok.error());
+    auto change = change_load_cases(std::move(texts), std::move(names));
     change.done = [=, this, name = given->name, then = std::move(change.done)] {
       then();
       restart_solve_of(name, request.load_case);
@@ -119,7 +147,9 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
 
 /// The last one may go, too: the head is then as it was after its import.
 caf::result<acknowledged> session_state::remove_load_case(const remove_case_request& request) {
-  return carry_out([=, this]() -> expected<quiet_change> {
+  const asked_change asked{"remove_load_case",
+                           nlohmann::json{{"load_case", request.load_case}}.dump()};
+  return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
     const auto* head = graph.head();
     if (!head)
       return fail(no_head());
@@ -131,8 +161,7 @@ caf::result<acknowledged> session_state::remove_load_case(const remove_case_requ
                   "Name one that the head has");
     texts.erase(texts.begin() + (found - names.begin()));
     names.erase(found);
-    auto change =
-      change_load_cases(std::move(texts), std::move(names), "remove_load_case", request.load_case);
+    auto change = change_load_cases(std::move(texts), std::move(names));
     change.done = [=, this, then = std::move(change.done)] {
       forget_solve_of(request.load_case);
       then();
@@ -163,7 +192,10 @@ void session_state::forget_solve_of(const std::string& load_case) {
 // -- names and notes ---------------------------------------------------------------------------
 
 caf::result<acknowledged> session_state::annotate(const annotate_request& request) {
-  return carry_out([=, this]() -> expected<quiet_change> {
+  const nlohmann::json how{
+    {"number", request.number}, {"name", request.name}, {"note", request.note}};
+  const asked_change asked{"annotate", how.dump()};
+  return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
     if (auto ok = check_words(request); !ok)
       return fail(ok.error());
     if (request.number >= graph.nodes().size())
@@ -171,8 +203,6 @@ caf::result<acknowledged> session_state::annotate(const annotate_request& reques
                   "Ask for the history to see which there are");
     quiet_change result;
     result.change.annotations.push_back({request.number, request.name, request.note});
-    result.change.what = "annotate";
-    result.change.details = std::to_string(request.number);
     result.done = [=, this] {
       graph.annotate(request.number, request.name, request.note);
       broadcast(version_annotated{parts.document, graph.nodes()[request.number].info});

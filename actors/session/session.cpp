@@ -13,6 +13,7 @@ namespace tedit::actors {
 void session_state::start(session_pointer owner, session_parts with, stored_document stored) {
   self = owner;
   parts = std::move(with);
+  past = change_log(stored.log);
   graph = version_graph(std::move(stored));
   for (const auto& node : graph.nodes())
     parts.cache->put(*node.mesh);
@@ -84,10 +85,17 @@ void session_state::cancel(std::uint64_t ticket) {
     return;
   const auto found = std::ranges::find(waiting, ticket, &command::ticket);
   if (found == waiting.end())
-    return;
+    return cancel_jobs_of(ticket);
   const auto refuse = std::move(found->refuse);
   waiting.erase(found);
   refuse({ec::cancelled, "the request was cancelled before it began", {}, {}});
+}
+
+/// Files and selections wait in no queue of the document; they end in the workers' pool.
+void session_state::cancel_jobs_of(std::uint64_t ticket) {
+  for (const auto& [job, who] : progress_of)
+    if (ticket != 0 && who.first == ticket)
+      caf::anon_send(parts.workers.modeling, cancel_atom::value, job);
 }
 
 // -- what all commands use -----------------------------------------------------------------------
@@ -99,8 +107,9 @@ job_id session_state::new_job(std::uint64_t ticket, const caf::actor& client) {
   return job;
 }
 
-order_base session_state::base_order() const {
-  return {caf::actor_cast<caf::actor>(parts.pages), caf::actor_cast<caf::actor>(self)};
+order_base session_state::base_order(const caf::actor& client) const {
+  return {caf::actor_cast<caf::actor>(parts.pages), caf::actor_cast<caf::actor>(self),
+          client ? client.id() : 0};
 }
 
 void session_state::on_progress(const job_progress& note) {

@@ -14,6 +14,7 @@
 
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
+#include "actors/session/change_log.hpp"
 #include "actors/session/version_graph.hpp"
 #include "base/stopwatch.hpp"
 
@@ -36,10 +37,10 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over five files:
+/// The state of a session. Its members are what the handlers call; they are split over six files:
 /// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
-/// candidates.cpp (operations, previews), notes.cpp (what belongs to a version and makes no new
-/// one) and solves.cpp.
+/// changes.cpp (what every change must pass), candidates.cpp (operations, previews), notes.cpp
+/// (what belongs to a version and makes no new one) and solves.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -98,6 +99,7 @@ struct session_state {
   void detach(const caf::actor& subscriber);
   [[nodiscard]] session_history history() const;
   void cancel(std::uint64_t ticket);
+  void cancel_jobs_of(std::uint64_t ticket);
   void enqueue(command c);
   void next_command();
   void finish_command();
@@ -111,7 +113,8 @@ struct session_state {
   void pull(const caf::actor& source, const hash_list& ids,
             std::function<void(const page_set&)> done, std::function<void(const error&)> failed);
   job_id new_job(std::uint64_t ticket, const caf::actor& client);
-  [[nodiscard]] order_base base_order() const;
+  /// `client`: who asks, or null.
+  [[nodiscard]] order_base base_order(const caf::actor& client) const;
 
   // -- edits.cpp ------------------------------------------------------------------------------
 
@@ -125,16 +128,34 @@ struct session_state {
   void begin_edit(const std::shared_ptr<edit_run>& run);
   void refuse_edit(const std::shared_ptr<edit_run>& run, const error& e);
   void commit_edit(const std::shared_ptr<edit_run>& run, const checked_edit& made);
-  void commit_node(graph_node node, const std::string& cause, const std::string& details,
-                   std::vector<std::string> warnings,
+  /// `made`: the change, but for its version; `how` as it was asked for.
+  void commit_node(graph_node node, past_change made, const std::string& how,
                    caf::typed_response_promise<head_moved> promise);
+  void show_head(const past_change& made, double commit_ms,
+                 caf::typed_response_promise<head_moved> promise);
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
-  [[nodiscard]] head_moved describe_head(const std::string& cause) const;
+  [[nodiscard]] head_moved describe(const graph_node& node, const std::string& cause) const;
+
+  // -- what every change must pass (changes.cpp) -----------------------------------------------
+
+  /// What is said to a change that may not be made: it was made before, its edit id was used for
+  /// another, or the head is not the version that it expects. Nothing when it may.
+  struct verdict {
+    const past_change* made = nullptr;  ///< It was made before.
+    std::optional<caf::error> refusal;
+  };
+  [[nodiscard]] verdict judge(const change_terms& terms, const asked_change& request) const;
+  [[nodiscard]] std::optional<caf::error> check_expected(const change_terms& terms) const;
+  /// Whether nothing is to be done for a request; then it is answered: refused, or as it was when
+  /// it was carried out.
+  bool is_settled(const change_terms& terms, const asked_change& request,
+                  caf::typed_response_promise<head_moved> promise);
+  /// A change as it will stand in the log.
+  [[nodiscard]] static past_change begin_change(const change_terms& terms,
+                                                const asked_change& request);
 
   // -- candidates.cpp -------------------------------------------------------------------------
 
-  /// The head, when it is the one that the request means. Errors: `conflict`.
-  [[nodiscard]] expected<const graph_node*> base_of(const edit_request& request) const;
   void make_candidate(const std::shared_ptr<candidate_run>& run);
   void check_candidate(const std::shared_ptr<candidate_run>& run, const edit_candidate& candidate);
   void accept_candidate(const std::shared_ptr<candidate_run>& run, const finish_result& result);
@@ -158,11 +179,12 @@ struct session_state {
     store::change change;
     std::function<void()> done;
   };
-  caf::result<acknowledged> carry_out(std::function<expected<quiet_change>()> prepare);
+  /// `request` describes the change, for the log and so that the same is made once.
+  caf::result<acknowledged> carry_out(const change_terms& terms, asked_change request,
+                                      std::function<expected<quiet_change>()> prepare);
   /// The head gets these load cases instead of its own.
   [[nodiscard]] quiet_change change_load_cases(std::vector<std::string> texts,
-                                               std::vector<std::string> names,
-                                               const std::string& what, const std::string& details);
+                                               std::vector<std::string> names);
   void restart_solve_of(const std::string& load_case, const std::string& text);
   void forget_solve_of(const std::string& load_case);
 
@@ -198,6 +220,7 @@ struct session_state {
   session_pointer self = nullptr;
   session_parts parts;
   version_graph graph;
+  change_log past;
   std::set<caf::actor> subscribers;
   std::deque<command> waiting;
   std::optional<running_command> running;

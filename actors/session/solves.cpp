@@ -100,10 +100,11 @@ void session_state::start_solve(const solve_request& request,
     return note(next, solve_phase::failed, render(texts.error()));
   }
   next.texts = *texts;
-  solve_order order{base_order(),         make_ref(*head->mesh),
-                    std::move(*texts),    request.device.empty() ? parts.device : request.device,
-                    request.tolerance,    request.energy_tolerance,
-                    request.element_order};
+  solve_order order{
+    base_order(request.client), make_ref(*head->mesh),
+    std::move(*texts),          request.device.empty() ? parts.device : request.device,
+    request.tolerance,          request.energy_tolerance,
+    request.element_order};
   next.key = key_of(order, next.version);
 
   const auto kept = std::ranges::find(results, next.key, &kept_result::key);

@@ -97,6 +97,7 @@ expected<stored_document> load(const store::document& document) {
     return fail(ok.error());
   stored_document result;
   result.head = contents->head;
+  result.log = contents->log;
   page_map known;
   for (const auto& row : contents->versions) {
     auto mesh = load_mesh(row, document, known);

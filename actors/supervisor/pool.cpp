@@ -12,6 +12,14 @@
 
 namespace tedit::actors {
 
+namespace {
+
+bool is_preview(const pool_state::job& work) {
+  return work.place.what == urgency::preview;
+}
+
+}  // namespace
+
 bool restart_budget::take(clock::time_point now) {
   while (!taken_.empty() && now - taken_.front() > window_)
     taken_.pop_front();
@@ -68,18 +76,18 @@ void pool_state::add(job j) {
     return j.refuse(*why);
   if (degraded && children.empty())
     return j.refuse(no_worker());
-  const auto previews = std::ranges::find(waiting, true, &job::preview);  // They are the last.
-  waiting.insert(j.preview ? waiting.end() : previews, std::move(j));
+  waiting.push_back(std::move(j));
   dispatch();
   make_way();
 }
 
 void pool_state::make_way() {
-  auto held_up = std::ranges::count(waiting, false, &job::preview);
+  auto held_up =
+    std::ranges::count_if(waiting, [](const job& j) { return j.place.what == urgency::edit; });
   for (const auto& c : children)
     held_up -= c.work && c.work->cancelled;
   for (auto& c : children)
-    if (held_up > 0 && c.work && c.work->preview && !c.work->cancelled) {
+    if (held_up > 0 && c.work && c.work->place.what == urgency::preview && !c.work->cancelled) {
       c.work->superseded = true;
       cancel(c.work->id);
       --held_up;
@@ -93,14 +101,23 @@ error pool_state::reason_of(job_id id, const error& said) {
   return {ec::superseded, "the preview gave way to other work", "Ask for it again", {}};
 }
 
+pool_state::job pool_state::take_next() {
+  std::vector<turn> places;
+  for (const auto& j : waiting)
+    places.push_back(j.place);
+  const auto at = waiting.begin() + static_cast<std::ptrdiff_t>(turns.take(places));
+  auto next = std::move(*at);
+  waiting.erase(at);
+  return next;
+}
+
 void pool_state::dispatch() {
   for (auto& c : children) {
     if (waiting.empty())
       return;
     if (!c.worker || c.work || c.retired)
       continue;
-    auto next = std::move(waiting.front());
-    waiting.pop_front();
+    auto next = take_next();
     if (const auto why = off.refusal(next.edit)) {
       next.refuse(*why);  // Switched off while it waited.
       return dispatch();
@@ -234,11 +251,11 @@ void pool_state::forgive(const job& work) {
     return;
   ++forgiven;
   spdlog::warn("{} worker: the operation {} was running{}", options.role, work.edit.operation,
-               work.preview ? ", for a preview" : "");
+               is_preview(work) ? ", for a preview" : "");
 }
 
 void pool_state::blame(const job& work, const std::string& how) {
-  if (work.edit.operation.empty() || work.preview || !off.note(work.edit, how))
+  if (work.edit.operation.empty() || is_preview(work) || !off.note(work.edit, how))
     return;
   if (const auto why = off.refusal(work.edit))
     spdlog::error("plugin: {}", why->message);
@@ -250,8 +267,10 @@ void pool_state::try_again(job work, const std::string& how) {
   if (work.cancelled)
     return work.refuse({ec::cancelled, "the work was cancelled", {}, {}});
   // Nobody waits long for a preview: the next one is as good.
-  if (work.deaths <= (work.preview ? 1 : options.retries))
+  if (work.deaths <= (is_preview(work) ? 1 : options.retries)) {
+    work.place.again = true;
     return waiting.push_front(std::move(work));
+  }
   blame(work, how);
   if (const auto why = off.refusal(work.edit))
     return work.refuse(*why);

@@ -16,6 +16,7 @@
 #include "actors/interfaces.hpp"
 #include "actors/links/link.hpp"
 #include "actors/supervisor/quarantine.hpp"
+#include "actors/supervisor/turns.hpp"
 
 namespace tedit::actors {
 
@@ -90,8 +91,8 @@ struct pool_state {
     edit_origin edit;  ///< Of an operation; else without one.
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
+    turn place;  ///< Previews are ended, too, when what goes before them finds no free worker.
     int deaths = 0;
-    bool preview = false;  ///< Other work goes before it, and ends it when no worker is free.
     bool cancelled = false;
     bool superseded = false;     ///< Ended for other work.
     clock::time_point deadline;  ///< Once it runs.
@@ -142,7 +143,9 @@ struct pool_state {
   [[nodiscard]] role_state state() const;
   void say_health() const;
 
-  /// Ends previews that keep waiting work from running.
+  /// Takes the job whose turn it is. @pre one waits.
+  [[nodiscard]] job take_next();
+  /// Ends previews that keep waiting edits from running.
   void make_way();
   /// Starts a process and serves its link. Errors: `service_unavailable`.
   [[nodiscard]] expected<child> make_child();
@@ -171,7 +174,8 @@ struct pool_state {
   std::function<caf::actor(unique_fd end, std::uint64_t number)> serve;
   std::uint64_t started = 0;  ///< Children so far.
   std::list<child> children;
-  std::deque<job> waiting;
+  std::deque<job> waiting;      ///< As they came.
+  turn_order turns;             ///< Which of them is next.
   std::vector<question> asked;  ///< While no worker is there.
   std::string catalogue;        ///< The last that a worker gave; of modeling.
   quarantine off;

@@ -27,8 +27,13 @@ auto job_handler(pool_pointer<Role> self) {
     job.id = id;
     if constexpr (std::is_same_v<Order, edit_order>)
       job.edit = {order.operation, order.document, order.client};
+    const auto& listener = order.base.listener;
+    job.place = {urgency::edit, order.base.client, listener ? listener.id() : 0};
+    if constexpr (std::is_same_v<Order, export_order>)
+      job.place.what = urgency::file;
     if constexpr (requires { order.preview; })
-      job.preview = order.preview;
+      if (order.preview)
+        job.place.what = urgency::preview;
     job.refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
     job.send = [=](const caf::actor& worker, int attempt) {
       // The pool's own clock ends what takes too long; this limit is only a net below it.

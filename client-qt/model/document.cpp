@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "client-qt/model/document_name.hpp"
@@ -126,18 +127,19 @@ void document::progressed(double fraction, const QString& stage) {
 
 /// A request that the user waits for; one at a time is shown.
 template <class T>
-ticket document::ask(const QString& title, remote::work<T> call, std::function<void(T&)> done) {
+ticket document::ask(const QString& title, remote::work<T> call, std::function<void(T&)> done,
+                     std::function<bool(const error&)> keep) {
   begin_activity(title);
   const int mine = opening_;
   running_ = link_.run<T>(
     std::move(call),
-    [this, title, mine, done = std::move(done)](expected<T> result) {
+    [this, title, mine, done = std::move(done), keep = std::move(keep)](expected<T> result) {
       end_activity();
       if (mine != opening_)
         return;
       if (result)
         done(*result);
-      else
+      else if (!keep || !keep(result.error()))
         emit failed(title, result.error());
     },
     [this](double fraction, const QString& stage) { progressed(fraction, stage); });
@@ -158,6 +160,7 @@ void document::cancel() {
 void document::forget() {
   ++opening_;
   name_.clear();
+  unanswered_.reset();
   versions_.clear();
   head_.reset();
   can_undo_ = can_redo_ = false;
@@ -194,6 +197,7 @@ void document::reopen() {
       emit opened();
       take_surface();  // It may have come before this answer.
       refresh_history();
+      ask_again();
       if (state.head && !state.head->load_cases.empty())
         solve();
     });
@@ -289,17 +293,46 @@ void document::load_catalogue() {
 void document::connection_changed() {
   if (link_.current() == remote::state::lost && field_state_ == field_state::solving)
     set_field_state(field_state::waiting);
+  if (link_.current() == remote::state::offline)  // It does not come back by itself.
+    if (const auto left = std::exchange(unanswered_, std::nullopt))
+      emit failed(left->title, left->why);
 }
 
 // -- edits ---------------------------------------------------------------------------
 
 /// Who asks hears of it twice: as an event, then as the answer. Events of others' commits may lie
 /// between the two, so the answer counts only where no event told of it since it was asked for.
+/// When the connection breaks before the answer, it is asked for again once the document is open
+/// again: the edit id sees to it that it is made once.
 void document::ask_commit(const QString& title, remote::work<client::committed> call) {
-  ask<client::committed>(title, std::move(call), [this, asked = told_](client::committed& what) {
-    const auto row = versions_.find(what.head.number);
-    if (row == versions_.end() || row->second.told <= asked)
-      take_commit(what);
+  auto broke = std::make_shared<std::atomic<bool>>(false);
+  const auto watched = [call, broke](client::client& c, const execution& run) {
+    auto result = call(c, run);
+    *broke = !result && !c.connected() && !run.cancel.cancelled();
+    return result;
+  };
+  ask<client::committed>(
+    title, watched,
+    [this, asked = told_](client::committed& what) {
+      const auto row = versions_.find(what.head.number);
+      if (what.repeated && head_ != what.head.number)
+        return refresh_history();  // Made before, and others went on: the head is theirs.
+      if (row == versions_.end() || row->second.told <= asked)
+        take_commit(what);
+    },
+    [this, title, call, broke](const error& why) {
+      if (*broke)
+        unanswered_ = unanswered_change{title, call, why};
+      return broke->load();
+    });
+}
+
+void document::ask_again() {
+  const auto left = std::exchange(unanswered_, std::nullopt);
+  if (!left)
+    return;
+  ask_commit(left->title, [=](client::client& c, const execution& run) {
+    return c.knows_edit_ids() ? left->call(c, run) : expected<client::committed>(fail(left->why));
   });
 }
 
@@ -317,22 +350,29 @@ void document::apply(const QString& operation, const std::vector<surface_id>& su
   const auto* now = head();
   const std::string expected_version = now ? now->info.version_id : std::string();
   emit applied(operation, surfaces, values);
-  ask_commit(title, [=, id = operation.toStdString()](client::client& c, const execution& run) {
-    return c.edit(id, surfaces, values, run, expected_version, loads);
+  ask_commit(title, [=, id = operation.toStdString(), once = client::make_edit_id()](
+                      client::client& c, const execution& run) {
+    return c.edit(id, surfaces, values, run, expected_version, loads, once);
   });
 }
 
 void document::undo() {
-  ask_commit(tr("Undo"), [](client::client& c, const execution&) { return c.undo(); });
+  ask_commit(tr("Undo"), [once = client::make_edit_id()](client::client& c, const execution&) {
+    return c.undo({{}, once});
+  });
 }
 
 void document::redo() {
-  ask_commit(tr("Redo"), [](client::client& c, const execution&) { return c.redo(); });
+  ask_commit(tr("Redo"), [once = client::make_edit_id()](client::client& c, const execution&) {
+    return c.redo({{}, once});
+  });
 }
 
 void document::go_to(std::uint32_t number) {
   ask_commit(tr("Go to version %1").arg(number),
-             [number](client::client& c, const execution&) { return c.go_to(number); });
+             [number, once = client::make_edit_id()](client::client& c, const execution&) {
+               return c.go_to(number, {{}, once});
+             });
 }
 
 void document::take_load_cases(const std::vector<fem::load_case>& loads) {

@@ -160,7 +160,8 @@ signals:
 
 private:
   template <class T>
-  ticket ask(const QString& title, remote::work<T> call, std::function<void(T&)> done);
+  ticket ask(const QString& title, remote::work<T> call, std::function<void(T&)> done,
+             std::function<bool(const error&)> keep = {});
   void begin_activity(const QString& title);
   void end_activity();
   void progressed(double fraction, const QString& stage);
@@ -170,6 +171,7 @@ private:
   void reopen();
   void take_state(const client::document_state& state);
   void ask_commit(const QString& title, remote::work<client::committed> call);
+  void ask_again();
   void take_event(const client::committed& what);
   void take_commit(const client::committed& what);
   void take_surface();
@@ -187,8 +189,16 @@ private:
   void send_load_cases(std::vector<fem::load_case> loads, std::function<void()> then = {});
   void forget();
 
+  /// A change whose answer the connection took with it when it broke.
+  struct unanswered_change {
+    QString title;
+    remote::work<client::committed> call;
+    error why;
+  };
+
   remote& link_;
   QString name_;
+  std::optional<unanswered_change> unanswered_;
   std::map<std::uint32_t, version_record> versions_;
   std::optional<std::uint32_t> head_;
   bool can_undo_ = false;

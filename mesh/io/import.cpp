@@ -4,6 +4,7 @@
 #include <new>
 
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "mesh/build_version.hpp"
 #include "mesh/io/file.hpp"
@@ -30,6 +31,9 @@ expected<imported_mesh> import_mesh(const std::filesystem::path& path,
 
 namespace {
 
+/// Bytes of a surface's or region's name that are kept; Gmsh's own have 127 at most.
+constexpr std::size_t longest_name = 200;
+
 expected<imported_mesh> read_and_build(std::span<const char> bytes,
                                        const std::string& length_unit) {
   const auto unit = metres_per_unit(length_unit);
@@ -41,6 +45,11 @@ expected<imported_mesh> read_and_build(std::span<const char> bytes,
     return fail(read.error());
   imported_mesh result;
   result.read_ms = clock.restart();
+  // Names go into files and messages that must be UTF-8, and old files hold what they like.
+  for (auto& surface : read->mesh.surface_names)
+    surface.name = cut_text(to_utf8(surface.name), longest_name);
+  for (auto& region : read->mesh.region_names)
+    region.name = cut_text(to_utf8(region.name), longest_name);
   auto built = build_version(std::move(read->mesh), *unit);
   if (!built)
     return fail(built.error());

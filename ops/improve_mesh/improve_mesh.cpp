@@ -2,6 +2,9 @@
 #include "ops/improve_mesh/improve_mesh.hpp"
 
 #include <algorithm>
+#include <cstdio>
+
+#include "mesh/facet_pages.hpp"
 
 namespace tedit::ops {
 
@@ -29,12 +32,35 @@ expected<std::vector<tet_id>> near_surfaces(const mesh_version& mesh,
   return result;
 }
 
+/// Of the part's size. A boundary that may move further is no longer that of this part.
+constexpr double largest_tolerance = 0.01;
+
+/// Errors: `invalid_parameter`.
+expected<void> check_tolerance(const mesh_version& mesh, double tolerance) {
+  if (tolerance == 0)
+    return {};
+  box extent;
+  for (std::size_t p = 0; p < mesh.data().facets.pages().size(); ++p)
+    extent.add(facet_page_of(mesh, p)->extent);
+  const double most = largest_tolerance * norm(extent.high - extent.low);
+  if (tolerance <= most)
+    return {};
+  char numbers[160];
+  std::snprintf(numbers, sizeof(numbers),
+                "It takes 0 to %.4g mm here, a hundredth of the part's diagonal", 1e3 * most);
+  return fail(ec::invalid_parameter,
+              "parameter surface_tolerance: the boundary of this part may not move so far",
+              numbers);
+}
+
 }  // namespace
 
 expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& picked,
                                    const thorough_settings& settings, context& ctx) {
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
+  if (auto ok = check_tolerance(mesh, settings.tolerance.absolute); !ok)
+    return fail(ok.error());
   ctx.run.report(0.1, "finding the region");
   edit_result result;
   if (picked.surfaces.empty()) {

@@ -106,6 +106,8 @@ solver_workers = 64
 edit_timeout_s = 0.5
 import_timeout_s = 60
 solve_timeout_s = 604800
+upload_bytes = 1048576
+all_upload_bytes = 17179869184
 [log]
 level = "debug"
 )"));
@@ -123,6 +125,8 @@ level = "debug"
   EXPECT_EQ(config->edit_timeout_s, 0.5);
   EXPECT_EQ(config->import_timeout_s, 60);
   EXPECT_EQ(config->solve_timeout_s, 604800);
+  EXPECT_EQ(config->upload_bytes, 1 << 20);
+  EXPECT_EQ(config->all_upload_bytes, std::int64_t{16} << 30);
   EXPECT_EQ(config->log_level, "debug");
 }
 
@@ -169,6 +173,7 @@ TEST_F(Config, AValueOfTheWrongTypeIsNamed) {
   EXPECT_THAT(message("server", "allowed_origins = [1]"), HasSubstr("texts only"));
   EXPECT_THAT(message("work", "solver_workers = true"), HasSubstr("whole number, 1 to 64"));
   EXPECT_THAT(message("limits", "edit_timeout_s = \"2 min\""), HasSubstr("number of seconds"));
+  EXPECT_THAT(message("limits", "upload_bytes = \"2 GiB\""), HasSubstr("whole number of bytes"));
   EXPECT_EQ(message("log", "level = 3"), "log.level must be a text");
 }
 
@@ -189,6 +194,7 @@ TEST_F(Config, AValueOutOfRangeIsNamed) {
             "work.modeling_workers must be 1 to 64, not 0");
   EXPECT_EQ(message("limits", "solve_timeout_s = 0"),
             "limits.solve_timeout_s must be 0.1 to 604800 seconds, not 0");
+  EXPECT_THAT(message("limits", "all_upload_bytes = 1000"), HasSubstr("must be 1048576 to"));
   EXPECT_THAT(message("limits", "solve_timeout_s = nan"), HasSubstr("0.1 to 604800"));
   EXPECT_THAT(message("limits", "solve_timeout_s = inf"), HasSubstr("0.1 to 604800"));
   EXPECT_THAT(message("log", "level = \"warnign\""), HasSubstr("did you mean \"warning\"?"));

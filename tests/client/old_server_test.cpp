@@ -71,6 +71,12 @@ std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
   result.emplace(3, user.edit("close", {1}, {}, {}, {}, {fem::load_policy::move}).error());
   result.emplace(4, user.go_to(0).error());
   result.emplace(4, user.cut({}, {1, 0, 0}, {}, {}).error());
+  result.emplace(7, user.undo({"v", {}}).error());
+  result.emplace(7, user.redo({"v", {}}).error());
+  result.emplace(7, user.go_to(0, {"v", {}}).error());
+  result.emplace(7, user.set_load_case({}, {"v", {}}).error());
+  result.emplace(7, user.remove_load_case("bend", {"v", {}}).error());
+  result.emplace(0, user.undo({{}, "id"}).error());
   result.emplace(5, user.preview_edit("close", {1}, {}, {}).error());
   result.emplace(5, user.remove_load_case("bend").error());
   result.emplace(5, user.annotate(0, "first", {}).error());
@@ -91,7 +97,7 @@ TEST_P(OldServer, IsNotAskedForWhatItDoesNotKnow) {
 }
 
 TEST(NewerServer, LoadCasesThatCannotBeReadAreNamedAndNotPassedOver) {
-  const auto door = serve(6);
+  const auto door = serve(8);
   connect_options line;
   line.url = "ws://127.0.0.1:" + std::to_string(door->port()) + "/v1";
   const auto user = client::connect(line, {});
@@ -107,7 +113,7 @@ TEST(NewerServer, LoadCasesThatCannotBeReadAreNamedAndNotPassedOver) {
                                             "0 says no kind"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 6U));
+INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 8U));
 
 }  // namespace
 }  // namespace tedit::client

@@ -74,6 +74,8 @@ protected:
     });
     gateway_parts parts;
     parts.hub = caf::actor_cast<actors::hub_actor>(hub);
+    parts.guard = std::make_shared<token_guard>("");
+    parts.all_uploads = std::make_shared<upload_account>(1 << 20);
     client_ = system_.spawn(make_client, std::shared_ptr<connection>(peer_), parts);
     v1::ClientMessage hello;
     hello.mutable_hello()->set_protocol_major(1);

@@ -48,6 +48,12 @@ test "$(wc -l <"$work/python")" = "$(wc -l <"$work/cpp")"
 test "$(grep -c '^hole of 25 mm: 13\.4.* MPa, 0\.04' "$work/python")" = 4
 test -x "$shared/examples/integrate/hole_study.py"
 
+# Arrays of a stream, where the server says that they begin.
+"$python" "$shared/examples/integrate/surface_area.py" "$url" "$work/state/tedit/token" \
+  "$plate/ctc01_plate.coarse.msh" | tee "$work/area"
+area=$(sed -n 's/.*area \([0-9.]*\) cm2.*/\1/p' "$work/area")
+test -n "$area" && grep -q "says $area)" "$work/area"
+
 # Refusals are words, not traces.
 "$python" "$shared/examples/integrate/hole_study.py" "$url" "$plate/load_case.json" "${arguments[@]:2}" 2>"$work/refused" &&
   exit 1

@@ -49,6 +49,23 @@ TEST(ImproveMesh, ASelectionTakesTheTetsAroundItOnly) {
   EXPECT_LT(edit->touched.size(), mesh->tet_count() / 2 + 1);
 }
 
+TEST(ImproveMesh, TheBoundaryMayNotMoveAcrossThePart) {
+  const auto mesh = spoiled();
+  context ctx;
+  thorough_settings settings;
+  const double most = 0.01 * std::sqrt(16.0 + 1 + 1);  // Of the bar's diagonal.
+
+  settings.tolerance.absolute = 0.999 * most;
+  EXPECT_TRUE(improve_mesh(*mesh, {}, settings, ctx).has_value());
+  for (const double far : {1.001 * most, 1e308}) {
+    settings.tolerance.absolute = far;
+    const auto refused = improve_mesh(*mesh, {}, settings, ctx);
+    ASSERT_FALSE(refused.has_value()) << far;
+    EXPECT_EQ(refused.error().code, ec::invalid_parameter);
+    EXPECT_NE(refused.error().remedy.find("0 to 42.43 mm"), std::string::npos);
+  }
+}
+
 TEST(ImproveMesh, TheHostTakesTheResultAndSaysWhatBecameBetter) {
   const auto mesh = spoiled();
   context ctx;

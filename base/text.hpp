@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace tedit {
+
+/// Whether the bytes are UTF-8: no stray or missing bytes, no surrogates, nothing longer than it
+/// needs to be, nothing above U+10FFFF. Cost: O(bytes).
+[[nodiscard]] bool is_utf8(std::string_view text) noexcept;
+
+/// The text as UTF-8: each byte that belongs to no character becomes U+FFFD. What is UTF-8 stays.
+[[nodiscard]] std::string to_utf8(std::string_view text);
+
+/// The beginning of a UTF-8 text, at most `bytes` long, that ends with a whole character.
+[[nodiscard]] std::string_view cut_text(std::string_view text, std::size_t bytes) noexcept;
+
+}  // namespace tedit
