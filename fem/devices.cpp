@@ -124,11 +124,15 @@ expected<std::unique_ptr<backend>> open_chosen(const chosen_device& choice) {
 /// What was the fastest once; measured where nothing is known, or where that device is gone.
 expected<std::unique_ptr<backend>> open_fastest() {
   const auto file = device_choice::of_this_machine();
-  if (const auto kept = file.kept())
-    if (auto opened = open_chosen(*kept))
-      return opened;
-  const auto choice = measure_fastest();
+  const auto kept = file.kept();
+  auto opened = kept ? open_chosen(*kept) : fail(ec::device_unavailable, "none is kept");
+  if (opened)
+    return opened;
+  auto choice = measure_fastest();
   file.keep(choice);
+  if (kept)  // Told once: the choice that is kept now knows nothing of it.
+    choice.notice += (choice.notice.empty() ? "" : "; ") + std::string("the device \"") +
+                     kept->name + "\", which was the fastest, is gone: " + opened.error().message;
   return open_chosen(choice);
 }
 

@@ -95,6 +95,9 @@ TEST_F(DeviceChoice, AutoKeepsTheFastestAndMeasuresAgainWhenItIsGone) {
   const auto again = choice.kept();
   ASSERT_TRUE(again);
   EXPECT_TRUE(again->name == "cpu" || again->name == (*opened)->info().name);
+  EXPECT_NE(
+    (*opened)->info().notice.find("\"a card that was taken out\", which was the fastest, is gone"),
+    std::string::npos);
 }
 
 TEST_F(DeviceChoice, ADeviceThatFailsItsTrialIsNamedWithTheReason) {

@@ -162,7 +162,7 @@ TEST(VulkanParts, TooManyPiecesIsSaidAndIsNoLackOfMemory) {
   if (list_vulkan_devices().empty())
     GTEST_SKIP() << "no Vulkan device on this machine";
   const auto mesh =
-    test::blocks({59, 59, 1}, [](int x, int y, int) { return x % 2 == 0 && y % 2 == 0; });
+    tedit::test::blocks({59, 59, 1}, [](int x, int y, int) { return x % 2 == 0 && y % 2 == 0; });
   load_case loads;
   loads.materials = {{"steel", 210e9, 0.3, 7850, 0, {}}};
   loads.constraints = {{{5}, fixed{}}};
