@@ -119,12 +119,12 @@ void add_sums(const solve_report& report, double scale, labelled_lines& lines) {
 /// A line when the largest stress sits at a singular place and says nothing about strength.
 std::string warning_line(const solve_report& report) {
   if (!report.max_von_mises_singularity)
-    return {};
+    return text;
   const bool rim = *report.max_von_mises_singularity == fem::singularity::clamp_rim;
   const bool safety = report.min_safety_factor &&
                       std::ranges::find(report.singular_places, report.min_safety_factor_at,
                                         &stress_peak::at) != report.singular_places.end();
-  return std::string("  WARNING: the largest stress is at a ") +
+  return text + "  WARNING: the largest stress is at a " +
          (rim ? "clamp's rim" : "re-entrant edge") +
          ", where it grows with every refinement: do not read it" +
          (safety ? ", nor the safety factor there," : "") + " as strength\n";
@@ -162,6 +162,8 @@ void add_judgement(const solve_report& report, nlohmann::ordered_json& json) {
     json["max_von_mises_singularity"] = singularity_name(*report.max_von_mises_singularity);
   if (!report.notice.empty())
     json["notice"] = report.notice;
+  if (!report.warnings.empty())
+    json["warnings"] = report.warnings;
 }
 
 /// One row for each case; safety factors where they are known.
@@ -197,7 +199,7 @@ std::string worst_lines(const solve_outcome& outcome) {
                                  (linear ? " (nodal means)" : ""));
   std::string text = "  worst of all load cases:\n" + lines.text();
   for (const auto& report : outcome.cases)
-    if (const auto warning = warning_line(report); !warning.empty())
+    if (const auto warning = warning_lines(report); !warning.empty())
       text += "  " + report.load_case + ":\n" + warning;
   return text;
 }
@@ -266,7 +268,7 @@ nlohmann::ordered_json to_json(const edit_report& report) {
       changed.push_back(change.id);
   }
   json receipt = json::array();
-  for (const auto& line : report.receipt)
+  for (const auto& line : report.receipt) {
     receipt.push_back({{"load_case", line.load_case},
                        {"item", line.item},
                        {"fate", fem::fate_name(line.fate)},
@@ -277,6 +279,9 @@ nlohmann::ordered_json to_json(const edit_report& report) {
                        {"total_before_n", line.total_before},
                        {"total_after_n", line.total_after},
                        {"text", line.text}});
+    if (!line.warning.empty())
+      receipt.back()["warning"] = line.warning;
+  }
   json result{{"from_version", report.from_version},
               {"to_version", report.to_version},
               {"surfaces_removed", removed},
@@ -341,6 +346,9 @@ std::string describe(const edit_report& report) {
   });
   for (const auto& row : report.receipt)
     lines.add("load case", several ? row.load_case + ": " + row.text : row.text);
+  for (const auto& row : report.receipt)
+    if (!row.warning.empty())
+      lines.add("WARNING", several ? row.load_case + ": " + row.warning : row.warning);
   for (const auto& notice : report.notices)
     lines.add("note", notice);
   return lines.text();

@@ -40,6 +40,8 @@ struct roller {};
 struct constraint {
   std::vector<surface_id> surfaces;
   std::variant<fixed, prescribed_displacement, roller> kind;
+  /// What should be looked at before a result is believed, set by `carry_over`; mostly empty.
+  std::string warning = {};
 };
 
 /// A total force, spread evenly over the area of all surfaces together.
@@ -66,6 +68,7 @@ struct gravity {
 struct load {
   std::vector<surface_id> surfaces;
   std::variant<force, traction, pressure, gravity> kind;
+  std::string warning = {};  ///< As of a constraint.
 };
 
 /// One set of materials, supports and loads. Its file form is the canonical JSON of the protocol's

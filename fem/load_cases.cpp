@@ -231,7 +231,7 @@ expected<void> add_cases(const mesh_version& mesh, std::span<const load_case> lo
     if (!known)
       if (auto ok = check_supports(mesh, p); !ok)
         return fail_in_case(loads, c, ok.error());
-    set.cases.push_back(take_conditions(p, loads[c].name));
+    set.cases.push_back(take_conditions(p, loads[c]));
   }
   set.let_stand(0);
   return {};
@@ -251,8 +251,16 @@ void case_set::let_stand(std::size_t c) {
   standing = c;
 }
 
-conditions take_conditions(problem& p, const std::string& name) {
-  conditions taken{name, {}, {}, {}, {}};
+conditions take_conditions(problem& p, const load_case& of) {
+  conditions taken{of.name, {}, {}, {}, {}, {}};
+  const auto warn = [&](const std::string& text) {
+    if (!text.empty() && std::ranges::find(taken.warnings, text) == taken.warnings.end())
+      taken.warnings.push_back(text);
+  };
+  for (const auto& item : of.constraints)
+    warn(item.warning);
+  for (const auto& item : of.loads)
+    warn(item.warning);
   exchange(p, taken);
   return taken;
 }
@@ -283,7 +291,7 @@ expected<case_set> make_cases(const mesh_version& mesh, std::span<const load_cas
   if (!p)
     return fail_in_case(loads, 0, p.error());
   case_set set{std::move(*p), {}};
-  set.cases.push_back(take_conditions(set.problem, loads.front().name));
+  set.cases.push_back(take_conditions(set.problem, loads.front()));
   if (auto ok = add_cases(mesh, loads, {}, set); !ok)
     return fail(ok.error());
   return set;

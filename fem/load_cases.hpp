@@ -9,6 +9,7 @@ namespace tedit::fem {
 /// `set_conditions` fills.
 struct conditions {
   std::string name;
+  std::vector<std::string> warnings;  ///< Of its constraints and loads, each once.
   std::vector<double> loads;
   std::vector<std::array<double, 6>> filter;
   std::vector<double> prescribed;
@@ -34,8 +35,8 @@ struct case_set {
   }
 };
 
-/// Moves the conditions out of a problem, which then has none.
-[[nodiscard]] conditions take_conditions(problem& p, const std::string& name);
+/// Moves the conditions of a load case out of a problem, which then has none.
+[[nodiscard]] conditions take_conditions(problem& p, const load_case& of);
 
 /// Errors: `invalid_argument` for no case at all; `invalid_material` for a case whose materials
 /// differ from the first one's in more than their names.

@@ -49,9 +49,10 @@ public:
     auto surfaces = now.left;
     for (const auto& [id, area] : now.moved)
       add(surfaces, id);
-    finish_line(std::move(line), surfaces, "");
+    const auto& warning = finish_line(std::move(line), surfaces, "").warning;
     if (!surfaces.empty())
-      after.push_back({std::move(surfaces), before.kind});
+      after.push_back(
+        {std::move(surfaces), before.kind, warning.empty() ? before.warning : warning});
   }
 
   /// Appends what is left of a load: one on the surfaces that are left, one for each successor.
@@ -71,7 +72,9 @@ public:
         add(surfaces, id);
     }
     const auto total = total_of(line, std::holds_alternative<force>(before.kind));
-    finish_line(std::move(line), surfaces, total);
+    const auto& warning = finish_line(std::move(line), surfaces, total).warning;
+    for (auto i = first; i < after.size(); ++i)
+      after[i].warning = warning.empty() ? before.warning : warning;
   }
 
   std::vector<receipt_line> take_lines() { return std::move(lines_); }
@@ -216,8 +219,19 @@ private:
     return text;
   }
 
+  /// A sentence that can stand by itself beside a result.
+  [[nodiscard]] std::string area_warning(const receipt_line& line,
+                                         const std::vector<surface_id>& after) const {
+    if (line.moved_to.empty() || !(line.area_after > much_larger * line.area_before))
+      return {};
+    return "an edit moved " + line.item + " from " + number(1e6 * line.area_before) + " mm2 to " +
+           number(1e6 * line.area_after) + " mm2 (surface " + named_list(after) +
+           "): check that it may act on all of that";
+  }
+
   /// `total` is a clause about newtons; empty for constraints.
-  void finish_line(receipt_line line, const std::vector<surface_id>& after, std::string total) {
+  const receipt_line& finish_line(receipt_line line, const std::vector<surface_id>& after,
+                                  std::string total) {
     line.area_after = area(to_, after);
     const double change = line.area_before > 0 ? 100 * (line.area_after / line.area_before - 1) : 0;
     const auto percent = (change > 0 ? "+" : "") + number(change) + " %";
@@ -243,7 +257,8 @@ private:
     } else {
       line.text = line.item + " is as before";
     }
-    lines_.push_back(std::move(line));
+    line.warning = area_warning(line, after);
+    return lines_.emplace_back(std::move(line));
   }
 
   std::string name_;

@@ -51,7 +51,12 @@ struct receipt_line {
   std::vector<surface_id> moved_to;  ///< Surfaces that carry the share of lost ones.
   double total_before = 0;  ///< N: of a force its length, of a traction or pressure times the area.
   double total_after = 0;   ///< Both are 0 for constraints.
+  std::string warning = {};  ///< It moved to an area `much_larger` than its own was.
 };
+
+/// A constraint or load that moves to surfaces of more than so many times its area warns: a whole
+/// wall is held where a bore was.
+inline constexpr double much_larger = 1.5;
 
 /// A load case carried over an edit, with a line for every constraint and load.
 struct carried_load_case {
@@ -65,7 +70,8 @@ struct carried_load_case {
 /// successors instead, as loads of their own, weighted by the successors' new area; what has no
 /// successor is dropped. A force keeps its total as long as any of its surfaces or successors is
 /// left, tractions and pressures keep their Pa on the surfaces that are left. Every item gets a
-/// line; nothing changes silently. `refuse` carries as `drop`: see `refuse_losses`.
+/// line; nothing changes silently: what moves to an area `much_larger` warns in its line, and keeps
+/// the warning from then on. `refuse` carries as `drop`: see `refuse_losses`.
 /// Cost: O(facets); under `move` once more for each surface lost.
 [[nodiscard]] carried_load_case carry_over(const load_case& before, const mesh_version& from,
                                            const mesh_version& to,

@@ -196,7 +196,7 @@ expected<void> solve_session::follow_conditions(case_list loads,
     if (!checked)
       if (auto ok = check_supports(*mesh_, p); !ok)
         return fail_in_case(loads, c, ok.error());
-    cases.push_back(take_conditions(p, loads[c].name));
+    cases.push_back(take_conditions(p, loads[c]));
   }
   set_->cases = std::move(cases);
   set_->let_stand(stands);

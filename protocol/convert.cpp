@@ -43,7 +43,7 @@ expected<fem::material> material_from(const v1::Material& m) {
 }
 
 expected<fem::constraint> constraint_from(const v1::Constraint& c, int index) {
-  fem::constraint result{surfaces_from(c.surfaces()), fem::fixed{}};
+  fem::constraint result{surfaces_from(c.surfaces()), fem::fixed{}, c.warning()};
   switch (c.kind_case()) {
     case v1::Constraint::kFixed:
       return result;
@@ -70,7 +70,7 @@ expected<fem::constraint> constraint_from(const v1::Constraint& c, int index) {
 }
 
 expected<fem::load> load_from(const v1::Load& l, int index) {
-  fem::load result{surfaces_from(l.surfaces()), fem::force{}};
+  fem::load result{surfaces_from(l.surfaces()), fem::force{}, l.warning()};
   switch (l.kind_case()) {
     case v1::Load::kForce:
       result.kind = fem::force{from_message(l.force().total_n())};
@@ -162,11 +162,13 @@ v1::LoadCase to_message(const fem::load_case& loads) {
     auto* out = message.add_constraints();
     out->mutable_surfaces()->Assign(c.surfaces.begin(), c.surfaces.end());
     std::visit(constraint_writer{out}, c.kind);
+    out->set_warning(c.warning);
   }
   for (const auto& l : loads.loads) {
     auto* out = message.add_loads();
     out->mutable_surfaces()->Assign(l.surfaces.begin(), l.surfaces.end());
     std::visit(load_writer{out}, l.kind);
+    out->set_warning(l.warning);
   }
   return message;
 }

@@ -37,6 +37,7 @@ void to_message(const fem::receipt_line& line, v1::ReceiptLine* out) {
   out->mutable_moved_to()->Assign(line.moved_to.begin(), line.moved_to.end());
   out->set_total_before_n(line.total_before);
   out->set_total_after_n(line.total_after);
+  out->set_warning(line.warning);
 }
 
 fem::receipt_line from_message(const v1::ReceiptLine& m) {
@@ -52,6 +53,7 @@ fem::receipt_line from_message(const v1::ReceiptLine& m) {
   line.moved_to.assign(m.moved_to().begin(), m.moved_to().end());
   line.total_before = m.total_before_n();
   line.total_after = m.total_after_n();
+  line.warning = m.warning();
   return line;
 }
 

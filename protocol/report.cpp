@@ -122,6 +122,7 @@ solve_outcome make_outcome(const mesh_version& mesh, const fem::case_set& set,
     auto report = make_report(mesh, set.cases[c].name, set.problem, result.cases[c]);
     report.interim = interim;
     report.total_ms = total_ms / static_cast<double>(count);
+    report.warnings = set.cases[c].warnings;
     outcome.cases.push_back(std::move(report));
   }
   if (count > 1)
@@ -206,6 +207,7 @@ void judgement_to(const solve_report& report, v1::SolveReport* out) {
   if (report.max_von_mises_singularity)
     out->set_max_von_mises_singularity(kind_to(*report.max_von_mises_singularity));
   out->set_notice(report.notice);
+  out->mutable_warnings()->Assign(report.warnings.begin(), report.warnings.end());
 }
 
 void judgement_from(const v1::SolveReport& m, solve_report& report) {
@@ -224,6 +226,7 @@ void judgement_from(const v1::SolveReport& m, solve_report& report) {
   report.singular_places_count = m.singular_places_count();
   report.max_von_mises_singularity = kind_from(m.max_von_mises_singularity());
   report.notice = m.notice();
+  report.warnings.assign(m.warnings().begin(), m.warnings().end());
 }
 
 }  // namespace

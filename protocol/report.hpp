@@ -96,7 +96,8 @@ struct solve_report {
   std::size_t singular_places_count = 0;          ///< All that were found.
   /// What the largest von Mises stress sits at; empty: at no singular place that was found.
   std::optional<fem::singularity> max_von_mises_singularity;
-  std::string notice;  ///< How it was computed, where that is not as asked for.
+  std::string notice;                 ///< How it was computed, where that is not as asked for.
+  std::vector<std::string> warnings;  ///< About its loads and supports: `fem::constraint::warning`.
 };
 
 /// The report of a solution, without `total_ms`.

@@ -29,9 +29,12 @@ void document::take_outcome(const solve_outcome& outcome) {
     return;
   if (auto* row = find(outcome.version_id())) {
     row->outcome = outcome;
-    for (const auto& report : outcome.cases)
+    for (const auto& report : outcome.cases) {
       if (!report.notice.empty())
         emit notice(QString::fromStdString(report.notice));
+      for (const auto& warning : report.warnings)
+        emit notice(QString::fromStdString(warning));
+    }
     emit solve_changed();
     emit history_changed();
   }

@@ -245,7 +245,7 @@ std::vector<item_mark> marks(const edit_report& report, const std::string& load_
     item_mark mark;
     mark.kind = is_load ? item_kind::load : item_kind::support;
     mark.fate = line.fate;
-    mark.text = QString::fromStdString(line.text);
+    mark.text = QString::fromStdString(line.warning.empty() ? line.text : line.warning);
     if (line.fate == fem::receipt_fate::dropped)
       ++dropped[is_load];
     else

@@ -2567,6 +2567,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Spannungen folgen beim Anwenden</translation>
     </message>
     <message>
+        <source>check the loads</source>
+        <translation>Lasten prüfen</translation>
+    </message>
+    <message>
         <source>residual %1</source>
         <translation>Residuum %1</translation>
     </message>

@@ -71,6 +71,9 @@ QString preview_html(const client::edit_preview& made) {
   for (const auto& line : report.receipt)
     if (line.fate != fem::receipt_fate::kept)
       html += "<p>" + escaped(line.text) + "</p>";
+  for (const auto& line : report.receipt)
+    if (!line.warning.empty())
+      html += "<p><b>" + escaped(line.warning) + "</b></p>";
   for (const auto& text : report.notices)
     html += "<p>" + escaped(text) + "</p>";
   return html;

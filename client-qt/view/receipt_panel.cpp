@@ -78,6 +78,9 @@ QString receipt_html(const edit_report& report) {
         html += "<li>" + words_of(line.text).toHtmlEscaped() + "</li>";
     html += "</ul>";
   }
+  for (const auto& line : report.receipt)
+    if (!line.warning.empty())
+      html += "<p><b>" + words_of(line.warning).toHtmlEscaped() + "</b></p>";
   html += "<table>";
   html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
   html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")

@@ -107,6 +107,8 @@ QString truth_line::facts() const {
       ms += one.total_ms;
     }
     const auto& first = outcome->cases.front();
+    if (std::ranges::any_of(outcome->cases, [](const auto& one) { return !one.warnings.empty(); }))
+      parts << tr("check the loads");
     parts << tr("residual %1").arg(residual, 0, 'g', 2)
           << tr("error est. %1 %").arg(100 * estimate, 0, 'g', 2)
           << (first.element_order == 2 ? "T10" : "T4")

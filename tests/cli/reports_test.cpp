@@ -124,6 +124,41 @@ TEST(DescribeEdit, LinesOfSeveralLoadCasesNameTheirs) {
   EXPECT_THAT(describe(report), Not(HasSubstr("bend")));
 }
 
+TEST(Edit, RatiosAreLeftOutWhereNoTetWasTouched) {
+  edit_report report;
+  EXPECT_THAT(describe(report), Not(HasSubstr("radius ratio")));
+  EXPECT_FALSE(to_json(report).contains("radius_ratio_touched"));
+
+  report.ratios = {1, 0.25, 0.5};
+
+  EXPECT_THAT(describe(report), HasSubstr("worst touched 0.25 (before 1), median 0.5"));
+  EXPECT_EQ(to_json(report)["radius_ratio_touched"]["after_min"], 0.25);
+}
+
+TEST(Edit, WarningsOfTheReceiptAreShown) {
+  edit_report report;
+  report.receipt.push_back({.load_case = "static", .text = "moved", .warning = "it grew"});
+  report.receipt.push_back({.load_case = "static", .text = "as before"});
+
+  EXPECT_THAT(describe(report), HasSubstr("WARNING           it grew\n"));
+  EXPECT_EQ(to_json(report)["receipt"][0]["warning"], "it grew");
+  EXPECT_FALSE(to_json(report)["receipt"][1].contains("warning"));
+}
+
+TEST(DescribeSolve, WarningsAboutLoadsStandWithThoseAboutStress) {
+  auto report = plate();
+  report.warnings = {"an edit moved a support"};
+  report.notice = "the device was lost";
+  solve_outcome several{{report, plate()}, solve_envelope{}};
+
+  for (const auto& text : {remarks(report), summarize(report), summarize(several)}) {
+    EXPECT_THAT(text, HasSubstr("  WARNING: an edit moved a support\n"));
+    EXPECT_THAT(text, HasSubstr("  NOTE: the device was lost\n"));
+  }
+  EXPECT_EQ(to_json(report)["warnings"][0], "an edit moved a support");
+  EXPECT_FALSE(to_json(plate()).contains("warnings"));
+}
+
 TEST(EditJson, FiguresAreKeysOfTheirOwn) {
   edit_report report;
   report.figures = {{"pieces", 1, "", "pieces of the body"},

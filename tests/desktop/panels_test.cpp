@@ -14,6 +14,9 @@
 #include "client-qt/view/help_panel.hpp"
 #include "client-qt/view/history_strip.hpp"
 #include "client-qt/view/jobs_panel.hpp"
+#include "client-qt/view/preview_box.hpp"
+#include "client-qt/view/receipt_panel.hpp"
+#include "client-qt/view/truth_line.hpp"
 #include "client-qt/view/version_editor.hpp"
 
 namespace tedit::desktop {
@@ -178,6 +181,56 @@ TEST_F(Words, TheSameWordsAreNoChange) {
 }
 
 // -- jobs ----------------------------------------------------------------------------
+
+// -- what an edit did ----------------------------------------------------------------
+
+TEST(Receipt, SaysNoQualityWhereNoTetWasTouched) {
+  client::edit_preview made;
+  for (const auto& html : {receipt_html(made.report), preview_html(made)})
+    EXPECT_FALSE(html.contains("Worst tet here")) << html.toStdString();
+
+  made.report.ratios = {0.5, 0.25, 0.75};
+
+  EXPECT_TRUE(receipt_html(made.report).contains("0.5 before, 0.25 now"));
+  EXPECT_TRUE(preview_html(made).contains("0.5 before, 0.25 then"));
+}
+
+TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
+  client::edit_preview made;
+  fem::receipt_line line;
+  line.fate = fem::receipt_fate::moved;
+  line.text = "moved";
+  line.warning = "it grew";
+  made.report.receipt = {line};
+
+  EXPECT_TRUE(receipt_html(made.report).contains("<b>it grew</b>"));
+  EXPECT_TRUE(preview_html(made).contains("<b>it grew</b>"));
+}
+
+/// The line at the window's foot, after a solve with such a load.
+TEST(TruthLine, SaysThatTheLoadsWantALook) {
+  remote link;
+  document part(link);
+  part.open("part");
+  truth_line line(part, link);
+  client::committed made;
+  made.head = version(0, {});
+  emit link.committed(made);
+  solve_report report;
+  report.version_id = made.head.version_id;
+  client::field_event field;
+  field.report = report;
+
+  const auto after = [&](const std::vector<std::string>& warnings) {
+    field.report.warnings = warnings;
+    emit link.field_arrived(std::make_shared<const client::field_event>(field));
+    emit link.solved(solve_outcome{{field.report}, {}});
+    return line.text().toStdString();
+  };
+
+  EXPECT_EQ(after({}).find("check the loads"), std::string::npos);
+  EXPECT_NE(after({"it grew"}).find("check the loads"), std::string::npos);
+}
 
 TEST(JobsPanel, SaysWhatRunsAndCancelsOneOfThem) {
   remote link;

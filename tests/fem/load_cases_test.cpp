@@ -429,5 +429,18 @@ TEST_P(RealParts, ManyEqualOneByOne) {
   }
 }
 
+TEST(Conditions, BringTheWarningsOfTheirLoadCaseEachOnce) {
+  auto loads = bar_case("warned", {1, 0, 0});
+  loads.constraints.front().warning = "look at the support";
+  loads.loads.front().warning = "look at the load";
+  loads.loads.push_back(loads.loads.front());
+
+  const auto set = make_cases(*bar(), std::array{loads});
+
+  ASSERT_TRUE(set.has_value()) << render(set.error());
+  EXPECT_EQ(set->cases.front().warnings,
+            (std::vector<std::string>{"look at the support", "look at the load"}));
+}
+
 }  // namespace
 }  // namespace tedit::fem

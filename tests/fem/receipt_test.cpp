@@ -203,6 +203,49 @@ TEST(MovedLoads, ASupportStaysOneOnTheSuccessors) {
   EXPECT_EQ(result.lines[1].total_before, 0);
 }
 
+/// The bore of `filled_bore` with nothing but the whole walls of 9 m^2 above and below to go to.
+carried_load_case carry_to_walls(const load_case& loads) {
+  const auto filled = test::blocks({3, 3, 1}, [](int, int, int) { return true; });
+  const auto bored = test::dig(
+    filled, [](vec3 c) { return c.x > 1 && c.x < 2 && c.y > 1 && c.y < 2; }, 7);
+  return carry_over(loads, *bored, *filled, compare_surfaces(*bored, *filled), move_them);
+}
+
+TEST(MovedLoads, ToAMuchLargerAreaTheyWarnWithBothAreasAndKeepTheWarning) {
+  load_case loads;
+  loads.constraints = {{{7}, fixed{}}, {{1}, fixed{}}};
+  loads.loads = {{{7}, pressure{3}}};
+
+  const auto result = carry_to_walls(loads);
+
+  const auto support =
+    "an edit moved constraint 0 (fixed) from 4000000 mm2 to 1.8e+07 mm2 "
+    "(surface 5, 6): check that it may act on all of that";
+  EXPECT_EQ(result.lines[0].warning, support);
+  EXPECT_EQ(result.after.constraints[0].warning, support);
+  EXPECT_EQ(result.lines[1].warning, "");
+  ASSERT_EQ(result.after.loads.size(), 2u);
+  for (const auto& part : result.after.loads)
+    EXPECT_EQ(part.warning, result.lines[2].warning);
+  EXPECT_THAT(result.lines[2].warning, HasSubstr("load 0 (pressure)"));
+  // The next edit, which does not concern it, leaves it there.
+  const auto mesh = test::blocks({3, 3, 1}, [](int, int, int) { return true; });
+  const auto again = carry_over(result.after, *mesh, *mesh, {}, move_them);
+  EXPECT_EQ(again.lines[0].warning, "");
+  EXPECT_EQ(again.after.constraints[0].warning, support);
+}
+
+TEST(MovedLoads, ToASimilarAreaTheySayNothing) {
+  const filled_bore bore;
+  load_case loads;
+  loads.constraints = {{{7}, fixed{}}};  // 4 m^2 to 2 m^2.
+
+  const auto result = bore.carry(loads, move_them);
+
+  EXPECT_EQ(result.lines[0].fate, receipt_fate::moved);
+  EXPECT_EQ(result.lines[0].warning, "");
+}
+
 TEST(MovedLoads, WithoutASuccessorTheyAreDroppedAndThatIsSaid) {
   const filled_bore bore;
   load_case loads;

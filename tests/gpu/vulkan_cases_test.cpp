@@ -203,7 +203,7 @@ TEST_P(VulkanCases, AreSolvedAsNatively) {
   case_set set;
   for (std::size_t c = 0; c < 8; ++c)
     set.cases.push_back(
-      {"case " + std::to_string(c), load(p_, c), p_.filter, p_.prescribed, p_.holders});
+      {"case " + std::to_string(c), {}, load(p_, c), p_.filter, p_.prescribed, p_.holders});
   set.problem = p_;
   auto same = set;
   const solve_settings exact{.tolerance = 1e-9};

@@ -59,6 +59,94 @@ TEST(LoadCaseJson, EveryKindSurvivesTheRoundTrip) {
   EXPECT_EQ(load_case_to_json(*first), load_case_to_json(*second));
 }
 
+/// A load case with every number that there is.
+constexpr const char* every_number = R"({
+  "materials": [{"young_modulus_pa": 1e9, "poisson_ratio": 0.3, "density_kg_m3": 1, "yield_strength_pa": 1}],
+  "constraints": [{"surfaces": [1], "fixed": {}}, {"surfaces": [3], "displacement": {"x_m": 1, "y_m": 1, "z_m": 1}}],
+  "loads": [{"surfaces": [4], "traction": {"pa": {"x": 1, "y": 1, "z": 1}}}, {"surfaces": [5], "pressure": {"pa": 1}},
+            {"surfaces": [6], "force": {"total_n": {"x": 1, "y": 1, "z": 1}}},
+            {"gravity": {"m_s2": {"x": 1, "y": 1, "z": 1}}}]
+})";
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+/// Calls work(message, field, name) for each number with a fraction that is set.
+void for_each_number(
+  Message& message, const std::string& before,
+  const std::function<void(Message&, const FieldDescriptor*, const std::string&)>& work) {
+  const auto& access = *message.GetReflection();
+  std::vector<const FieldDescriptor*> fields;
+  access.ListFields(message, &fields);
+  for (const auto* field : fields) {
+    const auto name = before + field->name();
+    if (field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE)
+      work(message, field, name);
+    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE)
+      continue;
+    if (!field->is_repeated())
+      for_each_number(*access.MutableMessage(&message, field), name + ".", work);
+    for (int i = 0; field->is_repeated() && i < access.FieldSize(message, field); ++i)
+      for_each_number(*access.MutableRepeatedMessage(&message, field, i),
+                      name + "[" + std::to_string(i) + "].", work);
+  }
+}
+
+TEST(LoadCaseJson, EveryNumberMustBeFiniteAndInRangeAndIsNamed) {
+  auto message = *message_from_json<v1::LoadCase>(every_number);
+  int numbers = 0;
+
+  for_each_number(message, "", [&](Message& at, const FieldDescriptor* field, const auto& name) {
+    ++numbers;
+    const double before = at.GetReflection()->GetDouble(at, field);
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1.1e30, -1e308}) {
+      at.GetReflection()->SetDouble(&at, field, bad);
+      const auto refused = load_case_from_json(message_to_json(message), "a.json");
+      ASSERT_FALSE(refused.has_value()) << name << " = " << bad;
+      EXPECT_EQ(refused.error().code, ec::bad_input);
+      EXPECT_THAT(refused.error().message, HasSubstr(name + " is "));
+      EXPECT_THAT(refused.error().remedy, HasSubstr("-1e+30 to 1e+30"));
+      EXPECT_EQ(refused.error().where, "a.json");
+    }
+    at.GetReflection()->SetDouble(&at, field, before);
+  });
+
+  EXPECT_EQ(numbers, 4 + 3 + 3 + 1 + 3 + 3);
+  EXPECT_TRUE(load_case_from_json(message_to_json(message), "").has_value());
+}
+
+/// What a client may send: numbers at any depth, also in lists and maps.
+TEST(Numbers, OfAnyMessageAreFoundAndNamed) {
+  v1::ClientMessage message;
+  (*message.mutable_apply_edit()->mutable_parameters())["depth"].set_real(1);
+  (*message.mutable_apply_edit()->mutable_parameters())["radius"].set_real(HUGE_VAL);
+
+  const auto map = check_numbers(message, finite_number(), ec::invalid_argument);
+  message.mutable_cut_section()->mutable_normal()->set_y(std::nan(""));
+  const auto plane = check_numbers(message, finite_number(), ec::invalid_argument);
+  message.mutable_solve()->set_tolerance(1e308);
+
+  ASSERT_FALSE(map.has_value());
+  EXPECT_EQ(map.error().code, ec::invalid_argument);
+  EXPECT_EQ(map.error().message, "apply_edit.parameters[radius].value.real is inf");
+  EXPECT_EQ(map.error().remedy, "Give a finite number");
+  ASSERT_FALSE(plane.has_value());
+  EXPECT_EQ(plane.error().message, "cut_section.normal.y is nan");
+  EXPECT_TRUE(check_numbers(message, finite_number(), ec::invalid_argument).has_value());
+}
+
+TEST(LoadCaseJson, WarningsGoAlong) {
+  fem::load_case before;
+  before.constraints = {{{1}, fem::roller{}, "look at the support"}};
+  before.loads = {{{2}, fem::pressure{3}, "look at the load"}};
+
+  const auto after = load_case_from_json(load_case_to_json(before), "");
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  EXPECT_EQ(after->constraints[0].warning, "look at the support");
+  EXPECT_EQ(after->loads[0].warning, "look at the load");
+}
+
 TEST(LoadCaseJson, FaultsAreNamed) {
   EXPECT_THAT(refusal("{").message, HasSubstr("no load case"));
   EXPECT_THAT(refusal(R"({"loads": [{"surfaces": [1], "force": {"total": {}}}]})").message,

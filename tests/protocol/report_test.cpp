@@ -55,6 +55,26 @@ TEST(EditReportJson, FiguresSurviveTheRoundTrip) {
   EXPECT_EQ(after->figures, before.figures);
 }
 
+TEST(EditReportJson, RatiosAreAbsentWhereNoTetWasTouched) {
+  edit_report none;
+  edit_report flat;
+  flat.ratios = {0.5, 0, 0.75};  // A flat tet has the ratio 0, and that is said.
+
+  const auto without = edit_report_from_json(protocol::to_json(none));
+  const auto with = edit_report_from_json(protocol::to_json(flat));
+
+  EXPECT_THAT(protocol::to_json(none), Not(HasSubstr("touched_m")));
+  EXPECT_EQ(without->ratios, std::nullopt);
+  EXPECT_EQ(with->ratios, flat.ratios);
+}
+
+TEST(SolveReportJson, WarningsSurviveTheRoundTrip) {
+  auto before = full_report();
+  before.warnings = {"look at the support", "look at the load"};
+
+  EXPECT_EQ(solve_report_from_json(to_json(before))->warnings, before.warnings);
+}
+
 TEST(EditReportJson, WhatBecameOfLoadsSurvivesTheRoundTrip) {
   edit_report before;
   before.loads = {fem::load_policy::move, true};

@@ -44,6 +44,24 @@ TEST_F(LoadPolicy, MoveCarriesTheTotalToThePlanesThatCloseTheBore) {
   EXPECT_NEAR(solved.applied_n.z, -20000, 1e-3);
 }
 
+TEST_F(LoadPolicy, AMoveToWholeWallsWarnsAndSoDoResultsUntilTheLoadIsSetAnew) {
+  const client::solve_settings settings{.device = "cpu", .element_order = 1};
+  const auto filled = value(fill({fem::load_policy::move}));
+  const auto warning = filled.report->receipt.back().warning;
+  EXPECT_THAT(warning, HasSubstr("an edit moved load 0 (force) from "));
+
+  EXPECT_THAT(value(user->solve(settings, {})).warnings, ElementsAre(warning));
+  const auto later = value(user->edit("fill_hole", {92, 93}, {}, {}));
+  EXPECT_EQ(later.report->receipt.back().warning, "");
+  EXPECT_THAT(value(user->solve(settings, {})).warnings, ElementsAre(warning));
+
+  auto looked_at = later.load_cases.front();
+  for (auto& one : looked_at.loads)
+    one.warning.clear();
+  value(user->set_load_case(looked_at));
+  EXPECT_TRUE(value(user->solve(settings, {})).warnings.empty());
+}
+
 TEST_F(LoadPolicy, DropIsTheDefault) {
   const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
 
