@@ -116,8 +116,17 @@ void add_sums(const solve_report& report, double scale, labelled_lines& lines) {
   lines.add("applied", force(report.applied_n, scale));
 }
 
-/// A line when the largest stress sits at a singular place and says nothing about strength.
-std::string warning_line(const solve_report& report) {
+/// How it was computed, where that is not as asked for.
+std::string notice_line(const solve_report& report) {
+  return report.notice.empty() ? "" : "  NOTE: " + report.notice + "\n";
+}
+
+/// What its load case warns of, and a line when the largest stress sits at a singular place and
+/// says nothing about strength.
+std::string warning_lines(const solve_report& report) {
+  std::string text;
+  for (const auto& warning : report.warnings)
+    text += "  WARNING: " + warning + "\n";
   if (!report.max_von_mises_singularity)
     return text;
   const bool rim = *report.max_von_mises_singularity == fem::singularity::clamp_rim;
@@ -201,7 +210,7 @@ std::string worst_lines(const solve_outcome& outcome) {
   for (const auto& report : outcome.cases)
     if (const auto warning = warning_lines(report); !warning.empty())
       text += "  " + report.load_case + ":\n" + warning;
-  return text;
+  return text + notice_line(outcome.cases.front());
 }
 
 bool is_count(const ops::figure& f) {
@@ -384,7 +393,7 @@ std::string summarize(const solve_report& report) {
   add_judgement(report, lines);
   if (report.mass_kg)
     lines.add("mass", pretty(*report.mass_kg) + " kg");
-  return lines.text() + warning_line(report);
+  return lines.text() + notice_line(report) + warning_lines(report);
 }
 
 std::string describe(const solve_report& report) {
@@ -460,9 +469,7 @@ std::string remarks(const solve_report& report) {
   std::string text;
   if (report.surface_reactions.size() > 1)
     text += reaction_table(report.surface_reactions, force_scale(report));
-  if (!report.notice.empty())
-    text += "  NOTE: " + report.notice + "\n";
-  return text + warning_line(report);
+  return text + notice_line(report) + warning_lines(report);
 }
 
 }  // namespace tedit::cli

@@ -22,8 +22,9 @@ namespace tedit::cli {
 /// The same for people, indented; without times and remarks.
 [[nodiscard]] std::string describe(const solve_report& report);
 
-/// What belongs below the times: the reactions when several surfaces hold the part, and a warning
-/// when the largest stress says nothing about strength.
+/// What belongs below the times: the reactions when several surfaces hold the part, how it was
+/// computed where that is not as asked for, and warnings about loads and about a largest stress
+/// that says nothing about strength.
 [[nodiscard]] std::string remarks(const solve_report& report);
 
 /// The JSON object of `tedit solve` with several load cases, but for the times: `cases`, each as

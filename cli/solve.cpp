@@ -124,7 +124,9 @@ int run_solve(const solve_options& options, session& s) {
     return print_error(s, result.error());
   if (auto written = write_output(options, mesh, *set, *result); !written)
     return print_error(s, written.error());
-  const auto outcome = make_outcome(mesh, *set, *result, false, 0);
+  auto outcome = make_outcome(mesh, *set, *result, false, 0);
+  for (auto& report : outcome.cases)
+    report.notice = (*device)->info().notice;
   const solve_times times{import_ms,           result->assembly_ms, result->setup_ms + problem_ms,
                           result->solve_ms,    result->recovery_ms, device_ms,
                           total.milliseconds()};

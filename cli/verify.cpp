@@ -241,6 +241,8 @@ int run_verify(const verify_options& options, session& s) {
   const auto device = fem::open_backend(options.device);
   if (!device)
     return print_error(s, device.error());
+  if (const auto& told = (*device)->info().notice; !told.empty())
+    notice(s, "note: " + told);
   expected<std::vector<verification::real_part>> parts;
   if (options.calculix)
     parts = read_parts(options);

@@ -58,13 +58,18 @@ expected<void> check_sizes(const field_event& field) {
 
 namespace {
 
-/// Those that can be understood: a newer server may have kinds of loads that we do not know.
+/// Those that can be understood, and a warning for each other one: a newer server may have kinds of
+/// loads that we do not know.
 std::vector<fem::load_case> load_cases_from(
-  const google::protobuf::RepeatedPtrField<v1::LoadCase>& messages) {
+  const google::protobuf::RepeatedPtrField<v1::LoadCase>& messages,
+  std::vector<std::string>& warnings) {
   std::vector<fem::load_case> result;
   for (const auto& one : messages)
     if (auto known = protocol::load_case_from_json(protocol::message_to_json(one), "the server"))
       result.push_back(std::move(*known));
+    else
+      warnings.push_back("the load case \"" + one.name() +
+                         "\" cannot be read and is not shown: " + known.error().message);
   return result;
 }
 
@@ -100,7 +105,7 @@ committed from_message(const v1::Committed& message) {
   result.can_undo = message.can_undo();
   result.can_redo = message.can_redo();
   result.commit_ms = message.commit_ms();
-  result.load_cases = load_cases_from(message.load_cases());
+  result.load_cases = load_cases_from(message.load_cases(), result.warnings);
   return result;
 }
 
@@ -125,12 +130,15 @@ document_state from_message(const v1::DocumentState& message) {
     result.head = from_message(message.head());
   result.can_undo = message.can_undo();
   result.can_redo = message.can_redo();
-  result.load_cases = load_cases_from(message.load_cases());
+  result.load_cases = load_cases_from(message.load_cases(), result.warnings);
   return result;
 }
 
 load_cases_event from_message(const v1::LoadCasesChanged& message) {
-  return {message.version_id(), load_cases_from(message.load_cases())};
+  load_cases_event result;
+  result.version_id = message.version_id();
+  result.load_cases = load_cases_from(message.load_cases(), result.warnings);
+  return result;
 }
 
 history from_message(const v1::History& message) {
@@ -186,12 +194,14 @@ expected<edit_preview> read_preview(const v1::EditPreview& message, const incomi
   auto surface = read_surface(message.surface(), stream);
   if (!surface)
     return fail(std::move(surface.error()));
-  return edit_preview{std::move(*surface),
+  edit_preview result{std::move(*surface),
                       protocol::from_message(message.report()),
                       message.tets(),
                       message.vertices(),
                       message.boundary_facets(),
-                      load_cases_from(message.load_cases())};
+                      {}};
+  result.load_cases = load_cases_from(message.load_cases(), result.report.notices);
+  return result;
 }
 
 expected<field_event> read_field(const v1::FieldUpdate& message, const incoming_stream& stream) {

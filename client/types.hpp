@@ -91,7 +91,7 @@ struct committed {
   version_info head;
   std::string cause;                  ///< "import", "edit", "undo", "redo".
   std::optional<edit_report> report;  ///< For an edit.
-  std::vector<std::string> warnings;  ///< For an import.
+  std::vector<std::string> warnings;  ///< For an import; and of load cases that cannot be read.
   bool can_undo = false;
   bool can_redo = false;
   double commit_ms = 0;                    ///< Waiting for the storage.
@@ -124,12 +124,14 @@ struct document_state {
   bool can_undo = false;
   bool can_redo = false;
   std::vector<fem::load_case> load_cases;  ///< Of the head. Older servers say nothing.
+  std::vector<std::string> warnings;       ///< Of those that cannot be read.
 };
 
 /// The load cases of the head were replaced or added to.
 struct load_cases_event {
   std::string version_id;
-  std::vector<fem::load_case> load_cases;  ///< All of them.
+  std::vector<fem::load_case> load_cases;  ///< All of them,
+  std::vector<std::string> warnings = {};  ///< but for those that cannot be read.
 };
 
 /// A plane through the part (message `tedit.v1.SectionReady`).

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 #include "base/hash.hpp"
@@ -84,25 +85,42 @@ std::string installed_drivers(const std::vector<fs::path>& manifests) {
   return text.str();
 }
 
+chosen_device choose_device(const std::vector<device_trial>& trials) {
+  chosen_device best{"cpu"};
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& trial : trials)
+    if (!trial.ms) {
+      best.notice += (best.notice.empty() ? "" : "; ") + std::string("the device \"") + trial.name +
+                     "\" failed its trial and is not used: " + trial.ms.error().message;
+    } else if (*trial.ms < least) {
+      least = *trial.ms;
+      best.name = trial.name;
+    }
+  std::ranges::replace(best.notice, '\n', ' ');  // It is kept on a line.
+  return best;
+}
+
 device_choice device_choice::of_this_machine() {
   return {cache_file(), installed_drivers(driver_manifests())};
 }
 
-std::optional<std::string> device_choice::kept() const {
+std::optional<chosen_device> device_choice::kept() const {
   std::ifstream in(file_);
   std::string drivers;
-  std::string name;
-  if (std::getline(in, drivers) && std::getline(in, name) && !name.empty() &&
-      drivers == to_hex(hash_bytes(std::as_bytes(std::span(drivers_)))))
-    return name;
-  return {};
+  chosen_device choice;
+  if (!std::getline(in, drivers) || !std::getline(in, choice.name) || choice.name.empty() ||
+      drivers != to_hex(hash_bytes(std::as_bytes(std::span(drivers_)))))
+    return {};
+  std::getline(in, choice.notice);
+  return choice;
 }
 
-void device_choice::keep(const std::string& name) const {
+void device_choice::keep(const chosen_device& choice) const {
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);
   std::ofstream(file_) << to_hex(hash_bytes(std::as_bytes(std::span(drivers_)))) << '\n'
-                       << name << '\n';
+                       << choice.name << '\n'
+                       << choice.notice << '\n';
 }
 
 }  // namespace tedit::fem

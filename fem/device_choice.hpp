@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace tedit::fem {
 
 /// The manifests of the Vulkan drivers that its loader would find (LoaderDriverInterface, "Linux
@@ -18,6 +20,24 @@ namespace tedit::fem {
 /// for each release. No driver is loaded, which takes 20 to 200 ms. Cost: a few folders are listed.
 [[nodiscard]] std::string installed_drivers(const std::vector<std::filesystem::path>& manifests);
 
+/// A device for "auto", and what a person should know about the choice: which devices failed their
+/// trial, and how. Mostly empty.
+struct chosen_device {
+  std::string name;
+  std::string notice = {};
+
+  friend bool operator==(const chosen_device&, const chosen_device&) = default;
+};
+
+/// How a device did in its trial.
+struct device_trial {
+  std::string name;
+  expected<double> ms;  ///< Of a solve; or why there was none.
+};
+
+/// The fastest of those that solved; "cpu" where none did. The notice names all others.
+[[nodiscard]] chosen_device choose_device(const std::vector<device_trial>& trials);
+
 /// The device that was the fastest, kept in a file for as long as the drivers are the same.
 class device_choice {
 public:
@@ -27,10 +47,10 @@ public:
   /// Of this user and this machine.
   [[nodiscard]] static device_choice of_this_machine();
 
-  /// The device's name; nothing when none is kept, or with other drivers.
-  [[nodiscard]] std::optional<std::string> kept() const;
+  /// Nothing when none is kept, or with other drivers.
+  [[nodiscard]] std::optional<chosen_device> kept() const;
   /// Where that is impossible, nothing is kept: it costs another trial, nothing else.
-  void keep(const std::string& name) const;
+  void keep(const chosen_device& choice) const;
 
 private:
   std::filesystem::path file_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "base/stopwatch.hpp"
 #include "fem/device_choice.hpp"
@@ -62,35 +61,18 @@ problem trial_problem() {
   return p;
 }
 
-/// Milliseconds of a whole solve, the second time round; infinite when the device cannot.
-double trial_ms(backend& device, const problem& p) {
+/// Milliseconds of a whole solve, the second time round.
+expected<double> trial_ms(backend& device, const problem& p) {
   solve_settings settings;
   settings.tolerance = 1e-4;
-  if (!solve(p, device, settings, {}))
-    return std::numeric_limits<double>::infinity();
-  const stopwatch clock;
-  return solve(p, device, settings, {}) ? clock.milliseconds()
-                                        : std::numeric_limits<double>::infinity();
-}
-
-std::string measure_fastest() {
-  const auto devices = list_devices();
-  if (devices.size() == 1)
-    return "cpu";
-  const auto p = trial_problem();
-  std::string best = "cpu";
-  double least = trial_ms(*make_native_backend(), p);
-  for (const auto& device : devices) {
-    if (device.kind == "native")
-      continue;
-    const auto opened = open_vulkan(device.name);
-    const double ms = opened ? trial_ms(**opened, p) : std::numeric_limits<double>::infinity();
-    if (ms < least) {
-      least = ms;
-      best = device.name;
-    }
+  double ms = 0;
+  for (int round = 0; round < 2; ++round) {
+    const stopwatch clock;
+    if (const auto solved = solve(p, device, settings, {}); !solved)
+      return fail(solved.error());
+    ms = clock.milliseconds();
   }
-  return best;
+  return ms;
 }
 
 expected<std::unique_ptr<backend>> open_native_or_vulkan(const std::string& name) {
@@ -99,15 +81,59 @@ expected<std::unique_ptr<backend>> open_native_or_vulkan(const std::string& name
   return open_vulkan(name);
 }
 
+chosen_device measure_fastest() {
+  const auto devices = list_devices();
+  if (devices.size() == 1)
+    return {"cpu"};
+  const auto p = trial_problem();
+  std::vector<device_trial> trials;
+  for (const auto& device : devices) {
+    const auto opened = open_native_or_vulkan(device.name);
+    trials.push_back({device.name, opened ? trial_ms(**opened, p) : fail(opened.error())});
+  }
+  return choose_device(trials);
+}
+
+/// A device with what is to be told of its choice.
+class noted_backend final : public backend {
+public:
+  noted_backend(std::unique_ptr<backend> device, const std::string& notice)
+      : device_(std::move(device)), info_(device_->info()) {
+    info_.notice = notice;
+  }
+
+  const device_info& info() const override { return info_; }
+
+  expected<std::unique_ptr<linear_system>> assemble(const problem& p,
+                                                    const execution& run) override {
+    return device_->assemble(p, run);
+  }
+
+private:
+  std::unique_ptr<backend> device_;
+  device_info info_;
+};
+
+expected<std::unique_ptr<backend>> open_chosen(const chosen_device& choice) {
+  auto opened = open_native_or_vulkan(choice.name);
+  if (!opened || choice.notice.empty())
+    return opened;
+  return std::make_unique<noted_backend>(std::move(*opened), choice.notice);
+}
+
 /// What was the fastest once; measured where nothing is known, or where that device is gone.
 expected<std::unique_ptr<backend>> open_fastest() {
-  const auto choice = device_choice::of_this_machine();
-  if (const auto name = choice.kept())
-    if (auto opened = open_native_or_vulkan(*name))
-      return opened;
-  const auto name = measure_fastest();
-  choice.keep(name);
-  return open_native_or_vulkan(name);
+  const auto file = device_choice::of_this_machine();
+  const auto kept = file.kept();
+  auto opened = kept ? open_chosen(*kept) : fail(ec::device_unavailable, "none is kept");
+  if (opened)
+    return opened;
+  auto choice = measure_fastest();
+  file.keep(choice);
+  if (kept)  // Told once: the choice that is kept now knows nothing of it.
+    choice.notice += (choice.notice.empty() ? "" : "; ") + std::string("the device \"") +
+                     kept->name + "\", which was the fastest, is gone: " + opened.error().message;
+  return open_chosen(choice);
 }
 
 }  // namespace

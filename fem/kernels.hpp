@@ -17,6 +17,8 @@ struct device_info {
   std::string kind;    ///< "native", "software", "integrated", "discrete".
   std::string driver;  ///< Driver name and version; empty for native.
   std::uint64_t memory_bytes = 0;  ///< 0 when unknown.
+  /// What a person should know about how it was chosen: which others failed. Mostly empty.
+  std::string notice = {};
 };
 
 /// How an inner solve ended.
@@ -109,7 +111,8 @@ public:
 
   /// Builds sparsity pattern, stiffness blocks (by gather, no atomics) and preconditioner on the
   /// device. The problem must outlive the system. Errors: `out_of_memory` (estimated before
-  /// allocating), `device_lost`, `cancelled`.
+  /// allocating), `device_lost`, `device_unavailable` for a part in more separate pieces than the
+  /// device takes, `not_converged` when the preconditioner cannot be set up, `cancelled`.
   [[nodiscard]] virtual expected<std::unique_ptr<linear_system>> assemble(const problem& p,
                                                                           const execution& run) = 0;
 };

@@ -399,8 +399,14 @@ void client_state::select(std::uint64_t id, const v1::SelectSurfaces& body) {
       [=, this](const selected& found) {
         v1::ServerMessage message;
         auto* out = message.mutable_surfaces_selected();
-        if (const auto features = protocol::features_from_json(found.features))
-          protocol::to_message(*features, out);
+        const auto features = protocol::features_from_json(found.features);
+        if (!features)
+          return refuse(id,
+                        {ec::internal,
+                         "the answer to the selection cannot be read: " + features.error().message,
+                         "Use a server and workers of one release",
+                         {}});
+        protocol::to_message(*features, out);
         out->set_document(found.document);
         out->set_version_id(found.version);
         answer(id, std::move(message));

@@ -120,9 +120,11 @@ expected<job_output<solve_result>> solve_on(const solve_task& task, const std::s
   fem::solve_settings settings;
   settings.tolerance = task.order.tolerance;
   settings.energy_tolerance = task.order.energy_tolerance;
+  const auto& chosen = (*device)->info().notice;
+  const auto told = notice.empty() ? chosen : chosen.empty() ? notice : notice + "; " + chosen;
   const auto finish = [&](const fem::solved_cases& solved, bool interim) {
     return package(*task.mesh, task.bench.session.last_set(), solved,
-                   {interim, task.total.milliseconds(), notice});
+                   {interim, task.total.milliseconds(), told});
   };
   bool shown = false;
   const auto frame = [&](const fem::cases_frame& now) {

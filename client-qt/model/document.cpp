@@ -32,6 +32,8 @@ document::document(remote& link, QObject* parent) : QObject(parent), link_(link)
   connect(&link_, &remote::load_cases_changed, this, [this](const client::load_cases_event& event) {
     if (head() && head()->info.version_id == event.version_id)
       take_other_load_cases(event.load_cases);
+    for (const auto& warning : event.warnings)
+      emit notice(QString::fromStdString(warning));
   });
   connect(&link_, &remote::annotated, this, [this](const client::version_info& info) {
     const auto row = versions_.find(info.number);
@@ -206,6 +208,8 @@ void document::take_state(const client::document_state& state) {
     versions_[*head_].info = *state.head;
   }
   take_load_cases(state.load_cases);
+  for (const auto& warning : state.warnings)
+    emit notice(QString::fromStdString(warning));
   emit head_changed();
 }
 

@@ -161,7 +161,8 @@ using filter_span = std::span<const std::array<double, 6>>;
 
 /// Builds the hierarchy of the matrix `k` of the linear tets at the corners of `p`, filtered by
 /// `filter` (of the corners).
-/// Errors: `cancelled`. Cost: O(nodes), about 15 products with the matrix.
+/// Errors: `cancelled`; `not_converged` when the coarsest matrix has no factors. Cost: O(nodes),
+/// about 15 products with the matrix.
 [[nodiscard]] expected<hierarchy> build_hierarchy(const problem& p, const block_matrix& k,
                                                   filter_span filter,
                                                   const multilevel_settings& settings,
@@ -171,9 +172,11 @@ using filter_span = std::span<const std::array<double, 6>>;
 /// blocks, sliver clusters and aggregates, the coarse rows around, and so upwards. New nodes may
 /// have been added. As good as a hierarchy built anew; a stale one needed 53 to 195 iterations
 /// where a fresh one needed 25. `corners` has the elements' corners. Cost: what is touched, and a
-/// factorisation of the coarsest matrix.
-void update_hierarchy(const problem& p, const incidence& corners, const block_matrix& k,
-                      filter_span filter, std::span<const std::uint32_t> nodes,
-                      const multilevel_settings& settings, hierarchy& h);
+/// factorisation of the coarsest matrix. Errors: `not_converged` when that has no factors; then `h`
+/// is not to be used.
+[[nodiscard]] expected<void> update_hierarchy(const problem& p, const incidence& corners,
+                                              const block_matrix& k, filter_span filter,
+                                              std::span<const std::uint32_t> nodes,
+                                              const multilevel_settings& settings, hierarchy& h);
 
 }  // namespace tedit::fem

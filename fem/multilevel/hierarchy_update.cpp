@@ -76,7 +76,7 @@ public:
         h_(h),
         first_(h.memory->levels.front()) {}
 
-  void run(std::span<const std::uint32_t> nodes) {
+  expected<void> run(std::span<const std::uint32_t> nodes) {
     const auto touched = renew_smoother(nodes);
     h_.aggregate.resize(k_.rows(), no_id);
     h_.arm.resize(k_.rows());
@@ -84,7 +84,7 @@ public:
       h_.filter.resize(k_.rows(), {1, 0, 0, 1, 0, 1});
     index_list rows = renew_aggregates(touched);
     make_galerkin_rows(k_, rows, h_);
-    update_rigid_levels(std::move(rows), h_);
+    return update_rigid_levels(std::move(rows), h_);
   }
 
 private:
@@ -300,10 +300,10 @@ private:
 
 }  // namespace
 
-void update_hierarchy(const problem& p, const incidence& corners, const block_matrix& k,
-                      filter_span filter, std::span<const std::uint32_t> nodes,
-                      const multilevel_settings& settings, hierarchy& h) {
-  hierarchy_update(p, corners, k, filter, settings, h).run(nodes);
+expected<void> update_hierarchy(const problem& p, const incidence& corners, const block_matrix& k,
+                                filter_span filter, std::span<const std::uint32_t> nodes,
+                                const multilevel_settings& settings, hierarchy& h) {
+  return hierarchy_update(p, corners, k, filter, settings, h).run(nodes);
 }
 
 }  // namespace tedit::fem

@@ -174,9 +174,10 @@ std::vector<rigid_frame> parent_frames(const std::vector<rigid_frame>& frames,
 /// Sparse Cholesky factors of the coarsest matrix.
 class sparse_factor final : public coarsest_solver {
 public:
-  explicit sparse_factor(const rigid_level& level) {
+  /// Whether the matrix has factors; of none nothing may be solved.
+  [[nodiscard]] bool compute(const rigid_level& level) {
     if (level.nodes() == 0)
-      return;  // Every node is held.
+      return true;  // Every node is held.
     std::vector<Eigen::Triplet<double>> entries;
     for (std::uint32_t i = 0; i < level.nodes(); ++i)
       for (auto s = level.rows.begin(i); s < level.rows.end(i); ++s) {
@@ -189,12 +190,16 @@ public:
     const auto size = static_cast<Eigen::Index>(std::size_t{6} * level.nodes());
     Eigen::SparseMatrix<double> m(size, size);
     m.setFromTriplets(entries.begin(), entries.end());
+    // Eigen takes a pivot that is no number for a good one.
+    if (!Eigen::Map<const Eigen::VectorXd>(m.valuePtr(), m.nonZeros()).allFinite())
+      return false;
     for (double shift = 0; shift < 1e-2; shift = std::max(1e-12, 100 * shift)) {
       factor_.setShift(shift * m.diagonal().mean());
       factor_.compute(m);
       if (factor_.info() == Eigen::Success)
-        return;
+        return true;
     }
+    return false;
   }
 
   void solve(std::span<const float> right, std::span<float> result) const override {
@@ -211,8 +216,16 @@ private:
 
 }  // namespace
 
-std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest) {
-  return std::make_unique<sparse_factor>(coarsest);
+expected<std::unique_ptr<coarsest_solver>> factor(const rigid_level& coarsest) {
+  auto made = std::make_unique<sparse_factor>();
+  if (!made->compute(coarsest))
+    return fail(ec::not_converged,
+                "the preconditioner cannot be set up: the matrix of its coarsest level (" +
+                  std::to_string(6 * std::size_t{coarsest.nodes()}) +
+                  " unknowns) is not positive definite",
+                "Check for very thin tets (tedit info), and for materials whose stiffness differs "
+                "by many powers of ten");
+  return made;
 }
 
 expected<void> add_rigid_levels(const multilevel_settings& settings, const execution& run,
@@ -235,7 +248,10 @@ expected<void> add_rigid_levels(const multilevel_settings& settings, const execu
     h.levels.emplace_back();
     build_coarser_level(h);
   }
-  h.coarsest = factor(h.levels.back());
+  auto solver = factor(h.levels.back());
+  if (!solver)
+    return fail(solver.error());
+  h.coarsest = std::move(*solver);
   return {};
 }
 

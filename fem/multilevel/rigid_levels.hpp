@@ -80,8 +80,9 @@ inline void store(const matrix6& from, rigid_level::block6& to) {
 /// Of a diagonal block.
 [[nodiscard]] matrix6 inverse_of(const matrix6& m);
 
-/// Factors the coarsest matrix.
-[[nodiscard]] std::unique_ptr<coarsest_solver> factor(const rigid_level& coarsest);
+/// Factors the coarsest matrix. Errors: `not_converged` when it has no Cholesky factors even with a
+/// shift of 1 % of its mean diagonal.
+[[nodiscard]] expected<std::unique_ptr<coarsest_solver>> factor(const rigid_level& coarsest);
 
 /// Room for `rows` (each once) of so many items, `length(i)` of rows[i], new rows included; where
 /// each starts.
@@ -131,10 +132,12 @@ void renew_inverses(rigid_level& level, std::span<const std::uint32_t> rows);
 void build_coarser_level(hierarchy& h);
 
 /// After `rows` of the first level changed, and with them all rows beside one with another frame:
-/// everything above. Ascending; added aggregates have their group already.
-void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h);
+/// everything above. Ascending; added aggregates have their group already. Errors: those of
+/// `factor`.
+[[nodiscard]] expected<void> update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h);
 
-/// Adds coarser levels to the first one until few aggregates are left. Errors: `cancelled`.
+/// Adds coarser levels to the first one until few aggregates are left. Errors: `cancelled`, those
+/// of `factor`.
 [[nodiscard]] expected<void> add_rigid_levels(const multilevel_settings& settings,
                                               const execution& run, hierarchy& h);
 

@@ -271,7 +271,7 @@ void build_coarser_level(hierarchy& h) {
   step_up(h.levels.size() - 2, h).build();
 }
 
-void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h) {
+expected<void> update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h) {
   std::vector<std::uint32_t> reframed;
   for (std::size_t l = 0; l + 1 < h.levels.size(); ++l) {
     h.levels[l].changed = rows;
@@ -284,7 +284,11 @@ void update_rigid_levels(std::vector<std::uint32_t> rows, hierarchy& h) {
     sort_unique(rows);
   }
   h.levels.back().changed = std::move(rows);
-  h.coarsest = factor(h.levels.back());
+  auto solver = factor(h.levels.back());
+  if (!solver)
+    return fail(solver.error());
+  h.coarsest = std::move(*solver);
+  return {};
 }
 
 }  // namespace tedit::fem

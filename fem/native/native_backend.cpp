@@ -198,8 +198,9 @@ public:
     if (k_.places.crowded() || hierarchy_.crowded())
       return false;
     update_blocks(problem_, corners, change.nodes, k_);
-    update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes, settings_.multilevel,
-                     hierarchy_);
+    if (!update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes,
+                          settings_.multilevel, hierarchy_))
+      return false;
     held_ = held_nodes_of(problem_.filter);
     solvers_.fit();
     return true;
@@ -301,8 +302,9 @@ public:
     const std::span corner_nodes(change.nodes.begin(), middles);
     k_.update(problem_, change.elements);
     update_blocks(problem_, corners, corner_nodes, corner_matrix_);
-    update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
-                     corner_nodes, settings_.corner_multilevel, hierarchy_);
+    if (!update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
+                          corner_nodes, settings_.corner_multilevel, hierarchy_))
+      return false;
     update_edge_transfer(problem_, edges_);
     update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.corner_multilevel,
                               cluster_of_, smoother_);

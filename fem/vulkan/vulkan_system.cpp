@@ -131,10 +131,11 @@ expected<void> vulkan_system::prepare(filter_span filter, const execution& run) 
     return fail(built.error());
   hierarchy_ = std::move(*built);
   if (const auto coarsest = hierarchy_.levels.back().nodes(); coarsest > most_coarsest)
-    return fail(ec::out_of_memory,
-                "the coarsest level has " + std::to_string(coarsest) +
-                  " aggregates, this device takes " + std::to_string(most_coarsest),
-                "The mesh has many separate pieces: use --device cpu");
+    return fail(ec::device_unavailable,
+                "the part is in too many separate pieces for this device: its coarsest level has " +
+                  std::to_string(coarsest) + " aggregates, the device takes " +
+                  std::to_string(most_coarsest),
+                "Use the device cpu, or mesh the part in fewer pieces");
   if (auto ok = matrix_->read_exactly(hierarchy_.exact_rows); !ok)
     return ok;
   cycle_.emplace(*memory_, *matrix_, hierarchy_, corner_filter, settings_.cycle, scale_.matrix());
@@ -224,8 +225,7 @@ bool vulkan_system::crowded() const {
 
 expected<bool> vulkan_system::follow(const problem_change& change, const incidence& corners) {
   const auto old_edges = edges_.ends.size();
-  update_host(change, corners);
-  if (hierarchy_.levels.back().nodes() > most_coarsest)
+  if (!update_host(change, corners) || hierarchy_.levels.back().nodes() > most_coarsest)
     return false;
   auto changes = update_device(change, corners, old_edges);
   if (!changes.fits())
@@ -237,19 +237,21 @@ expected<bool> vulkan_system::follow(const problem_change& change, const inciden
   return true;
 }
 
-void vulkan_system::update_host(const problem_change& change, const incidence& corners) {
+bool vulkan_system::update_host(const problem_change& change, const incidence& corners) {
   const filter_span filter = problem_.filter;
   const auto middles =
     std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
   const std::span corner_nodes(change.nodes.begin(), middles);
   update_blocks(problem_, corners, corner_nodes, blocks_);
-  update_hierarchy(problem_, corners, blocks_, filter.first(problem_.corner_count), corner_nodes,
-                   settings_.multilevel, hierarchy_);
+  if (!update_hierarchy(problem_, corners, blocks_, filter.first(problem_.corner_count),
+                        corner_nodes, settings_.multilevel, hierarchy_))
+    return false;
   if (!is_quadratic())
-    return;
+    return true;
   update_edge_transfer(problem_, edges_);
   update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.multilevel,
                             cluster_of_, smoother_);
+  return true;
 }
 
 vulkan_changes vulkan_system::update_device(const problem_change& change, const incidence& corners,

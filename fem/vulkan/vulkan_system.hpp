@@ -62,7 +62,7 @@ private:
   /// `update` without its guard.
   [[nodiscard]] expected<bool> follow(const problem_change& change, const incidence& corners);
   [[nodiscard]] bool crowded() const;
-  void update_host(const problem_change& change, const incidence& corners);
+  [[nodiscard]] bool update_host(const problem_change& change, const incidence& corners);
   [[nodiscard]] vulkan_changes update_device(const problem_change& change, const incidence& corners,
                                              std::size_t old_edges);
   [[nodiscard]] preconditioner cycle();

@@ -28,7 +28,14 @@ public:
       answer.mutable_welcome()->set_protocol_major(1);
       answer.mutable_welcome()->set_protocol_minor(minor_);
     } else if (request.has_open_document()) {
-      answer.mutable_document_state()->set_document("part");
+      auto* state = answer.mutable_document_state();
+      state->set_document("part");
+      // A kind of load that this client does not know reaches it as none.
+      if (request.open_document().name() == "newer") {
+        state->add_load_cases()->set_name("usual");
+        state->add_load_cases()->set_name("of tomorrow");
+        state->mutable_load_cases(1)->add_loads()->add_surfaces(3);
+      }
     } else {
       answer.mutable_error()->set_code("internal");
     }
@@ -42,15 +49,19 @@ private:
   std::uint32_t minor_;
 };
 
-/// How each request ends with a server of this protocol_minor, by the minor that knows it.
-std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
+std::unique_ptr<gateway::transport> serve(std::uint32_t minor) {
   gateway::transport_options options;
   options.accept = [=](std::shared_ptr<gateway::connection> to) {
     return std::make_unique<old_server>(std::move(to), minor);
   };
-  const auto door = gateway::transport::start(std::move(options));
+  return std::move(*gateway::transport::start(std::move(options)));
+}
+
+/// How each request ends with a server of this protocol_minor, by the minor that knows it.
+std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
+  const auto door = serve(minor);
   connect_options line;
-  line.url = "ws://127.0.0.1:" + std::to_string((*door)->port()) + "/v1";
+  line.url = "ws://127.0.0.1:" + std::to_string(door->port()) + "/v1";
   const auto made = client::connect(line, {});
   auto& user = **made;
   EXPECT_TRUE(user.open("part", false, false).has_value());
@@ -77,6 +88,23 @@ TEST_P(OldServer, IsNotAskedForWhatItDoesNotKnow) {
       EXPECT_FALSE(e.remedy.empty());
     }
   }
+}
+
+TEST(NewerServer, LoadCasesThatCannotBeReadAreNamedAndNotPassedOver) {
+  const auto door = serve(6);
+  connect_options line;
+  line.url = "ws://127.0.0.1:" + std::to_string(door->port()) + "/v1";
+  const auto user = client::connect(line, {});
+  ASSERT_TRUE(user.has_value()) << render(user.error());
+
+  const auto state = (*user)->open("newer", false, false);
+
+  ASSERT_TRUE(state.has_value()) << render(state.error());
+  ASSERT_EQ(state->load_cases.size(), 1u);
+  EXPECT_EQ(state->load_cases[0].name, "usual");
+  ASSERT_EQ(state->warnings.size(), 1u);
+  EXPECT_THAT(state->warnings[0], HasSubstr("\"of tomorrow\" cannot be read and is not shown: load "
+                                            "0 says no kind"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 6U));

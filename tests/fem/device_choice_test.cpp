@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
 
 namespace tedit::fem {
@@ -48,8 +49,9 @@ protected:
 TEST_F(DeviceChoice, IsKeptWhileTheDriversAreTheSame) {
   const auto file = root_ / "deep/er/fastest-device";
   EXPECT_FALSE(device_choice(file, "one driver").kept());
-  device_choice(file, "one driver").keep("Card 7");
-  EXPECT_EQ(device_choice(file, "one driver").kept(), "Card 7");
+  const chosen_device card{"Card 7", "Card 8 failed"};
+  device_choice(file, "one driver").keep(card);
+  EXPECT_EQ(device_choice(file, "one driver").kept(), card);
   EXPECT_FALSE(device_choice(file, "two drivers").kept());
   std::ofstream(file) << "cut off";
   EXPECT_FALSE(device_choice(file, "one driver").kept());
@@ -57,7 +59,7 @@ TEST_F(DeviceChoice, IsKeptWhileTheDriversAreTheSame) {
 
 TEST_F(DeviceChoice, NothingIsKeptWhereNothingCanBeWritten) {
   for (const fs::path file : {"", "/proc/no/such/folder/fastest-device"}) {
-    device_choice(file, "one driver").keep("Card 7");
+    device_choice(file, "one driver").keep({"Card 7"});
     EXPECT_FALSE(device_choice(file, "one driver").kept());
   }
 }
@@ -87,10 +89,36 @@ TEST_F(DeviceChoice, AutoKeepsTheFastestAndMeasuresAgainWhenItIsGone) {
   ASSERT_TRUE(open_backend("auto"));
   const auto fastest = choice.kept();
   ASSERT_TRUE(fastest);
-  choice.keep("a card that was taken out");
+  choice.keep({"a card that was taken out"});
   const auto opened = open_backend("auto");
   ASSERT_TRUE(opened);
-  EXPECT_TRUE(choice.kept() == "cpu" || choice.kept() == (*opened)->info().name);
+  const auto again = choice.kept();
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->name == "cpu" || again->name == (*opened)->info().name);
+  EXPECT_NE(
+    (*opened)->info().notice.find("\"a card that was taken out\", which was the fastest, is gone"),
+    std::string::npos);
+}
+
+TEST_F(DeviceChoice, ADeviceThatFailsItsTrialIsNamedWithTheReason) {
+  const error lost{ec::device_lost, "the device\nwas lost", {}, {}};
+  const auto choice =
+    choose_device({{"cpu", 20.0}, {"Card 7", fail(lost)}, {"Card 8", 30.0}, {"Card 9", 10.0}});
+
+  EXPECT_EQ(choice.name, "Card 9");
+  EXPECT_EQ(choice.notice,
+            "the device \"Card 7\" failed its trial and is not used: the device was lost");
+  EXPECT_EQ(choose_device({{"cpu", 20.0}, {"Card 8", 30.0}}), chosen_device{"cpu"});
+}
+
+TEST_F(DeviceChoice, WhatWasToldOfTheChoiceIsToldOfEveryLaterOne) {
+  device_choice::of_this_machine().keep({"cpu", "the device \"Card 7\" failed its trial"});
+
+  const auto opened = open_backend("auto");
+
+  ASSERT_TRUE(opened);
+  EXPECT_EQ((*opened)->info().name, make_native_backend()->info().name);
+  EXPECT_EQ((*opened)->info().notice, "the device \"Card 7\" failed its trial");
 }
 
 }  // namespace

@@ -79,8 +79,9 @@ public:
     const std::span corners(
       nodes.begin(), std::ranges::lower_bound(nodes, static_cast<std::uint32_t>(p_.corner_count)));
     update_blocks(p_, updater_.corners(), corners, k_);
-    update_hierarchy(p_, updater_.corners(), k_, corner_filter(), corners, settings_.multilevel,
-                     h_);
+    ASSERT_TRUE(update_hierarchy(p_, updater_.corners(), k_, corner_filter(), corners,
+                                 settings_.multilevel, h_)
+                  .has_value());
     if (p_.element_order == 1)
       return;
     update_edge_transfer(p_, edges_);
@@ -90,7 +91,7 @@ public:
 
   void follow(const version_ptr& next) {
     ASSERT_NO_FATAL_FAILURE(advance(next));
-    update_native();
+    ASSERT_NO_FATAL_FAILURE(update_native());
     const auto updated = update_device();
     ASSERT_TRUE(updated.has_value()) << render(updated.error());
     ASSERT_TRUE(*updated) << "no room was left";

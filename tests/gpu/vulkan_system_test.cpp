@@ -13,6 +13,7 @@
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 #include "tests/gpu/bent_bar.hpp"
+#include "tests/support/blocks.hpp"
 
 namespace tedit::fem {
 namespace {
@@ -154,6 +155,27 @@ TEST_F(VulkanSystem, AnotherFilterNeedsNoNewMatrix) {
   EXPECT_EQ(d[0], 0);
   EXPECT_EQ(d[8], 0);
   EXPECT_NE(d[9], 0);
+}
+
+/// 900 cubes that touch nowhere, each held below.
+TEST(VulkanParts, TooManyPiecesIsSaidAndIsNoLackOfMemory) {
+  if (list_vulkan_devices().empty())
+    GTEST_SKIP() << "no Vulkan device on this machine";
+  const auto mesh =
+    tedit::test::blocks({59, 59, 1}, [](int x, int y, int) { return x % 2 == 0 && y % 2 == 0; });
+  load_case loads;
+  loads.materials = {{"steel", 210e9, 0.3, 7850, 0, {}}};
+  loads.constraints = {{{5}, fixed{}}};
+  loads.loads = {{{6}, pressure{1e5}}};
+  const auto p = make_problem(*mesh, loads);
+  ASSERT_TRUE(p.has_value()) << render(p.error());
+
+  const auto refused = (*open_vulkan(""))->assemble(*p, {});
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::device_unavailable);
+  EXPECT_NE(refused.error().message.find("too many separate pieces"), std::string::npos);
+  EXPECT_TRUE(make_native_backend()->assemble(*p, {}).has_value());
 }
 
 TEST(VulkanParts, ARealPartWithSliversAgreesWithNative) {

@@ -2,6 +2,7 @@
 #include "fem/multilevel/hierarchy.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -11,6 +12,7 @@
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/multilevel/node_smoother.hpp"
 #include "fem/multilevel/quadratic_level.hpp"
+#include "fem/multilevel/rigid_levels.hpp"
 #include "fem/native/cycle.hpp"
 #include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
@@ -37,6 +39,34 @@ solution solved(const problem& p, const native_settings& settings = {}) {
   auto result = solve(p, *make_native_backend(settings), s, {});
   EXPECT_TRUE(result.has_value()) << (result ? "" : render(result.error()));
   return result.value_or(solution{});
+}
+
+/// One aggregate whose matrix has `value` in the corner of a unit matrix.
+rigid_level lone_aggregate(float value) {
+  rigid_level level;
+  level.rows = row_places(std::vector<std::uint32_t>{1});
+  level.column = {0};
+  rigid_level::block6 block{};
+  for (std::size_t i = 0; i < 36; i += 7)
+    block[i] = 1;
+  block[0] = value;
+  level.block.assign(1, block);
+  return level;
+}
+
+TEST(CoarsestFactor, IsRefusedWhereThereIsNoneAndNeverUsed) {
+  for (const float bad : {-1.0F, std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    const auto refused = factor(lone_aggregate(bad));
+    ASSERT_FALSE(refused.has_value()) << bad;
+    EXPECT_EQ(refused.error().code, ec::not_converged);
+    EXPECT_NE(refused.error().message.find("coarsest level (6 unknowns)"), std::string::npos);
+  }
+  const auto sound = factor(lone_aggregate(4));
+  ASSERT_TRUE(sound.has_value());
+  std::array<float, 6> x{1, 0, 0, 0, 0, 2};
+  (*sound)->solve(x, x);
+  EXPECT_FLOAT_EQ(x[0], 0.25F);
+  EXPECT_FLOAT_EQ(x[5], 2);
 }
 
 TEST(Lanczos, FindsTheLargestEigenvalueOfADiagonal) {
