@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <set>
 #include <span>
 #include <tuple>
+
+#include "mesh/box.hpp"
+#include "mesh/place_text.hpp"
 
 namespace tedit {
 
@@ -96,6 +100,84 @@ std::size_t count_boundary_contacts(const std::vector<boundary_facet>& facets,
   return contacts;
 }
 
+/// Separate bodies: tets that hang together over faces.
+std::size_t count_bodies(const std::vector<tet>& tets, const std::vector<adjacency>& neighbours) {
+  disjoint_sets bodies(tets.size());
+  for (tet_id t = 0; t < tets.size(); ++t)
+    for (const auto behind : neighbours[t])
+      if (!is_facet(behind))
+        bodies.unite(t, behind);
+  std::size_t count = 0;
+  for (tet_id t = 0; t < tets.size(); ++t)
+    count += bodies.find(t) == t;
+  return count;
+}
+
+/// Patches that edges of more than 30 degrees part, whatever the surfaces' ids.
+std::size_t count_smooth_patches(const std::vector<boundary_facet>& facets,
+                                 const std::vector<facet_edge>& edges,
+                                 const std::vector<vec3>& positions) {
+  disjoint_sets patches(facets.size());
+  for_each_edge(edges, [&](std::span<const facet_edge> group) {
+    for (std::size_t i = 1; i < group.size(); ++i)
+      if (smooth(facets[group[0].facet], facets[group[i].facet], positions))
+        patches.unite(group[0].facet, group[i].facet);
+  });
+  std::size_t count = 0;
+  for (facet_id f = 0; f < facets.size(); ++f)
+    count += patches.find(f) == f;
+  return count;
+}
+
+/// Vertices of the boundary that lie on another one, and the box around them.
+struct coincidence {
+  std::size_t vertices = 0;
+  box around;
+};
+
+/// Vertices count as one place within 1e-7 of the part's size, and well within its shortest edge.
+double coincidence_tolerance(const std::vector<facet_edge>& edges,
+                             const std::vector<vec3>& positions) {
+  box whole;
+  double shortest = std::numeric_limits<double>::max();
+  for (const auto& e : edges) {
+    whole.add(positions[e.a]);
+    whole.add(positions[e.b]);
+    shortest = std::min(shortest, norm(positions[e.b] - positions[e.a]));
+  }
+  return std::min(1e-7 * norm(whole.high - whole.low), 0.01 * shortest);
+}
+
+/// Places are sorted along an oblique line, to which no plane of a part is square: few others lie
+/// near a place there.
+coincidence find_coincident(const std::vector<facet_edge>& edges,
+                            const std::vector<vec3>& positions) {
+  const vec3 along = normalized({1, std::numbers::sqrt2, std::numbers::sqrt3});
+  const double tolerance = coincidence_tolerance(edges, positions);
+  std::vector<std::pair<double, vertex_id>> order;
+  std::vector<bool> listed(positions.size(), false);
+  for (const auto& e : edges)
+    for (const auto v : {e.a, e.b})
+      if (!listed[v]) {
+        listed[v] = true;
+        order.emplace_back(dot(positions[v], along), v);
+      }
+  std::ranges::sort(order);
+  std::vector<bool> found(order.size(), false);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= tolerance;
+         ++j)
+      if (norm(positions[order[j].second] - positions[order[i].second]) <= tolerance)
+        found[i] = found[j] = true;
+  coincidence result;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (found[i]) {
+      ++result.vertices;
+      result.around.add(positions[order[i].second]);
+    }
+  return result;
+}
+
 }  // namespace
 
 std::vector<surface_id> assign_missing_surfaces(std::vector<boundary_facet>& facets,
@@ -143,7 +225,7 @@ std::vector<surface_id> assign_missing_surfaces(std::vector<boundary_facet>& fac
 std::vector<std::string> describe_boundary(const std::vector<boundary_facet>& facets,
                                            const std::vector<tet>& tets,
                                            const std::vector<adjacency>& neighbours,
-                                           std::size_t vertices) {
+                                           const std::vector<vec3>& positions) {
   std::vector<std::string> sentences;
   const auto edges = sorted_edges(facets);
   std::size_t bad_edges = 0;
@@ -151,19 +233,28 @@ std::vector<std::string> describe_boundary(const std::vector<boundary_facet>& fa
   if (bad_edges > 0)
     sentences.push_back("the boundary touches itself along " + std::to_string(bad_edges) +
                         " edges (more than two boundary facets meet there)");
-  if (const auto contacts = count_boundary_contacts(facets, edges, vertices); contacts > 0)
+  if (const auto contacts = count_boundary_contacts(facets, edges, positions.size()); contacts > 0)
     sentences.push_back("the boundary touches itself at " + std::to_string(contacts) +
                         " vertices: parts that meet in a vertex only are hinged, not joined");
-  disjoint_sets bodies(tets.size());
-  for (tet_id t = 0; t < tets.size(); ++t)
-    for (const auto behind : neighbours[t])
-      if (!is_facet(behind))
-        bodies.unite(t, behind);
-  std::size_t count = 0;
-  for (tet_id t = 0; t < tets.size(); ++t)
-    count += bodies.find(t) == t;
-  if (count > 1)
+  if (const auto count = count_bodies(tets, neighbours); count > 1)
     sentences.push_back("the mesh consists of " + std::to_string(count) + " separate bodies");
+  if (const auto found = find_coincident(edges, positions); found.vertices > 0)
+    sentences.push_back(std::to_string(found.vertices) +
+                        " nodes lie at the place of another node, from " +
+                        place_text(found.around.low) + " to " + place_text(found.around.high) +
+                        ", and are not merged: what touches there is not joined, and no force "
+                        "passes. Merge them where it should be one part (in Gmsh: Coherence)");
+  const auto same = [&](const boundary_facet& f) { return f.surface == facets[0].surface; };
+  if (std::ranges::all_of(facets, same))
+    if (const auto patches = count_smooth_patches(facets, edges, positions); patches > 1)
+      sentences.push_back("all boundary faces have the surface id " +
+                          std::to_string(facets[0].surface) +
+                          ", though edges sharper than 30 "
+                          "degrees part them into " +
+                          std::to_string(patches) +
+                          " patches: only the whole boundary can be picked. Save the faces of the "
+                          "CAD model as surfaces, or leave the triangles out of the file to have "
+                          "it split at those edges");
   return sentences;
 }
 

@@ -19,10 +19,12 @@ namespace tedit {
                                                               surface_id largest);
 
 /// Sentences about edges with more than two boundary facets, vertices where the boundary touches
-/// itself, and separate bodies; empty for a single, manifold body.
+/// itself, separate bodies, vertices that lie on another one (bodies that touch and are not
+/// joined), and a single surface id in spite of edges sharper than 30 degrees; empty for a single,
+/// manifold body with surfaces. Cost: O(n log n) in the boundary's edges, O(tets).
 [[nodiscard]] std::vector<std::string> describe_boundary(const std::vector<boundary_facet>& facets,
                                                          const std::vector<tet>& tets,
                                                          const std::vector<adjacency>& neighbours,
-                                                         std::size_t vertices);
+                                                         const std::vector<vec3>& positions);
 
 }  // namespace tedit

@@ -39,7 +39,7 @@ public:
     if (auto ok = match_triangles(); !ok)
       return fail(ok.error());
     name_missing_surfaces();
-    for (auto& sentence : describe_boundary(facets_, raw_.tets, neighbours_, raw_.positions.size()))
+    for (auto& sentence : describe_boundary(facets_, raw_.tets, neighbours_, raw_.positions))
       warnings_.push_back(std::move(sentence));
     return built_version{mesh_version::create(freeze()), std::move(warnings_)};
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "mesh/io/edge_nodes.hpp"
 #include "mesh/io/msh_cursor.hpp"
 #include "mesh/io/msh_elements.hpp"
 
@@ -266,6 +267,8 @@ private:
 
   // -- elements --------------------------------------------------------------------------
 
+  using element_nodes = std::array<std::uint64_t, 16>;  ///< Corners, edge nodes of a cubic tet.
+
   const element_kind& kind_of(std::int64_t type) {
     for (const auto& kind : element_kinds)
       if (kind.type == type) {
@@ -280,18 +283,19 @@ private:
   }
 
   void add_element(const element_kind& kind, std::uint64_t number, std::int64_t entity, bool tagged,
-                   const std::array<std::uint64_t, 4>& nodes) {
+                   const element_nodes& nodes) {
     if (entity < INT32_MIN || entity > INT32_MAX)
       in_.fail_here(ec::bad_input, "entity tag " + std::to_string(entity) + " is out of range");
     if (kind.purpose == element_use::triangle) {
       triangles_.push_back({{nodes[0], nodes[1], nodes[2]}, entity, tagged});
     } else if (kind.purpose == element_use::tet) {
-      tets_.push_back(nodes);
+      if (kind.nodes > 4)
+        edge_nodes_.add(tets_.size(), kind.nodes > 10 ? 2 : 1, &nodes[4]);
+      tets_.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
       out_.mesh.tet_numbers.push_back(number);
       out_.mesh.tet_regions.push_back(static_cast<region_id>(entity));
     }
     quads_ += kind.purpose == element_use::quad;
-    higher_order_ += kind.purpose == element_use::tet && kind.nodes > 4;
   }
 
   void read_elements_41() {
@@ -311,10 +315,10 @@ private:
                       "elements in a block");
       for (std::uint64_t i = 0; i < count; ++i) {
         const auto number = in_.size("element number");
-        std::array<std::uint64_t, 4> nodes{};
-        for (int n = 0; n < kind.nodes; ++n) {
+        element_nodes nodes{};
+        for (std::size_t n = 0; n < static_cast<std::size_t>(kind.nodes); ++n) {
           const auto node = in_.size("node of an element");
-          if (n < 4)
+          if (n < nodes.size())
             nodes[n] = node;
         }
         add_element(kind, number, entity, true, nodes);
@@ -373,13 +377,13 @@ private:
       const std::int64_t tag = next("a tag");
       (t == 0 ? physical : entity) = t < 2 ? tag : entity;
     }
-    std::array<std::uint64_t, 4> nodes{};
-    for (int n = 0; n < kind.nodes; ++n) {
+    element_nodes nodes{};
+    for (std::size_t n = 0; n < static_cast<std::size_t>(kind.nodes); ++n) {
       const std::int64_t node = next("a node of the element");
       if (node < 0)
         in_.fail_here(ec::bad_input,
                       "element " + std::to_string(number) + " names node " + std::to_string(node));
-      if (n < 4)
+      if (n < nodes.size())
         nodes[n] = static_cast<std::uint64_t>(node);
     }
     const int dimension = kind.purpose == element_use::tet ? 3 : 2;
@@ -415,11 +419,10 @@ private:
       out_.mesh.triangles.push_back(resolved);
     }
     add_names();
+    if (edge_nodes_.tets() > 0)
+      out_.notices.push_back(edge_nodes_.describe(
+        out_.mesh.tets, out_.mesh.positions, [&](std::uint64_t node) { return find_node(node); }));
     out_.mesh.node_numbers = std::move(node_numbers_);
-    if (higher_order_ > 0)
-      out_.notices.push_back(std::to_string(higher_order_) +
-                             " tets have mid-edge nodes; they are read as straight tets of their "
-                             "four corners");
   }
 
   void index_nodes() {
@@ -477,7 +480,7 @@ private:
   std::uint64_t largest_ = 0;
   std::vector<vertex_id> by_number_;
   std::unordered_map<std::uint64_t, vertex_id> sparse_;
-  std::size_t higher_order_ = 0;
+  edge_nodes edge_nodes_;
   std::size_t quads_ = 0;  ///< Refused at the end: a hexahedron says more.
 };
 

@@ -126,6 +126,29 @@ TEST(BadFiles, ScaledFilesKeepPositiveVolumes) {
   }
 }
 
+/// One tet of ten nodes; the middle of its first edge lies `off` the edge.
+std::string quadratic_tet(const std::string& off) {
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n"
+         "1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 " +
+         off +
+         " 0\n6 1 1 0\n7 0 1 0\n8 0 0 1\n9 0 1 1\n10 1 0 1\n$EndNodes\n"
+         "$Elements\n1\n1 11 2 1 1 1 2 3 4 5 6 7 8 9 10\n$EndElements\n";
+}
+
+TEST(QuadraticTets, WhatACurvedEdgeLosesIsCountedAndMeasured) {
+  const auto curved = quadratic_tet("-0.25");
+  const auto straight = quadratic_tet("1e-9");  // As a writer rounds.
+
+  const auto bent = all_text(import_mesh_bytes(std::span(curved.data(), curved.size()), "mm"));
+  const auto kept = all_text(import_mesh_bytes(std::span(straight.data(), straight.size()), "mm"));
+
+  EXPECT_THAT(bent, HasSubstr("1 tets have nodes on their edges"));
+  EXPECT_THAT(bent, HasSubstr("1 of these nodes lie off the straight edge, by up to 0.25 (12 % of "
+                              "the edge) at (1, -0.25, 0)"));
+  EXPECT_THAT(kept, HasSubstr("1 tets have nodes on their edges"));
+  EXPECT_THAT(kept, testing::Not(HasSubstr("off the straight edge")));
+}
+
 /// Imports in a child process whose address space is limited, so that a runaway allocation fails.
 int import_in_child(const std::filesystem::path& file) {
   const pid_t child = fork();

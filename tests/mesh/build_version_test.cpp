@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/build_version.hpp"
 
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// Two tets on the triangle 1-2-3: volumes 1/6 each.
 raw_mesh two_tets() {
@@ -160,6 +163,103 @@ TEST(BuildVersion, WarnsOfBodiesThatTouchInAVertex) {
   ASSERT_TRUE(built.has_value());
   EXPECT_THAT(built->warnings, Contains(HasSubstr("at 1 vertices")));
   EXPECT_THAT(built->warnings, Contains(HasSubstr("2 separate bodies")));
+}
+
+/// Two tets that lie against each other with nodes of their own, apart by rounding.
+TEST(BuildVersion, WarnsOfNodesThatAreNotMergedWhereBodiesTouch) {
+  auto raw = two_tets();
+  for (const vertex_id v : {1, 2, 3})
+    raw.positions.push_back(raw.positions[v] + vec3{1e-12, 0, -1e-12});
+  raw.tets[1] = {{4, 5, 7, 6}};
+
+  const auto apart = build_version(raw, 1.0);
+  const auto joined = build_version(two_tets(), 1.0);
+
+  ASSERT_TRUE(apart.has_value());
+  EXPECT_THAT(apart->warnings, Contains(HasSubstr("6 nodes lie at the place of another node, from "
+                                                  "(0, 0, 0) mm to (1000, 1000, 1000) mm")));
+  ASSERT_TRUE(joined.has_value());
+  EXPECT_THAT(joined->warnings, Not(Contains(HasSubstr("place of another"))));
+}
+
+TEST(BuildVersion, NodesThatAreNearButApartAreNoFault) {
+  auto raw = two_tets();
+  for (const vertex_id v : {1, 2, 3})
+    raw.positions.push_back(raw.positions[v] + vec3{1e-5, 1e-5, 1e-5});
+  raw.tets[1] = {{4, 5, 7, 6}};
+
+  EXPECT_THAT(build_version(raw, 1.0)->warnings, Not(Contains(HasSubstr("place of another"))));
+}
+
+raw_mesh::triangle face(std::array<vertex_id, 3> v, surface_id surface) {
+  return {v, surface, true};
+}
+
+TEST(BuildVersion, WarnsOfOneSurfaceIdForAWholeBoundaryWithEdges) {
+  auto raw = two_tets();
+  for (const auto& v :
+       {std::array<vertex_id, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {4, 1, 2}, {4, 2, 3}, {4, 3, 1}})
+    raw.triangles.push_back(face(v, 5));
+
+  const auto one = build_version(raw, 1.0);
+  raw.triangles.front().surface = 6;
+  const auto two = build_version(raw, 1.0);
+
+  ASSERT_TRUE(one.has_value()) << render(one.error());
+  EXPECT_THAT(one->warnings, Contains(HasSubstr("all boundary faces have the surface id 5")));
+  EXPECT_THAT(one->warnings, Contains(HasSubstr("6 patches")));
+  ASSERT_TRUE(two.has_value());
+  EXPECT_THAT(two->warnings, IsEmpty());
+}
+
+/// An octahedron whose triangles are cut into four, twice, on the sphere; a tet from the middle to
+/// each.
+raw_mesh ball() {
+  raw_mesh raw;
+  raw.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<std::array<vertex_id, 3>> faces;
+  for (const vertex_id x : {0, 1})
+    for (const vertex_id y : {2, 3})
+      for (const vertex_id z : {4, 5})
+        faces.push_back({x, y, z});
+  std::map<std::pair<vertex_id, vertex_id>, vertex_id> middles;
+  const auto middle = [&](vertex_id a, vertex_id b) {
+    const auto [at, fresh] =
+      middles.try_emplace(std::minmax(a, b), static_cast<vertex_id>(raw.positions.size()));
+    if (fresh)
+      raw.positions.push_back(normalized(raw.positions[a] + raw.positions[b]));
+    return at->second;
+  };
+  for (int round = 0; round < 2; ++round) {
+    std::vector<std::array<vertex_id, 3>> cut;
+    for (const auto& [a, b, c] : faces) {
+      const auto ab = middle(a, b);
+      const auto bc = middle(b, c);
+      const auto ca = middle(c, a);
+      cut.insert(cut.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+    }
+    faces = std::move(cut);
+  }
+  const auto centre = static_cast<vertex_id>(raw.positions.size());
+  raw.positions.push_back({0, 0, 0});
+  for (const auto& v : faces) {
+    tet t{{centre, v[0], v[1], v[2]}};
+    const auto& p = raw.positions;
+    if (signed_volume(p[t.v[0]], p[t.v[1]], p[t.v[2]], p[t.v[3]]) < 0)
+      std::swap(t.v[2], t.v[3]);
+    raw.tets.push_back(t);
+    raw.tet_regions.push_back(1);
+    raw.triangles.push_back(face(v, 3));
+  }
+  return raw;
+}
+
+TEST(BuildVersion, ABallHasOneSurfaceAndNoWarning) {
+  const auto built = build_version(ball(), 1.0);
+
+  ASSERT_TRUE(built.has_value()) << render(built.error());
+  EXPECT_EQ(built->version->surfaces().size(), 1u);
+  EXPECT_THAT(built->warnings, IsEmpty());
 }
 
 TEST(BuildVersion, DropsVerticesWithoutTets) {
