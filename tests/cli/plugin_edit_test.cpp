@@ -127,6 +127,21 @@ TEST(PluginEdit, AnInterruptEndsAHangAtOnce) {
   EXPECT_NE(kill(operation, 0), 0) << "the operation's process is gone, too";
 }
 
+TEST(PluginEdit, ARecipeTellsWhatThePluginDid) {
+  const Misdeed misdeed("aborts");
+  const auto recipe = scratch("recipe.json");
+  std::ofstream(recipe) << json{
+    {"steps",
+     {{{"import", {{"mesh", block}}}},
+      {{"edit", {{"operation", "rule_breaker"}, {"surfaces", {4}}}}}}}};
+
+  const auto result = run("run --json " + recipe.string() + " --out " + scratch("out").string());
+
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.parsed()["error"].value("message", ""),
+              ::testing::AllOf(HasSubstr("rule_breaker"), HasSubstr("signal 6 (Aborted)")));
+}
+
 TEST(PluginEdit, WhatItLogsComesOnStderrWithItsName) {
   const Misdeed misdeed("logs");
   FILE* pipe = popen((program + " " + misdeed.arguments + " 2>&1 >/dev/null").c_str(), "r");

@@ -21,14 +21,10 @@ read -r preset target <<<"$(sed -nE 's|^scripts/build.sh (\w+) (\w+)$|\1 \2|p' s
 [ -n "$target" ] || { echo "scripts/run.sh does not say what it builds" >&2; exit 1; }
 cmake --preset "$preset" >"$work/log" 2>&1 || { tail -20 "$work/log" >&2; exit 1; }
 cd "build/$preset"
-ninja -t inputs "$target" >"$work/inputs"
-echo "bin/$target" >>"$work/inputs"
 while read -r file; do
-  case $file in /* | *.o) continue ;; esac
-  [ -f "$build/$file" ] || continue
   mkdir -p "$(dirname "$file")"
-  cp "$build/$file" "$file"
-done < <(grep -E '^(bin|lib)/|\.a$' "$work/inputs" | grep -v '^lib/cmake/' | sort -u)
+  [ ! -f "$build/$file" ] || cp "$build/$file" "$file"
+done < <(ninja -t commands "$target" | grep -oE '(-o|ar qc) (bin/|[^ ]+\.(so|a)\b)[^ ]*' | sed -E 's/^(-o|ar qc) //' | sort -u)
 [ -x "bin/$target" ] && [ -e lib/tedit/plugins/fill_hole.so ] || { echo "nothing was built in $build" >&2; exit 1; }
 cd "$work/tree"
 
