@@ -154,6 +154,7 @@ struct edit_candidate {
   std::vector<char> touched;  ///< Tet ids, 4 bytes each.
   double volume_change = 0;
   improve_order improve;
+  std::vector<surface_id> surfaces_used;
   std::vector<std::string> notices;
   std::vector<figure_row> figures;
   double quality_floor = 0.15;
@@ -165,7 +166,8 @@ struct edit_candidate {
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_candidate& x) {
   return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change, x.improve,
-           x.notices, x.figures, x.quality_floor, x.bodies_added, x.source, x.operation_ms);
+           x.surfaces_used, x.notices, x.figures, x.quality_floor, x.bodies_added, x.source,
+           x.operation_ms);
 }
 
 /// A candidate to improve and to check.

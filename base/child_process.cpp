@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/unique_fd.hpp"
+
 namespace tedit {
 
 namespace {
@@ -24,26 +26,6 @@ constexpr bool limit_addresses = false;
 #else
 constexpr bool limit_addresses = true;
 #endif
-
-/// A file descriptor that closes itself.
-class descriptor {
-public:
-  explicit descriptor(int fd = -1) : fd_(fd) {}
-  descriptor(const descriptor&) = delete;
-  descriptor& operator=(const descriptor&) = delete;
-  ~descriptor() { close(); }
-
-  void close() {
-    if (fd_ >= 0)
-      ::close(fd_);
-    fd_ = -1;
-  }
-  void set(int fd) { fd_ = fd; }
-  [[nodiscard]] int get() const { return fd_; }
-
-private:
-  int fd_;
-};
 
 /// In the child between vfork and exec, in the parent's memory: system calls only.
 [[noreturn]] void become(const std::vector<char*>& arguments, int in, int out, pid_t parent,
@@ -85,7 +67,7 @@ pid_t start(const std::vector<char*>& arguments, int in, int out, const child_li
 }
 
 /// Moves bytes both ways until the child closes its output, the time is over or it is cancelled.
-expected<std::vector<char>> exchange(descriptor& to_child, descriptor& from_child,
+expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
                                      std::span<const char> input, clock::time_point deadline,
                                      const execution& run) {
   std::vector<char> output;
@@ -98,7 +80,7 @@ expected<std::vector<char>> exchange(descriptor& to_child, descriptor& from_chil
     if (left.count() <= 0)
       return fail(ec::timeout, "a helper program did not end within its time limit");
     if (input.empty())
-      to_child.close();
+      to_child.reset();
     std::array<pollfd, 2> ends{{{from_child.get(), POLLIN, 0}, {to_child.get(), POLLOUT, 0}}};
     const int wait = static_cast<int>(std::min<std::int64_t>(left.count(), 50));
     if (poll(ends.data(), input.empty() ? 1 : 2, wait) < 0 && errno != EINTR)
@@ -141,12 +123,12 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
   std::array<int, 2> out{};
   if (pipe2(in.data(), O_CLOEXEC) != 0)
     return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno));
-  descriptor child_in(in[0]);
-  descriptor to_child(in[1]);
+  unique_fd child_in(in[0]);
+  unique_fd to_child(in[1]);
   if (pipe2(out.data(), O_CLOEXEC) != 0)
     return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno));
-  descriptor from_child(out[0]);
-  descriptor child_out(out[1]);
+  unique_fd from_child(out[0]);
+  unique_fd child_out(out[1]);
   std::vector<char*> arguments;
   for (const auto& argument : command)
     arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -154,8 +136,8 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
   const pid_t child = start(arguments, child_in.get(), child_out.get(), limits);
   if (child < 0)
     return fail(ec::service_unavailable, name + " cannot be started: " + std::strerror(errno));
-  child_in.close();
-  child_out.close();
+  child_in.reset();
+  child_out.reset();
   fcntl(to_child.get(), F_SETFL, O_NONBLOCK);
   auto output = exchange(to_child, from_child, input, deadline, run);
   if (!output)

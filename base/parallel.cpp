@@ -7,11 +7,13 @@
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include <pthread.h>
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -114,11 +116,6 @@ public:
       std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
-  static thread_pool& instance() {
-    static thread_pool pool;
-    return pool;
-  }
-
 private:
   void take_chunks(const job& now) noexcept {
     try {
@@ -204,6 +201,38 @@ void thread_pool::serve() {
     }
 }
 
+/// The one pool of a process. A forked copy has none of the threads: what it inherited is left
+/// alone, and its first loop starts threads of its own.
+class pool_of_process {
+public:
+  pool_of_process() {
+    pthread_atfork(nullptr, nullptr, [] { inherited = true; });
+  }
+  pool_of_process(const pool_of_process&) = delete;
+  pool_of_process& operator=(const pool_of_process&) = delete;
+  ~pool_of_process() { leave_inherited(); }
+
+  static thread_pool& get() {
+    static pool_of_process one;
+    const std::lock_guard lock(one.mutex_);
+    one.leave_inherited();
+    if (!one.pool_)
+      one.pool_ = std::make_unique<thread_pool>();
+    return *one.pool_;
+  }
+
+private:
+  void leave_inherited() {
+    if (inherited.exchange(false))
+      (void)
+        pool_.release();  // Not to be destroyed: that would wait for threads that are not there.
+  }
+
+  static inline std::atomic<bool> inherited{false};
+  std::mutex mutex_;
+  std::unique_ptr<thread_pool> pool_;
+};
+
 }  // namespace
 
 void parallel_for(std::size_t items, const chunk_work& work, std::size_t chunk_items) {
@@ -213,7 +242,7 @@ void parallel_for(std::size_t items, const chunk_work& work, std::size_t chunk_i
       do_chunk(wanted, chunk);
     return;
   }
-  thread_pool::instance().run(wanted);
+  pool_of_process::get().run(wanted);
 }
 
 double parallel_sum(std::size_t items,

@@ -77,6 +77,13 @@ expected<pid_t> spawn_process(const std::vector<std::string>& command, int inher
   return child;
 }
 
+std::string describe_end(int status) {
+  if (WIFSIGNALED(status))
+    return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
+           strsignal(WTERMSIG(status)) + ")";
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
 std::optional<std::string> reap_process(pid_t pid) {
   int status = 0;
   const pid_t ended = waitpid(pid, &status, WNOHANG);
@@ -84,10 +91,7 @@ std::optional<std::string> reap_process(pid_t pid) {
     return std::nullopt;
   if (ended < 0)
     return "is gone";
-  if (WIFSIGNALED(status))
-    return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
-           strsignal(WTERMSIG(status)) + ")";
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
+  return describe_end(status);
 }
 
 void kill_process(pid_t pid) {

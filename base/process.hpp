@@ -23,8 +23,12 @@ inline constexpr int inherited_fd = 3;
                                             int inherited = -1,
                                             const std::vector<std::string>& environment = {});
 
-/// How a process that has ended did so, for people: "was killed by signal 9 (Killed)" or "ended
-/// with status 1"; nothing while it runs. The process is reaped.
+/// How a process with this status of `waitpid` ended, for people: "was killed by signal 9 (Killed)"
+/// or "ended with status 1".
+[[nodiscard]] std::string describe_end(int status);
+
+/// How a process that has ended did so, as `describe_end` says it; nothing while it runs. The
+/// process is reaped.
 [[nodiscard]] std::optional<std::string> reap_process(pid_t pid);
 
 /// Kills a process and waits for its end.

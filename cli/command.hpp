@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -62,7 +64,9 @@ void notice(const session& s, const std::string& text);
 /// A number for people: at most `digits` significant digits.
 [[nodiscard]] std::string pretty(double value, int digits = 4);
 
-/// Columns padded to their widest cell; the first row is the header.
-[[nodiscard]] std::string format_table(const std::vector<std::vector<std::string>>& rows);
+/// Columns padded to their widest cell; the first row is the header. The first column is a label,
+/// as are those in `labels`; the others are figures and end at one place.
+[[nodiscard]] std::string format_table(const std::vector<std::vector<std::string>>& rows,
+                                       const std::set<std::size_t>& labels = {});
 
 }  // namespace tedit::cli

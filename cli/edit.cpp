@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <chrono>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +26,17 @@ struct edit_options {
   std::string loads = "drop";
   std::string output;
   std::string length_unit = "mm";
+  double time_limit_s = 120;
 };
+
+/// A process of its own, because plugins may crash or hang.
+operation_place place_of(const edit_options& options, const session& s) {
+  operation_place place;
+  place.child.emplace().time =
+    std::chrono::milliseconds(static_cast<std::int64_t>(1000 * options.time_limit_s));
+  place.log = [&s](const std::string& line) { notice(s, line); };
+  return place;
+}
 
 int run_edit(const edit_options& options, session& s) {
   stopwatch clock;
@@ -52,8 +63,8 @@ int run_edit(const edit_options& options, session& s) {
     notice(s, "note: " + warning);
   const double import_ms = clock.restart();
   const auto plugins = ops::load_default_catalogue();
-  const auto outcome =
-    apply_edit(plugins, imported->version, request, load_cases, make_execution(s));
+  const auto outcome = apply_edit(plugins, imported->version, request, load_cases,
+                                  make_execution(s), place_of(options, s));
   if (!outcome)
     return print_error(s, outcome.error());
   clock.restart();
@@ -97,6 +108,11 @@ void add_edit(CLI::App& app, action& chosen) {
                       "Write the new mesh: .msh (MSH 4.1 binary) or .stl (boundary)");
   command->add_option("--length-unit", options->length_unit, "Unit of coordinates in both files")
     ->capture_default_str();
+  command
+    ->add_option("--time-limit", options->time_limit_s,
+                 "Seconds after which the operation is given up; 0 for no limit")
+    ->capture_default_str()
+    ->check(CLI::Range(0.0, 604800.0));
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_edit(*options, s); }; });
 }

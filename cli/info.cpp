@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <map>
+#include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,27 @@ namespace {
 struct info_options {
   std::string mesh;
   std::string length_unit = "mm";
+  bool all = false;
 };
+
+/// Longer tables are cut, unless all was asked for.
+constexpr std::size_t most_rows = 50;
+
+std::string surface_table(const mesh_report& report, bool all) {
+  const auto& surfaces = report.surfaces;
+  const auto count = all ? surfaces.size() : std::min(surfaces.size(), most_rows);
+  std::vector<std::vector<std::string>> rows{{"surface", "facets", "area mm2", "shape", "name"}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& row = surfaces[i];
+    rows.push_back({std::to_string(row.id), std::to_string(row.facets + row.interface_facets),
+                    pretty(1e6 * row.area_m2, 6), shape_words(row), row.name});
+  }
+  auto text = format_table(rows, {3, 4});
+  if (count < surfaces.size())
+    text += "  ... and " + std::to_string(surfaces.size() - count) +
+            " more: --all lists them, \"tedit select\" finds holes and ribs\n";
+  return text;
+}
 
 std::string describe(const info_options& options, const imported_mesh& imported,
                      const mesh_report& report) {
@@ -36,7 +56,7 @@ std::string describe(const info_options& options, const imported_mesh& imported,
                  pretty(report.size_m.z * 1e3) + " mm");
   line("radius ratio", "min " + pretty(report.quality.min) + ", median " +
                          pretty(report.quality.median) + ", max " + pretty(report.quality.max));
-  return text;
+  return text + "\n" + surface_table(report, options.all);
 }
 
 int run_info(const info_options& options, session& s) {
@@ -60,6 +80,7 @@ void add_info(CLI::App& app, action& chosen) {
   command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
   command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
     ->capture_default_str();
+  command->add_flag("--all", options->all, "List all surfaces, however many there are");
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_info(*options, s); }; });
 }

@@ -3,25 +3,42 @@
 
 #include "actors/optimizer/finish.hpp"
 #include "base/stopwatch.hpp"
+#include "ops/loader/operation_log.hpp"
 #include "ops/services/host_services.hpp"
 
 namespace tedit::cli {
 
-expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_ptr& base,
-                                  const edit_request& request,
-                                  const std::vector<fem::load_case>& load_cases,
-                                  const execution& run) {
-  const stopwatch total;
-  stopwatch clock;
+namespace {
+
+expected<ops::edit_result> run_operation(const ops::catalogue& plugins, const version_ptr& base,
+                                         const edit_request& request, const execution& run,
+                                         const operation_place& place) {
   const auto host = ops::make_host_services();
   ops::context ctx;
   ctx.host = host.get();
   ctx.run.cancel = run.cancel;
-  ctx.run.progress = [&](double fraction, std::string_view stage) {
-    run.report(0.8 * fraction, stage);
-  };
-  const auto edit = ops::run_operation(plugins, request.operation, *base, {request.surfaces},
-                                       request.parameters, ctx);
+  if (run.progress)
+    ctx.run.progress = [&](double fraction, std::string_view stage) {
+      run.report(0.8 * fraction, stage);
+    };
+  if (place.log)
+    ctx.log = ops::operation_log(request.operation, place.log);
+  if (place.child)
+    return ops::run_operation_in_child(plugins, request.operation, *base, {request.surfaces},
+                                       request.parameters, ctx, *place.child);
+  return ops::run_operation(plugins, request.operation, *base, {request.surfaces},
+                            request.parameters, ctx);
+}
+
+}  // namespace
+
+expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_ptr& base,
+                                  const edit_request& request,
+                                  const std::vector<fem::load_case>& load_cases,
+                                  const execution& run, const operation_place& place) {
+  const stopwatch total;
+  stopwatch clock;
+  const auto edit = run_operation(plugins, base, request, run, place);
   if (!edit)
     return fail(edit.error());
   const double operation_ms = clock.milliseconds();
@@ -39,6 +56,7 @@ expected<edit_outcome> apply_edit(const ops::catalogue& plugins, const version_p
                        std::move(finished->load_cases)};
   outcome.report.operation = request.operation;
   outcome.report.surfaces = request.surfaces;
+  outcome.report.surfaces_used = edit->surfaces_used;
   outcome.report.notices = edit->notices;
   outcome.report.figures = edit->figures;
   outcome.report.operation_ms = operation_ms;

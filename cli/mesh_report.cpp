@@ -6,19 +6,23 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/command.hpp"
+
 namespace tedit::cli {
 
 namespace {
 
 void add_surfaces(const mesh_version& mesh, mesh_report& report) {
   std::map<surface_id, mesh_report::surface_row> rows;
+  std::map<surface_id, std::vector<facet_id>> facets;
   for (const auto& row : mesh.surfaces())
-    rows[row.id] = {row.id, row.name, 0, 0, 0};
+    rows[row.id] = {row.id, row.name, 0, 0, 0, {}};
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f))
       continue;
     auto& row = rows[mesh.facet(f).surface];
     ++row.facets;
+    facets[mesh.facet(f).surface].push_back(f);
     row.area_m2 += norm(area_vector(mesh, mesh.facet(f)));
   }
   const auto& interfaces = mesh.data().interfaces;
@@ -28,8 +32,28 @@ void add_surfaces(const mesh_version& mesh, mesh_report& report) {
     ++row.interface_facets;
     row.area_m2 += norm(area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
   }
+  for (const auto& [id, mine] : facets)
+    rows[id].shape = fit_wall(mesh, mine, {.cones = true});
   for (auto& [id, row] : rows)
     report.surfaces.push_back(std::move(row));
+}
+
+/// The shape as JSON has it; see `shape_words` for people.
+void add_shape(const mesh_report::surface_row& row, nlohmann::ordered_json& item) {
+  using kind = wall_shape::kind;
+  if (row.facets == 0)
+    return;
+  if (!row.shape) {
+    item["shape"] = "free_form";
+    return;
+  }
+  item["shape"] = row.shape->type == kind::plane      ? "plane"
+                  : row.shape->type == kind::cylinder ? "cylinder"
+                                                      : "cone";
+  if (row.shape->type != kind::plane)
+    item["hollow"] = row.shape->side < 0;
+  if (row.shape->type == kind::cylinder)
+    item["diameter_m"] = 2 * row.shape->radius;
 }
 
 void add_regions(const mesh_version& mesh, mesh_report& report) {
@@ -73,6 +97,21 @@ mesh_report make_mesh_report(const mesh_version& mesh) {
   return report;
 }
 
+std::string shape_words(const mesh_report::surface_row& row) {
+  using kind = wall_shape::kind;
+  if (row.facets == 0)
+    return row.interface_facets > 0 ? "interface" : "nothing";
+  if (!row.shape)
+    return "free form";
+  if (row.shape->type == kind::plane)
+    return "plane";
+  const bool hollow = row.shape->side < 0;
+  if (row.shape->type == kind::cone)
+    return hollow ? "hollow cone" : "cone";
+  return (hollow ? "bore, diameter " : "round, diameter ") + pretty(2e3 * row.shape->radius) +
+         " mm";
+}
+
 nlohmann::ordered_json to_json(const mesh_version& mesh, const mesh_report& report) {
   using json = nlohmann::ordered_json;
   json surfaces = json::array();
@@ -80,6 +119,7 @@ nlohmann::ordered_json to_json(const mesh_version& mesh, const mesh_report& repo
     json item{{"id", row.id}, {"name", row.name}, {"facets", row.facets}, {"area_m2", row.area_m2}};
     if (row.interface_facets > 0)
       item["interface_facets"] = row.interface_facets;
+    add_shape(row, item);
     surfaces.push_back(std::move(item));
   }
   json regions = json::array();

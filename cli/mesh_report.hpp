@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "mesh/features/wall_shape.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/version.hpp"
 
@@ -18,6 +21,8 @@ struct mesh_report {
     std::size_t facets = 0;  ///< Boundary facets; interface triangles are counted apart.
     std::size_t interface_facets = 0;
     double area_m2 = 0;
+    /// What its boundary facets lie on; nothing for free forms and interfaces.
+    std::optional<wall_shape> shape;
   };
   struct region_row {
     region_id id = 0;
@@ -35,6 +40,10 @@ struct mesh_report {
 
 /// Cost: O(mesh).
 [[nodiscard]] mesh_report make_mesh_report(const mesh_version& mesh);
+
+/// For people: "plane", "bore, diameter 8 mm", "round, diameter 8 mm", "cone", "interface",
+/// "free form".
+[[nodiscard]] std::string shape_words(const mesh_report::surface_row& row);
 
 /// The JSON object of `tedit info`.
 [[nodiscard]] nlohmann::ordered_json to_json(const mesh_version& mesh, const mesh_report& report);

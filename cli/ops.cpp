@@ -8,6 +8,7 @@
 #include "cli/server_access.hpp"
 #include "client/client.hpp"
 #include "ops/loader/catalogue.hpp"
+#include "protocol/operation_message.hpp"
 
 namespace tedit::cli {
 
@@ -58,8 +59,7 @@ nlohmann::ordered_json to_json(const ops::catalogue::entry& entry) {
           {"parameters", std::move(parameters)}};
 }
 
-std::string describe(const ops::catalogue::entry& entry) {
-  const auto& d = entry.description;
+std::string describe(const ops::operation_description& d) {
   std::string text = d.id + " " + d.version + "  " + d.summary + "\n";
   text += "    select: " + d.selection.help + "\n";
   for (const auto& p : d.parameters) {
@@ -108,20 +108,26 @@ int run_on_server(const ops_options& options, session& s) {
   const auto catalogue = (*connected)->catalogue_json();
   if (!catalogue)
     return print_error(s, catalogue.error());
+  const auto operations = protocol::catalogue_from_json(*catalogue);
+  if (!operations)
+    return print_error(s, operations.error());
+  std::string text;
+  std::vector<std::string> ids;
+  for (const auto& [description, plugin] : *operations) {
+    ids.push_back(description.id);
+    if (options.only.empty() || options.only == description.id)
+      text += describe(description);
+  }
+  if (!options.only.empty() && text.empty())
+    return print_error(s, ops::unknown_operation(options.only, ids));
   using json = nlohmann::ordered_json;
   const auto sent = json::parse(*catalogue, nullptr, false);
   json result{{"server", options.server},
               {"operations", json::array()},
               {"refused", sent.value("refused", json::array())}};
-  std::string text;
-  for (const auto& row : sent.value("operations", json::array())) {
-    const auto id = row.value("id", std::string());
-    if (!options.only.empty() && id != options.only)
-      continue;
-    result["operations"].push_back(row);
-    text += id + " " + row.value("version", std::string()) + "  " +
-            row.value("summary", std::string()) + "\n";
-  }
+  for (const auto& row : sent.value("operations", json::array()))
+    if (options.only.empty() || row.value("id", std::string()) == options.only)
+      result["operations"].push_back(row);
   for (const auto& row : result["refused"])
     text += describe_refused(row);
   print_result(s, result, text.empty() ? "There are no operations.\n" : text);
@@ -141,7 +147,7 @@ int run_ops(const std::string& only, session& s) {
     if (!only.empty() && entry.description.id != only)
       continue;
     json["operations"].push_back(to_json(entry));
-    text += describe(entry);
+    text += describe(entry.description);
   }
   for (const auto& refused : plugins.refused()) {
     nlohmann::ordered_json row{{"file", refused.file.string()}, {"reason", refused.reason}};

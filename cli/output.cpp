@@ -67,7 +67,8 @@ std::string pretty(double value, int digits) {
   return buffer;
 }
 
-std::string format_table(const std::vector<std::vector<std::string>>& rows) {
+std::string format_table(const std::vector<std::vector<std::string>>& rows,
+                         const std::set<std::size_t>& labels) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);
@@ -79,8 +80,8 @@ std::string format_table(const std::vector<std::vector<std::string>>& rows) {
     std::string line = " ";
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
       const std::string pad(widths[c] - rows[r][c].size(), ' ');
-      // The first column is a label, the others are figures.
-      line += c == 0 ? " " + rows[r][c] + pad : "  " + pad + rows[r][c];
+      const bool label = c == 0 || labels.contains(c);
+      line += (c == 0 ? " " : "  ") + (label ? rows[r][c] + pad : pad + rows[r][c]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';

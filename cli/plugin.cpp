@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -22,6 +23,8 @@ struct test_options {
   std::string length_unit = "mm";
   std::vector<surface_id> selected;
   std::vector<std::string> pairs;
+  std::vector<std::string> checks;
+  unsigned repeat = 1;
   double limit_s = 10;
   bool list = false;
 };
@@ -55,8 +58,26 @@ nlohmann::ordered_json to_json(const ops::conformance_row& row) {
           {"seen", row.seen},   {"remedy", row.remedy}, {"operation", row.operation}};
 }
 
+expected<void> check_names(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const auto& row : ops::conformance_checks())
+    known.push_back(row.check);
+  for (const auto& name : names)
+    if (std::ranges::find(known, name) == known.end()) {
+      const auto near = ops::nearest_name(name, known);
+      return fail(ec::usage, "there is no check \"" + name + "\"",
+                  (near.empty() ? "" : "Did you mean " + near + "? ") +
+                    std::string("\"tedit plugin test --list\" prints all"));
+    }
+  return {};
+}
+
 expected<ops::conformance_settings> settings_of(const test_options& options) {
   ops::conformance_settings settings;
+  if (auto known = check_names(options.checks); !known)
+    return fail(std::move(known.error()));
+  settings.checks = options.checks;
+  settings.repeat = options.repeat;
   std::error_code code;
   settings.file = std::filesystem::absolute(options.file, code);
   if (!std::filesystem::is_regular_file(settings.file, code))
@@ -97,9 +118,10 @@ int list_checks(session& s) {
 int run_test(const test_options& options, session& s) {
   if (options.list)
     return list_checks(s);
-  const auto settings = settings_of(options);
+  auto settings = settings_of(options);
   if (!settings)
     return print_error(s, settings.error());
+  settings->cancel = s.cancel;
   std::uint32_t operation = 0;
   const auto report = ops::test_plugin(*settings, [&](const ops::conformance_row& row) {
     if (!s.json && std::exchange(operation, row.operation) != row.operation)
@@ -107,6 +129,8 @@ int run_test(const test_options& options, session& s) {
     if (!s.json)
       print_result(s, {}, line_of(row));
   });
+  if (s.cancel.cancelled())
+    return print_error(s, {ec::cancelled, "the test was interrupted", {}, {}});
   nlohmann::ordered_json json{{"plugin", report.plugin},
                               {"file", settings->file.string()},
                               {"ok", report.ok()},
@@ -142,6 +166,13 @@ void add_test(CLI::App& plugin, action& chosen) {
   command->add_option("--limit", options->limit_s, "Seconds for one call of the plugin")
     ->capture_default_str()
     ->check(number_in({0.1, 3600, "s"}));
+  command
+    ->add_option("--check", options->checks,
+                 "Only these checks, separated by commas, and what they rest on")
+    ->delimiter(',');
+  command->add_option("--repeat", options->repeat, "Run each so often, for faults that come and go")
+    ->check(CLI::Range(1U, 1000000U))
+    ->capture_default_str();
   auto* list = command->add_flag("--list", options->list, "Only list the checks");
   file->excludes(list);
   command->callback([options, &chosen] {

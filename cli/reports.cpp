@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,16 @@ std::string list_ids(const std::vector<surface_change>& map,
     if (std::ranges::find(fates, change.fate) != fates.end())
       text += (text.empty() ? "" : ", ") + std::to_string(change.id);
   return text.empty() ? "none" : text;
+}
+
+/// The surfaces that the operation took instead of those that were given; empty when it took these.
+std::string completed_selection(const edit_report& report) {
+  const std::set given(report.surfaces.begin(), report.surfaces.end());
+  const std::set used(report.surfaces_used.begin(), report.surfaces_used.end());
+  std::string text;
+  for (const auto id : used)
+    text += (text.empty() ? "" : ", ") + std::to_string(id);
+  return used == given ? "" : text;
 }
 
 nlohmann::ordered_json triple(vec3 v) {
@@ -293,6 +304,7 @@ nlohmann::ordered_json to_json(const edit_report& report) {
   }
   json result{{"from_version", report.from_version},
               {"to_version", report.to_version},
+              {"surfaces_used", report.surfaces_used},
               {"surfaces_removed", removed},
               {"surfaces_added", added},
               {"surfaces_changed", changed},
@@ -324,6 +336,8 @@ nlohmann::ordered_json to_json(const edit_report& report) {
 std::string describe(const edit_report& report) {
   labelled_lines lines;
   using enum surface_fate;
+  if (const auto used = completed_selection(report); !used.empty())
+    lines.add("surfaces used", used);
   lines.add("surfaces removed", list_ids(report.surface_map, {removed, merged_into}));
   lines.add("surfaces added", list_ids(report.surface_map, {added, split_from}));
   lines.add("surfaces changed", list_ids(report.surface_map, {changed}));

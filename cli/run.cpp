@@ -23,7 +23,8 @@ struct run_options {
   std::string token_file;
 };
 
-/// A server inside this program, with a folder for its documents that goes with it.
+/// A server inside this program, with worker processes of its own (plugins may crash) and a folder
+/// for its documents that goes with it.
 class embedded_server {
 public:
   embedded_server() = default;
@@ -50,7 +51,6 @@ public:
     server_options options;
     options.documents = folder_;
     options.token = *token;
-    options.worker_processes = false;
     auto started = server::start(options);
     if (!started)
       return fail(started.error());

@@ -3,6 +3,26 @@
 # same package in lib/cmake/TEdit.
 include(CMakePackageConfigHelpers)
 
+# What a build may leave out ("scripts/run.sh" builds the program without window and manual) is left out of the
+# installation, too, and said. Packages hold all: cpack builds before it packs.
+function(tedit_say_left_out file what target)
+  install(CODE "if(NOT EXISTS \"${file}\")
+    message(STATUS \"${what} is left out: it was not built (cmake --build ${CMAKE_BINARY_DIR} --target ${target})\")
+  endif()")
+endfunction()
+
+# tedit_install_along(PROGRAM DESTINATION file [RENAME name]): a file that makes sense only with a program.
+function(tedit_install_along program destination file)
+  cmake_parse_arguments(ARG "" "RENAME" "" ${ARGN})
+  set(rename)
+  if(ARG_RENAME)
+    set(rename "RENAME \"${ARG_RENAME}\"")
+  endif()
+  install(CODE "if(EXISTS \"$<TARGET_FILE:${program}>\")
+    file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${destination}\" TYPE FILE ${rename} FILES \"${CMAKE_SOURCE_DIR}/${file}\")
+  endif()")
+endfunction()
+
 install(TARGETS tedit tedit-probe tedit-tetgen RUNTIME DESTINATION bin)
 if(TARGET tedit-render)
   install(TARGETS tedit-render RUNTIME DESTINATION bin)
@@ -43,5 +63,4 @@ foreach(set IN ITEMS TEditTargets TEditClientTargets)
 endforeach()
 install(FILES docs/man/tedit.1 DESTINATION share/man/man1)
 install(FILES cli/completion.bash DESTINATION share/bash-completion/completions RENAME tedit)
-install(FILES cli/completion.bash DESTINATION share/bash-completion/completions RENAME tedit-qt)
 install(FILES LICENSE NOTICE README.md CHANGELOG.md DESTINATION share/doc/tedit)

@@ -17,7 +17,8 @@ add_custom_command(
   WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
   VERBATIM)
 add_custom_target(manual ALL DEPENDS "${folder}/index.html")
-install(DIRECTORY "${folder}" DESTINATION share/doc/tedit)
+install(DIRECTORY "${folder}" DESTINATION share/doc/tedit OPTIONAL)
+tedit_say_left_out("${folder}/index.html" "The HTML manual" manual)
 if(TEDIT_TESTS)
   add_test(NAME manual.links COMMAND "${TEDIT_PYTHON}" "${CMAKE_SOURCE_DIR}/tests/scripts/manual_test.py" "${folder}")
 endif()

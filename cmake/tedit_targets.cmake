@@ -12,11 +12,15 @@ target_compile_features(tedit_options INTERFACE cxx_std_20)
 target_include_directories(
   tedit_options INTERFACE "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>" "$<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/generated>"
                           "$<INSTALL_INTERFACE:include/tedit>")
-# Warnings are ours to keep out, not those of who builds a plugin against the installation.
+# Warnings are for targets of this tree, not for those of who builds a plugin against it: the property says which.
+set(TEDIT_OWN_TARGET ON)
+define_property(TARGET PROPERTY TEDIT_OWN_TARGET INITIALIZE_FROM_VARIABLE TEDIT_OWN_TARGET
+                BRIEF_DOCS "Whether a target is built in TEdit's own tree")
 set(tedit_warnings -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
-target_compile_options(tedit_options INTERFACE "$<BUILD_INTERFACE:${tedit_warnings}>" -fvisibility=hidden)
+set(own "$<BOOL:$<TARGET_PROPERTY:TEDIT_OWN_TARGET>>")
+target_compile_options(tedit_options INTERFACE "$<BUILD_INTERFACE:$<${own}:${tedit_warnings}>>" -fvisibility=hidden)
 if(TEDIT_WERROR)
-  target_compile_options(tedit_options INTERFACE $<BUILD_INTERFACE:-Werror>)
+  target_compile_options(tedit_options INTERFACE "$<BUILD_INTERFACE:$<${own}:-Werror>>")
 endif()
 if(TEDIT_SANITIZE)
   target_compile_options(tedit_options INTERFACE -fsanitize=${TEDIT_SANITIZE} -fno-omit-frame-pointer

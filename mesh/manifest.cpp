@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <cstring>
 #include <unordered_set>
 
+#include "base/byte_stream.hpp"
 #include "mesh/version.hpp"
 
 namespace tedit {
@@ -10,69 +10,6 @@ namespace {
 
 // Little-endian on every machine that this runs on; the tag makes another one fail loudly.
 constexpr std::uint32_t manifest_tag = 0x314D4554;  // "TEM1"
-
-class byte_writer {
-public:
-  template <class T>
-  void number(T value) {
-    const auto* first = reinterpret_cast<const std::byte*>(&value);
-    bytes.insert(bytes.end(), first, first + sizeof(T));
-  }
-
-  void text(const std::string& value) {
-    number(static_cast<std::uint32_t>(value.size()));
-    const auto* first = reinterpret_cast<const std::byte*>(value.data());
-    bytes.insert(bytes.end(), first, first + value.size());
-  }
-
-  std::vector<std::byte> bytes;
-};
-
-/// Reads with bounds: after a read past the end `ok` is false and every value is zero.
-class byte_reader {
-public:
-  explicit byte_reader(std::span<const std::byte> input) : left_(input) {}
-
-  template <class T>
-  T number() {
-    T value{};
-    if (left_.size() < sizeof(T)) {
-      ok = false;
-      return value;
-    }
-    std::memcpy(&value, left_.data(), sizeof(T));
-    left_ = left_.subspan(sizeof(T));
-    return value;
-  }
-
-  std::string text() {
-    const auto size = number<std::uint32_t>();
-    if (left_.size() < size) {
-      ok = false;
-      return {};
-    }
-    std::string value(reinterpret_cast<const char*>(left_.data()), size);
-    left_ = left_.subspan(size);
-    return value;
-  }
-
-  /// A count of items of at least `item_bytes` each, checked against what is left.
-  std::size_t count(std::size_t item_bytes) {
-    const auto n = number<std::uint64_t>();
-    if (n > left_.size() / item_bytes) {
-      ok = false;
-      return 0;
-    }
-    return n;
-  }
-
-  [[nodiscard]] bool at_end() const { return left_.empty(); }
-
-  bool ok = true;
-
-private:
-  std::span<const std::byte> left_;
-};
 
 }  // namespace
 

@@ -25,6 +25,49 @@ v1::Parameter::Type type_to(ops::parameter_type type) {
   return v1::Parameter::TYPE_UNSPECIFIED;
 }
 
+ops::parameter_type type_from(v1::Parameter::Type type) {
+  switch (type) {
+    case v1::Parameter::BOOLEAN:
+      return ops::parameter_type::boolean;
+    case v1::Parameter::INTEGER:
+      return ops::parameter_type::integer;
+    case v1::Parameter::REAL:
+      return ops::parameter_type::real;
+    case v1::Parameter::CHOICE:
+      return ops::parameter_type::choice;
+    default:
+      return ops::parameter_type::text;
+  }
+}
+
+ops::parameter_description from_message(const v1::Parameter& m) {
+  ops::parameter_description p;
+  p.id = m.id();
+  p.name = m.name();
+  p.help = m.help();
+  p.type = type_from(m.type());
+  p.unit = m.unit();
+  if (m.has_min())
+    p.min = m.min();
+  if (m.has_max())
+    p.max = m.max();
+  p.choices.assign(m.choices().begin(), m.choices().end());
+  p.default_value = protocol::from_message(m.default_value());
+  return p;
+}
+
+ops::operation_description from_message(const v1::Operation& m) {
+  ops::operation_description d;
+  d.id = m.id();
+  d.name = m.name();
+  d.summary = m.summary();
+  d.version = m.version();
+  d.selection = {m.selection_help(), m.selection_minimum(), m.selection_maximum()};
+  for (const auto& p : m.parameters())
+    d.parameters.push_back(from_message(p));
+  return d;
+}
+
 struct value_writer {
   v1::ParameterValue* out;
 
@@ -108,6 +151,17 @@ std::string catalogue_to_json(
     row->set_reason(reason);
   }
   return message_to_json(message);
+}
+
+expected<std::vector<std::pair<ops::operation_description, std::string>>> catalogue_from_json(
+  const std::string& json) {
+  const auto message = message_from_json<v1::Catalogue>(json);
+  if (!message)
+    return fail(message.error());
+  std::vector<std::pair<ops::operation_description, std::string>> result;
+  for (const auto& row : message->operations())
+    result.emplace_back(from_message(row), row.plugin());
+  return result;
 }
 
 }  // namespace tedit::protocol

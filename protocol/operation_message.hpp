@@ -3,6 +3,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "ops/sdk/operation.hpp"
 
@@ -32,5 +34,9 @@ void to_message(const ops::parameter_value& value, v1::ParameterValue* out);
 [[nodiscard]] std::string catalogue_to_json(
   const std::vector<std::pair<ops::operation_description, std::string>>& operations,
   const std::vector<std::pair<std::string, std::string>>& refused);
+
+/// The operations of such a JSON, with their plugins, in its order. Errors: `protocol_error`.
+[[nodiscard]] expected<std::vector<std::pair<ops::operation_description, std::string>>>
+catalogue_from_json(const std::string& json);
 
 }  // namespace tedit::protocol

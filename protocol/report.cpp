@@ -236,6 +236,7 @@ void to_message(const edit_report& report, v1::EditReport* out) {
   out->set_to_version(report.to_version);
   out->set_operation(report.operation);
   out->mutable_surfaces()->Assign(report.surfaces.begin(), report.surfaces.end());
+  out->mutable_surfaces_used()->Assign(report.surfaces_used.begin(), report.surfaces_used.end());
   for (const auto& change : report.surface_map)
     to_message(change, out->add_surface_map());
   for (const auto& line : report.receipt)
@@ -271,6 +272,7 @@ edit_report from_message(const v1::EditReport& m) {
   report.to_version = m.to_version();
   report.operation = m.operation();
   report.surfaces.assign(m.surfaces().begin(), m.surfaces().end());
+  report.surfaces_used.assign(m.surfaces_used().begin(), m.surfaces_used().end());
   for (const auto& change : m.surface_map())
     report.surface_map.push_back(from_message(change));
   for (const auto& line : m.receipt())

@@ -27,6 +27,7 @@ struct edit_report {
   std::string to_version;
   std::string operation;
   std::vector<surface_id> surfaces;
+  std::vector<surface_id> surfaces_used;  ///< As the operation completed them.
   std::vector<surface_change> surface_map;
   fem::carry_settings loads;  ///< What was to become of loads whose surface goes.
   std::vector<fem::receipt_line> receipt;

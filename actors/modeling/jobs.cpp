@@ -3,6 +3,8 @@
 
 #include <fstream>
 
+#include <spdlog/spdlog.h>
+
 #include "actors/modeling/modeling.hpp"
 #include "base/stopwatch.hpp"
 #include "mesh/features/select.hpp"
@@ -10,6 +12,7 @@
 #include "mesh/io/import.hpp"
 #include "mesh/io/msh_writer.hpp"
 #include "mesh/io/stl_writer.hpp"
+#include "ops/loader/operation_log.hpp"
 #include "protocol/operation_message.hpp"
 #include "protocol/report.hpp"
 #include "protocol/selection_message.hpp"
@@ -119,6 +122,8 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   ops::context ctx;
   ctx.host = &services;
   ctx.run = run;
+  ctx.log =
+    ops::operation_log(order.operation, [](const std::string& line) { spdlog::info("{}", line); });
   auto edit =
     ops::run_operation(plugins, order.operation, **base, {order.surfaces}, *parameters, ctx);
   if (!edit)
@@ -136,6 +141,7 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
                     edit->thorough.tolerance.absolute,
                     edit->thorough.tolerance.relative,
                     edit->thorough.rounds};
+  result.surfaces_used = edit->surfaces_used;
   result.notices = edit->notices;
   for (const auto& f : edit->figures)
     result.figures.push_back({f.id, f.value, f.unit, f.help});

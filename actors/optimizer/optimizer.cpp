@@ -87,6 +87,7 @@ expected<job_output<finish_result>> finish(const finish_order& order, const page
   auto done = finish_candidate(*base, *candidate, *claim, *wanted, load_cases, settings, run);
   if (!done)
     return fail(done.error());
+  done->report.surfaces_used = order.candidate.surfaces_used;
   done->report.notices = order.candidate.notices;
   for (const auto& f : order.candidate.figures)
     done->report.figures.push_back({f.id, f.value, f.unit, f.help});

@@ -8,6 +8,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
@@ -27,7 +28,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace tedit::picture {
 
@@ -46,6 +49,13 @@ constexpr std::array<std::array<double, 3>, 11> viridis{{{0.267, 0.005, 0.329},
                                                          {0.478, 0.821, 0.318},
                                                          {0.741, 0.873, 0.150},
                                                          {0.993, 0.906, 0.144}}};
+
+// Of the picture's height: where the texts stand, and by what its pixels are divided for their
+// size.
+constexpr double title_at = 0.935;
+constexpr int title_share = 32;
+constexpr double caption_at = 0.03;
+constexpr int caption_share = 52;
 
 void fill_colours(vtkLookupTable* table) {
   constexpr int steps = 256;
@@ -85,7 +95,61 @@ expected<void> add_shown(vtkPolyData* surface, const picture_options& options) {
   return {};
 }
 
-void aim(vtkRenderer* renderer, const picture_options& options) {
+/// Where the part is drawn, as shares of the picture: heading, small print and legend lie outside.
+struct part_area {
+  double left = 0;
+  double bottom = 0;
+  double right = 0.905;
+  double top = 1;
+};
+
+part_area area_of(const picture_options& options) {
+  part_area area;
+  const auto lines = [](const std::string& text) {
+    return static_cast<double>(std::ranges::count(text, '\n') + 1);
+  };
+  if (!options.title.empty())
+    area.top = title_at - 0.01;
+  if (!options.caption.empty())
+    area.bottom = caption_at + 1.4 * lines(options.caption) / caption_share + 0.01;
+  return area;
+}
+
+/// By how much the part would have to shrink to lie within the renderer's area as the camera looks
+/// now; below 1 it may grow.
+double overhang(vtkRenderer* renderer, vtkPolyData* part, double aspect) {
+  const auto* to_picture =
+    renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData();
+  double most = 0;
+  for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i) {
+    std::array<double, 4> p{0, 0, 0, 1};
+    part->GetPoint(i, p.data());
+    const auto row = [&](int r) {
+      return to_picture[4 * r] * p[0] + to_picture[4 * r + 1] * p[1] +
+             to_picture[4 * r + 2] * p[2] + to_picture[4 * r + 3];
+    };
+    most = std::max({most, std::abs(row(0) / row(3)), std::abs(row(1) / row(3))});
+  }
+  return most;
+}
+
+/// As near as a usual part may be, and so far that a tall one does not run over the texts.
+void fit(vtkRenderer* renderer, vtkPolyData* part, const picture_options& options,
+         const part_area& area) {
+  constexpr double margin = 1.03;
+  constexpr double usual_zoom = 1.35;
+  auto* camera = renderer->GetActiveCamera();
+  const double height = area.top - area.bottom;
+  const double aspect =
+    (area.right - area.left) * options.width / (height * static_cast<double>(options.height));
+  const double half = camera->GetViewAngle() * std::numbers::pi / 360;
+  const double all = std::atan(margin * overhang(renderer, part, aspect) * std::tan(half));
+  const double usual = std::atan(height * std::tan(half / usual_zoom));
+  camera->SetViewAngle(std::max(all, usual) * 360 / std::numbers::pi);
+}
+
+void aim(vtkRenderer* renderer, vtkPolyData* part, const picture_options& options,
+         const part_area& area) {
   const auto& view = options.view;
   auto* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(0, 0, 0);
@@ -101,6 +165,7 @@ void aim(vtkRenderer* renderer, const picture_options& options) {
   } else
     camera->SetPosition(-0.55, -1, 0.75);
   renderer->ResetCamera();
+  fit(renderer, part, options, area);
   if (options.focus) {
     std::array<double, 3> middle{};
     std::array<double, 3> eye{};
@@ -111,7 +176,7 @@ void aim(vtkRenderer* renderer, const picture_options& options) {
     camera->SetFocalPoint(options.focus->data());
     camera->SetPosition(eye.data());
   }
-  camera->Zoom(1.35 * options.zoom);
+  camera->Zoom(options.zoom);
   renderer->ResetCameraClippingRange();
 }
 
@@ -232,20 +297,26 @@ expected<void> draw_picture(const picture_options& options) {
     range[1] = range[0] + std::max(1e-12, std::abs(range[0]) * 1e-6);
   table->SetRange(range.data());
 
+  vtkNew<vtkRenderer> backdrop;
+  backdrop->GradientBackgroundOn();
+  backdrop->SetBackground(0.98, 0.98, 0.985);
+  backdrop->SetBackground2(0.80, 0.83, 0.87);
+  add_legend(backdrop, table, options);
+  add_text(backdrop, options.title, 0.025, title_at, options.height / title_share, true);
+  add_text(backdrop, options.caption, 0.025, caption_at, options.height / caption_share, false);
   vtkNew<vtkRenderer> renderer;
-  renderer->GradientBackgroundOn();
-  renderer->SetBackground(0.98, 0.98, 0.985);
-  renderer->SetBackground2(0.80, 0.83, 0.87);
+  const auto area = area_of(options);
+  renderer->SetViewport(area.left, area.bottom, area.right, area.top);
+  renderer->SetLayer(1);
   add_surface(renderer, surface, table, options.edges);
-  add_legend(renderer, table, options);
-  add_text(renderer, options.title, 0.025, 0.935, options.height / 32, true);
-  add_text(renderer, options.caption, 0.025, 0.03, options.height / 52, false);
-  aim(renderer, options);
+  aim(renderer, surface, options, area);
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);
   window->SetSize(options.width, options.height);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(backdrop);
   window->AddRenderer(renderer);
   window->Render();
   vtkNew<vtkWindowToImageFilter> image;

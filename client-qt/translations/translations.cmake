@@ -21,7 +21,7 @@ foreach(source IN LISTS sources)
 endforeach()
 add_custom_target(translations ALL DEPENDS ${translations})
 add_dependencies(tedit-qt translations)
-install(FILES ${translations} DESTINATION share/tedit/translations)
+install(FILES ${translations} DESTINATION share/tedit/translations OPTIONAL)
 
 if(TEDIT_LUPDATE)
   add_custom_target(

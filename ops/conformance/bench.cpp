@@ -88,7 +88,6 @@ expected<edit_result> bench::apply_by(const operation& code, const mesh_version&
   context ctx;
   ctx.run = run;
   ctx.host = host.get();
-  ctx.log = [](std::string_view) {};
   try {
     return code.apply(mesh, {surfaces}, with, ctx);
   } catch (const std::bad_alloc&) {

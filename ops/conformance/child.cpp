@@ -82,7 +82,8 @@ private:
 }
 
 /// Waits for the end of the child; kills it when its file has not grown for a step's time.
-std::string wait_for(pid_t child, const shared_file& report, std::chrono::milliseconds step) {
+std::string wait_for(pid_t child, const shared_file& report, const sandbox_limits& limits) {
+  const auto step = limits.step;
   auto size = report.size();
   auto deadline = clock::now() + step;
   int status = 0;
@@ -91,11 +92,13 @@ std::string wait_for(pid_t child, const shared_file& report, std::chrono::millis
       size = now;
       deadline = clock::now() + step;
     }
-    if (clock::now() > deadline) {
+    const bool cancelled = limits.cancel.cancelled();
+    if (cancelled || clock::now() > deadline) {
       kill(-child, SIGKILL);
       kill(child, SIGKILL);
       waitpid(child, &status, 0);
-      return "did not end within " + std::to_string(step.count()) + " ms";
+      return cancelled ? "was cancelled"
+                       : "did not end within " + std::to_string(step.count()) + " ms";
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -143,7 +146,7 @@ child_outcome run_forked(const std::function<void(const child_reporter&)>& work,
     result.death = std::string("could not be started: ") + std::strerror(errno);
     return result;
   }
-  result.death = wait_for(child, report, limits.step);
+  result.death = wait_for(child, report, limits);
   std::istringstream lines(report.content(std::size_t{64} << 20));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with('>'))

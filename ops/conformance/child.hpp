@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "base/execution.hpp"
+
 namespace tedit::ops {
 
 struct sandbox_limits {
   std::chrono::milliseconds step{10000};  ///< From one `mark` of the child to the next.
   std::size_t memory_bytes = 0;           ///< Address space; 0 for no limit.
+  cancel_token cancel;                    ///< Ends the child at once.
 };
 
 /// The child's way to its parent.

@@ -38,6 +38,7 @@ private:
 };
 
 constexpr auto last_mark = "unloading";
+constexpr std::string_view finds_cases = "every_surface_alone";
 constexpr std::string_view tag_pass = "pass ";
 constexpr std::string_view tag_fail = "fail ";
 constexpr std::string_view tag_remedy = "remedy ";
@@ -79,8 +80,9 @@ void judge_death(const child_outcome& child, conformance_row& row) {
 conformance_row perform(const check& c, const plan& p, std::vector<std::string>& other_lines) {
   auto row = row_of(c);
   const scratch_folder folder;
-  auto child = run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); },
-                          folder.path(), {p.settings->limit, p.settings->memory_bytes});
+  auto child =
+    run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); }, folder.path(),
+               {p.settings->limit, p.settings->memory_bytes, p.settings->cancel});
   for (const auto& line : child.lines) {
     if (line.starts_with(tag_pass))
       row.outcome = verdict::pass, row.seen = line.substr(tag_pass.size());
@@ -147,7 +149,8 @@ public:
 
   conformance_report run() {
     for (const auto& c : all_checks())
-      if (plan_.operation == 0 || c.needs != need::nothing)  // The file is the same for all.
+      if ((plan_.operation == 0 || c.needs != need::nothing) && is_wanted(c) &&
+          !plan_.settings->cancel.cancelled())  // The file is the same for all operations.
         take(c);
     return std::move(report_);
   }
@@ -156,6 +159,28 @@ public:
   [[nodiscard]] std::uint32_t operations() const { return operations_; }
 
 private:
+  [[nodiscard]] bool is_asked_for(const check& c) const {
+    const auto& names = plan_.settings->checks;
+    return names.empty() || std::ranges::find(names, c.name) != names.end();
+  }
+
+  [[nodiscard]] bool is_wanted(const check& c) const {
+    return is_asked_for(c) || c.needs == need::nothing || std::string_view(c.name) == finds_cases;
+  }
+
+  conformance_row perform_repeatedly(const check& c, std::vector<std::string>& lines) const {
+    auto row = perform(c, plan_, lines);
+    const auto times = is_asked_for(c) ? plan_.settings->repeat : 1;
+    for (unsigned i = 1; i < times && row.outcome == verdict::pass; ++i) {
+      lines.clear();
+      row = perform(c, plan_, lines);
+      if (row.outcome == verdict::fail)
+        row.seen =
+          "run " + std::to_string(i + 1) + " of " + std::to_string(times) + ": " + row.seen;
+    }
+    return row;
+  }
+
   void take(const check& c) {
     if (const auto why = obstacle(c); !why.empty()) {
       auto row = row_of(c);
@@ -164,7 +189,7 @@ private:
       return add(std::move(row));
     }
     std::vector<std::string> lines;
-    auto row = perform(c, plan_, lines);
+    auto row = perform_repeatedly(c, lines);
     if (c.needs == need::nothing && !lines.empty())
       operations_ = static_cast<std::uint32_t>(std::stoul(lines[0].substr(lines[0].find(' '))));
     else if (!lines.empty())
@@ -180,7 +205,7 @@ private:
     const std::string_view name = c.name;
     if (row.outcome != verdict::fail)
       return;
-    const bool survey = name == "every_surface_alone" && plan_.cases.empty();
+    const bool survey = name == finds_cases && plan_.cases.empty();
     if (c.needs == need::nothing || name == "defaults" || survey)
       obstacle_ = c.name;
     plan_.faulty = plan_.faulty || breaks_results(c);

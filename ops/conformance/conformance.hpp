@@ -30,7 +30,12 @@ struct conformance_settings {
   version_ptr part;                  ///< A mesh beside the kit's own; may be null.
   std::vector<surface_id> selected;  ///< A selection of `part` that must be accepted; may be empty.
   parameters values;                 ///< Instead of the defaults, wherever the edit shall succeed.
-  std::chrono::milliseconds limit{10000};           ///< For one call of the plugin.
+  /// Names of checks; empty for all. Those that others rest on (the file, the survey) run always.
+  std::vector<std::string> checks;
+  unsigned repeat =
+    1;  ///< How often each of these is run, until it fails: for faults that come and go.
+  cancel_token cancel;                     ///< Ends the check that runs, and no other begins.
+  std::chrono::milliseconds limit{10000};  ///< For one call of the plugin.
   std::size_t memory_bytes = std::size_t{4} << 30;  ///< Address space of one check.
 };
 

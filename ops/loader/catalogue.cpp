@@ -103,10 +103,16 @@ expected<const catalogue::entry*> catalogue::find(const std::string& id) const {
       return &e;
     ids.push_back(e.description.id);
   }
-  const auto near = nearest_name(id, ids);
-  return fail(ec::operation_not_found, "there is no operation \"" + id + "\"",
-              near.empty() ? "\"tedit ops\" lists those that there are"
-                           : "Did you mean " + near + "? \"tedit ops\" lists all");
+  return fail(unknown_operation(id, ids));
+}
+
+error unknown_operation(const std::string& id, const std::vector<std::string>& known) {
+  const auto near = nearest_name(id, known);
+  return {ec::operation_not_found,
+          "there is no operation \"" + id + "\"",
+          near.empty() ? "\"tedit ops\" lists those that there are"
+                       : "Did you mean " + near + "? \"tedit ops\" lists all",
+          {}};
 }
 
 catalogue load_default_catalogue(plugin_source which) {
@@ -132,6 +138,29 @@ catalogue load_default_catalogue(plugin_source which) {
   return result;
 }
 
+expected<void> check_selection(const operation_description& description, const mesh_version& mesh,
+                               const selection& picked) {
+  const auto& wanted = description.selection;
+  const auto surfaces = as_set(picked);
+  if (surfaces.size() < wanted.minimum)
+    return fail(ec::empty_selection,
+                description.name + " needs at least " + std::to_string(wanted.minimum) +
+                  " selected surface" + (wanted.minimum == 1 ? "" : "s"),
+                wanted.help);
+  if (wanted.maximum > 0 && surfaces.size() > wanted.maximum)
+    return fail(ec::invalid_argument,
+                description.name + " takes at most " + std::to_string(wanted.maximum) + " surface" +
+                  (wanted.maximum == 1 ? "" : "s") + ", " + std::to_string(surfaces.size()) +
+                  " are selected",
+                wanted.help);
+  for (const auto surface : surfaces)
+    if (!mesh.find_surface(surface))
+      return fail(ec::surface_not_found,
+                  "surface " + std::to_string(surface) + " is not in this version of the mesh",
+                  "\"tedit info\" lists the surfaces");
+  return {};
+}
+
 expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
                                     const mesh_version& mesh, const selection& picked,
                                     const parameters& given, context& ctx) {
@@ -142,30 +171,24 @@ expected<edit_result> run_operation(const catalogue& plugins, const std::string&
   auto values = complete_parameters(entry.description, given);
   if (!values)
     return fail(values.error());
-  const auto& wanted = entry.description.selection;
-  if (picked.surfaces.size() < wanted.minimum)
-    return fail(ec::empty_selection,
-                entry.description.name + " needs at least " + std::to_string(wanted.minimum) +
-                  " selected surfaces",
-                wanted.help);
-  if (wanted.maximum > 0 && picked.surfaces.size() > wanted.maximum)
-    return fail(ec::invalid_argument, entry.description.name + " takes at most " +
-                                        std::to_string(wanted.maximum) + " surfaces");
-  for (const auto surface : picked.surfaces)
-    if (!mesh.find_surface(surface))
-      return fail(ec::surface_not_found,
-                  "surface " + std::to_string(surface) + " is not in this version of the mesh",
-                  "\"tedit info\" lists the surfaces");
+  if (auto fits = check_selection(entry.description, mesh, picked); !fits)
+    return fail(std::move(fits.error()));
+  const auto name = "the operation \"" + id + "\" of the plugin " + entry.plugin;
+  const char* const to_author =
+    "The version is unchanged. \"tedit plugin test\" looks for such "
+    "faults; report this to the plugin's author";
   try {
-    return entry.code->apply(mesh, picked, *values, ctx);
+    auto answer = entry.code->apply(mesh, picked, *values, ctx);
+    if (answer && !answer->candidate)
+      return fail(ec::internal, name + " made an edit without a version", to_author);
+    return answer;
   } catch (const std::bad_alloc&) {
-    return fail(ec::out_of_memory, entry.plugin + " ran out of memory");
+    return fail(ec::out_of_memory, name + " ran out of memory",
+                "The version is unchanged. Close other programs, or take a coarser mesh");
   } catch (const std::exception& e) {
-    return fail(ec::internal, entry.plugin + " failed: " + e.what(),
-                "The version is unchanged; report this to the plugin's author");
+    return fail(ec::internal, name + " failed: " + e.what(), to_author);
   } catch (...) {
-    return fail(ec::internal, entry.plugin + " threw something that is no std::exception",
-                "The version is unchanged; report this to the plugin's author");
+    return fail(ec::internal, name + " threw something that is no std::exception", to_author);
   }
 }
 

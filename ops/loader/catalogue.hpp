@@ -85,11 +85,19 @@ private:
 [[nodiscard]] expected<parameters> complete_parameters(const operation_description& description,
                                                        const parameters& values);
 
+/// What `operation.hpp` promises of a selection: as many different surfaces as described, each in
+/// the version's table. Errors: `empty_selection`, `invalid_argument`, `surface_not_found`.
+[[nodiscard]] expected<void> check_selection(const operation_description& description,
+                                             const mesh_version& mesh, const selection& picked);
+
 /// Finds and applies an operation: validation first, then `apply`; an exception from the plugin is
-/// an error that names it.
+/// an error that names it, and so is an edit without a candidate.
 [[nodiscard]] expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
                                                   const mesh_version& mesh, const selection& picked,
                                                   const parameters& given, context& ctx);
+
+/// `operation_not_found`, with the nearest of the ids that there are.
+[[nodiscard]] error unknown_operation(const std::string& id, const std::vector<std::string>& known);
 
 /// The candidate nearest to a misspelt name by edit distance; empty when there is none.
 [[nodiscard]] std::string nearest_name(const std::string& name,

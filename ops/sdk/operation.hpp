@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12
+// At -O3 it takes `description.unit = "m"` for a copy of overlapping memory (GCC bug 105651): a
+// plugin with warnings as errors would not build.
+#pragma GCC diagnostic ignored "-Wrestrict"
+#endif
+
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -142,8 +150,9 @@ public:
 struct context {
   execution run;             ///< `run.cancel.cancelled()` and `run.report(fraction, stage)`.
   services* host = nullptr;  ///< Never null when the host calls; lives as long as the call.
-  /// A line for the server's log; may be empty.
-  std::function<void(std::string_view)> log;
+  /// Takes a line for whoever runs the program: the server's log, stderr of the command line. The
+  /// host puts the operation's name before it. Thread-safe; never empty.
+  std::function<void(std::string_view)> log = [](std::string_view) {};
 };
 
 /// A number that only this operation has, measured on the result: shown with the edit's report and

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,12 +21,14 @@ using ::testing::HasSubstr;
 
 const std::filesystem::path breaker = TEDIT_RULE_BREAKER "/rule_breaker.so";
 
-conformance_report report_of(const std::string& broken, std::chrono::milliseconds limit) {
+conformance_report report_of(const std::string& broken, std::chrono::milliseconds limit,
+                             const std::vector<std::string>& checks = {}) {
   setenv("TEDIT_LIBEXEC", TEDIT_BIN, 1);
   setenv("TEDIT_BREAK", broken.c_str(), 1);
   conformance_settings settings;
   settings.file = breaker;
   settings.limit = limit;
+  settings.checks = checks;
   auto report = test_plugin(settings, {});
   unsetenv("TEDIT_BREAK");
   return report;
@@ -73,8 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "defaults", "same_description", "every_surface_alone", "result_complete",
                     "changes_something", "positive_tets", "adjacency", "surface_ids", "counts",
                     "regions_kept", "untouched_tets", "volume_claim", "no_void", "quality_floor",
-                    "deterministic", "input_unchanged", "cancelled_at_start", "progress", "repeats",
-                    "empty_selection", "unknown_surface", "duplicate_selection", "selection_order",
+                    "deterministic", "input_unchanged", "cancelled_at_start", "cancelled_anywhere",
+                    "progress", "repeats", "duplicate_selection", "selection_order",
                     "refusals_explained", "parameters_guarded", "parameters_at_limits",
                     "hostile_parameters", "quiet", "no_files", "no_traces", "no_handles"),
   [](const auto& rule) { return std::string(rule.param); });
@@ -111,6 +114,58 @@ TEST(Conformance, AMeshWithFreeSlotsIsTriedToo) {
 
 TEST(Conformance, AWrongCodeForACancelIsNamed) {
   EXPECT_THAT(seen_of("cancel_code", "cancelled_at_start"), HasSubstr("code internal"));
+}
+
+TEST(Conformance, WhatTheHostRefusesIsNotTried) {
+  const auto report = report_of("trusts_the_host", std::chrono::seconds(30));
+
+  EXPECT_THAT(failures(report), ElementsAre()) << "it crashes on nothing and on unknown surfaces";
+}
+
+TEST(Conformance, HowOftenAnEditAsksMayDifferFromRunToRun) {
+  for (int i = 0; i < 5; ++i) {
+    const auto report =
+      report_of("asks_by_the_clock", std::chrono::seconds(30), {"cancelled_anywhere"});
+
+    EXPECT_THAT(failures(report), ElementsAre()) << row_of(report, "cancelled_anywhere").seen;
+    EXPECT_EQ(row_of(report, "cancelled_anywhere").outcome, verdict::pass);
+  }
+}
+
+TEST(Conformance, WorkWithoutAQuestionIsNamed) {
+  const auto report = report_of("polls_often", std::chrono::seconds(30), {"polls_often"});
+
+  EXPECT_THAT(failures(report), ElementsAre("polls_often"));
+  EXPECT_THAT(row_of(report, "polls_often").seen, HasSubstr("ms of work"));
+}
+
+TEST(Conformance, OnlyTheChecksAskedForAndThoseTheyRestOnRun) {
+  const auto report = report_of("nothing", std::chrono::seconds(30), {"progress"});
+
+  EXPECT_TRUE(report.ok());
+  std::vector<std::string> ran;
+  for (const auto& row : report.rows)
+    ran.push_back(row.check);
+  EXPECT_EQ(ran.back(), "progress");
+  EXPECT_LT(ran.size(), 15u);
+}
+
+TEST(Conformance, ACancelEndsTheCheckThatRuns) {
+  setenv("TEDIT_BREAK", "hang", 1);
+  conformance_settings settings;
+  settings.file = breaker;
+  settings.limit = std::chrono::hours(1);
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    settings.cancel.cancel();
+  });
+
+  const auto report = test_plugin(settings, {});
+
+  later.join();
+  unsetenv("TEDIT_BREAK");
+  EXPECT_THAT(report.rows.back().seen, HasSubstr("was cancelled"));
+  EXPECT_EQ(report.rows.back().check, "every_surface_alone");
 }
 
 TEST(Conformance, EveryOperationOfAPluginIsTested) {

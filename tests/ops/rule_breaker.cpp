@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <set>
@@ -112,14 +114,37 @@ void dig_void(mesh_builder& builder, const mesh_version& mesh, ops::edit_result&
   }
 }
 
-/// Side effects on the process.
-void misbehave(const mesh_version& mesh, const ops::context& ctx) {
-  static int calls = 0;
+/// What ends or harms the process that it runs in.
+void harm_process() {
   if (breaks("every_surface_alone"))
     crash();
+  if (breaks("aborts"))
+    std::abort();
+  if (breaks("exits"))
+    _exit(0);
+  if (breaks("exits_politely"))
+    std::exit(3);
   if (breaks("hang"))
     while (true)
       usleep(1000);
+  if (breaks("closes_descriptors"))
+    close_range(0, ~0U, 0);
+  if (breaks("writes_everywhere"))
+    for (int fd = 0; fd < 256; ++fd)
+      (void)!write(fd, "rubbish, not asked for\n", 23);
+  if (breaks("eats_memory"))
+    for (std::vector<std::string> eaten;;)
+      eaten.emplace_back(std::size_t{1} << 24, 'x');
+  if (breaks("leaves_a_child") && fork() == 0) {
+    sleep(600);
+    _exit(0);
+  }
+}
+
+/// Side effects on the process.
+void misbehave(const mesh_version& mesh, const ops::context& ctx) {
+  static int calls = 0;
+  harm_process();
   if (breaks("waits")) {  // No rule: for tests of what may happen meanwhile.
     ctx.run.report(0.1, "waiting");
     while (!ctx.run.cancel.cancelled())
@@ -127,8 +152,6 @@ void misbehave(const mesh_version& mesh, const ops::context& ctx) {
   }
   if (breaks("throws"))
     throw std::runtime_error("out of luck");
-  if (breaks("exits"))
-    _exit(0);
   if (breaks("kills_parent")) {
     kill(getppid(), SIGKILL);
     pause();
@@ -143,6 +166,8 @@ void misbehave(const mesh_version& mesh, const ops::context& ctx) {
       lost = more;
       std::memset(more, 1, 1 << 20);
     }
+  if (breaks("logs"))  // No rule either.
+    ctx.log("two\nlines of " + std::to_string(mesh.tet_count()) + " tets");
   if (breaks("free_slots") && mesh.surfaces().size() > 6)
     for (tet_id t = 0; t < mesh.tet_slots(); ++t)
       if (mesh.tet_at(t).v[0] == no_id)
@@ -163,6 +188,23 @@ void misbehave(const mesh_version& mesh, const ops::context& ctx) {
     ctx.run.report(100, "half");
 }
 
+/// Half a second of processor time, once in each process.
+void work_without_asking() {
+  static bool done = false;
+  const auto end = std::clock() + CLOCKS_PER_SEC / 2;
+  while (!done && std::clock() < end) {
+    // Busy.
+  }
+  done = true;
+}
+
+/// Asks for a cancel as often as 3 ms allow: each run another number of times.
+void ask_by_the_clock(const ops::context& ctx) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(3);
+  while (std::chrono::steady_clock::now() < end && !ctx.run.cancel.cancelled())
+    usleep(static_cast<unsigned>(std::rand() % 1000));
+}
+
 expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
                                          const std::vector<surface_id>& given, double distance,
                                          std::int64_t layers, ops::context& ctx) {
@@ -170,10 +212,9 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
   if (breaks("surface_two") && given.size() == 1 && given[0] == 2)
     crash();
   auto surfaces = given;
-  if (surfaces.empty() && breaks("empty_selection"))
-    surfaces = {mesh.surfaces()[0].id};
-  if (surfaces.size() == 1 && !mesh.find_surface(surfaces[0]) && breaks("unknown_surface"))
-    surfaces = {mesh.surfaces()[0].id};
+  const auto in_table = [&](surface_id id) { return mesh.find_surface(id) != nullptr; };
+  if (breaks("trusts_the_host") && (surfaces.empty() || !std::ranges::all_of(surfaces, in_table)))
+    crash();
   if (facets_of(mesh, surfaces).empty())
     return fail(ec::empty_selection, "there is nothing to move",
                 breaks("refusals_explained") ? "" : "Select a surface of the boundary");
@@ -181,9 +222,15 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
     crash();
   if (distance > 0.0039 && breaks("parameters_at_limits"))
     crash();
-  if (ctx.run.cancel.cancelled() && !breaks("cancelled_at_start"))
+  if (!breaks("cancelled_at_start") && ctx.run.cancel.cancelled())
     return fail(breaks("cancel_code") ? ec::internal : ec::cancelled, "the edit was cancelled",
                 "Start it again");
+  if (breaks("asks_by_the_clock"))
+    ask_by_the_clock(ctx);
+  if (!breaks("cancelled_at_start") && ctx.run.cancel.cancelled() && !breaks("cancelled_anywhere"))
+    return fail(ec::cancelled, "the edit was cancelled");
+  if (breaks("polls_often"))
+    work_without_asking();
   if (!breaks("progress"))
     ctx.run.report(0.5, "moving");
   static int random = 0;
@@ -213,7 +260,8 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
     result.touched.pop_back();
   if (!breaks("result_complete"))
     result.surfaces_used = surfaces;
-  result.candidate = spoiled(builder.freeze());
+  if (!breaks("no_candidate"))
+    result.candidate = spoiled(builder.freeze());
   return result;
 }
 

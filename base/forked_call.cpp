@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "base/forked_call.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+#include "base/process.hpp"
+#include "base/unique_fd.hpp"
+
+namespace tedit {
+
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+/// Before each message: who writes to a descriptor that is not theirs is found out by it.
+struct message_head {
+  std::uint32_t tag = expected_tag;
+  std::uint32_t kind = 0;
+  std::uint64_t size = 0;
+
+  static constexpr std::uint32_t expected_tag = 0x4D454454;
+};
+
+constexpr std::uint32_t kind_returned = 0xFFFFFFFF;
+constexpr int status_line_lost = 119;
+
+ino_t inode_of(int fd) {
+  struct stat info {};
+  return fstat(fd, &info) == 0 ? info.st_ino : 0;
+}
+
+bool write_all(int fd, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const auto sent = write(fd, bytes.data(), bytes.size());
+    if (sent < 0 && errno != EINTR)
+      return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
+  }
+  return true;
+}
+
+/// Not RLIMIT_AS: threads and sanitizers reserve addresses that nobody writes to.
+void limit_memory(std::size_t more) {
+  std::ifstream in("/proc/self/statm");
+  std::array<std::uint64_t, 6> pages{};
+  for (auto& value : pages)
+    in >> value;
+  const auto now = pages[5] * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const rlimit limit{now + more, now + more};
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+void prepare_child(pid_t parent, const forked_limits& limits) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent)
+    _exit(status_line_lost);
+  for (const int number : {SIGINT, SIGTERM})
+    signal(number, SIG_DFL);
+  const int nowhere = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(nowhere, STDIN_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  // Where the system runs out of memory, this process shall go and not another one.
+  std::ofstream("/proc/self/oom_score_adj") << 1000;
+  if (limits.memory_bytes > 0)
+    limit_memory(limits.memory_bytes);
+}
+
+/// Takes the child's bytes apart into messages.
+class message_reader {
+public:
+  explicit message_reader(const message_handler& heard) : heard_(heard) {}
+
+  /// Reads what is there; false at the end of the line.
+  bool read_from(int fd) {
+    std::array<std::byte, 65536> buffer;
+    while (true) {
+      const auto got = read(fd, buffer.data(), buffer.size());
+      if (got < 0 && errno == EINTR)
+        continue;
+      if (got <= 0)
+        return got < 0 && errno == EAGAIN;
+      bytes_.insert(bytes_.end(), buffer.data(), buffer.data() + got);
+      take_messages();
+      if (returned || garbled)
+        return false;
+    }
+  }
+
+  bool returned = false;  ///< The child said that its work is done.
+  bool garbled = false;   ///< What came is no message.
+
+private:
+  void take_messages() {
+    std::size_t at = 0;
+    message_head head;
+    while (bytes_.size() - at >= sizeof(head) && !returned) {
+      std::memcpy(&head, bytes_.data() + at, sizeof(head));
+      garbled = head.tag != message_head::expected_tag;
+      if (garbled || bytes_.size() - at - sizeof(head) < head.size)
+        break;
+      at += sizeof(head);
+      returned = head.kind == kind_returned;
+      if (!returned)
+        heard_(head.kind, std::span(bytes_).subspan(at, head.size));
+      at += head.size;
+    }
+    bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+
+  const message_handler& heard_;
+  std::vector<std::byte> bytes_;
+};
+
+std::string seconds(std::chrono::milliseconds time) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g s", 1e-3 * static_cast<double>(time.count()));
+  return text.data();
+}
+
+/// Listens until the child returned or died (`child` is its process descriptor); an error when it
+/// must be killed.
+expected<void> listen(int line, int child, const forked_limits& limits, const execution& run,
+                      message_reader& reader) {
+  const auto begin = clock::now();
+  std::array<pollfd, 2> ends{{{line, POLLIN, 0}, {child, POLLIN, 0}}};
+  while (true) {
+    if (run.cancel.cancelled())
+      return fail(ec::cancelled, "the work was cancelled");
+    if (limits.time.count() > 0 && clock::now() - begin > limits.time)
+      return fail(ec::timeout, "did not end within " + seconds(limits.time));
+    // A cancel from another thread wakes nobody: look again after a moment.
+    (void)poll(ends.data(), ends.size(), 20);
+    bool dead = ends[1].revents != 0;  // Before the line is read: then all that came is read.
+    if (!reader.read_from(line)) {
+      ends[0].fd = -1;           // At its end the line would wake at once, again and again.
+      dead = dead || child < 0;  // Nothing else would tell.
+    }
+    if (reader.garbled)
+      return fail(ec::internal, "wrote to a descriptor that is not its own");
+    if (reader.returned || dead)
+      return {};
+  }
+}
+
+int wait_for_end(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    // Interrupted by a signal of ours: wait on.
+  }
+  return status;
+}
+
+std::string unasked_end(int status) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == status_line_lost)
+    return "closed descriptors that are not its own";
+  if (WIFEXITED(status))
+    return "ended its process with status " + std::to_string(WEXITSTATUS(status));
+  const bool killed = WTERMSIG(status) == SIGKILL;
+  return describe_end(status) + (killed ? "; the system may have run out of memory" : "");
+}
+
+}  // namespace
+
+caller_line::caller_line(int fd) : fd_(fd), pipe_(inode_of(fd)) {}
+
+void caller_line::send(std::uint32_t kind, std::span<const std::byte> bytes) const {
+  const message_head head{message_head::expected_tag, kind, bytes.size()};
+  const std::lock_guard lock(mutex_);
+  // Who closed the line may have opened a file by the same number.
+  if (inode_of(fd_) != pipe_ || !write_all(fd_, std::as_bytes(std::span(&head, 1))) ||
+      !write_all(fd_, bytes))
+    _exit(status_line_lost);
+}
+
+expected<void> call_forked(const std::function<void(const caller_line&)>& work,
+                           const forked_limits& limits, const execution& run,
+                           const message_handler& heard) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+    return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno));
+  unique_fd line(ends[0]);
+  unique_fd to_caller(ends[1]);
+  fcntl(to_caller.get(), F_SETFL, 0);
+  fcntl(to_caller.get(), F_SETPIPE_SZ, 1 << 20);  // Fewer switches; not more than a wish.
+  const pid_t parent = getpid();
+  std::cout.flush();
+  std::fflush(nullptr);  // Else the child could print it a second time.
+  const pid_t child = fork();
+  if (child == 0) {
+    prepare_child(parent, limits);
+    const caller_line caller(to_caller.get());
+    work(caller);
+    caller.send(kind_returned, {});
+    _exit(0);
+  }
+  if (child < 0)
+    return fail(ec::service_unavailable,
+                std::string("no child process can be started: ") + std::strerror(errno),
+                "Close other programs, or raise the limit of processes (ulimit -u)");
+  setpgid(child, child);  // Whoever is first: the group must be there when it is killed.
+  to_caller.reset();
+  // By its number: the header of glibc 2.36 declares it for C alone.
+  const unique_fd end_of_child(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+  message_reader reader(heard);
+  auto listened = listen(line.get(), end_of_child.get(), limits, run, reader);
+  // With what the work started and left. One that is dead already keeps the status that it has.
+  kill(-child, SIGKILL);
+  const int status = wait_for_end(child);
+  if (listened && !reader.returned)
+    return fail(ec::internal, unasked_end(status));
+  return listened;
+}
+
+}  // namespace tedit

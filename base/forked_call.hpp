@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <span>
+
+#include "base/error.hpp"
+#include "base/execution.hpp"
+
+namespace tedit {
+
+/// What a forked call may use up.
+struct forked_limits {
+  std::chrono::milliseconds time{0};  ///< 0 for no limit.
+  /// Memory that it may write, beyond what it begins with; 0 for no limit.
+  std::size_t memory_bytes = 0;
+};
+
+/// The way of a forked call to its caller. Thread-safe.
+class caller_line {
+public:
+  explicit caller_line(int fd);
+  caller_line(const caller_line&) = delete;
+  caller_line& operator=(const caller_line&) = delete;
+
+  /// Sends one message. The process ends here when the line is closed.
+  void send(std::uint32_t kind, std::span<const std::byte> bytes) const;
+
+private:
+  int fd_;
+  ino_t pipe_;
+  mutable std::mutex mutex_;
+};
+
+/// What the caller does with a message, while the call runs.
+using message_handler = std::function<void(std::uint32_t kind, std::span<const std::byte> bytes)>;
+
+/// Calls `work` in a forked copy of this process and waits until it returns: a crash, an exit, a
+/// hang or used up memory ends the copy alone. The copy's stdout is this process's stderr, its
+/// stdin is empty. It is killed, with what it started, at the time limit, on cancel, and when this
+/// process dies. Other threads of this process must not hold locks that `work` needs. Errors:
+/// `service_unavailable`; `cancelled`; `timeout` and `internal`, whose message says how the copy
+/// ended without a subject: "was killed by signal 11 (Segmentation fault)". Cost: some ms for each
+/// GiB that this process has written.
+[[nodiscard]] expected<void> call_forked(const std::function<void(const caller_line&)>& work,
+                                         const forked_limits& limits, const execution& run,
+                                         const message_handler& heard);
+
+}  // namespace tedit

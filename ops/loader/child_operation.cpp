@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/loader/child_operation.hpp"
+
+#include <utility>
+
+#include "base/byte_stream.hpp"
+#include "base/forked_call.hpp"
+#include "base/memory.hpp"
+#include "base/stopwatch.hpp"
+#include "ops/loader/edit_answer.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+enum message_kind : std::uint32_t { progress_message, log_message, answer_message };
+
+/// What the operation says goes to the caller; progress not more often than a person can follow.
+context context_in_child(const context& callers, const caller_line& line) {
+  context ctx;
+  ctx.host = callers.host;
+  ctx.log = [&line](std::string_view text) {
+    line.send(log_message, std::as_bytes(std::span(text)));
+  };
+  if (callers.run.progress)
+    ctx.run.progress = [&line, since_last = stopwatch(), first = true](
+                         double fraction, std::string_view stage) mutable {
+      if (!std::exchange(first, false) && since_last.milliseconds() < 20)
+        return;
+      since_last.restart();
+      byte_writer out;
+      out.number(fraction);
+      out.text(stage);
+      line.send(progress_message, out.bytes);
+    };
+  return ctx;
+}
+
+/// Hands on what came while the operation runs; the answer is kept for its end.
+void take(std::uint32_t kind, std::span<const std::byte> bytes, const context& ctx,
+          std::vector<std::byte>& answer) {
+  byte_reader in(bytes);
+  if (kind == progress_message) {
+    const auto fraction = in.number<double>();
+    ctx.run.report(fraction, in.text());
+  } else if (kind == log_message) {
+    ctx.log({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } else {
+    answer.assign(bytes.begin(), bytes.end());
+  }
+}
+
+/// What became of a child that gave no answer, with its names.
+error named(error e, const catalogue::entry& entry) {
+  if (e.code == ec::service_unavailable || e.code == ec::cancelled)
+    return e;
+  e.message = "the operation \"" + entry.description.id + "\" of the plugin " + entry.plugin + " " +
+              e.message;
+  e.remedy = "The part is unchanged. \"tedit plugin test " +
+             entry.file.lexically_normal().string() +
+             "\" looks for such faults; report this to the plugin's author";
+  return e;
+}
+
+}  // namespace
+
+expected<edit_result> run_operation_in_child(const catalogue& plugins, const std::string& id,
+                                             const mesh_version& mesh, const selection& picked,
+                                             const parameters& given, const context& ctx,
+                                             const operation_limits& limits) {
+  const auto found = plugins.find(id);
+  if (!found)
+    return fail(found.error());
+  std::vector<std::byte> bytes;
+  const auto done = call_forked(
+    [&](const caller_line& line) {
+      auto in_child = context_in_child(ctx, line);
+      line.send(answer_message,
+                to_bytes(run_operation(plugins, id, mesh, picked, given, in_child), mesh));
+    },
+    {limits.time, available_memory().bytes}, ctx.run,
+    [&](std::uint32_t kind, std::span<const std::byte> message) {
+      take(kind, message, ctx, bytes);
+    });
+  if (!done)
+    return fail(named(done.error(), **found));
+  auto answer = answer_from_bytes(bytes, mesh);
+  if (!answer && answer.error().code == ec::protocol_error)
+    return fail(named(answer.error(), **found));
+  return answer;
+}
+
+}  // namespace tedit::ops

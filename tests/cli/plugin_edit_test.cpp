@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// "tedit edit" and "tedit run" with a plugin that ends or harms the process that it runs in.
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/cli/program.hpp"
+
+namespace tedit::test {
+namespace {
+
+const std::string block = parts + "holes_block/holes_block.coarse.msh";
+
+/// One edit by the plugin that does what `deed` says.
+class Misdeed {
+public:
+  explicit Misdeed(const std::string& deed) {
+    setenv("TEDIT_BREAK", deed.c_str(), 1);
+    setenv("TEDIT_PLUGIN_PATH", TEDIT_RULE_BREAKER, 1);
+    setenv("XDG_CACHE_HOME", scratch("cache").c_str(), 1);
+    std::filesystem::remove(output);
+  }
+  ~Misdeed() {
+    unsetenv("TEDIT_BREAK");
+    unsetenv("TEDIT_PLUGIN_PATH");
+    unsetenv("XDG_CACHE_HOME");
+  }
+
+  const std::filesystem::path output = scratch("edited.msh");
+  const std::string arguments = "edit --json " + block +
+                                " --op rule_breaker --surfaces 4 --param distance=0.0001 -o " +
+                                output.string();
+};
+
+struct deed_and_words {
+  const char* deed;
+  const char* words;
+};
+
+class HarmfulPlugin : public ::testing::TestWithParam<deed_and_words> {};
+
+TEST_P(HarmfulPlugin, IsNamedWithWhatItDidAndLeavesNoFile) {
+  const Misdeed misdeed(GetParam().deed);
+
+  const auto result = run(misdeed.arguments);
+
+  EXPECT_EQ(result.status, 1);
+  const auto error = result.parsed()["error"];
+  EXPECT_THAT(error.value("message", ""),
+              HasSubstr("the operation \"rule_breaker\" of the plugin rule_breaker 1.0.0 " +
+                        std::string(GetParam().words)));
+  EXPECT_THAT(error.value("remedy", ""), HasSubstr("tedit plugin test"));
+  EXPECT_FALSE(std::filesystem::exists(misdeed.output));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Each, HarmfulPlugin,
+  ::testing::Values(
+    deed_and_words{"every_surface_alone", "was killed by signal 11 (Segmentation fault)"},
+    deed_and_words{"aborts", "was killed by signal 6 (Aborted)"},
+    deed_and_words{"exits", "ended its process with status 0"},
+    deed_and_words{"exits_politely", "ended its process with status 3"},
+    deed_and_words{"closes_descriptors", "closed descriptors that are not its own"},
+    deed_and_words{"writes_everywhere", "wrote to a descriptor that is not its own"},
+    deed_and_words{"throws", "failed: out of luck"}),
+  [](const auto& row) { return std::string(row.param.deed); });
+
+TEST(PluginEdit, WhatItPrintsIsNotTakenForTheAnswer) {
+  const Misdeed misdeed("quiet");
+
+  const auto result = run(misdeed.arguments);
+
+  EXPECT_EQ(result.status, 0);
+  EXPECT_GT(result.parsed().value("tets_added", 0), 0) << result.out;
+}
+
+TEST(PluginEdit, AHangEndsAtTheLimit) {
+  const Misdeed misdeed("hang");
+
+  const auto result = run(misdeed.arguments + " --time-limit 0.3");
+
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.parsed()["error"]["code"], "timeout");
+  EXPECT_THAT(result.parsed()["error"].value("message", ""),
+              HasSubstr("rule_breaker 1.0.0 did not end within 0.3 s"));
+}
+
+TEST(PluginEdit, AProcessThatItLeavesIsEnded) {
+  const Misdeed misdeed("leaves_a_child");
+
+  const auto result = run(misdeed.arguments);  // Would wait for the end of what holds its pipe.
+
+  EXPECT_EQ(result.status, 0);
+}
+
+TEST(PluginEdit, AnInterruptEndsAHangAtOnce) {
+  const Misdeed misdeed("hang");
+  ASSERT_EQ(run("ops").status, 0) << "the plugin is tried out before: no other child process";
+  const pid_t child = fork();
+  if (child == 0) {
+    (void)!freopen("/dev/null", "w", stderr);
+    const auto command = "exec " + program + " " + misdeed.arguments + " >/dev/null";
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  // Until it runs the operation: a child of its own.
+  const auto children =
+    "/proc/" + std::to_string(child) + "/task/" + std::to_string(child) + "/children";
+  const auto grandchild = [&] {
+    pid_t found = 0;
+    std::ifstream(children) >> found;
+    return found;
+  };
+  while (grandchild() == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const pid_t operation = grandchild();
+
+  kill(child, SIGINT);
+
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_NE(kill(operation, 0), 0) << "the operation's process is gone, too";
+}
+
+TEST(PluginEdit, ARecipeTellsWhatThePluginDid) {
+  const Misdeed misdeed("aborts");
+  const auto recipe = scratch("recipe.json");
+  std::ofstream(recipe) << json{
+    {"steps",
+     {{{"import", {{"mesh", block}}}},
+      {{"edit", {{"operation", "rule_breaker"}, {"surfaces", {4}}}}}}}};
+
+  const auto result = run("run --json " + recipe.string() + " --out " + scratch("out").string());
+
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.parsed()["error"].value("message", ""),
+              ::testing::AllOf(HasSubstr("rule_breaker"), HasSubstr("signal 6 (Aborted)")));
+}
+
+TEST(PluginEdit, WhatItLogsComesOnStderrWithItsName) {
+  const Misdeed misdeed("logs");
+  FILE* pipe = popen((program + " " + misdeed.arguments + " 2>&1 >/dev/null").c_str(), "r");
+  std::string errors(4096, ' ');
+  errors.resize(fread(errors.data(), 1, errors.size(), pipe));
+
+  EXPECT_EQ(pclose(pipe), 0);
+  EXPECT_THAT(errors, HasSubstr("rule_breaker: two\nrule_breaker: lines of "));
+}
+
+}  // namespace
+}  // namespace tedit::test
