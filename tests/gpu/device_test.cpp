@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "gpu/kernels.hpp"
 
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
 
@@ -14,6 +15,15 @@ TEST(Device, AnUnknownNameIsAnError) {
 
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().code, ec::device_unavailable);
+}
+
+/// All other tests of devices skip themselves without one, so this one must not.
+TEST(Device, ThereIsOneToTestWith) {
+  if (std::getenv("TEDIT_WITHOUT_VULKAN"))
+    GTEST_SKIP() << "TEDIT_WITHOUT_VULKAN is set: no device is tested";
+  EXPECT_FALSE(device::list().empty())
+    << "no Vulkan device: install mesa-vulkan-drivers (scripts/install_deps.sh does), or set "
+       "TEDIT_WITHOUT_VULKAN to go without these tests";
 }
 
 TEST(Device, BytesSurviveTheWayThereAndBack) {

@@ -141,17 +141,8 @@ void harm_process() {
   }
 }
 
-/// Side effects on the process.
-void misbehave(const mesh_version& mesh, const ops::context& ctx) {
-  static int calls = 0;
-  harm_process();
-  if (breaks("waits")) {  // No rule: for tests of what may happen meanwhile.
-    ctx.run.report(0.1, "waiting");
-    while (!ctx.run.cancel.cancelled())
-      usleep(1000);
-  }
-  if (breaks("throws"))
-    throw std::runtime_error("out of luck");
+/// What harms others than the process itself.
+void harm_others() {
   if (breaks("kills_parent")) {
     kill(getppid(), SIGKILL);
     pause();
@@ -166,6 +157,20 @@ void misbehave(const mesh_version& mesh, const ops::context& ctx) {
       lost = more;
       std::memset(more, 1, 1 << 20);
     }
+}
+
+/// Side effects on the process.
+void misbehave(const mesh_version& mesh, const ops::context& ctx) {
+  static int calls = 0;
+  harm_process();
+  harm_others();
+  if (breaks("waits")) {  // No rule: for tests of what may happen meanwhile.
+    ctx.run.report(0.1, "waiting");
+    while (!ctx.run.cancel.cancelled())
+      usleep(1000);
+  }
+  if (breaks("throws"))
+    throw std::runtime_error("out of luck");
   if (breaks("logs"))  // No rule either.
     ctx.log("two\nlines of " + std::to_string(mesh.tet_count()) + " tets");
   if (breaks("free_slots") && mesh.surfaces().size() > 6)

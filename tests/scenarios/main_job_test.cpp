@@ -148,21 +148,26 @@ TEST_F(MainJob, RedoAndBranchesKeepEveryVersion) {
   EXPECT_EQ(value(user->get_history()).versions.size(), 3U);
 }
 
-TEST_F(MainJob, ANewerHeadSupersedesARunningSolve) {
-  import_plate();
-  auto other = connect(host->url());
-  value(other->open("plate", false, false));
-  std::thread solving([&] {
-    // 1e-12 takes long enough to be overtaken; either answer is right when it is not.
-    const auto result = other->solve({.tolerance = 1e-12, .device = "cpu"}, {});
-    if (!result) {
-      EXPECT_THAT((std::array{ec::superseded, ec::not_converged}),
-                  ::testing::Contains(result.error().code));
-    }
-  });
-  const auto filled = value(user->edit("fill_hole", {1, 2}, {}, {}));
-  solving.join();
-  EXPECT_EQ(value(user->get_history()).head, filled.head.number);
+/// With worker processes, as users have it.
+TEST(MainJobOnADevice, LavapipeSolvesOverTheSocketWhatTheProcessorSolves) {
+  if (std::getenv("TEDIT_WITHOUT_VULKAN"))
+    GTEST_SKIP() << "TEDIT_WITHOUT_VULKAN is set";
+  const scratch_folder folder;
+  const auto host = start(options_for(folder, true));
+  const auto user = connect(host->url());
+  value(user->open("plate", false, true));
+  value(user->import_file(plate_mesh, "mm", {}));
+  value(user->set_load_case(value(protocol::load_case_from_file(plate_loads))));
+  value(user->edit("fill_hole", {1, 2}, {}, {}));
+
+  const auto device = value(user->solve({.device = "llvmpipe"}, {}));
+  const auto processor = value(user->solve({.device = "cpu"}, {}));
+
+  EXPECT_THAT(device.device, HasSubstr("llvmpipe"));
+  EXPECT_EQ(device.notice, "");
+  EXPECT_EQ(processor.device, "cpu");
+  EXPECT_LT(device.true_relative_residual, 1e-6);
+  EXPECT_NEAR(device.compliance_j, processor.compliance_j, 1e-6 * processor.compliance_j);
 }
 
 TEST_F(MainJob, AFirstFieldComesWhileTheSolveRuns) {

@@ -121,20 +121,52 @@ TEST_F(WorkerDeath, ALoadCaseThatIsChangedEndsTheSolveOfTheOldOneAndIsSolvedItse
   EXPECT_NEAR(2 * again.compliance_j, before.compliance_j, 1e-5 * before.compliance_j);
 }
 
+TEST_F(WorkerDeath, ANewerHeadEndsTheSolveOfTheOlderOneAndIsSolvedItself) {
+  const auto ready = wait_for("solver", [](const auto& w) { return w.state == "ready"; });
+  ASSERT_EQ(::kill(static_cast<pid_t>(ready.pid), SIGSTOP), 0);  // It will not end by itself.
+  auto old = std::async(std::launch::async, [&] { return user->solve({.device = "cpu"}, {}); });
+  wait_for("solver", [](const auto& w) { return w.jobs == 1; });
+
+  value(watcher->open("plate", false, false));
+  const auto filled = value(watcher->edit("fill_hole", {1, 2}, {}, {}));
+
+  const auto ended = old.get();
+  ASSERT_FALSE(ended.has_value());
+  EXPECT_EQ(ended.error().code, ec::superseded) << render(ended.error());
+  ::kill(static_cast<pid_t>(ready.pid), SIGCONT);
+  const auto field = value(user->wait_field(filled.head.version_id, patience));
+  EXPECT_EQ(field.report.version_id, filled.head.version_id);
+}
+
 TEST_F(WorkerDeath, KillsAtAnyMomentOfAnEditAndSolveLoseNothing) {
   // No freeze here: the moment of the kill is wherever the work happens to be.
   const std::array roles{"modeling", "optimizer", "solver"};
   std::string head = imported.head.version_id;
+  for (const auto* role : roles)
+    wait_for(role, [](const auto& w) { return w.state == "ready"; });
   for (int delay = 0; delay < 3; ++delay) {
+    const auto* role = roles[static_cast<std::size_t>(delay)];
+    const auto before = status_of(role);
     auto work = std::async(std::launch::async, [&] { return fill(); });
     auto solve = std::async(std::launch::async, [&] { return user->solve({.device = "cpu"}, {}); });
     std::this_thread::sleep_for(std::chrono::milliseconds(7 * delay));
-    ::kill(static_cast<pid_t>(status_of(roles[static_cast<std::size_t>(delay)]).pid), SIGKILL);
+    ASSERT_EQ(::kill(static_cast<pid_t>(before.pid), SIGKILL), 0);
     const auto filled = value(work.get());
-    // A solve of the head before the edit is superseded by the edit.
     const auto solved = solve.get();
-    EXPECT_TRUE(solved || solved.error().code == ec::superseded)
-      << (solved ? "" : render(solved.error()));
+    if (solved) {
+      // Whichever head it was asked for, it was really solved.
+      EXPECT_THAT((std::array{head, filled.head.version_id}),
+                  ::testing::Contains(solved->version_id));
+      EXPECT_LT(solved->true_relative_residual, 1e-6);
+    } else {
+      EXPECT_EQ(solved.error().code, ec::superseded) << render(solved.error());
+    }
+    wait_for(role, [&](const auto& w) {
+      return w.state == "ready" && w.pid != before.pid && w.restarts > before.restarts;
+    });
+    const auto versions = value(user->get_history());
+    EXPECT_EQ(versions.head, filled.head.number);
+    EXPECT_EQ(versions.versions.size(), 2U + static_cast<std::size_t>(delay));
     EXPECT_EQ(value(user->wait_field(filled.head.version_id, patience)).report.version_id,
               filled.head.version_id);
     EXPECT_EQ(value(user->undo()).head.version_id, head);
