@@ -3,6 +3,8 @@
 // run ends with the right result or a named error, and leaves nothing behind.
 #include "tests/gpu/fault_injection.hpp"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -246,6 +248,47 @@ const std::set<std::uint32_t> kCapabilities{1, 46};
 TEST_P(VulkanFaults, NoFeatureIsSwitchedOnAndNoKernelNeedsOne) {
   EXPECT_EQ(layer_->features(), 0);  // also not shaderFloat64
   EXPECT_EQ(layer_->capabilities(), kCapabilities);
+}
+
+/// $XDG_CACHE_HOME, where the fastest device is kept, as long as this lives.
+class empty_cache {
+public:
+  empty_cache() {
+    const char* value = std::getenv("XDG_CACHE_HOME");
+    before_ = value ? std::optional<std::string>(value) : std::nullopt;
+    setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+  }
+  ~empty_cache() {
+    std::filesystem::remove_all(folder_);
+    before_ ? setenv("XDG_CACHE_HOME", before_->c_str(), 1) : unsetenv("XDG_CACHE_HOME");
+  }
+  /// What the driver keeps may stay.
+  void clear() const { std::filesystem::remove_all(folder_ / "tedit"); }
+
+private:
+  std::filesystem::path folder_ = ::testing::TempDir() + "auto." + std::to_string(getpid());
+  std::optional<std::string> before_;
+};
+
+TEST(AutomaticChoice, ADeviceThatIsLostInItsTrialIsLeftOutAndThatIsSaid) {
+  if (list_vulkan_devices().empty())
+    GTEST_SKIP() << "no Vulkan device on this machine";
+  const empty_cache cache;
+  fault_layer layer;
+  const auto sound = open_backend("auto");
+  ASSERT_TRUE(sound.has_value()) << render(sound.error());
+  EXPECT_EQ((*sound)->info().notice, "");
+  const auto calls = layer.calls();
+  cache.clear();
+
+  layer.plan(fault::lost, calls / 2);
+  const auto opened = open_backend("auto");
+
+  EXPECT_TRUE(layer.happened());
+  ASSERT_TRUE(opened.has_value()) << render(opened.error());
+  EXPECT_THAT((*opened)->info().notice, ::testing::HasSubstr("failed its trial and is not used"));
+  layer.plan(fault::none, 0);
+  layer.forget();
 }
 
 /// A kernel that asks for more than every Vulkan device has would fail on some of them.
