@@ -13,10 +13,19 @@
 
 namespace tedit::cli {
 
+namespace {
+
+/// Names of files may hold bytes that are no UTF-8, and JSON may not.
+std::string to_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
 void print_result(const session& s, const nlohmann::ordered_json& result, const std::string& text) {
   end_progress(s);
   if (s.json)
-    std::cout << result.dump() << '\n';
+    std::cout << to_line(result) << '\n';
   else
     std::cout << text;
   std::cout.flush();
@@ -30,7 +39,7 @@ int print_error(const session& s, const error& e) {
                                         {"message", e.message},
                                         {"remedy", e.remedy},
                                         {"where", e.where}}}};
-    std::cout << body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    std::cout << to_line(body) << '\n';
     std::cout.flush();
   }
   std::cerr << "tedit: " << render(e) << '\n';

@@ -52,7 +52,7 @@ class Server:
         self.numbers = itertools.count(1)
         self.document = ""
 
-    async def ask(self, name, **fields):
+    async def ask(self, name, /, **fields):
         """Sends one request and gives its answer; progress and events pass by."""
         message = envelope.ClientMessage(request_id=next(self.numbers))
         body = getattr(message, name)

@@ -40,6 +40,20 @@ TEST(Program, BadInputEndsWith65AndJsonNamesTheCause) {
   EXPECT_EQ(run("info /nowhere.msh").status, 65);
 }
 
+TEST(Program, NamesOfFilesThatAreNoUtf8AreReplacedInItsJson) {
+  const auto odd = scratch(
+    "b\xFC"
+    "d.so");
+  std::ofstream(odd) << "no plugin";
+  ::setenv("TEDIT_PLUGIN_PATH", odd.parent_path().c_str(), 1);
+  const auto result = run("ops --json");
+  ::unsetenv("TEDIT_PLUGIN_PATH");
+
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(result.parsed().is_object());
+  EXPECT_THAT(result.out, HasSubstr("b\uFFFDd.so"));
+}
+
 TEST(Program, AServerThatIsNotThereEndsWith69AndARemedy) {
   const auto token = scratch("token");
   std::ofstream(token) << "0123456789abcdef0123456789abcdef";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -64,6 +65,12 @@ public:
     if (!found)
       throw std::runtime_error(closed_.empty() ? "no answer came" : "closed: " + closed_);
     return std::move(*found);
+  }
+
+  /// Whether such a message has come.
+  bool has(const std::function<bool(const v1::ServerMessage&)>& fits) {
+    const std::lock_guard lock(mutex_);
+    return std::ranges::any_of(messages_, fits);
   }
 
   /// The answer to a request; progress passes by.
