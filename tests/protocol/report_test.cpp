@@ -55,6 +55,18 @@ TEST(EditReportJson, FiguresSurviveTheRoundTrip) {
   EXPECT_EQ(after->figures, before.figures);
 }
 
+TEST(EditReportJson, TheCompletedSelectionSurvivesTheRoundTrip) {
+  edit_report before;
+  before.surfaces = {15};
+  before.surfaces_used = {15, -91};
+
+  const auto after = edit_report_from_json(protocol::to_json(before));
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  EXPECT_EQ(after->surfaces, before.surfaces);
+  EXPECT_EQ(after->surfaces_used, before.surfaces_used);
+}
+
 TEST(EditReportJson, WhatBecameOfLoadsSurvivesTheRoundTrip) {
   edit_report before;
   before.loads = {fem::load_policy::move, true};
