@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -17,6 +18,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 #include "base/process.hpp"
@@ -33,9 +35,14 @@ struct message_head {
   std::uint32_t tag = expected_tag;
   std::uint32_t kind = 0;
   std::uint64_t size = 0;
+  std::uint64_t at = in_pipe;  ///< Where in the shared memory the bytes are.
 
+  static constexpr std::uint64_t in_pipe = ~std::uint64_t{0};
   static constexpr std::uint32_t expected_tag = 0x4D454454;
 };
+
+/// Larger ones go through memory: a pipe would take them in many turns of both processes.
+constexpr std::size_t most_in_pipe = 32 * 1024;
 
 constexpr std::uint32_t kind_returned = 0xFFFFFFFF;
 constexpr int status_line_lost = 119;
@@ -45,15 +52,48 @@ ino_t inode_of(int fd) {
   return fstat(fd, &info) == 0 ? info.st_ino : 0;
 }
 
-bool write_all(int fd, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const auto sent = write(fd, bytes.data(), bytes.size());
+/// Writes all by `put(bytes, offset)`, which is one system call.
+template <class Put>
+bool write_all(std::span<const std::byte> bytes, const Put& put) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t sent = put(bytes.subspan(done), done);
     if (sent < 0 && errno != EINTR)
       return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
+    done += static_cast<std::size_t>(std::max<ssize_t>(sent, 0));
   }
   return true;
 }
+
+/// Memory that both processes see and neither can make smaller, so that a mapping holds.
+unique_fd shared_memory() {
+  unique_fd memory(memfd_create("tedit-call", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (memory)
+    fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK);
+  return memory;
+}
+
+/// The file's first bytes, for reading; empty when it has fewer.
+class mapping {
+public:
+  mapping(int file, std::size_t size) {
+    struct stat info {};
+    if (fstat(file, &info) != 0 || static_cast<std::uint64_t>(info.st_size) < size)
+      return;
+    if (void* made = mmap(nullptr, size, PROT_READ, MAP_SHARED, file, 0); made != MAP_FAILED)
+      bytes_ = {static_cast<const std::byte*>(made), size};
+  }
+  mapping(const mapping&) = delete;
+  mapping& operator=(const mapping&) = delete;
+  ~mapping() {
+    if (!bytes_.empty())
+      munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+  }
+
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+private:
+  std::span<const std::byte> bytes_;
+};
 
 /// Not RLIMIT_AS: threads and sanitizers reserve addresses that nobody writes to.
 void limit_memory(std::size_t more) {
@@ -87,7 +127,7 @@ void prepare_child(pid_t parent, const forked_limits& limits) {
 /// Takes the child's bytes apart into messages.
 class message_reader {
 public:
-  explicit message_reader(const message_handler& heard) : heard_(heard) {}
+  message_reader(const message_handler& heard, int memory) : heard_(heard), memory_(memory) {}
 
   /// Reads what is there; false at the end of the line.
   bool read_from(int fd) {
@@ -112,12 +152,17 @@ private:
   void take_messages() {
     std::size_t at = 0;
     message_head head;
-    while (bytes_.size() - at >= sizeof(head) && !returned) {
+    while (bytes_.size() - at >= sizeof(head) && !returned && !garbled) {
       std::memcpy(&head, bytes_.data() + at, sizeof(head));
-      garbled = head.tag != message_head::expected_tag;
-      if (garbled || bytes_.size() - at - sizeof(head) < head.size)
+      const bool in_pipe = head.at == message_head::in_pipe;
+      garbled = head.tag != message_head::expected_tag || (in_pipe && head.size > most_in_pipe);
+      if (garbled || (in_pipe && bytes_.size() - at - sizeof(head) < head.size))
         break;
       at += sizeof(head);
+      if (!in_pipe) {
+        take_from_memory(head);
+        continue;
+      }
       returned = head.kind == kind_returned;
       if (!returned)
         heard_(head.kind, std::span(bytes_).subspan(at, head.size));
@@ -126,7 +171,15 @@ private:
     bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(at));
   }
 
+  void take_from_memory(const message_head& head) {
+    const mapping all(memory_, head.at + head.size);
+    garbled = head.size > head.at + head.size || all.bytes().empty();
+    if (!garbled)
+      heard_(head.kind, all.bytes().subspan(head.at, head.size));
+  }
+
   const message_handler& heard_;
+  int memory_;
   std::vector<std::byte> bytes_;
 };
 
@@ -161,6 +214,13 @@ expected<void> listen(int line, int child, const forked_limits& limits, const ex
   }
 }
 
+[[noreturn]] void do_in_child(const std::function<void(const caller_line&)>& work,
+                              const caller_line& caller) {
+  work(caller);
+  caller.send(kind_returned, {});
+  _exit(0);
+}
+
 int wait_for_end(pid_t child) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -180,14 +240,26 @@ std::string unasked_end(int status) {
 
 }  // namespace
 
-caller_line::caller_line(int fd) : fd_(fd), pipe_(inode_of(fd)) {}
+caller_line::caller_line(int pipe, int memory)
+    : pipe_(pipe), memory_(memory), pipe_inode_(inode_of(pipe)), memory_inode_(inode_of(memory)) {}
 
 void caller_line::send(std::uint32_t kind, std::span<const std::byte> bytes) const {
-  const message_head head{message_head::expected_tag, kind, bytes.size()};
   const std::lock_guard lock(mutex_);
+  const auto to_pipe = [&](std::span<const std::byte> part, std::size_t) {
+    return write(pipe_, part.data(), part.size());
+  };
+  const auto to_memory = [&](std::span<const std::byte> part, std::size_t done) {
+    return pwrite(memory_, part.data(), part.size(), static_cast<off_t>(written_ + done));
+  };
   // Who closed the line may have opened a file by the same number.
-  if (inode_of(fd_) != pipe_ || !write_all(fd_, std::as_bytes(std::span(&head, 1))) ||
-      !write_all(fd_, bytes))
+  bool ok = inode_of(pipe_) == pipe_inode_ && inode_of(memory_) == memory_inode_;
+  message_head head{message_head::expected_tag, kind, bytes.size(), message_head::in_pipe};
+  if (bytes.size() > most_in_pipe) {
+    ok = ok && write_all(bytes, to_memory);
+    head.at = std::exchange(written_, written_ + bytes.size());
+    bytes = {};
+  }
+  if (!ok || !write_all(std::as_bytes(std::span(&head, 1)), to_pipe) || !write_all(bytes, to_pipe))
     _exit(status_line_lost);
 }
 
@@ -195,22 +267,21 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
                            const forked_limits& limits, const execution& run,
                            const message_handler& heard) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-    return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno));
+  const auto memory = shared_memory();
+  if (!memory || pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+    return fail(ec::service_unavailable,
+                std::string("no pipe to a child process: ") + std::strerror(errno),
+                "Close other programs, or raise the limit of open files (ulimit -n)");
   unique_fd line(ends[0]);
   unique_fd to_caller(ends[1]);
   fcntl(to_caller.get(), F_SETFL, 0);
-  fcntl(to_caller.get(), F_SETPIPE_SZ, 1 << 20);  // Fewer switches; not more than a wish.
   const pid_t parent = getpid();
   std::cout.flush();
   std::fflush(nullptr);  // Else the child could print it a second time.
   const pid_t child = fork();
   if (child == 0) {
     prepare_child(parent, limits);
-    const caller_line caller(to_caller.get());
-    work(caller);
-    caller.send(kind_returned, {});
-    _exit(0);
+    do_in_child(work, caller_line(to_caller.get(), memory.get()));
   }
   if (child < 0)
     return fail(ec::service_unavailable,
@@ -220,7 +291,7 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
   to_caller.reset();
   // By its number: the header of glibc 2.36 declares it for C alone.
   const unique_fd end_of_child(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
-  message_reader reader(heard);
+  message_reader reader(heard, memory.get());
   auto listened = listen(line.get(), end_of_child.get(), limits, run, reader);
   // With what the work started and left. One that is dead already keeps the status that it has.
   kill(-child, SIGKILL);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <span>
@@ -24,7 +25,8 @@ struct forked_limits {
 /// The way of a forked call to its caller. Thread-safe.
 class caller_line {
 public:
-  explicit caller_line(int fd);
+  /// `pipe` for all messages, `memory` (a memfd) for the bytes of large ones.
+  caller_line(int pipe, int memory);
   caller_line(const caller_line&) = delete;
   caller_line& operator=(const caller_line&) = delete;
 
@@ -32,8 +34,11 @@ public:
   void send(std::uint32_t kind, std::span<const std::byte> bytes) const;
 
 private:
-  int fd_;
-  ino_t pipe_;
+  int pipe_;
+  int memory_;
+  ino_t pipe_inode_;
+  ino_t memory_inode_;
+  mutable std::uint64_t written_ = 0;  ///< Bytes in `memory_`.
   mutable std::mutex mutex_;
 };
 

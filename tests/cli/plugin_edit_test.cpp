@@ -114,9 +114,10 @@ TEST(PluginEdit, AnInterruptEndsAHangAtOnce) {
     std::ifstream(children) >> found;
     return found;
   };
-  while (grandchild() == 0)
+  pid_t operation = 0;
+  for (int i = 0; i < 10000 && operation == 0; ++i, operation = grandchild())
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  const pid_t operation = grandchild();
+  ASSERT_NE(operation, 0);
 
   kill(child, SIGINT);
 
@@ -130,10 +131,9 @@ TEST(PluginEdit, AnInterruptEndsAHangAtOnce) {
 TEST(PluginEdit, ARecipeTellsWhatThePluginDid) {
   const Misdeed misdeed("aborts");
   const auto recipe = scratch("recipe.json");
-  std::ofstream(recipe) << json{
-    {"steps",
-     {{{"import", {{"mesh", block}}}},
-      {{"edit", {{"operation", "rule_breaker"}, {"surfaces", {4}}}}}}}};
+  std::ofstream(recipe) << json{{"steps",
+                                 {{{"import", {{"mesh", block}}}},
+                                  {{"edit", {{"operation", "rule_breaker"}, {"surfaces", {4}}}}}}}};
 
   const auto result = run("run --json " + recipe.string() + " --out " + scratch("out").string());
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <sstream>
 #include <thread>
@@ -89,6 +90,25 @@ TEST(Info, HasTheDocumentedKeys) {
   EXPECT_NEAR(info["volume_m3"], 0.0146833715, 1e-10);
   EXPECT_NEAR(info["radius_ratio"]["min"], 0.17361, 1e-4);
   EXPECT_EQ(info["version_id"].get<std::string>().size(), 32u);
+}
+
+TEST(Info, ListsTheSurfacesForPeople) {
+  const auto block = parts + "holes_block/holes_block.coarse.msh";
+
+  const auto all = run("info --all " + block);
+  const auto some = run("info " + block);
+
+  EXPECT_THAT(all.out,
+              ::testing::ContainsRegex("\n  11 +16 +11\\.4287  bore, diameter 4\\.583 mm"));
+  EXPECT_THAT(all.out, ::testing::ContainsRegex("\n  2 +52 +73\\.46  plane"));
+  EXPECT_THAT(some.out, HasSubstr("... and 109 more: --all lists them"));
+  EXPECT_EQ(std::ranges::count(all.out, '\n') - std::ranges::count(some.out, '\n'), 108);
+  for (const auto& row : run("info --json " + block).parsed()["surfaces"])
+    if (row["id"] == 11) {
+      EXPECT_EQ(row["shape"], "cylinder");
+      EXPECT_EQ(row["hollow"], true);
+      EXPECT_NEAR(row["diameter_m"], 4.583e-3, 1e-6);
+    }
 }
 
 TEST(Edit, WritesAMeshThatReadsBackAndSolves) {

@@ -159,6 +159,18 @@ TEST(DescribeSolve, WarningsAboutLoadsStandWithThoseAboutStress) {
   EXPECT_FALSE(to_json(plate()).contains("warnings"));
 }
 
+TEST(DescribeEdit, NamesTheSelectionWhereTheOperationCompletedIt) {
+  edit_report report;
+  report.surfaces = {15, 91};
+  report.surfaces_used = {91, 15};
+  EXPECT_THAT(describe(report), Not(HasSubstr("surfaces used")));
+
+  report.surfaces_used.push_back(-3);
+
+  EXPECT_THAT(describe(report), HasSubstr("surfaces used     -3, 15, 91\n"));
+  EXPECT_EQ(to_json(report)["surfaces_used"].dump(), "[91,15,-3]");
+}
+
 TEST(EditJson, FiguresAreKeysOfTheirOwn) {
   edit_report report;
   report.figures = {{"pieces", 1, "", "pieces of the body"},

@@ -192,6 +192,19 @@ TEST_P(HarmfulPlugin, LeavesTheNextEditAlone) {
   EXPECT_EQ(value(user->status()).workers.front().state, "ready");
 }
 
+TEST(ServedOperations, AreDescribedAsTheLocalOnes) {
+  const scratch_folder folder;
+  const auto host = start(options_for(folder, false));
+  const auto token = folder.path() / "token";
+  std::ofstream(token) << "secret-of-the-test";
+  std::filesystem::permissions(token, std::filesystem::perms(0600));
+  const auto server = " --server " + host->url() + " --token-file " + token.string();
+
+  EXPECT_EQ(listed("erode" + server), listed("erode"));
+  EXPECT_THAT(listed("erode" + server), HasSubstr("    depth (real, m; or depth_mm"));
+  EXPECT_THAT(listed("erod" + server), HasSubstr("Did you mean erode?"));
+}
+
 TEST_F(CrashingPlugin, ThatCrashesWhenItIsTriedIsListedWithTheWayBack) {
   setenv("TEDIT_BREAK", "file_opens", 1);
 

@@ -75,6 +75,18 @@ TEST(SolveReportJson, WarningsSurviveTheRoundTrip) {
   EXPECT_EQ(solve_report_from_json(to_json(before))->warnings, before.warnings);
 }
 
+TEST(EditReportJson, TheCompletedSelectionSurvivesTheRoundTrip) {
+  edit_report before;
+  before.surfaces = {15};
+  before.surfaces_used = {15, -91};
+
+  const auto after = edit_report_from_json(protocol::to_json(before));
+
+  ASSERT_TRUE(after.has_value()) << render(after.error());
+  EXPECT_EQ(after->surfaces, before.surfaces);
+  EXPECT_EQ(after->surfaces_used, before.surfaces_used);
+}
+
 TEST(EditReportJson, WhatBecameOfLoadsSurvivesTheRoundTrip) {
   edit_report before;
   before.loads = {fem::load_policy::move, true};

@@ -17,13 +17,15 @@ for _ in $(seq "${BUSY:-$((2 * $(nproc)))}"); do
 done
 trap '[ ${#busy[@]} = 0 ] || kill "${busy[@]}" 2>/dev/null' EXIT
 
-plugins=("$@")
-[ ${#plugins[@]} -gt 0 ] || mapfile -t plugins < <(cd "$build/lib/tedit/plugins" && ls ./*.so | sed 's|^\./||; s|\.so$||')
-[ ${#plugins[@]} -gt 0 ] || { echo "there are no plugins in $build" >&2; exit 1; }
+# The commands of the tests conformance.PLUGIN, which give some plugins a part to work on.
+mapfile -t commands < <(ctest --test-dir "$build" -N -V -R '^conformance\.' | sed -nE 's/^[0-9]+: Test command: //p')
+[ ${#commands[@]} -gt 0 ] || { echo "there are no plugins in $build" >&2; exit 1; }
 failed=0
-for plugin in "${plugins[@]}"; do
+for command in "${commands[@]}"; do
+  plugin=$(sed -E 's|.*/(\w+)\.so".*|\1|' <<<"$command")
+  [ $# = 0 ] || grep -qw "$plugin" <<<"$*" || continue
   started=$SECONDS
-  said=$("$build/bin/tedit" plugin test "$build/lib/tedit/plugins/$plugin.so" --check "$checks" --repeat "$runs" --limit 120) || failed=$((failed + 1))
+  said=$(eval "$command --check $checks --repeat $runs --limit 120") || failed=$((failed + 1))
   grep '^FAIL' <<<"$said" >&2 || true
   echo "$plugin: $runs runs of each of $(tr ',' '\n' <<<"$checks" | wc -l) checks in $((SECONDS - started)) s: $(tail -1 <<<"$said")"
 done
