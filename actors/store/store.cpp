@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/store/store.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <unordered_set>
@@ -154,9 +156,13 @@ store::change change_of(const graph_node& node, const mesh_version* parent) {
 
 namespace {
 
-/// Documents of a server that keep their descriptors between two uses. Those beyond close them
-/// after each, so that many users at once do not use up the process's descriptors.
-constexpr int most_connections = 32;
+/// Documents of a server that keep their descriptors, three each, between two uses. Those beyond
+/// close them after each, so that many users at once do not use up the process's descriptors.
+int most_connections() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  return static_cast<int>(std::clamp<rlim_t>(limit.rlim_cur / 16, 1, 32));
+}
 
 /// A document without work for so long gives its descriptors back.
 constexpr std::chrono::seconds idle_limit{5};
@@ -196,7 +202,7 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
   // The answer goes out before a connection too many is closed: that may take a checkpoint.
   const auto end_job = [=](const shared_file& file) {
     --*jobs;
-    if (store::document::open_connections() > most_connections)
+    if (store::document::open_connections() > most_connections())
       self->send(self, rest_atom::value, file);
   };
   return {[=](load_atom, const shared_file& file) {

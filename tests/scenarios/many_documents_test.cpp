@@ -74,14 +74,14 @@ private:
   pid_t pid_ = 0;
 };
 
-int wanted_documents() {
-  const char* given = std::getenv("TEDIT_DOCUMENTS");
-  return given ? std::atoi(given) : 120;
+int number(const char* variable, int otherwise) {
+  const char* given = std::getenv(variable);
+  return given ? std::atoi(given) : otherwise;
 }
 
 TEST(ManyDocuments, AnIdleOneHasNoThreadAndNoDescriptor) {
   const scratch_folder folder;
-  const small_server host(folder, 128);
+  const small_server host(folder, number("TEDIT_NOFILE", 128));
   const auto user = host.connect();
   value(user->open("first", false, false));
   value(user->import_file(cube_mesh, "mm", {}));
@@ -89,7 +89,7 @@ TEST(ManyDocuments, AnIdleOneHasNoThreadAndNoDescriptor) {
   const auto descriptors = host.count("fd");
   host.print("1 document");
 
-  const int documents = wanted_documents();
+  const int documents = number("TEDIT_DOCUMENTS", 120);
   for (int i = 1; i < documents; ++i) {
     value(user->open("part-" + std::to_string(i), false, false));
     value(user->import_file(cube_mesh, "mm", {}));
