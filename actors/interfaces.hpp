@@ -18,9 +18,10 @@ using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
 using held_atom = caf::atom_constant<caf::atom("held")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
-using history_atom = caf::atom_constant<caf::atom("history")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
+using rest_atom = caf::atom_constant<caf::atom("rest")>;
 using status_atom = caf::atom_constant<caf::atom("status")>;
+using wake_atom = caf::atom_constant<caf::atom("wake")>;
 using tick_atom = caf::atom_constant<caf::atom("tick")>;
 
 // -- on every node -----------------------------------------------------------------------
@@ -78,12 +79,28 @@ struct worker_set {
 
 // -- in the server's process ---------------------------------------------------------------
 
-/// The only writer of one document's file.
+/// Waits for the disk on behalf of all stores; a few in each server, each with a thread.
+using disk_actor = caf::typed_actor<
+  // Opens the document and reads all of it.
+  caf::replies_to<load_atom, shared_file>::with<stored_document>,
+  // Writes one transaction; the answer means that it is durable.
+  caf::replies_to<shared_file, stored_change>::with<acknowledged>,
+  // Opens the file's descriptors ahead of a commit.
+  caf::reacts_to<wake_atom, shared_file>,
+  // Closes them until they are needed again.
+  caf::reacts_to<rest_atom, shared_file>>;
+
+/// The only writer of one document's file. Has the disks do the work, and the file's descriptors
+/// closed when nothing came for a while.
 using store_actor = caf::typed_actor<
   // Reads the whole document, pages included; asked once, when it is opened.
   caf::replies_to<load_atom>::with<stored_document>,
   // Writes one transaction; the answer means that it is durable.
-  caf::replies_to<stored_change>::with<acknowledged>>;
+  caf::replies_to<stored_change>::with<acknowledged>,
+  // A commit is on its way.
+  caf::reacts_to<wake_atom>,
+  // From itself: nothing came since it was used so many times.
+  caf::reacts_to<rest_atom, std::uint64_t>>;
 
 /// One open document: the order of its edits, its version graph, its subscribers.
 using session_actor = caf::typed_actor<
@@ -116,7 +133,7 @@ using session_actor = caf::typed_actor<
   // Finds surfaces of the head that belong together.
   caf::replies_to<select_request>::with<selected>,
   // All versions.
-  caf::replies_to<history_atom>::with<session_history>,
+  caf::replies_to<history_request>::with<session_history>,
   // Ends a request early; it is then answered with `cancelled`.
   caf::reacts_to<cancel_atom, std::uint64_t>>;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -132,6 +134,10 @@ struct export_request {
   std::string length_unit;
 };
 
+struct history_request {
+  bool reports = false;  ///< Also those of the edits.
+};
+
 struct select_request {
   std::uint64_t ticket = 0;
   caf::actor client;
@@ -144,6 +150,7 @@ struct session_snapshot {
   std::string document;
   std::optional<version_info> head;
   version_ptr version;
+  std::string report;                   ///< Of the edit that made the head; JSON.
   std::vector<std::string> load_cases;  ///< JSON each.
   bool can_undo = false;
   bool can_redo = false;
@@ -229,6 +236,7 @@ struct selected {
 struct session_history {
   std::string document;
   std::vector<version_info> versions;
+  std::vector<std::string> reports;  ///< JSON, one for each version; none unless asked for.
   std::uint32_t head = 0;
 };
 
@@ -241,6 +249,16 @@ struct server_status {
 struct stored_change {
   std::shared_ptr<const store::change> change;
 };
+
+/// A document's file, open from its `load` on. Disks use it one at a time.
+struct document_file {
+  explicit document_file(std::filesystem::path where) : path(std::move(where)) {}
+
+  const std::filesystem::path path;
+  std::mutex in_use;
+  std::unique_ptr<store::document> document;  ///< Guarded by `in_use`.
+};
+using shared_file = std::shared_ptr<document_file>;
 
 /// A version as it stands in a document, with its mesh.
 struct graph_node {
@@ -279,6 +297,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::remove_case_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::annotate_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::history_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::select_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
@@ -292,6 +311,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::exported)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::selected)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_history)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::server_status)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::shared_file)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_change)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_document)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::opened_document)

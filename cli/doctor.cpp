@@ -9,6 +9,7 @@
 
 #include "base/child_process.hpp"
 #include "cli/command.hpp"
+#include "cli/server_checks.hpp"
 #include "fem/solver.hpp"
 #include "ops/loader/catalogue.hpp"
 
@@ -16,10 +17,8 @@ namespace tedit::cli {
 
 namespace {
 
-struct check_row {
-  std::string name;
-  bool ok = true;
-  std::string text;
+struct doctor_options {
+  std::optional<std::filesystem::path> config_file;
 };
 
 check_row check_program(const std::string& name, const std::string& what) {
@@ -28,8 +27,8 @@ check_row check_program(const std::string& name, const std::string& what) {
   return {name, there, there ? path.string() : "missing: " + what};
 }
 
-std::vector<check_row> check_all() {
-  std::vector<check_row> rows;
+std::vector<check_row> check_all(const doctor_options& options) {
+  auto rows = check_server(options.config_file);
   rows.push_back(check_program("tedit-tetgen", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
   for (const auto& device : fem::list_devices())
@@ -44,10 +43,10 @@ std::vector<check_row> check_all() {
   return rows;
 }
 
-int run_doctor(session& s) {
+int run_doctor(const doctor_options& options, session& s) {
   utsname system{};
   uname(&system);
-  auto rows = check_all();
+  auto rows = check_all(options);
   nlohmann::ordered_json json{{"version", TEDIT_VERSION},
                               {"system", std::string(system.sysname) + " " + system.release},
                               {"checks", nlohmann::ordered_json::array()}};
@@ -67,8 +66,13 @@ int run_doctor(session& s) {
 }  // namespace
 
 void add_doctor(CLI::App& app, action& chosen) {
-  auto* command = app.add_subcommand("doctor", "Check programs, devices and plugins");
-  command->callback([&chosen] { chosen = run_doctor; });
+  auto options = std::make_shared<doctor_options>();
+  auto* command = app.add_subcommand(
+    "doctor", "Check the server's configuration, folders and port, programs, devices and plugins");
+  command->add_option("--config", options->config_file,
+                      "Configuration (TOML) instead of $XDG_CONFIG_HOME/tedit/config.toml");
+  command->callback(
+    [options, &chosen] { chosen = [options](session& s) { return run_doctor(*options, s); }; });
 }
 
 }  // namespace tedit::cli

@@ -353,12 +353,13 @@ expected<std::vector<found_feature>> client::select(const selection_query& query
   return protocol::from_message(got->message.surfaces_selected());
 }
 
-expected<history> client::get_history() {
+expected<history> client::get_history(bool reports) {
   auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   request.mutable_get_history()->set_document(*document);
+  request.mutable_get_history()->set_reports(reports);
   return convert(impl_->ask(std::move(request), body::kHistory), &body::history);
 }
 

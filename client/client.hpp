@@ -150,7 +150,8 @@ public:
   [[nodiscard]] expected<std::vector<found_feature>> select(const selection_query& query,
                                                             const execution& run);
 
-  [[nodiscard]] expected<history> get_history();
+  /// All versions, with what their edits reported when `reports` is set.
+  [[nodiscard]] expected<history> get_history(bool reports = false);
 
   // -- what is sent unasked -----------------------------------------------------------------
 

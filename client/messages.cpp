@@ -92,6 +92,8 @@ version_info from_message(const v1::VersionInfo& message) {
   result.load_cases = {message.load_cases().begin(), message.load_cases().end()};
   result.name = message.name();
   result.note = message.note();
+  if (message.has_report())
+    result.report = protocol::from_message(message.report());
   return result;
 }
 

@@ -75,6 +75,9 @@ struct version_info {
   std::vector<std::string> load_cases;
   std::string name;  ///< That somebody gave it; mostly empty.
   std::string note;
+  /// Of the edit that made it: in `document_state`, and in a `history` that was asked for with it.
+  /// Servers with protocol_minor below 7 do not say it.
+  std::optional<edit_report> report;
 };
 
 /// What can be had with every field beside displacement and von Mises stress.

@@ -143,6 +143,7 @@ void client_state::on_head(const actors::head_moved& event) {
   if (found == documents.end())
     return;
   found->second.head = event.version;
+  found->second.last_solved.reset();  // Versions of one content may have other loads.
   v1::ServerMessage message;
   to_message(event, message.mutable_committed());
   send(*to, message);

@@ -206,6 +206,8 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, g
 // --------------------------------
 
 void to_message(const actors::version_info& info, v1::VersionInfo* out);
+/// What the edit that made a version reported, JSON; nothing when it is empty.
+void add_report(const std::string& json, v1::VersionInfo* out);
 void to_message(const actors::head_moved& moved, v1::Committed* out);
 void to_message(const actors::load_cases_changed& event, v1::LoadCasesChanged* out);
 /// Load cases as they travel between actors, JSON each.

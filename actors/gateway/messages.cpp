@@ -18,6 +18,13 @@ void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->set_note(info.note);
 }
 
+void add_report(const std::string& json, v1::VersionInfo* out) {
+  if (json.empty())
+    return;
+  if (auto report = protocol::message_from_json<v1::EditReport>(json))
+    *out->mutable_report() = std::move(*report);
+}
+
 void to_messages(const std::vector<std::string>& load_cases,
                  google::protobuf::RepeatedPtrField<v1::LoadCase>* out) {
   for (const auto& json : load_cases)

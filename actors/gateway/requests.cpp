@@ -253,8 +253,10 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
     v1::ServerMessage message;
     auto* state = message.mutable_document_state();
     state->set_document(snapshot.document);
-    if (snapshot.head)
+    if (snapshot.head) {
       to_message(*snapshot.head, state->mutable_head());
+      add_report(snapshot.report, state->mutable_head());
+    }
     state->set_can_undo(snapshot.can_undo);
     state->set_can_redo(snapshot.can_redo);
     to_messages(snapshot.load_cases, state->mutable_load_cases());
@@ -340,7 +342,7 @@ void client_state::history(std::uint64_t id, const v1::GetHistory& body) {
   if (!document)
     return;
   begin(id, {});
-  self->request(document->session, short_limit, history_atom::value)
+  self->request(document->session, short_limit, history_request{body.reports()})
     .then(
       [=, this](const session_history& all) {
         v1::ServerMessage message;
@@ -349,6 +351,8 @@ void client_state::history(std::uint64_t id, const v1::GetHistory& body) {
         out->set_head(all.head);
         for (const auto& info : all.versions)
           to_message(info, out->add_versions());
+        for (std::size_t i = 0; i < all.reports.size(); ++i)
+          add_report(all.reports[i], out->mutable_versions(static_cast<int>(i)));
         answer(id, std::move(message));
       },
       [=, this](const caf::error& e) { refuse(id, e, "asking for the history"); });

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <unistd.h>
-
-#include <fstream>
-
 #include <spdlog/spdlog.h>
 
 #include "actors/modeling/modeling.hpp"
@@ -21,33 +17,6 @@ namespace tedit::actors {
 
 namespace {
 
-/// A file's path that nobody else uses; the file goes with the object.
-class temporary_file {
-public:
-  temporary_file() {
-    path_ = (std::filesystem::temp_directory_path() / "tedit-export-XXXXXX").string();
-    const int fd = mkstemp(path_.data());
-    if (fd >= 0)
-      close(fd);
-  }
-  temporary_file(const temporary_file&) = delete;
-  temporary_file& operator=(const temporary_file&) = delete;
-  ~temporary_file() { unlink(path_.c_str()); }
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-
-private:
-  std::string path_;
-};
-
-expected<std::vector<char>> read_all(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in)
-    return fail(ec::io_error, "cannot read back " + path);
-  return bytes;
-}
-
 /// What the fields are worth, as `tedit solve` notes it.
 std::vector<std::pair<std::string, std::string>> notes_of(const solve_outcome& outcome) {
   const auto& first = outcome.cases.front();
@@ -65,8 +34,8 @@ std::vector<std::pair<std::string, std::string>> notes_of(const solve_outcome& o
   return notes;
 }
 
-expected<void> write_fields(const std::string& path, const mesh_version& mesh,
-                            const export_order& order, const page_set& pages) {
+expected<void> write_fields(std::string* to, const mesh_version& mesh, const export_order& order,
+                            const page_set& pages) {
   std::vector<field> fields;
   for (const auto& ref : order.fields) {
     auto opened = open_field(ref, pages);
@@ -82,7 +51,7 @@ expected<void> write_fields(const std::string& path, const mesh_version& mesh,
     for (const auto& note : notes_of(*outcome))
       notes.push_back(note);
   }
-  return write_vtu(path, mesh, fields, notes);
+  return write_vtu(to, mesh, fields, notes);
 }
 
 }  // namespace
@@ -174,24 +143,21 @@ expected<job_output<export_result>> write_mesh(const export_order& order, const 
   const auto mesh = open_version(order.version, pages);
   if (!mesh)
     return fail(mesh.error());
-  const temporary_file file;
+  std::string bytes;
   expected<void> written =
     fail(ec::invalid_argument, "there is no file format \"" + order.format + "\"",
          "Take msh, stl or vtu");
   if (order.format == "msh")
-    written = write_msh(file.path(), **mesh, order.length_unit);
+    written = write_msh(&bytes, **mesh, order.length_unit);
   else if (order.format == "stl")
-    written = write_stl(file.path(), **mesh, order.length_unit);
+    written = write_stl(&bytes, **mesh, order.length_unit);
   else if (order.format == "vtu")
-    written = write_fields(file.path(), **mesh, order, pages);
+    written = write_fields(&bytes, **mesh, order, pages);
   if (!written)
     return fail(written.error());
-  const auto bytes = read_all(file.path());
-  if (!bytes)
-    return fail(bytes.error());
-  auto cut_up = std::make_shared<const std::vector<page_ptr>>(cut(*bytes));
+  auto cut_up = std::make_shared<const std::vector<page_ptr>>(cut(bytes));
   job_output<export_result> output;
-  output.result.size = bytes->size();
+  output.result.size = bytes.size();
   for (const auto& p : *cut_up)
     output.result.pages.push_back(p->id());
   output.keep = cut_up;

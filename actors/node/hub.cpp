@@ -31,7 +31,7 @@ void refuse_all(self_pointer self, const std::string& name, const error& e) {
 void start_opening(self_pointer self, const std::string& name) {
   auto& parts = self->state.parts;
   const auto store =
-    self->spawn<caf::detached + caf::linked>(make_store, parts.documents / (name + ".tedit"));
+    self->spawn<caf::linked>(make_store, parts.documents / (name + ".tedit"), self->state.disks);
   self->request(store, std::chrono::minutes(10), load_atom::value)
     .then(
       [=](const stored_document& stored) {
@@ -121,6 +121,7 @@ expected<void> check_document_name(const std::string& name) {
 hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts) {
   heed_only_own_exits(self);
   self->state.parts = std::move(parts);
+  self->state.disks = disk_set::spawn(self);
   return {[=](const std::string& name) { return open(self, name); },
           [=](status_atom) { return status(self); }, [=](catalog_atom) { return catalogue(self); }};
 }

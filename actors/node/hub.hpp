@@ -10,6 +10,7 @@
 
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
+#include "actors/store/store.hpp"
 
 namespace tedit::actors {
 
@@ -26,6 +27,7 @@ struct hub_state {
   using promise = caf::typed_response_promise<opened_document>;
 
   hub_parts parts;
+  disk_set disks;
   std::map<std::string, session_actor> open;
   std::map<std::string, std::vector<promise>> opening;
   std::uint64_t unnamed = 0;

@@ -14,6 +14,7 @@
 #include "actors/optimizer/optimizer.hpp"
 #include "actors/pages/page_store.hpp"
 #include "actors/solver/solver.hpp"
+#include "actors/store/documents_folder.hpp"
 #include "actors/supervisor/pool.hpp"
 #include "base/child_process.hpp"
 
@@ -125,12 +126,11 @@ void server::stop() {
 expected<std::unique_ptr<server>> server::start(const server_options& options) {
   if (options.token.empty())
     return fail(ec::invalid_argument, "a server needs a token");
-  std::error_code code;
-  std::filesystem::create_directories(options.documents, code);
-  if (code)
-    return fail(ec::io_error,
-                "cannot make the folder " + options.documents.string() + ": " + code.message(),
-                "Choose another folder with --documents");
+  const auto ready = store::prepare_documents_folder(options.documents);
+  if (!ready)
+    return fail(ready.error());
+  for (const auto& news : *ready)
+    spdlog::warn("{}", news);
   auto made = std::make_unique<impl>(options.worker_processes);
   auto& system = made->system;
   auto cache = std::make_shared<page_cache>(cache_bytes);

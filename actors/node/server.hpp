@@ -16,7 +16,7 @@ struct server_options {
   std::string address = "127.0.0.1";
   std::uint16_t port = 0;                    ///< 0: any free one.
   std::vector<std::string> allowed_origins;  ///< Web pages that may connect.
-  std::filesystem::path documents;           ///< The folder of the document files; it is made.
+  std::filesystem::path documents;           ///< The folder of the document files; made 0700.
   std::string token;                         ///< What clients must prove to know; not empty.
   std::string device = "auto";               ///< For solves that name none.
 

@@ -33,7 +33,7 @@ system_config::system_config(bool networked) {
   add_message_type<retirement>("retirement");
   add_message_type<worker_status>("worker_status");
   // The default lets idle threads steal work by polling, which each of the pools' ticks wakes: 17 %
-  // of a core for a server that does nothing. Sharing also answers sooner (docs/decisions/0019).
+  // of a core for a server that does nothing. Sharing also answers sooner (docs/decisions/0020).
   set("scheduler.policy", caf::atom("sharing"));
   if (networked) {
     // CAF's defaults never notice a frozen peer.

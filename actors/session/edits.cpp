@@ -96,6 +96,7 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
     run->promise.deliver(to_caf(e));
     finish_command();
   };
+  self->send(parts.store, wake_atom::value);
   import_order order{
     base_order(request.client), {}, request.size, request.file_name, request.length_unit};
   for (const auto& p : request.file) {
@@ -160,6 +161,7 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   };
   work->refuse = [=, this](const error& e) { refuse_edit(run, e); };
   running->cancel_job = [=] { work->cancel(); };
+  self->send(parts.store, wake_atom::value);
   make_candidate(work);
 }
 
@@ -286,8 +288,7 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   export_order order{base_order(request.client), make_ref(*node->mesh), {}, {}, request.format,
                      request.length_unit};
   const auto version = to_hex(node->info.id);
-  const auto fields = std::ranges::find(results, version, &kept_result::version);
-  if (fields != results.end()) {
+  if (const auto* fields = result_of(*node)) {
     order.fields = fields->refs;
     order.outcome = fields->event.outcome;
   }

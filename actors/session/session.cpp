@@ -27,6 +27,7 @@ session_snapshot session_state::attach(const attach_request& request) {
   if (const auto* head = graph.head()) {
     snapshot.head = head->info;
     snapshot.version = head->mesh;
+    snapshot.report = head->report;
     snapshot.load_cases = head->load_cases;
   }
   snapshot.can_undo = graph.can_undo();
@@ -40,11 +41,14 @@ void session_state::detach(const caf::actor& subscriber) {
     last_preview.reset();
 }
 
-session_history session_state::history() const {
+session_history session_state::history(const history_request& request) const {
   session_history result;
   result.document = parts.document;
-  for (const auto& node : graph.nodes())
+  for (const auto& node : graph.nodes()) {
     result.versions.push_back(node.info);
+    if (request.reports)
+      result.reports.push_back(node.report);
+  }
   result.head = graph.head() ? graph.head()->info.number : 0;
   return result;
 }
@@ -171,7 +175,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](end_solve_atom) { return state.end_solve(); },
           [&state](const export_request& request) { return state.write_file(request); },
           [&state](const select_request& request) { return state.select(request); },
-          [&state](history_atom) { return state.history(); },
+          [&state](const history_request& request) { return state.history(request); },
           [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); }};
 }
 

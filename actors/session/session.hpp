@@ -97,7 +97,7 @@ struct session_state {
   void start(session_pointer owner, session_parts with, stored_document stored);
   session_snapshot attach(const attach_request& request);
   void detach(const caf::actor& subscriber);
-  [[nodiscard]] session_history history() const;
+  [[nodiscard]] session_history history(const history_request& request) const;
   void cancel(std::uint64_t ticket);
   void cancel_jobs_of(std::uint64_t ticket);
   void enqueue(command c);
@@ -192,6 +192,9 @@ struct session_state {
 
   caf::result<solved> solve(const solve_request& request);
   [[nodiscard]] held_result held() const;
+  /// The last result of a version with load cases that it has now: after a change of loads the old
+  /// field would lie. Null when there is none.
+  [[nodiscard]] const kept_result* result_of(const graph_node& node) const;
   acknowledged end_solve();
   /// Solves the new head when somebody has asked for a solve before.
   void follow_head();

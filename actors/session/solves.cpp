@@ -35,8 +35,17 @@ caf::result<solved> session_state::solve(const solve_request& request) {
   return promise;
 }
 
-/// Of the head with the load cases that it has now: after a change of loads the old field would
-/// lie.
+const session_state::kept_result* session_state::result_of(const graph_node& node) const {
+  const auto version = to_hex(node.info.id);
+  const auto is_of_node = [&](const kept_result& one) {
+    return one.version == version && std::ranges::all_of(one.texts, [&](const std::string& text) {
+             return std::ranges::find(node.load_cases, text) != node.load_cases.end();
+           });
+  };
+  const auto found = std::ranges::find_if(results, is_of_node);
+  return found == results.end() ? nullptr : &*found;
+}
+
 held_result session_state::held() const {
   const auto* head = graph.head();
   if (!head)
@@ -44,13 +53,8 @@ held_result session_state::held() const {
   const auto version = to_hex(head->info.id);
   if (active && active->version == version)
     return {std::nullopt, true};
-  const auto is_of_head = [&](const kept_result& one) {
-    return one.version == version && std::ranges::all_of(one.texts, [&](const std::string& text) {
-             return std::ranges::find(head->load_cases, text) != head->load_cases.end();
-           });
-  };
-  const auto found = std::ranges::find_if(results, is_of_head);
-  return {found == results.end() ? std::nullopt : std::optional(found->event), false};
+  const auto* found = result_of(*head);
+  return {found ? std::optional(found->event) : std::nullopt, false};
 }
 
 void session_state::follow_head() {

@@ -2,15 +2,20 @@
 #include "actors/store/document.hpp"
 
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zstd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 
 #include "actors/store/document_file.hpp"
+#include "actors/store/document_lock.hpp"
 #include "actors/store/schema.hpp"
 #include "actors/store/seal.hpp"
+#include "base/system_failure.hpp"
 
 namespace tedit::store {
 
@@ -28,28 +33,40 @@ struct close_file {
 };
 using lock_file = std::unique_ptr<std::FILE, close_file>;  // closing it unlocks
 
+std::atomic<int> connections{0};
+
 tl::unexpected<error> damaged(std::string what) {
   return fail(ec::storage_error, std::move(what), "Restore the document from a backup");
 }
 
-/// Locks a file for this process alone.
-expected<void> take(lock_file& lock, const std::string& file) {
-  lock.reset(std::fopen(file.c_str(), "ae"));  // "e": child programs do not inherit it
-  if (lock && ::flock(::fileno(lock.get()), LOCK_EX | LOCK_NB) == 0)
-    return {};
-  if (lock && errno == EWOULDBLOCK)
-    return fail(ec::conflict, "the document is open already; " + file + " is locked",
+/// Programs of the older format lock FILE-lock for as long as they have the document open. It goes
+/// with the format: they refuse the new one.
+expected<void> upgrade_alone(sqlite3* db, const std::string& file) {
+  const auto path = file + "-lock";
+  const lock_file lock(std::fopen(path.c_str(), "ae"));  // "e": child programs do not inherit it
+  if (lock && ::flock(::fileno(lock.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return fail(ec::conflict, file + " is open already in an older program",
                 "Close it in the other TEdit first");
-  return system_failure("cannot lock " + file, errno);
+  if (!lock)
+    return system_failure("cannot lock " + path, errno);
+  auto done = upgrade(db);
+  if (done)
+    ::unlink(path.c_str());
+  return done;
 }
 
 }  // namespace
 
 /// Members are destroyed last to first: statements, connection, lock.
 struct document::impl {
+  ~impl() { rest(); }
+
   expected<void> open(const fs::path& path);
   expected<void> create();
   expected<void> connect();
+  void close_to_others() const;
+  expected<void> wake();
+  void rest();
   expected<void> prepare_all();
   expected<void> put_page(const page_ptr& page);
   expected<void> put_rows(const change& c, seal& sum);
@@ -60,9 +77,9 @@ struct document::impl {
   expected<bool> has(const hash128& id) { return query(find_page, id).next(); }
 
   fs::path file;
-  lock_file lock;
-  connection db;
-  seal last;  ///< As this object read or wrote it last.
+  document_lock lock;
+  connection db;  ///< None while the document rests.
+  seal last;      ///< As this object read or wrote it last.
   seal_keeper seals;
   statement find_page, page_by_id, insert_page, insert_version, set_load_cases, set_redo, set_head;
   statement insert_annotation, insert_log;
@@ -74,12 +91,34 @@ expected<void> document::impl::open(const fs::path& path) {
   if (code || file.empty())
     return fail(ec::io_error, "cannot open '" + path.string() + "': " + code.message());
   return has_database(file)
-    .and_then([&](bool) { return take(lock, file.string() + "-lock"); })
+    .and_then([&](bool) { return document_lock::take(file); })
+    .map([&](document_lock&& taken) { lock = std::move(taken); })
     .and_then([&] { return create(); })
     .and_then([&] { return connect(); })
-    .and_then([&] { return prepare_all(); })
     .and_then([&] { return seals.stored(); })
     .map([&](const seal& stored) { last = stored; });
+}
+
+/// Connects when the document rests. The lock was held meanwhile; what a program without it did is
+/// told by the seal.
+expected<void> document::impl::wake() {
+  if (db)
+    return {};
+  auto done = connect();
+  if (!done)
+    rest();
+  return done;
+}
+
+void document::impl::rest() {
+  if (!db)
+    return;
+  for (auto* one : {&find_page, &page_by_id, &insert_page, &insert_version, &set_load_cases,
+                    &set_redo, &set_head, &insert_annotation, &insert_log})
+    one->reset();
+  seals = {};
+  db.reset();
+  --connections;
 }
 
 /// Makes the file when it is not there; with the lock held, nobody else does.
@@ -97,6 +136,7 @@ expected<void> document::impl::connect() {
   const int code =
     sqlite3_open_v2(file.c_str(), &made, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
   db.reset(made);  // also after a failure: it holds the message
+  ++connections;
   if (code != SQLITE_OK)
     return sql_failure(made);
   if (sqlite3_db_readonly(made, "main") == 1)
@@ -107,9 +147,18 @@ expected<void> document::impl::connect() {
   const auto current = check_format(made, file);
   if (!current)
     return fail(current.error());
-  return execute(made, "PRAGMA journal_mode = WAL").and_then([&] {
-    return *current ? expected<void>() : upgrade(made);
-  });
+  close_to_others();
+  return execute(made, "PRAGMA journal_mode = WAL")
+    .and_then([&] { return *current ? expected<void>() : upgrade_alone(made, file.string()); })
+    .and_then([&] { return prepare_all(); });
+}
+
+/// A document is its owner's alone; what SQLite makes beside it takes its permissions.
+void document::impl::close_to_others() const {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) == 0 && about.st_uid == ::geteuid() &&
+      (about.st_mode & (S_IRWXG | S_IRWXO)) != 0)
+    ::chmod(file.c_str(), 0600);
 }
 
 expected<void> document::impl::prepare_all() {
@@ -246,6 +295,8 @@ expected<std::unique_ptr<document>> document::open(const fs::path& file) {
 
 /// The seal in the file is the one that this object wrote last, unless another program was here.
 expected<void> document::commit(const change& c) {
+  if (auto awake = impl_->wake(); !awake)
+    return awake;
   const rollback_guard guard(impl_->db.get());
   seal sum;
   return execute(guard.get(), "BEGIN IMMEDIATE")
@@ -266,6 +317,8 @@ expected<void> document::commit(const change& c) {
 }
 
 expected<contents> document::read() const {
+  if (auto sound = impl_->wake().and_then([&] { return check_structure(impl_->db.get()); }); !sound)
+    return fail(sound.error());
   contents all;
   seal sum;
   const auto schema = impl_->seals.schema_hash();
@@ -278,6 +331,8 @@ expected<contents> document::read() const {
 }
 
 expected<page_ptr> document::read_page(const hash128& id) const {
+  if (auto awake = impl_->wake(); !awake)
+    return fail(awake.error());
   query row(impl_->page_by_id, id);
   const auto found = row.next();
   if (!found)
@@ -298,7 +353,19 @@ expected<page_ptr> document::read_page(const hash128& id) const {
 }
 
 bool document::has_page(const hash128& id) const {
-  return impl_->has(id).value_or(false);
+  return impl_->wake().and_then([&] { return impl_->has(id); }).value_or(false);
+}
+
+expected<void> document::wake() {
+  return impl_->wake();
+}
+
+void document::rest() {
+  impl_->rest();
+}
+
+int document::open_connections() noexcept {
+  return connections;
 }
 
 }  // namespace tedit::store

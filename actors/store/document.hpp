@@ -67,9 +67,8 @@ struct contents {
 
 /// One session document in one SQLite file, its pages compressed with zstd. Every row has a hash
 /// beside it and all rows together a seal, so that damage and careless edits are noticed
-/// (docs/decisions/0018); a page's identity is its hash. While it is open an exclusive lock on
-/// FILE-lock keeps every other `open` out; the lock file stays when it is closed.
-/// Not thread-safe: one thread at a time.
+/// (docs/decisions/0018); a page's identity is its hash. While it is open an exclusive lock (see
+/// document_lock.hpp) keeps every other `open` out. Not thread-safe: one thread at a time.
 class document {
 public:
   /// Opens the document in `file`, or creates it when the file is absent: whole or not at all. A
@@ -103,6 +102,17 @@ public:
   /// Whether a page with this identity is stored; its bytes are not checked. False, too, when the
   /// database cannot be read. Cost: one index look-up.
   [[nodiscard]] bool has_page(const hash128& id) const;
+
+  /// Opens what `rest` closed, ahead of a call that is to be quick. Errors: those of `open`.
+  [[nodiscard]] expected<void> wake();
+
+  /// Closes the database's files until the next call that needs them, which opens them again (about
+  /// 1 ms): a document that rests has no descriptor and keeps its lock. Cost: a checkpoint when
+  /// something was written.
+  void rest();
+
+  /// How many documents of this process do not rest; each has three descriptors.
+  [[nodiscard]] static int open_connections() noexcept;
 
 private:
   struct impl;

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "actors/store/sql.hpp"
+#include "base/system_failure.hpp"
 
 namespace tedit::store {
 

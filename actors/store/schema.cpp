@@ -79,6 +79,20 @@ expected<bool> check_format(sqlite3* db, const std::filesystem::path& file) {
   return *version == format;
 }
 
+expected<void> check_structure(sqlite3* db) {
+  const auto made = prepare(db, "PRAGMA quick_check(1)");
+  if (!made)
+    return fail(made.error());
+  query row(*made);
+  if (const auto found = row.next(); !found)
+    return fail(found.error());
+  const auto verdict = row.text(0);
+  if (verdict == "ok")
+    return {};
+  return fail(ec::storage_error, "the document is damaged: " + verdict,
+              "Restore the document from a backup");
+}
+
 expected<void> upgrade(sqlite3* db) {
   const rollback_guard guard(db);
   seal_keeper keeper;

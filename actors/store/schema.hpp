@@ -17,6 +17,10 @@ namespace tedit::store {
 /// no document, one of a newer format, or damaged.
 [[nodiscard]] expected<bool> check_format(sqlite3* db, const std::filesystem::path& file);
 
+/// Whether the database's own structure is sound: a damaged list of free pages, say, would let the
+/// next change overwrite what is in use. Errors: `storage_error`. Cost: one pass over the file.
+[[nodiscard]] expected<void> check_structure(sqlite3* db);
+
 /// Brings a document of an older format to this one, in one transaction: older programs refuse it
 /// from then on. Errors: those of `sql_failure`. Cost: one pass over all rows but the pages.
 [[nodiscard]] expected<void> upgrade(sqlite3* db);

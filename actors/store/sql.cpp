@@ -1,45 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/store/sql.hpp"
 
-#include <cerrno>
-#include <system_error>
+#include "base/system_failure.hpp"
 
 namespace tedit::store {
-
-namespace {
-
-/// What a person can do about a refusal of the system.
-std::string remedy_for(int error_number) {
-  switch (error_number) {
-    case EMFILE:
-      return "This process has too many files open: start it with a higher limit (ulimit -n)";
-    case ENFILE:
-      return "The system has too many files open: end other programs or raise fs.file-max";
-    case ENOSPC:
-      return "The disk is full: free some space and try again";
-    case EDQUOT:
-      return "Your disk quota is used up: free some space and try again";
-    case EACCES:
-    case EPERM:
-      return "Check the permissions and the owner of the file and its folder";
-    case EROFS:
-      return "The file system is mounted read-only: choose a folder that can be written";
-    case ENOENT:
-    case ENOTDIR:
-      return "Check that the file and its folder are there";
-    case EIO:
-      return "The disk failed: check it, and restore the document from a backup";
-    default:
-      return "Check the file, its folder and the disk";
-  }
-}
-
-}  // namespace
-
-tl::unexpected<error> system_failure(const std::string& what, int error_number) {
-  return fail(ec::io_error, what + ": " + std::generic_category().message(error_number),
-              remedy_for(error_number));
-}
 
 tl::unexpected<error> sql_failure(sqlite3* db) {
   const int code = sqlite3_errcode(db);
@@ -47,11 +11,12 @@ tl::unexpected<error> sql_failure(sqlite3* db) {
   if (code == SQLITE_BUSY)
     return fail(ec::conflict, text, "Close the other program that uses the file");
   if (code == SQLITE_FULL)
-    return fail(ec::storage_error, text, remedy_for(ENOSPC));
+    return fail(ec::storage_error, text, "The disk is full: free some space and try again");
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB)
     return fail(ec::storage_error, text, "Restore the document from a backup");
   if (code == SQLITE_READONLY)
-    return fail(ec::io_error, text, remedy_for(EACCES));
+    return fail(ec::io_error, text,
+                "Check the permissions and the owner of the file and its folder");
   // SQLite keeps the system's reason of these two only.
   if (code == SQLITE_CANTOPEN || code == SQLITE_IOERR)
     return system_failure(text, sqlite3_system_errno(db));

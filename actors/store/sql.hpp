@@ -33,10 +33,6 @@ using connection = std::unique_ptr<sqlite3, close_database>;
 using statement = std::unique_ptr<sqlite3_stmt, finalize_statement>;
 using rollback_guard = std::unique_ptr<sqlite3, roll_back>;  ///< Of what is not committed.
 
-/// What the system says to `what`, with the remedy that fits its reason: too many open files, a
-/// full disk, missing permissions, ... Errors: always `io_error`.
-[[nodiscard]] tl::unexpected<error> system_failure(const std::string& what, int error_number);
-
 /// The last failure on `db` as an error that names its true reason.
 [[nodiscard]] tl::unexpected<error> sql_failure(sqlite3* db);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/store/store.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <chrono>
 #include <unordered_set>
 
 #include <nlohmann/json.hpp>
@@ -150,25 +153,107 @@ store::change change_of(const graph_node& node, const mesh_version* parent) {
   return change;
 }
 
-store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state> self,
-                                      std::filesystem::path file) {
-  return {[=](load_atom) -> caf::result<stored_document> {
-            auto opened = store::document::open(file);
-            if (!opened)
-              return to_caf(opened.error());
-            self->state.document = std::move(*opened);
-            auto contents = load(*self->state.document);
-            if (!contents)
-              return to_caf(contents.error());
-            return std::move(*contents);
+// -- disks ---------------------------------------------------------------------------------------
+
+namespace {
+
+/// Documents of a server that keep their descriptors, three each, between two uses. Those beyond
+/// close them after each, so that many users at once do not use up the process's descriptors.
+int most_connections() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  return static_cast<int>(std::clamp<rlim_t>(limit.rlim_cur / 16, 1, 32));
+}
+
+/// A document without work for so long gives its descriptors back.
+constexpr std::chrono::seconds idle_limit{5};
+
+caf::result<stored_document> open_and_load(document_file& file) {
+  const std::lock_guard lock(file.in_use);
+  auto opened = store::document::open(file.path);
+  if (!opened)
+    return to_caf(opened.error());
+  auto contents = load(**opened);
+  if (!contents)
+    return to_caf(contents.error());
+  file.document = std::move(*opened);
+  return std::move(*contents);
+}
+
+caf::result<acknowledged> write(document_file& file, const store::change& change) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  const auto done = file.document->commit(change);
+  if (!done)
+    return to_caf(done.error());
+  return acknowledged{};
+}
+
+}  // namespace
+
+const disk& disk_set::least_busy(std::size_t from) const {
+  return *std::min_element(
+    disks_.begin() + static_cast<std::ptrdiff_t>(from), disks_.end(),
+    [](const disk& a, const disk& b) { return a.jobs->load() < b.jobs->load(); });
+}
+
+disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> self,
+                                    std::shared_ptr<std::atomic<int>> jobs) {
+  // The answer goes out before a connection too many is closed: that may take a checkpoint.
+  const auto end_job = [=](const shared_file& file) {
+    --*jobs;
+    if (store::document::open_connections() > most_connections())
+      self->send(self, rest_atom::value, file);
+  };
+  return {[=](load_atom, const shared_file& file) {
+            auto result = open_and_load(*file);
+            end_job(file);
+            return result;
           },
-          [=](const stored_change& change) -> caf::result<acknowledged> {
-            if (!self->state.document)
-              return to_caf({ec::storage_error, "the document is not open", {}, {}});
-            const auto done = self->state.document->commit(*change.change);
-            if (!done)
-              return to_caf(done.error());
-            return acknowledged{};
+          [=](const shared_file& file, const stored_change& change) {
+            auto result = write(*file, *change.change);
+            end_job(file);
+            return result;
+          },
+          [=](wake_atom, const shared_file& file) {
+            const std::lock_guard lock(file->in_use);
+            if (file->document)
+              (void)file->document->wake();  // Whatever is wrong, the commit says it.
+            --*jobs;
+          },
+          [=](rest_atom, const shared_file& file) {
+            const std::lock_guard lock(file->in_use);
+            if (file->document)
+              file->document->rest();
+          }};
+}
+
+// -- the store -----------------------------------------------------------------------------------
+
+store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state> self,
+                                      std::filesystem::path file, disk_set disks) {
+  auto& state = self->state;
+  state.file = std::make_shared<document_file>(std::move(file));
+  state.disks = std::move(disks);
+  const auto use = [=](const disk& by) {
+    ++*by.jobs;
+    self->delayed_send(self, idle_limit, rest_atom::value, ++self->state.uses);
+    return by.actor;
+  };
+  return {[=](load_atom) {
+            return self->delegate(use(self->state.disks.for_load()), load_atom::value,
+                                  self->state.file);
+          },
+          [=](const stored_change& change) {
+            return self->delegate(use(self->state.disks.for_commit()), self->state.file, change);
+          },
+          [=](wake_atom) {
+            self->send(use(self->state.disks.for_commit()), wake_atom::value, self->state.file);
+          },
+          [=](rest_atom, std::uint64_t uses) {
+            if (uses == self->state.uses)
+              self->send(self->state.disks.for_commit().actor, rest_atom::value, self->state.file);
           }};
 }
 

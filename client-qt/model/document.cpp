@@ -196,7 +196,7 @@ void document::reopen() {
       send_watch();
       emit opened();
       take_surface();  // It may have come before this answer.
-      refresh_history();
+      ask_history(true);
       ask_again();
       if (state.head && !state.head->load_cases.empty())
         solve();
@@ -207,14 +207,29 @@ void document::take_state(const client::document_state& state) {
   name_ = QString::fromStdString(state.document);
   can_undo_ = state.can_undo;
   can_redo_ = state.can_redo;
+  head_.reset();
   if (state.head) {
     head_ = state.head->number;
-    versions_[*head_].info = *state.head;
+    take_info(*state.head);
   }
+  if (state.load_cases.empty())
+    forget_fields();
   take_load_cases(state.load_cases);
   for (const auto& warning : state.warnings)
     emit notice(QString::fromStdString(warning));
   emit head_changed();
+}
+
+/// What was held of another version that had this number, in a document that was made anew on the
+/// server, goes with it.
+version_record& document::take_info(const client::version_info& info) {
+  auto& row = versions_[info.number];
+  if (!row.info.version_id.empty() && row.info.version_id != info.version_id)
+    row = {};
+  row.info = info;
+  if (auto report = std::exchange(row.info.report, std::nullopt))
+    row.report = std::move(report);
+  return row;
 }
 
 void document::import(const QString& mesh, const QStringList& load_cases, const QString& unit) {
@@ -382,8 +397,7 @@ void document::take_load_cases(const std::vector<fem::load_case>& loads) {
 }
 
 void document::take_commit(const client::committed& what) {
-  auto& row = versions_[what.head.number];
-  row.info = what.head;
+  auto& row = take_info(what.head);
   if (what.report)
     row.report = what.report;
   const bool again = std::exchange(head_, what.head.number) == what.head.number;
@@ -406,8 +420,13 @@ void document::take_commit(const client::committed& what) {
 
 /// As the server does it: a new version has its parent's load cases without what is gone.
 void document::refresh_history() {
+  ask_history(false);
+}
+
+/// With `reports` also of what edits did that were made before this was opened.
+void document::ask_history(bool reports) {
   link_.run<client::history>(
-    [](client::client& c, const execution&) { return c.get_history(); },
+    [reports](client::client& c, const execution&) { return c.get_history(reports); },
     [this, mine = opening_, known = annotations_](const expected<client::history>& got) {
       if (got && mine == opening_)
         take_history(*got, known);
@@ -417,8 +436,8 @@ void document::refresh_history() {
 /// Answers and events come on two ways: a name that was told since this was asked for is newer.
 void document::take_history(const client::history& history, int known) {
   for (const auto& info : history.versions)
-    if (auto& row = versions_[info.number]; row.annotation <= known)
-      row.info = info;
+    if (versions_[info.number].annotation <= known)
+      take_info(info);
   emit history_changed();
 }
 

@@ -170,6 +170,7 @@ private:
   void connection_changed();
   void reopen();
   void take_state(const client::document_state& state);
+  version_record& take_info(const client::version_info& info);
   void ask_commit(const QString& title, remote::work<client::committed> call);
   void ask_again();
   void take_event(const client::committed& what);
@@ -180,10 +181,12 @@ private:
   void take_status(const client::solve_status& status);
   void take_load_cases(const std::vector<fem::load_case>& loads);
   void take_other_load_cases(const std::vector<fem::load_case>& loads);
+  void ask_history(bool reports);
   void take_history(const client::history& history, int known);
   void send_watch();
   void load_catalogue();
   void set_field_state(field_state next);
+  void forget_fields();
   [[nodiscard]] version_record* find(const std::string& version_id);
   void change_loads(const QString& title, remote::work<void> change, std::function<void()> done);
   void send_load_cases(std::vector<fem::load_case> loads, std::function<void()> then = {});

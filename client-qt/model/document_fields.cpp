@@ -87,19 +87,27 @@ void document::note_solve() {
 // -- load cases and names ------------------------------------------------------------
 
 /// Names that were known and are gone leave the head's row; others may be of a kind that only the
-/// server knows. Without any loads there is no field any more.
+/// server knows.
 void document::take_other_load_cases(const std::vector<fem::load_case>& loads) {
   auto& row = versions_[*head_];
   for (const auto& before : row.load_cases)
     if (std::ranges::find(loads, before.name, &fem::load_case::name) == loads.end())
       std::erase(row.info.load_cases, before.name);
-  if (loads.empty()) {
-    row.fields.clear();
-    row.outcome.reset();
-    set_field_state(field_state::none);
-    emit field_changed();
-  }
+  if (loads.empty())
+    forget_fields();
   take_load_cases(loads);
+}
+
+/// Without loads the head has no field, whatever was shown of it before.
+void document::forget_fields() {
+  auto* row = head_ ? &versions_[*head_] : nullptr;
+  if (row) {
+    row->fields.clear();
+    row->outcome.reset();
+  }
+  set_field_state(field_state::none);
+  if (row)
+    emit field_changed();
 }
 
 /// One request; `done` when it was granted and the document is still the one that asked.

@@ -36,7 +36,7 @@ std::vector<double> compact(const field& f, const std::vector<std::uint32_t>& sl
 
 }  // namespace
 
-expected<void> write_vtu(const std::filesystem::path& path, const mesh_version& mesh,
+expected<void> write_vtu(const file_target& to, const mesh_version& mesh,
                          const std::vector<field>& fields,
                          const std::vector<std::pair<std::string, std::string>>& notes) {
   const auto vertices =
@@ -67,7 +67,7 @@ expected<void> write_vtu(const std::filesystem::path& path, const mesh_version& 
     (on_vertices ? grid.point_data : grid.cell_data)
       .push_back({f.name, f.components, values.back()});
   }
-  return write_vtu(path, grid);
+  return write_vtu(to, grid);
 }
 
 }  // namespace tedit

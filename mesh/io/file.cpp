@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
+#include <sstream>
+
+#include "base/system_failure.hpp"
 
 namespace tedit {
 
@@ -15,8 +17,11 @@ namespace {
 
 tl::unexpected<error> io_failure(const std::string& what, const fs::path& path,
                                  const std::string& reason) {
-  return fail(ec::io_error, what + " " + path.string() + ": " + reason,
-              "Check the path and its permissions");
+  return fail(ec::io_error, what + " " + path.string() + ": " + reason, "Check the path");
+}
+
+tl::unexpected<error> io_failure(const std::string& what, const fs::path& path, int reason) {
+  return system_failure(what + " " + path.string(), reason);
 }
 
 }  // namespace
@@ -31,12 +36,23 @@ expected<std::vector<char>> read_file(const fs::path& path) {
   const auto size = fs::file_size(path, code);
   std::ifstream in(path, std::ios::binary);
   if (code || !in)
-    return io_failure("cannot read", path, code ? code.message() : std::strerror(errno));
+    return io_failure("cannot read", path, code ? code.value() : errno);
   std::vector<char> bytes(size);
   in.read(bytes.data(), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(in.gcount()) != size)
     return io_failure("cannot read", path, "it ended early");
   return bytes;
+}
+
+expected<void> file_target::write(const std::function<void(std::ostream&)>& write) const {
+  if (!memory_)
+    return write_file(path_, write);
+  std::ostringstream out(std::ios::binary);
+  write(out);
+  if (!out)
+    return fail(ec::out_of_memory, "there is no memory to write the file in");
+  *memory_ = std::move(out).str();
+  return {};
 }
 
 expected<void> write_file(const fs::path& path, const std::function<void(std::ostream&)>& write) {
@@ -47,18 +63,18 @@ expected<void> write_file(const fs::path& path, const std::function<void(std::os
   {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     if (!out)
-      return io_failure("cannot write", path, std::strerror(errno));
+      return io_failure("cannot write", path, errno);
     write(out);
     out.flush();
     if (!out) {
-      const std::string reason = std::strerror(errno);
+      const int reason = errno;
       fs::remove(temporary, code);
       return io_failure("cannot write", path, reason);
     }
   }
   fs::rename(temporary, path, code);
   if (code) {
-    const auto reason = code.message();
+    const int reason = code.value();
     fs::remove(temporary, code);
     return io_failure("cannot write", path, reason);
   }

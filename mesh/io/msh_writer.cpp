@@ -194,7 +194,7 @@ compaction compact(const mesh_version& mesh) {
   return result;
 }
 
-expected<void> write_msh(const std::filesystem::path& path, const mesh_version& mesh,
+expected<void> write_msh(const file_target& to, const mesh_version& mesh,
                          const std::string& length_unit) {
   const auto unit = metres_per_unit(length_unit);
   if (!unit)
@@ -203,7 +203,7 @@ expected<void> write_msh(const std::filesystem::path& path, const mesh_version& 
     if (row.id < INT32_MIN || row.id > INT32_MAX)
       return fail(ec::invalid_argument,
                   "surface id " + std::to_string(row.id) + " does not fit into a MSH file");
-  return write_file(path, [&](std::ostream& out) { msh_writer(mesh, 1 / *unit).write(out); });
+  return to.write([&](std::ostream& out) { msh_writer(mesh, 1 / *unit).write(out); });
 }
 
 }  // namespace tedit

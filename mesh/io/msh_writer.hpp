@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "mesh/io/file.hpp"
 #include "mesh/version.hpp"
 
 namespace tedit {
@@ -22,7 +22,7 @@ struct compaction {
 /// of dimension 3, and names as physical groups. Coordinates are written in `length_unit`.
 /// Interface triangles are written, too. Errors: `io_error`, `invalid_argument` for the unit or for
 /// ids beyond 32 bits.
-[[nodiscard]] expected<void> write_msh(const std::filesystem::path& path, const mesh_version& mesh,
+[[nodiscard]] expected<void> write_msh(const file_target& to, const mesh_version& mesh,
                                        const std::string& length_unit);
 
 }  // namespace tedit

@@ -18,12 +18,12 @@ void put_float3(std::ostream& out, vec3 value) {
 
 }  // namespace
 
-expected<void> write_stl(const std::filesystem::path& path, const mesh_version& mesh,
+expected<void> write_stl(const file_target& to, const mesh_version& mesh,
                          const std::string& length_unit) {
   const auto unit = metres_per_unit(length_unit);
   if (!unit)
     return fail(unit.error());
-  return write_file(path, [&](std::ostream& out) {
+  return to.write([&](std::ostream& out) {
     std::string header = "TEdit boundary, unit " + length_unit;
     header.resize(80, ' ');
     out << header;

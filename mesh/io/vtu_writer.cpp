@@ -61,7 +61,7 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-expected<void> write_vtu(const std::filesystem::path& path, const vtu_grid& grid) {
+expected<void> write_vtu(const file_target& to, const vtu_grid& grid) {
   const std::size_t cells = grid.cells.size() / static_cast<std::size_t>(grid.nodes_per_cell);
   std::vector<std::int64_t> connectivity(grid.cells.begin(), grid.cells.end());
   std::vector<std::int64_t> offsets(cells);
@@ -98,7 +98,7 @@ expected<void> write_vtu(const std::filesystem::path& path, const vtu_grid& grid
   for (const auto& array : grid.cell_data)
     head += data.add("Float64", escaped(array.name), array.components, std::as_bytes(array.values));
   head += "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
-  return write_file(path, [&](std::ostream& out) {
+  return to.write([&](std::ostream& out) {
     out << head;
     data.write(out);
     out << "</VTKFile>\n";

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
+#include "mesh/io/file.hpp"
 #include "mesh/vec3.hpp"
 
 namespace tedit {
@@ -29,6 +28,6 @@ struct vtu_grid {
 };
 
 /// Writes VTU with raw appended data and 64-bit headers; doubles stay doubles. Errors: `io_error`.
-[[nodiscard]] expected<void> write_vtu(const std::filesystem::path& path, const vtu_grid& grid);
+[[nodiscard]] expected<void> write_vtu(const file_target& to, const vtu_grid& grid);
 
 }  // namespace tedit

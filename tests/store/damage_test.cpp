@@ -24,6 +24,16 @@ protected:
   /// Opens it once, which gives it its hashes.
   void upgrade() const { ASSERT_NE(open(), nullptr); }
 
+  /// A version more, with enough pages to need room that was not used; whether it was stored.
+  bool commit_more() const {
+    const auto doc = open();
+    auto c = make_change(3);
+    for (std::uint32_t i = 0; i < 20; ++i)
+      c.new_pages.push_back(make_page(100 + i, 5000));
+    c.new_version->manifest = doc->read()->versions[1].manifest;
+    return doc->commit(c).has_value();
+  }
+
   std::vector<char> bytes() const {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -271,6 +281,10 @@ TEST_F(Damage, AFlippedByteIsNoticedOrChangesNothing) {
       const auto got = content_of(file);
       refused += got ? 0 : 1;
       ASSERT_EQ(got.value_or(*wanted), *wanted) << "byte " << at;
+      if (got && commit_more()) {  // What looks sound must not break with the next change.
+        const auto more = content_of(file);
+        EXPECT_TRUE(more && more->starts_with("3")) << "byte " << at;
+      }
       fs::remove(file.string() + "-wal");
       fs::remove(file.string() + "-shm");
     }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/store/document_lock.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <map>
+#include <mutex>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "base/hash.hpp"
+#include "base/system_failure.hpp"
+
+namespace tedit::store {
+
+namespace fs = std::filesystem;
+
+/// The lock file of one folder, open for as long as this process holds a document in it.
+struct document_lock::folder {
+  explicit folder(int opened) : handle(opened) {}
+  folder(const folder&) = delete;
+  folder& operator=(const folder&) = delete;
+  ~folder() { ::close(handle); }
+
+  int handle;
+  std::set<std::string> held;  ///< Names; locks of one descriptor do not exclude each other.
+};
+
+namespace {
+
+/// Guards all folders of this process, and what they hold.
+std::mutex& guard() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// The byte that stands for a name. Two names share one with a chance of 2^-62; then only one of
+/// the two can be open.
+off_t byte_of(const std::string& name) {
+  return static_cast<off_t>(hash_bytes(std::as_bytes(std::span(name))).low >> 2);
+}
+
+/// Locks or unlocks the byte of a name, for this descriptor and not for the process: a lock goes
+/// with the last copy of the descriptor.
+bool set_lock(int handle, const std::string& name, short kind) {
+  struct flock byte {};
+  byte.l_type = kind;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = byte_of(name);
+  byte.l_len = 1;
+  return ::fcntl(handle, F_OFD_SETLK, &byte) == 0;
+}
+
+}  // namespace
+
+expected<document_lock> document_lock::take(const fs::path& file) {
+  static std::map<fs::path, std::weak_ptr<folder>> folders;
+  const auto conflict = [&](const char* where) {
+    return fail(ec::conflict, file.string() + " is open already" + where,
+                "Close it in the other TEdit first");
+  };
+  const auto path = file.parent_path() / ".tedit-lock";
+  const std::lock_guard lock(guard());
+  auto shared = folders[path].lock();
+  if (!shared) {
+    const int opened = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (opened < 0)
+      return system_failure("cannot lock " + path.string(), errno);
+    folders[path] = shared = std::make_shared<folder>(opened);
+  }
+  const auto name = file.filename().string();
+  if (shared->held.contains(name))
+    return conflict(" in this program");
+  if (!set_lock(shared->handle, name, F_WRLCK)) {
+    if (errno == EAGAIN || errno == EACCES)
+      return conflict(" in another program");
+    return system_failure("cannot lock " + path.string(), errno);
+  }
+  shared->held.insert(name);
+  document_lock taken;
+  taken.folder_ = std::move(shared);
+  taken.name_ = name;
+  return taken;
+}
+
+document_lock& document_lock::operator=(document_lock&& other) noexcept {
+  if (this != &other) {
+    release();
+    folder_ = std::move(other.folder_);
+    name_ = std::move(other.name_);
+  }
+  return *this;
+}
+
+document_lock::~document_lock() {
+  release();
+}
+
+void document_lock::release() noexcept {
+  if (!folder_)
+    return;
+  const std::lock_guard lock(guard());
+  set_lock(folder_->handle, name_, F_UNLCK);
+  folder_->held.erase(name_);
+  folder_.reset();
+}
+
+}  // namespace tedit::store

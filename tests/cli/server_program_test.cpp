@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What stands in the way of a server: `tedit doctor` finds it, `tedit serve` refuses to start.
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/cli/program.hpp"
+
+namespace tedit::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder with a good configuration, token and documents, for each test anew.
+class ServerProgram : public ::testing::Test {
+protected:
+  void SetUp() override {
+    auto name = (fs::temp_directory_path() / "tedit-server-XXXXXX").string();
+    folder = mkdtemp(name.data());
+    fs::create_directory(documents());
+    std::ofstream(token()) << std::string(64, 'a') << "\n";
+    fs::permissions(token(), fs::perms::owner_read | fs::perms::owner_write);
+    write_config();
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  fs::path documents() const { return folder / "documents"; }
+  fs::path token() const { return folder / "token"; }
+  fs::path config() const { return folder / "config.toml"; }
+
+  void write_config(const std::string& more = {}, int port = 0) const {
+    std::ofstream(config()) << "[server]\nport = " << port << "\ndocuments = \""
+                            << documents().string() << "\"\ntoken_file = \"" << token().string()
+                            << "\"\n"
+                            << more;
+  }
+
+  /// The row of a check; empty when there is none.
+  static json row(const outcome& result, const std::string& name) {
+    const auto all = result.parsed();
+    for (const auto& one : all["checks"])
+      if (one["name"] == name)
+        return one;
+    return json::object();
+  }
+
+  /// The doctor finds this wrong, and that alone, of what concerns the server.
+  void expect_fault(const std::string& name, const std::string& words) const {
+    const auto result = run("doctor --json --config " + config().string());
+    EXPECT_EQ(result.status, 1) << name;
+    EXPECT_FALSE(result.parsed()["ok"].get<bool>());
+    const auto found = row(result, name);
+    ASSERT_FALSE(found.empty()) << result.out;
+    EXPECT_FALSE(found["ok"].get<bool>());
+    EXPECT_THAT(found["text"].get<std::string>(), HasSubstr(words));
+    for (const char* other : {"configuration", "documents", "token", "port"})
+      EXPECT_TRUE(other == name || row(result, other).value("ok", true)) << row(result, other);
+  }
+
+  fs::path folder;
+};
+
+/// A port that somebody listens on; says nothing to who connects.
+class taken_port {
+public:
+  taken_port() : handle_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in at{};
+    at.sin_family = AF_INET;
+    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof at;
+    EXPECT_EQ(::bind(handle_, reinterpret_cast<sockaddr*>(&at), size), 0);
+    EXPECT_EQ(::listen(handle_, 4), 0);
+    EXPECT_EQ(::getsockname(handle_, reinterpret_cast<sockaddr*>(&at), &size), 0);
+    number = ntohs(at.sin_port);
+  }
+  taken_port(const taken_port&) = delete;
+  taken_port& operator=(const taken_port&) = delete;
+  ~taken_port() { ::close(handle_); }
+
+  int number = 0;
+
+private:
+  int handle_;
+};
+
+TEST_F(ServerProgram, TheDoctorIsContentWithAGoodConfigurationAndChangesNothing) {
+  const auto result = run("doctor --json --config " + config().string());
+
+  for (const char* name : {"configuration", "documents", "token", "port"})
+    EXPECT_TRUE(row(result, name)["ok"].get<bool>()) << row(result, name);
+  EXPECT_TRUE(fs::is_empty(documents()));
+  fs::remove(documents());
+  fs::remove(token());
+  const auto fresh = run("doctor --json --config " + config().string());
+  EXPECT_THAT(row(fresh, "documents")["text"].get<std::string>(), HasSubstr("made when"));
+  EXPECT_THAT(row(fresh, "token")["text"].get<std::string>(), HasSubstr("made when"));
+  EXPECT_FALSE(fs::exists(documents()));
+  EXPECT_FALSE(fs::exists(token()));
+}
+
+TEST_F(ServerProgram, TheDoctorFindsAWrongConfiguration) {
+  std::ofstream(config()) << "@%&? rubbish";
+  expect_fault("configuration", "no TOML");
+  write_config("documnets = \"/tmp\"\n");
+  expect_fault("configuration", "Did you mean documents?");
+  fs::remove(config());
+  expect_fault("configuration", "cannot read");
+}
+
+TEST_F(ServerProgram, TheDoctorFindsAFolderThatCannotBeUsed) {
+  fs::remove(documents());
+  std::ofstream(documents()) << "a file in its place";
+  expect_fault("documents", "is no folder");
+}
+
+TEST_F(ServerProgram, TheDoctorFindsATokenThatOthersMayReadOrThatIsNone) {
+  fs::permissions(token(), fs::perms::others_read, fs::perm_options::add);
+  expect_fault("token", "others may read");
+  fs::permissions(token(), fs::perms::owner_read | fs::perms::owner_write);
+  std::ofstream(token()) << "short";
+  expect_fault("token", "too short");
+}
+
+TEST_F(ServerProgram, TheDoctorFindsAPortThatIsTaken) {
+  const taken_port port;
+  write_config({}, port.number);
+  expect_fault("port", "in use by another program");
+}
+
+/// The port is taken: a server that does not mind the folder fails there and does not stay.
+TEST_F(ServerProgram, AServerDoesNotStartWithAFolderThatItCannotWrite) {
+  const taken_port port;
+  const auto serve = [&](const fs::path& where) {
+    return run("serve --json --in-process --config " + config().string() + " --port " +
+               std::to_string(port.number) + " --documents " + where.string());
+  };
+  EXPECT_EQ(serve(documents()).parsed()["error"]["code"], "service_unavailable");
+  std::ofstream(folder / "file") << "x";
+  for (const fs::path& place : {folder / "file", folder / "file/below", fs::path("/proc")}) {
+    const auto result = serve(place);
+    const auto e = result.parsed()["error"];
+    EXPECT_EQ(result.status, 65) << place;
+    EXPECT_EQ(e["code"], "io_error") << place;
+    EXPECT_THAT(e["remedy"].get<std::string>(), HasSubstr("--documents")) << place;
+  }
+}
+
+/// What a folder's owner may not do is tried by somebody who is not root.
+TEST_F(ServerProgram, AServerDoesNotStartWithAFolderThatItMayNotWrite) {
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may write everywhere";
+  const taken_port port;
+  fs::permissions(documents(), fs::perms::owner_read | fs::perms::owner_exec);
+  const auto result = run("serve --json --in-process --config " + config().string() + " --port " +
+                          std::to_string(port.number));
+  EXPECT_EQ(result.parsed()["error"]["code"], "io_error");
+  EXPECT_THAT(result.parsed()["error"]["message"].get<std::string>(),
+              HasSubstr("Permission denied"));
+  expect_fault("documents", "Permission denied");
+  fs::permissions(documents(), fs::perms::owner_all);
+}
+
+}  // namespace
+}  // namespace tedit::test

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A document that the server has closed and opened again says of each version what it said before.
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "tests/scenarios/fixture.hpp"
+
+namespace tedit::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
+
+fem::load_case pull(double newton) {
+  return value(protocol::load_case_from_json(
+    R"({"name": "pull", "materials": [{"young_modulus_pa": 2.1e11, "poisson_ratio": 0.3}],
+        "constraints": [{"surfaces": ["1"], "fixed": {}}],
+        "loads": [{"surfaces": ["2"], "force": {"total_n": {"x": )" +
+      std::to_string(newton) + "}}}]}",
+    "test"));
+}
+
+/// A cube that was thickened twice, with the second edit undone.
+struct two_edits {
+  client::committed imported, first, second, undone;
+
+  explicit two_edits(client::client& user) {
+    value(user.open("cube", false, false));
+    imported = value(user.import_file(cube_mesh, "mm", {}));
+    value(user.set_load_case(pull(1000)));
+    first = value(user.edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
+    second = value(user.edit("thicken", {6}, {{"depth", 0.5e-3}}, {}));
+    undone = value(user.undo());
+  }
+};
+
+void expect_same(const std::optional<edit_report>& got, const std::optional<edit_report>& wanted) {
+  ASSERT_TRUE(got && wanted);
+  EXPECT_EQ(got->operation, wanted->operation);
+  EXPECT_EQ(got->surfaces, wanted->surfaces);
+  EXPECT_EQ(got->from_version, wanted->from_version);
+  EXPECT_EQ(got->to_version, wanted->to_version);
+  EXPECT_EQ(got->volume_change, wanted->volume_change);
+  EXPECT_EQ(got->receipt.size(), wanted->receipt.size());
+  EXPECT_EQ(got->surface_map.size(), wanted->surface_map.size());
+}
+
+TEST(Reopen, EveryVersionSaysWhatItsEditReported) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  const two_edits made(*connect(host->url()));
+  host.reset();
+  host = start(options_for(folder, false));
+  auto user = connect(host->url());
+
+  const auto state = value(user->open("cube", false, false));
+
+  ASSERT_TRUE(state.head.has_value());
+  EXPECT_EQ(state.head->version_id, made.first.head.version_id);
+  expect_same(state.head->report, made.first.report);
+  const auto all = value(user->get_history(true));
+  ASSERT_EQ(all.versions.size(), 3U);
+  EXPECT_EQ(all.head, 1U);
+  EXPECT_FALSE(all.versions[0].report.has_value());
+  expect_same(all.versions[1].report, made.first.report);
+  expect_same(all.versions[2].report, made.second.report);
+  for (const auto& one : value(user->get_history()).versions)
+    EXPECT_FALSE(one.report.has_value());
+}
+
+TEST(Reopen, FieldsAreOfTheVersionAndItsLoads) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  const two_edits made(*connect(host->url()));
+  host.reset();
+  host = start(options_for(folder, false));
+  auto user = connect(host->url());
+  value(user->open("cube", true, true));
+  const auto solve = [&](const std::string& version) {
+    const auto report = value(user->solve({.device = "cpu"}, {}));
+    EXPECT_EQ(report.version_id, version);
+    EXPECT_EQ(value(user->wait_fields(version, patience)).front().version_id(), version);
+    return report.max_von_mises_pa;
+  };
+
+  const double of_first = solve(made.first.head.version_id);
+  EXPECT_EQ(value(user->redo()).head.number, 2U);
+  const double of_second = solve(made.second.head.version_id);
+  EXPECT_EQ(value(user->go_to(0)).head.number, 0U);
+  const double of_import = solve(made.imported.head.version_id);
+  EXPECT_EQ(value(user->go_to(1)).head.number, 1U);
+
+  EXPECT_EQ(solve(made.first.head.version_id), of_first);
+  EXPECT_NE(of_first, of_import);
+  EXPECT_NE(of_second, of_first);
+}
+
+bool has_field(client::client& user) {
+  const auto file = value(user.export_file(client::file_format::vtu, {}, "mm", {}));
+  constexpr std::string_view wanted = "von_mises";
+  return std::search(file.begin(), file.end(), wanted.begin(), wanted.end()) != file.end();
+}
+
+TEST(Reopen, AFileHasNoFieldOfLoadsThatWereChanged) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  auto user = connect(host->url());
+  const two_edits made(*user);
+  value(user->solve({.device = "cpu"}, {}));
+  ASSERT_TRUE(has_field(*user));
+
+  value(user->set_load_case(pull(2000)));
+
+  EXPECT_FALSE(has_field(*user));
+  value(user->solve({.device = "cpu"}, {}));
+  EXPECT_TRUE(has_field(*user));
+}
+
+TEST(Reopen, ALoadThatWasChangedInTheFileIsRefusedByItsVersion) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  const two_edits made(*connect(host->url()));
+  host.reset();
+  sqlite3* db = nullptr;
+  ASSERT_EQ(sqlite3_open((folder.path() / "cube.tedit").c_str(), &db), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(db,
+                         "UPDATE version SET load_cases = replace(load_cases, '1000', '9000')"
+                         " WHERE number = 1",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  EXPECT_EQ(sqlite3_changes(db), 1);
+  sqlite3_close(db);
+  host = start(options_for(folder, false));
+
+  const auto refused = connect(host->url())->open("cube", false, false);
+
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::storage_error);
+  EXPECT_THAT(refused.error().message, HasSubstr("version 1"));
+  EXPECT_THAT(refused.error().remedy, HasSubstr("backup"));
+}
+
+}  // namespace
+}  // namespace tedit::test
