@@ -75,7 +75,8 @@ expected<std::unique_ptr<fem::backend>> open_device(const std::string& name,
 fem::case_set make_set(fem::problem p, int count) {
   fem::case_set set;
   for (int c = 0; c < count; ++c) {
-    fem::conditions one{"case " + std::to_string(c), {}, p.loads, p.filter, p.prescribed, p.holders};
+    fem::conditions one{
+      "case " + std::to_string(c), {}, p.loads, p.filter, p.prescribed, p.holders};
     for (std::size_t n = 0; n < p.node_count(); ++n)
       for (std::size_t i = 0; i < 3; ++i)
         one.loads[3 * n + i] = p.loads[3 * n + (i + static_cast<std::size_t>(c)) % 3] *
