@@ -226,7 +226,10 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
                           gateway_parts parts) {
   auto& state = self->state;
   state.start(self, std::move(to), std::move(parts));
-  return {[&state](const std::string& bytes) { state.on_message(bytes); },
+  return {[&state](const std::string& bytes) {
+            state.on_message(bytes);
+            state.to->handled(bytes.size());
+          },
           [&state](drained_atom) {
             state.bulk_out->pump();
             state.start_exports();

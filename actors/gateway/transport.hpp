@@ -40,6 +40,10 @@ public:
   /// with 1013 when none is left. Call it before the reply to the hello is sent.
   virtual void authenticated() = 0;
 
+  /// Says that so many bytes of messages have been dealt with. While more than `max_unhandled` were
+  /// handed over and are not, nothing is read: a client that is quicker than its handler waits.
+  virtual void handled(std::size_t bytes) = 0;
+
   /// Closes after what is queued. `code` is a WebSocket close code (1000, 1008, 4000-4999, ...);
   /// `reason` is cut to 123 bytes. Messages that arrive from now on are dropped.
   virtual void close(std::uint16_t code, std::string reason) = 0;
@@ -72,6 +76,7 @@ public:
 struct transport_limits {
   std::size_t max_message = std::size_t{16} << 20;       ///< Inbound, else closed with 1009.
   std::size_t max_first_message = std::size_t{4} << 10;  ///< The same until `authenticated`.
+  std::size_t max_unhandled = std::size_t{32} << 20;     ///< Inbound, see `connection::handled`.
   std::size_t max_queue = std::size_t{32} << 20;         ///< Outbound, the newest message included.
   std::size_t low_water = std::size_t{1} << 20;          ///< See `on_drained`.
   std::size_t max_connections = 256;  ///< Of clients that are `authenticated`; then 503.

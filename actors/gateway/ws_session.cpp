@@ -45,6 +45,7 @@ public:
   void send(frame bytes) override;
   std::size_t queued_bytes() const override { return queued_; }
   void authenticated() override;
+  void handled(std::size_t bytes) override;
   void close(std::uint16_t code, std::string reason) override;
   std::string peer() const override { return peer_; }
 
@@ -58,6 +59,8 @@ private:
   void call_handler(Call call);
   void on_upgraded(error_code problem);
   void read();
+  void read_on();
+  void resume();
   void on_read(error_code problem);
   void deliver();
   void enqueue(frame bytes);
@@ -87,9 +90,11 @@ private:
   std::size_t sent_of_front_ = 0;
   std::size_t in_flight_ = 0;
   std::atomic<std::size_t> queued_{0};
+  std::atomic<std::size_t> unhandled_{0};
   std::atomic<bool> done_{false};
   bool open_ = false;
-  bool known_ = false;  ///< `authenticated` was called.
+  bool known_ = false;   ///< `authenticated` was called.
+  bool paused_ = false;  ///< Nothing is read until more is `handled`.
   bool writing_ = false;
   bool pinging_ = false;
   bool above_low_water_ = false;
@@ -213,7 +218,26 @@ void ws_session::on_read(error_code problem) {
   else if (ws_.is_message_done())
     deliver();
   if (!close_sent_ && !done_)
+    read_on();
+}
+
+void ws_session::read_on() {
+  paused_ = unhandled_ > limits().max_unhandled;
+  if (!paused_)
     read();
+}
+
+/// Posted work comes after a `read_on` that saw the old count, so that none waits for ever.
+void ws_session::handled(std::size_t bytes) {
+  const auto before = unhandled_.fetch_sub(bytes);
+  const auto most = limits().max_unhandled;
+  if (before > most && before - bytes <= most)
+    on_strand([](ws_session& self) { self.resume(); });
+}
+
+void ws_session::resume() {
+  if (paused_ && !close_sent_ && !done_)
+    read_on();
 }
 
 void ws_session::deliver() {
@@ -222,6 +246,7 @@ void ws_session::deliver() {
   buffer_.consume(buffer_.size());
   if (buffer_.capacity() > kept_buffer)
     buffer_.shrink_to_fit();
+  unhandled_ += bytes.size();
   call_handler([&](connection_handler& h) { h.on_message(std::move(bytes)); });
 }
 
@@ -304,6 +329,8 @@ void ws_session::on_tick() {
   if (done_)
     return;
   const auto now = steady::now();
+  if (paused_)
+    last_life_ = now;  // It is we who do not listen.
   // Beast answers a close or a broken rule of the client's by itself, but waits for ever.
   if (!force_at_ && !ws_.is_open())
     force_at_ = now + limits().close_timeout;

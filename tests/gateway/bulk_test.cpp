@@ -22,6 +22,7 @@ public:
   }
   std::size_t queued_bytes() const override { return queued_; }
   void authenticated() override {}
+  void handled(std::size_t) override {}
   void close(std::uint16_t, std::string) override {}
   std::string peer() const override { return "127.0.0.1:1"; }
 

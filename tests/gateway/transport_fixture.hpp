@@ -55,6 +55,7 @@ struct log {
   std::vector<std::shared_ptr<connection>> opened;
   std::vector<std::string> closed;
   std::vector<int> drained;
+  std::vector<std::size_t> kept;
 
   template <class T>
   void update(std::vector<T>& list, std::type_identity_t<T> entry) {
@@ -79,6 +80,9 @@ public:
       : connection_(std::move(c)), log_(std::move(l)) {}
 
   void on_message(std::string bytes) override {
+    if (bytes.starts_with("keep"))
+      return log_->update(log_->kept, bytes.size());  // Until the test says that it is handled.
+    connection_->handled(bytes.size());
     if (bytes == "throw")
       throw std::runtime_error("a test");
     if (bytes != "stranger")

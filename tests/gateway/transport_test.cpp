@@ -187,6 +187,30 @@ TEST_F(transport_limit, a_reader_that_never_reads_is_cut_off) {
   EXPECT_EQ(server->connections(), 0u);
 }
 
+TEST_F(transport_limit, who_is_quicker_than_its_handler_waits) {
+  options.limits.max_unhandled = 2 * mib;
+  start();
+  const auto quick = connect_known();
+  const auto other = connect_known();
+  const auto remote = seen->wait(seen->opened);
+  constexpr std::size_t messages = 64;
+  std::thread writer([&] {
+    for (std::size_t i = 0; i < messages; ++i)
+      quick->write("keep" + std::string(mib, 'x'));
+  });
+  seen->wait(seen->kept, 1);
+  EXPECT_EQ(other->round_trip("ping"), "ping");
+  std::this_thread::sleep_for(100ms);  // In which no more come, however quick the machine is.
+  {
+    const std::lock_guard lock(seen->mutex);
+    EXPECT_EQ(seen->kept.size(), 2u);
+  }
+  for (std::size_t i = 0; i < messages; ++i)
+    remote->handled(seen->wait(seen->kept, i));
+  writer.join();
+  EXPECT_EQ(quick->round_trip("still here"), "still here");
+}
+
 TEST_F(transport_limit, silence_is_pinged_and_then_dropped) {
   options.limits.ping_after = 50ms;
   options.limits.idle_timeout = 1s;
