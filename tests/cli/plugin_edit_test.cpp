@@ -142,15 +142,47 @@ TEST(PluginEdit, ARecipeTellsWhatThePluginDid) {
               ::testing::AllOf(HasSubstr("rule_breaker"), HasSubstr("signal 6 (Aborted)")));
 }
 
-TEST(PluginEdit, WhatItLogsComesOnStderrWithItsName) {
-  const Misdeed misdeed("logs");
-  FILE* pipe = popen((program + " " + misdeed.arguments + " 2>&1 >/dev/null").c_str(), "r");
+/// What a command writes to stderr, and whether it ended well.
+std::pair<std::string, bool> errors_of(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1 >/dev/null").c_str(), "r");
   std::string errors(4096, ' ');
   errors.resize(fread(errors.data(), 1, errors.size(), pipe));
+  return {errors, pclose(pipe) == 0};
+}
 
-  EXPECT_EQ(pclose(pipe), 0);
+TEST(PluginEdit, WhatItLogsComesOnStderrWithItsName) {
+  const Misdeed misdeed("logs");
+
+  const auto [errors, ok] = errors_of(program + " " + misdeed.arguments);
+
+  EXPECT_TRUE(ok);
   EXPECT_THAT(errors, HasSubstr("rule_breaker: two\nrule_breaker: lines of "));
 }
+
+TEST(PluginEdit, WhatItLogsInAWorkerComesInTheServersLog) {
+  const Misdeed misdeed("logs");
+  const auto recipe = scratch("recipe.json");
+  const json edit{
+    {"operation", "rule_breaker"}, {"surfaces", {4}}, {"parameters", {{"distance", 0.0001}}}};
+  std::ofstream(recipe) << json{{"steps", {{{"import", {{"mesh", block}}}}, {{"edit", edit}}}}};
+
+  const auto [errors, ok] =
+    errors_of(program + " run " + recipe.string() + " --out " + scratch("out").string());
+
+  EXPECT_TRUE(ok) << errors;
+  EXPECT_THAT(errors, HasSubstr("rule_breaker: two\n"));
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // They reserve terabytes.
+TEST(PluginEdit, MemoryThatItEatsIsNotThatOfOthers) {
+  const Misdeed misdeed("eats_memory");
+
+  const auto [errors, ok] = errors_of("ulimit -v 1000000; " + program + " " + misdeed.arguments);
+
+  EXPECT_FALSE(ok);
+  EXPECT_THAT(errors, HasSubstr("of the plugin rule_breaker 1.0.0 ran out of memory"));
+}
+#endif
 
 }  // namespace
 }  // namespace tedit::test
