@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <caf/scoped_actor.hpp>
+#include <caf/send.hpp>
 
 #include "actors/errors.hpp"
 #include "actors/links/link.hpp"
@@ -52,9 +53,15 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   const auto worker = spawn_role(system, options, cache, pages);
   if (!worker)
     return fail(worker.error());
+  // The system's end waits for all actors.
+  const auto turned_away = [&](const error& why) {
+    caf::anon_send_exit(*worker, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(pages, caf::exit_reason::user_shutdown);
+    return fail(why);
+  };
   const auto gate = join_link(system, unique_fd(options.link));
   if (!gate)
-    return fail(gate.error());
+    return turned_away(gate.error());
   caf::scoped_actor self(system);
   self->monitor(*gate);
   // Without one of these the process would refuse all work; its pool starts another instead.
@@ -74,7 +81,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
       },
       [&](const caf::error& e) { refused = from_caf(e, "enlisting"); });
   if (refused)
-    return fail(*refused);
+    return turned_away(*refused);
   bool gone = false;
   while (!gone && !stop.cancelled())
     self->receive([&](const caf::down_msg&) { gone = true; },

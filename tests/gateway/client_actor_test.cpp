@@ -30,6 +30,7 @@ public:
   }
   [[nodiscard]] std::size_t queued_bytes() const override { return 0; }
   void authenticated() override {}
+  void handled(std::size_t) override {}
   void close(std::uint16_t, std::string) override {}
   [[nodiscard]] std::string peer() const override { return "test"; }
 
