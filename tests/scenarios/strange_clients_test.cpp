@@ -221,6 +221,10 @@ TEST_F(StrangeClients, ABoundaryMayNotMoveAcrossThePart) {
   edit->set_document("part");
   edit->set_operation("improve_mesh");
   (*edit->mutable_parameters())["surface_tolerance"].set_real(1e308);
+  const auto absurd = user->ask(message).error();
+  EXPECT_EQ(absurd.code(), "invalid_parameter");
+  EXPECT_THAT(absurd.remedy(), HasSubstr("It takes 0 to 1 m"));
+  (*edit->mutable_parameters())["surface_tolerance"].set_real(0.9);  // Longer than the plate.
   const auto refused = user->ask(message).error();
   EXPECT_EQ(refused.code(), "invalid_parameter");
   EXPECT_THAT(refused.remedy(), HasSubstr("mm"));
