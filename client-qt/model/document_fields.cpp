@@ -3,8 +3,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tedit::desktop {
+
+namespace {
+
+constexpr std::size_t most_kept_surfaces = 64;  // Versions whose surface and field stay at hand.
+
+}  // namespace
+
+/// What was held of another version that had this number, in a document that was made anew on the
+/// server, goes with it.
+version_record& document::take_info(const client::version_info& info) {
+  auto& row = versions_[info.number];
+  if (!row.info.version_id.empty() && row.info.version_id != info.version_id)
+    row = {};
+  row.info = info;
+  if (auto report = std::exchange(row.info.report, std::nullopt))
+    row.report = std::move(report);
+  return row;
+}
+
+/// A surface may come before the commit that it belongs to is known; then it is taken with that.
+void document::take_surface() {
+  auto surface = std::make_shared<const client::surface_model>(link_.surface());
+  auto* row = find(surface->version_id());
+  if (!row || (row->surface && row->surface->version_id() == surface->version_id()))
+    return;
+  row->surface = std::move(surface);
+  std::size_t kept = 0;
+  for (auto at = versions_.rbegin(); at != versions_.rend(); ++at)
+    if (at->second.surface && ++kept > most_kept_surfaces && at->first != head_) {
+      at->second.surface.reset();
+      at->second.fields.clear();
+    }
+  if (row == head())
+    emit surface_changed();
+}
 
 void document::take_field(const shared_field& field) {
   auto* row = find(field->version_id());
