@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 
+#include <optional>
 #include <random>
 #include <regex>
 #include <set>
@@ -211,6 +212,71 @@ TEST_F(Neighbours, MutatedConnectionsEndNothing) {
     }
   });
   EXPECT_THAT(wait_for_health(port_of(host.url()), R"("status":"ok")"), HasSubstr("200 OK"));
+  EXPECT_EQ(family_of(host.pid()), before) << "some process was replaced";
+  expect_a_whole_server();
+}
+
+/// A WebSocket connection that is written byte by byte.
+class raw_socket {
+public:
+  explicit raw_socket(int port) : fd_(connect_to(port)) {
+    say(fd_.get(),
+        "GET /v1 HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n");
+    std::array<char, 1024> answer{};
+    recv(fd_.get(), answer.data(), answer.size(), 0);
+  }
+
+  /// False once the server has ended the connection.
+  bool send_frame(unsigned first_byte, const std::string& body) {
+    std::string bytes{static_cast<char>(first_byte)};
+    if (body.size() < 126) {
+      bytes += static_cast<char>(0x80 | body.size());
+    } else {
+      bytes += static_cast<char>(0x80 | 126);
+      bytes += static_cast<char>(body.size() >> 8);
+      bytes += static_cast<char>(body.size() & 0xff);
+    }
+    bytes += std::string(4, '\0');  // The mask: none.
+    bytes += body;
+    std::array<char, 65536> said{};
+    while (recv(fd_.get(), said.data(), said.size(), MSG_DONTWAIT) > 0) {
+    }
+    return send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) ==
+           static_cast<ssize_t>(bytes.size());
+  }
+
+private:
+  unique_fd fd_;
+};
+
+/// Frames that are no messages, before Hello and after it, with the right token.
+/// TEDIT_HOSTILE_FRAMES=100000 is the long run.
+TEST_F(Neighbours, HostileFramesEndNothing) {
+  const auto before = family_of(host.pid());
+  const int port = port_of(host.url());
+  const int wanted = from_environment("TEDIT_HOSTILE_FRAMES", 2000);
+  const auto hello = host.hello();
+  std::mt19937 random(5);
+  const auto below = [&](std::size_t n) { return random() % n; };
+  std::optional<raw_socket> line;
+  for (int frame = 0; frame < wanted; ++frame) {
+    if (!line) {
+      line.emplace(port);
+      if (below(4) != 0)
+        line->send_frame(0x82, hello);
+    }
+    auto body = below(2) == 0 ? hello : std::string(1 + below(300), '\0');
+    for (auto& c : body)
+      if (body != hello || below(8) == 0)
+        c = static_cast<char>(random());
+    // Mostly whole binary messages; else any operation, reserved bits and pieces.
+    const bool sent = line->send_frame(below(8) != 0 ? 0x82U : random() & 0xffU, body);
+    if (!sent || below(20) == 0)
+      line.reset();
+  }
+  line.reset();
+  EXPECT_THAT(wait_for_health(port, R"("status":"ok")"), HasSubstr("200 OK"));
   EXPECT_EQ(family_of(host.pid()), before) << "some process was replaced";
   expect_a_whole_server();
 }

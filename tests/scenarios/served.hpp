@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/process.hpp"
+#include "tedit/v1/envelope.pb.h"
 #include "tests/scenarios/fixture.hpp"
 
 namespace tedit::test {
@@ -63,6 +64,15 @@ public:
 
   [[nodiscard]] pid_t pid() const { return pid_; }
   [[nodiscard]] const std::string& url() const { return options_.url; }
+
+  /// The message that a client begins with.
+  [[nodiscard]] std::string hello() const {
+    v1::ClientMessage message;
+    message.set_request_id(1);
+    message.mutable_hello()->set_protocol_major(1);
+    message.mutable_hello()->set_token(options_.token);
+    return message.SerializeAsString();
+  }
 
   std::unique_ptr<client::client> connect() { return value(client::client::connect(options_, {})); }
 

@@ -8,10 +8,13 @@
 namespace tedit::test {
 namespace {
 
+/// kill -9 in a stream of edits; TEDIT_SERVER_KILLS=1000 is the long run.
 TEST(ServerDeath, AcknowledgedVersionsAreThereAfterAKillAtAnyMoment) {
+  const char* wanted = std::getenv("TEDIT_SERVER_KILLS");
+  const int kills = wanted ? std::atoi(wanted) : 3;
   const scratch_folder folder;
   std::set<std::string> acknowledged;
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < kills; ++round) {
     served host(folder);
     auto user = host.connect();
     const auto state = value(user->open("plate", false, false));
@@ -26,7 +29,7 @@ TEST(ServerDeath, AcknowledgedVersionsAreThereAfterAKillAtAnyMoment) {
       EXPECT_TRUE(there.contains(id)) << "round " << round << " lost " << id;
     const auto pids = workers_of(*user);
     std::thread killer([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(150 + 37 * round));
+      std::this_thread::sleep_for(std::chrono::milliseconds(150 + 37 * round % 211));
       host.kill();
     });
     // Edits and undos until the connection breaks; each edit of another branch is a new version.
