@@ -23,31 +23,14 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   return result;
 }
 
-std::vector<std::string> environment_with(const std::vector<std::string>& added) {
-  std::vector<std::string> all = added;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string text = *entry;
-    const auto name = text.substr(0, text.find('=') + 1);
-    bool replaced = false;
-    for (const auto& other : added)
-      replaced = replaced || other.starts_with(name);
-    if (!replaced)
-      all.push_back(text);
-  }
-  return all;
-}
-
 }  // namespace
 
-expected<pid_t> spawn_process(const std::vector<std::string>& command, int inherited,
-                              const std::vector<std::string>& environment) {
+expected<pid_t> spawn_process(const std::vector<std::string>& command, int inherited) {
   if (access(command.front().c_str(), X_OK) != 0)
     return fail(ec::service_unavailable, "the program " + command.front() + " is not there",
                 "Build or install TEdit again");
   // Everything that allocates stands before the fork: other threads may hold the allocator's locks.
   const auto arguments = pointers(command);
-  const auto all = environment_with(environment);
-  const auto variables = pointers(all);
   const int nowhere = open("/dev/null", O_RDONLY | O_CLOEXEC);
   const pid_t parent = getpid();
   const pid_t child = fork();
@@ -66,7 +49,7 @@ expected<pid_t> spawn_process(const std::vector<std::string>& command, int inher
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
-    execve(arguments.front(), arguments.data(), variables.data());
+    execv(arguments.front(), arguments.data());
     _exit(127);
   }
   const int reason = errno;

@@ -17,11 +17,9 @@ inline constexpr int inherited_fd = 3;
 /// Starts a program that runs beside this one: stdin is empty, stdout and stderr are this
 /// process's stderr, `inherited` (if not -1) is its `inherited_fd`, no other file is inherited, and
 /// it is killed when the thread that started it ends. It has a process group of its own: signals to
-/// its group do not reach this process, nor Ctrl-C it. `environment` adds NAME=VALUE entries.
-/// Errors: `service_unavailable`.
+/// its group do not reach this process, nor Ctrl-C it. Errors: `service_unavailable`.
 [[nodiscard]] expected<pid_t> spawn_process(const std::vector<std::string>& command,
-                                            int inherited = -1,
-                                            const std::vector<std::string>& environment = {});
+                                            int inherited = -1);
 
 /// How a process with this status of `waitpid` ended, for people: "was killed by signal 9 (Killed)"
 /// or "ended with status 1".

@@ -12,6 +12,7 @@
 
 #include "actors/store/documents_folder.hpp"
 #include "base/system_failure.hpp"
+#include "base/unique_fd.hpp"
 #include "cli/config.hpp"
 #include "cli/token.hpp"
 
@@ -62,19 +63,9 @@ check_row check_token(const server_config& config) {
   return {"token", true, file->string() + " (made when the server starts)"};
 }
 
-/// A TCP socket that closes itself.
-class tcp_socket {
-public:
-  explicit tcp_socket(int family) : handle_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {}
-  tcp_socket(const tcp_socket&) = delete;
-  tcp_socket& operator=(const tcp_socket&) = delete;
-  ~tcp_socket() { ::close(handle_); }
-
-  [[nodiscard]] int handle() const { return handle_; }
-
-private:
-  int handle_;
-};
+unique_fd tcp_socket(int family) {
+  return unique_fd(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+}
 
 struct tcp_address {
   sockaddr_storage where{};
@@ -104,19 +95,19 @@ tcp_address address_of(const server_config& config) {
 
 /// Whether what listens there answers as a TEdit server does; within a second or so.
 bool is_tedit(const tcp_address& at) {
-  const tcp_socket peer(at.where.ss_family);
+  const auto peer = tcp_socket(at.where.ss_family);
   const timeval patience{1, 0};
   for (const int what : {SO_RCVTIMEO, SO_SNDTIMEO})
-    ::setsockopt(peer.handle(), SOL_SOCKET, what, &patience, sizeof patience);
+    ::setsockopt(peer.get(), SOL_SOCKET, what, &patience, sizeof patience);
   const std::string question =
     "GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
-  if (::connect(peer.handle(), at.get(), at.size) != 0 ||
-      ::send(peer.handle(), question.data(), question.size(), MSG_NOSIGNAL) < 0)
+  if (::connect(peer.get(), at.get(), at.size) != 0 ||
+      ::send(peer.get(), question.data(), question.size(), MSG_NOSIGNAL) < 0)
     return false;
   std::string answer;
   char piece[1024];
   for (ssize_t got = 1; got > 0 && answer.size() < 8192;) {
-    got = ::recv(peer.handle(), piece, sizeof piece, 0);
+    got = ::recv(peer.get(), piece, sizeof piece, 0);
     if (got > 0)
       answer.append(piece, static_cast<std::size_t>(got));
   }
@@ -128,10 +119,10 @@ check_row check_port(const server_config& config) {
   if (config.port == 0)
     return {"port", true, config.address + ", any free port"};
   const auto at = address_of(config);
-  const tcp_socket ours(at.where.ss_family);
+  const auto ours = tcp_socket(at.where.ss_family);
   const int yes = 1;
-  ::setsockopt(ours.handle(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  if (::bind(ours.handle(), at.get(), at.size) == 0)
+  ::setsockopt(ours.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  if (::bind(ours.get(), at.get(), at.size) == 0)
     return {"port", true, name + " is free"};
   const int reason = errno;
   if (reason != EADDRINUSE)

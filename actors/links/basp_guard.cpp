@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/links/basp_guard.hpp"
 
-#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -44,7 +43,9 @@ bool is_harmless(std::span<const std::byte> payload) {
   std::uint32_t forwarders = 0;
   if (!read_size(payload, at, forwarders) || forwarders != 0)
     return false;
-  at += 2;
+  for (const auto end = at + 2; at < end; ++at)
+    if (at >= payload.size() || payload[at] != std::byte(0))
+      return false;
   std::uint32_t length = 0;
   if (!read_size(payload, at, length) || length > payload.size() - at)
     return false;

@@ -4,7 +4,6 @@
 #include <sys/socket.h>
 
 #include <cerrno>
-#include <cstring>
 #include <set>
 
 #include <spdlog/spdlog.h>
@@ -16,6 +15,7 @@
 #include <caf/send.hpp>
 
 #include "actors/links/basp_guard.hpp"
+#include "base/system_failure.hpp"
 
 namespace tedit::actors {
 
@@ -58,11 +58,7 @@ caf::io::scribe_ptr make_scribe(caf::actor_system& system, unique_fd end) {
 expected<link_ends> make_link() {
   int ends[2] = {-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    return fail(ec::service_unavailable,
-                std::string("no link to a worker can be made: ") + std::strerror(errno),
-                errno == EMFILE || errno == ENFILE
-                  ? "Raise the limit of open files (ulimit -n) and start the server anew"
-                  : "Close other programs");
+    return system_failure("no link to a worker can be made", errno);
   return link_ends{unique_fd(ends[0]), unique_fd(ends[1])};
 }
 

@@ -10,8 +10,8 @@
 /// Links between the nodes of one machine: CAF's protocol over a pair of connected sockets of which
 /// a worker inherits one end. There is no port that a stranger could find, and what comes over a
 /// link passes a `basp_guard` first.
-/// The ways into CAF are its broker's own messages, semi-internal in 0.17.6; tests/links holds
-/// them.
+/// The ways into CAF are its broker's own messages, semi-internal in 0.17.6; what is used of them
+/// is held by tests/actors/link_test.cpp.
 namespace tedit::actors {
 
 /// Both ends of a new link; neither is inherited unless it is handed over by name.
@@ -20,7 +20,7 @@ struct link_ends {
   unique_fd theirs;
 };
 
-/// Errors: `service_unavailable` with the system's reason.
+/// Errors: `io_error` with the system's reason.
 [[nodiscard]] expected<link_ends> make_link();
 
 /// Serves `end`: whoever joins at the other end is given `gate` to talk to. Returns at once.

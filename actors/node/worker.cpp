@@ -84,8 +84,13 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     return turned_away(*refused);
   bool gone = false;
   while (!gone && !stop.cancelled())
-    self->receive([&](const caf::down_msg&) { gone = true; },
-                  caf::after(std::chrono::milliseconds(200)) >> [] {});
+    self->receive(
+      [&](const caf::down_msg& down) {
+        gone = true;
+        if (down.source != gate->address())
+          spdlog::error("an actor of this worker ended: {}", caf::to_string(down.reason));
+      },
+      caf::after(std::chrono::milliseconds(200)) >> [] {});
   // Work that still runs belongs to nobody any more; its threads must not keep the process.
   std::_Exit(0);
 }

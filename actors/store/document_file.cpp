@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/system_failure.hpp"
+#include "base/unique_fd.hpp"
 
 namespace tedit::store {
 
@@ -17,24 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An open file; closing it loses nothing that was not lost before.
-class descriptor {
-public:
-  descriptor(const fs::path& file, int flags, mode_t mode = 0)
-      : handle_(::open(file.c_str(), flags | O_CLOEXEC, mode)) {}
-  descriptor(const descriptor&) = delete;
-  descriptor& operator=(const descriptor&) = delete;
-  ~descriptor() {
-    if (handle_ >= 0)
-      ::close(handle_);
-  }
-
-  [[nodiscard]] bool open() const { return handle_ >= 0; }
-  [[nodiscard]] int handle() const { return handle_; }
-
-private:
-  int handle_;
-};
+unique_fd open_file(const fs::path& file, int flags, mode_t mode = 0) {
+  return unique_fd(::open(file.c_str(), flags | O_CLOEXEC, mode));
+}
 
 bool write_all(int handle, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -50,19 +36,19 @@ bool write_all(int handle, std::span<const std::byte> bytes) {
 
 expected<bool> has_database(const fs::path& file) {
   constexpr std::string_view magic("SQLite format 3\0", 16);
-  const descriptor in(file, O_RDONLY);
-  if (!in.open() && errno == ENOENT)
+  const auto in = open_file(file, O_RDONLY);
+  if (!in && errno == ENOENT)
     return false;
   struct stat about {};
   std::string start(magic.size(), ' ');
-  if (!in.open() || ::fstat(in.handle(), &about) != 0)
+  if (!in || ::fstat(in.get(), &about) != 0)
     return system_failure("cannot read " + file.string(), errno);
   if (!S_ISREG(about.st_mode))
     return fail(ec::io_error, file.string() + " is no file", "Name a TEdit document or a new file");
   if (about.st_size == 0)
     return fail(ec::storage_error, file.string() + " is empty: it is no document",
                 "Restore it from a backup, or remove it to begin a new document of this name");
-  const auto size = ::read(in.handle(), start.data(), start.size());
+  const auto size = ::read(in.get(), start.data(), start.size());
   if (size < 0)
     return system_failure("cannot read " + file.string(), errno);
   if (start == magic)
@@ -81,15 +67,15 @@ expected<void> create_file(const fs::path& file, std::span<const std::byte> byte
     // What an earlier attempt left is nobody's: only the holder of the lock comes here.
     if (::unlink(draft.c_str()) != 0 && errno != ENOENT)
       return system_failure("cannot replace " + draft, errno);
-    const descriptor out(draft, O_WRONLY | O_CREAT | O_EXCL, 0600);
-    if (!out.open() || !write_all(out.handle(), bytes) || ::fsync(out.handle()) != 0) {
+    const auto out = open_file(draft, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (!out || !write_all(out.get(), bytes) || ::fsync(out.get()) != 0) {
       const int reason = errno;
       ::unlink(draft.c_str());
       return system_failure("cannot make " + file.string(), reason);
     }
   }
-  const descriptor folder(file.parent_path(), O_RDONLY | O_DIRECTORY);
-  if (::rename(draft.c_str(), file.c_str()) != 0 || !folder.open() || ::fsync(folder.handle()) != 0)
+  const auto folder = open_file(file.parent_path(), O_RDONLY | O_DIRECTORY);
+  if (::rename(draft.c_str(), file.c_str()) != 0 || !folder || ::fsync(folder.get()) != 0)
     return system_failure("cannot make " + file.string(), errno);
   return {};
 }

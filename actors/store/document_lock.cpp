@@ -13,6 +13,7 @@
 
 #include "base/hash.hpp"
 #include "base/system_failure.hpp"
+#include "base/unique_fd.hpp"
 
 namespace tedit::store {
 
@@ -20,12 +21,7 @@ namespace fs = std::filesystem;
 
 /// The lock file of one folder, open for as long as this process holds a document in it.
 struct document_lock::folder {
-  explicit folder(int opened) : handle(opened) {}
-  folder(const folder&) = delete;
-  folder& operator=(const folder&) = delete;
-  ~folder() { ::close(handle); }
-
-  int handle;
+  unique_fd handle;
   std::set<std::string> held;  ///< Names; locks of one descriptor do not exclude each other.
 };
 
@@ -66,15 +62,15 @@ expected<document_lock> document_lock::take(const fs::path& file) {
   const std::lock_guard lock(guard());
   auto shared = folders[path].lock();
   if (!shared) {
-    const int opened = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (opened < 0)
+    unique_fd opened(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+    if (!opened)
       return system_failure("cannot lock " + path.string(), errno);
-    folders[path] = shared = std::make_shared<folder>(opened);
+    folders[path] = shared = std::make_shared<folder>(std::move(opened));
   }
   const auto name = file.filename().string();
   if (shared->held.contains(name))
     return conflict(" in this program");
-  if (!set_lock(shared->handle, name, F_WRLCK)) {
+  if (!set_lock(shared->handle.get(), name, F_WRLCK)) {
     if (errno == EAGAIN || errno == EACCES)
       return conflict(" in another program");
     return system_failure("cannot lock " + path.string(), errno);
@@ -103,7 +99,7 @@ void document_lock::release() noexcept {
   if (!folder_)
     return;
   const std::lock_guard lock(guard());
-  set_lock(folder_->handle, name_, F_UNLCK);
+  set_lock(folder_->handle.get(), name_, F_UNLCK);
   folder_->held.erase(name_);
   folder_.reset();
 }

@@ -87,7 +87,7 @@ void pool_state::make_way() {
   for (const auto& c : children)
     held_up -= c.work && c.work->cancelled;
   for (auto& c : children)
-    if (held_up > 0 && c.work && c.work->place.what == urgency::preview && !c.work->cancelled) {
+    if (held_up > 0 && c.work && is_preview(*c.work) && !c.work->cancelled) {
       c.work->superseded = true;
       cancel(c.work->id);
       --held_up;

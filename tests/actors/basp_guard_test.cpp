@@ -102,6 +102,9 @@ TEST(BaspGuard, MessagesThatEndActorsAreRefused) {
 TEST(BaspGuard, MessagesThatCannotBeReadAreRefused) {
   EXPECT_FALSE(admits_message(message("@<>+@str", 8, 1)));  // Forwarded by somebody.
   EXPECT_FALSE(admits_message(bytes(1)));
+  auto numbered = message("@<>+@str");
+  numbered[2] = std::byte(14);  // A type by its number, which no message of ours begins with.
+  EXPECT_FALSE(admits_message(numbered));
   auto longer_than_itself = message("@<>+@str", 0);
   longer_than_itself[3] = std::byte(0x7f);
   EXPECT_FALSE(admits_message(longer_than_itself));
