@@ -57,11 +57,17 @@ expected<bool> has_database(const fs::path& file) {
               "Name a TEdit document or a new file; a mesh file is imported, not opened");
 }
 
-expected<void> create_file(const fs::path& file, std::span<const std::byte> bytes) {
+expected<void> check_place(const fs::path& file) {
   const auto log = file.string() + "-wal";
   if (::access(log.c_str(), F_OK) == 0)
     return fail(ec::conflict, log + " belongs to a document that is not here",
                 "Put that document back beside it, or remove it to begin a new one");
+  return {};
+}
+
+expected<void> create_file(const fs::path& file, std::span<const std::byte> bytes) {
+  if (auto free = check_place(file); !free)
+    return free;
   const auto draft = file.string() + "-new";
   {
     // What an earlier attempt left is nobody's: only the holder of the lock comes here.

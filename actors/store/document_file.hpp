@@ -15,9 +15,13 @@ namespace tedit::store {
 /// refuses to read it.
 [[nodiscard]] expected<bool> has_database(const std::filesystem::path& file);
 
+/// Whether a new document can have its file here. Errors: `conflict` when the log of another
+/// document lies where its own will be.
+[[nodiscard]] expected<void> check_place(const std::filesystem::path& file);
+
 /// Makes `file`, readable by its owner alone, with these bytes. It is there with all of them or not
 /// at all, also after a power failure. @pre there is no such file, and nobody else makes it.
-/// Errors: `io_error`; `conflict` when the log of another document lies where its own will be.
+/// Errors: `io_error`; those of `check_place`.
 [[nodiscard]] expected<void> create_file(const std::filesystem::path& file,
                                          std::span<const std::byte> bytes);
 

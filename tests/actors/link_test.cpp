@@ -111,6 +111,14 @@ TEST_F(Link, WithoutAServerJoiningFailsWithAReason) {
   EXPECT_EQ(found.error().code, ec::service_unavailable);
 }
 
+TEST_F(Link, WhoIsToEndDoesNotWaitForAServerThatIsSilent) {
+  node worker;
+  auto link = make_link();  // Its other end is open, and nobody serves it.
+  const auto found = join_link(worker.system, std::move(link->theirs), cancel_token::at_poll(2));
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().code, ec::cancelled);
+}
+
 TEST_F(Link, ThirtyTwoBytesDoNotEndTheServer) {
   const auto fd = served(gate);
   std::array<char, 32> bytes{1};

@@ -143,5 +143,20 @@ TEST(Reopen, ALoadThatWasChangedInTheFileIsRefusedByItsVersion) {
   EXPECT_THAT(refused.error().remedy, HasSubstr("backup"));
 }
 
+TEST(Reopen, AnImportThatFailedLeavesNoDocument) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  const auto user = connect(host->url());
+  value(user->open("wrong", true, true));
+  const auto wrong = user->import_file(TEDIT_TEST_DATA "/bad/elem_missing_node.msh", "mm", {});
+  EXPECT_FALSE(wrong.has_value());
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_NE(entry.path().extension(), ".tedit") << entry.path();
+
+  value(user->import_file(cube_mesh, "mm", {}));  // Of a good file it becomes one.
+
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "wrong.tedit"));
+}
+
 }  // namespace
 }  // namespace tedit::test

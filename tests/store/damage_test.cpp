@@ -227,7 +227,8 @@ TEST_F(Damage, ANewDocumentDoesNotTakeTheLogOfAnother) {
 /// Makes documents until it is killed.
 [[noreturn]] void create_for_ever(const fs::path& folder) {
   for (int i = 0;; ++i)
-    if (!document::open(folder / (std::to_string(i) + ".tedit")))
+    if (const auto made = document::open(folder / (std::to_string(i) + ".tedit"));
+        !made || !(*made)->commit({}))
       ::_exit(1);
 }
 

@@ -27,6 +27,36 @@ TEST_F(Document, IsEmptyWhenNew) {
   EXPECT_EQ(look_up("PRAGMA user_version"), "2");
 }
 
+TEST_F(Document, HasNoFileBeforeItsFirstCommit) {
+  auto doc = std::move(*document::open(file));
+  EXPECT_TRUE(doc->read()->versions.empty());
+  EXPECT_FALSE(doc->has_page(make_page(1, 8)->id()));
+  EXPECT_EQ(doc->read_page(make_page(1, 8)->id()).error().code, ec::not_found);
+  doc->rest();
+  EXPECT_TRUE(doc->wake());
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(refusal().code, ec::conflict);  // Its name is taken all the same.
+  doc.reset();
+  EXPECT_FALSE(fs::exists(file));
+
+  doc = std::move(*document::open(file));
+  ASSERT_TRUE(doc->commit(make_change(0)));
+  EXPECT_EQ(doc->read()->versions.size(), 1U);
+  doc.reset();
+  EXPECT_EQ(open()->read()->versions.size(), 1U);
+}
+
+TEST_F(Document, AFileThatAppearsMeanwhileIsNotTouched) {
+  const auto doc = std::move(*document::open(file));
+  fs::copy_file(TEDIT_TEST_DATA "/documents/cube_format_1.tedit", file);
+  const auto size = fs::file_size(file);
+
+  EXPECT_EQ(doc->commit(make_change(0)).error().code, ec::conflict);
+  EXPECT_EQ(fs::file_size(file), size);
+  fs::remove(file);
+  EXPECT_TRUE(doc->commit(make_change(0)));
+}
+
 TEST_F(Document, NamesAndNotesStandBesideTheVersionsAlsoInDocumentsFromBefore) {
   fs::copy_file(TEDIT_TEST_DATA "/documents/cube_format_1.tedit", file);
   tamper("DROP TABLE annotation");  // As it was before there were any.

@@ -55,9 +55,13 @@ protected:
   }
   void TearDown() override { fs::remove_all(folder); }
 
+  /// With its file there: of a new one, by a commit of nothing.
   std::unique_ptr<document> open() const {
     auto opened = document::open(file);
     EXPECT_TRUE(opened.has_value()) << (opened ? "" : render(opened.error()));
+    if (opened && !std::filesystem::exists(file)) {
+      EXPECT_TRUE((*opened)->commit({}));
+    }
     return opened ? std::move(*opened) : nullptr;
   }
 
