@@ -21,11 +21,11 @@
 #include "client-qt/model/language.hpp"
 #include "client-qt/model/preferences.hpp"
 #include "client-qt/model/stall_watch.hpp"
-#include "client-qt/view/latencies.hpp"
-#include "client-qt/view/main_window.hpp"
-#include "client-qt/view/script.hpp"
-#include "client-qt/view/theme.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "client-qt/widgets/theme.hpp"
+#include "client-qt/window/latencies.hpp"
+#include "client-qt/window/main_window.hpp"
+#include "client-qt/window/script.hpp"
 
 namespace {
 

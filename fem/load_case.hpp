@@ -24,17 +24,23 @@ struct material {
 };
 
 /// All displacement components are zero (a clamp).
-struct fixed {};
+struct fixed {
+  friend bool operator==(const fixed&, const fixed&) = default;
+};
 
 /// Components with a value are prescribed, the others are free.
 struct prescribed_displacement {
   std::optional<double> x_m;
   std::optional<double> y_m;
   std::optional<double> z_m;
+
+  friend bool operator==(const prescribed_displacement&, const prescribed_displacement&) = default;
 };
 
 /// The displacement along the surface normal is zero; sliding is free.
-struct roller {};
+struct roller {
+  friend bool operator==(const roller&, const roller&) = default;
+};
 
 /// A Dirichlet condition on surfaces.
 struct constraint {
@@ -42,26 +48,36 @@ struct constraint {
   std::variant<fixed, prescribed_displacement, roller> kind;
   /// What should be looked at before a result is believed, set by `carry_over`; mostly empty.
   std::string warning = {};
+
+  friend bool operator==(const constraint&, const constraint&) = default;
 };
 
 /// A total force, spread evenly over the area of all surfaces together.
 struct force {
   vec3 total_n;
+
+  friend bool operator==(const force&, const force&) = default;
 };
 
 /// A force per area.
 struct traction {
   vec3 pa;
+
+  friend bool operator==(const traction&, const traction&) = default;
 };
 
 /// A force per area along the inward normal; positive pushes on the part.
 struct pressure {
   double pa = 0;
+
+  friend bool operator==(const pressure&, const pressure&) = default;
 };
 
 /// An acceleration of all mass; needs no surfaces.
 struct gravity {
   vec3 m_s2;
+
+  friend bool operator==(const gravity&, const gravity&) = default;
 };
 
 /// A Neumann condition on surfaces, or a body force.
@@ -69,6 +85,8 @@ struct load {
   std::vector<surface_id> surfaces;
   std::variant<force, traction, pressure, gravity> kind;
   std::string warning = {};  ///< As of a constraint.
+
+  friend bool operator==(const load&, const load&) = default;
 };
 
 /// One set of materials, supports and loads. Its file form is the canonical JSON of the protocol's
@@ -78,6 +96,8 @@ struct load_case {
   std::vector<material> materials;
   std::vector<constraint> constraints;
   std::vector<load> loads;
+
+  friend bool operator==(const load_case&, const load_case&) = default;
 };
 
 }  // namespace tedit::fem

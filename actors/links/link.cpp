@@ -70,7 +70,7 @@ void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& gate
                  slot, caf::actor_cast<caf::strong_actor_ptr>(gate), std::set<std::string>{});
 }
 
-expected<caf::actor> join_link(caf::actor_system& system, unique_fd end) {
+expected<caf::actor> join_link(caf::actor_system& system, unique_fd end, const cancel_token& stop) {
   const auto broker = broker_of(system);
   auto scribe = make_scribe(system, std::move(end));
   // Else the connection counts as silent since the epoch, and the first heartbeat ends it.
@@ -79,19 +79,25 @@ expected<caf::actor> join_link(caf::actor_system& system, unique_fd end) {
     static_cast<caf::io::basp_broker*>(actor)->set_context(handle);
   });
   caf::scoped_actor self(system);
-  expected<caf::actor> result =
-    fail(ec::service_unavailable, "the server at the other end of the link does not answer",
-         "Workers are started by \"tedit serve\"");
-  self
-    ->request(broker, std::chrono::seconds(5), caf::connect_atom::value, std::move(scribe),
-              std::uint16_t{0})
-    .receive(
+  // Not a request: nothing looks at `stop` while one is waited for.
+  self->send(broker, caf::connect_atom::value, std::move(scribe), std::uint16_t{0});
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  caf::actor found;
+  bool answered = false;
+  while (!answered && !stop.cancelled() && std::chrono::steady_clock::now() < deadline)
+    self->receive(
       [&](caf::node_id&, caf::strong_actor_ptr& gate, std::set<std::string>&) {
+        answered = true;
         if (gate)
-          result = caf::actor_cast<caf::actor>(gate);
+          found = caf::actor_cast<caf::actor>(gate);
       },
-      [](const caf::error&) {});
-  return result;
+      [&](caf::error&) { answered = true; }, caf::after(std::chrono::milliseconds(200)) >> [] {});
+  if (found)
+    return found;
+  if (stop.cancelled())
+    return fail(ec::cancelled, "joining the server was cancelled");
+  return fail(ec::service_unavailable, "the server at the other end of the link does not answer",
+              "Workers are started by \"tedit serve\"");
 }
 
 }  // namespace tedit::actors

@@ -5,6 +5,7 @@
 #include <caf/actor_system.hpp>
 
 #include "base/error.hpp"
+#include "base/execution.hpp"
 #include "base/unique_fd.hpp"
 
 /// Links between the nodes of one machine: CAF's protocol over a pair of connected sockets of which
@@ -27,7 +28,9 @@ struct link_ends {
 void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& gate);
 
 /// Joins the link that is served at the other end and gives the gate there.
-/// Errors: `service_unavailable` when nobody answers within five seconds.
-[[nodiscard]] expected<caf::actor> join_link(caf::actor_system& system, unique_fd end);
+/// Errors: `service_unavailable` when nobody answers within five seconds; `cancelled` by `stop`,
+/// which is looked at five times a second.
+[[nodiscard]] expected<caf::actor> join_link(caf::actor_system& system, unique_fd end,
+                                             const cancel_token& stop = {});
 
 }  // namespace tedit::actors

@@ -59,7 +59,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     caf::anon_send_exit(pages, caf::exit_reason::user_shutdown);
     return fail(why);
   };
-  const auto gate = join_link(system, unique_fd(options.link));
+  const auto gate = join_link(system, unique_fd(options.link), stop);
   if (!gate)
     return turned_away(gate.error());
   caf::scoped_actor self(system);

@@ -62,6 +62,7 @@ struct document::impl {
   ~impl() { rest(); }
 
   expected<void> open(const fs::path& path);
+  expected<void> take_in();
   expected<void> create();
   expected<void> connect();
   void close_to_others() const;
@@ -77,6 +78,7 @@ struct document::impl {
   expected<bool> has(const hash128& id) { return query(find_page, id).next(); }
 
   fs::path file;
+  bool exists = false;  ///< The file does: since the first commit.
   document_lock lock;
   connection db;  ///< None while the document rests.
   seal last;      ///< As this object read or wrote it last.
@@ -93,16 +95,22 @@ expected<void> document::impl::open(const fs::path& path) {
   return has_database(file)
     .and_then([&](bool) { return document_lock::take(file); })
     .map([&](document_lock&& taken) { lock = std::move(taken); })
-    .and_then([&] { return create(); })
-    .and_then([&] { return connect(); })
-    .and_then([&] { return seals.stored(); })
-    .map([&](const seal& stored) { last = stored; });
+    .and_then([&] { return has_database(file); })  // With the lock held, no TEdit makes it.
+    .and_then([&](bool there) { return there ? take_in() : expected<void>(); });
+}
+
+/// Connects to the file that is there, for the first time.
+expected<void> document::impl::take_in() {
+  return connect().and_then([&] { return seals.stored(); }).map([&](const seal& stored) {
+    last = stored;
+    exists = true;
+  });
 }
 
 /// Connects when the document rests. The lock was held meanwhile; what a program without it did is
 /// told by the seal.
 expected<void> document::impl::wake() {
-  if (db)
+  if (db || !exists)
     return {};
   auto done = connect();
   if (!done)
@@ -121,13 +129,23 @@ void document::impl::rest() {
   --connections;
 }
 
-/// Makes the file when it is not there; with the lock held, nobody else does.
+/// Makes the file of a new document.
 expected<void> document::impl::create() {
   const auto there = has_database(file);
-  if (!there || *there)
-    return there.map([](bool) {});
-  return blank_document().and_then(
-    [&](const std::vector<std::byte>& bytes) { return create_file(file, bytes); });
+  if (!there)
+    return fail(there.error());
+  if (*there)
+    return fail(ec::conflict, file.string() + " was made by another program meanwhile",
+                "Give the new document another name");
+  return blank_document()
+    .and_then([&](const std::vector<std::byte>& bytes) { return create_file(file, bytes); })
+    .and_then([&] { return take_in(); })
+    .map_error([&](const error& why) {
+      rest();
+      ::unlink(
+        file.c_str());  // Blank, and ours; else the next attempt would take it for another's.
+      return why;
+    });
 }
 
 /// Nothing is written before the file is known to be a document.
@@ -295,7 +313,7 @@ expected<std::unique_ptr<document>> document::open(const fs::path& file) {
 
 /// The seal in the file is the one that this object wrote last, unless another program was here.
 expected<void> document::commit(const change& c) {
-  if (auto awake = impl_->wake(); !awake)
+  if (auto awake = impl_->exists ? impl_->wake() : impl_->create(); !awake)
     return awake;
   const rollback_guard guard(impl_->db.get());
   seal sum;
@@ -317,6 +335,8 @@ expected<void> document::commit(const change& c) {
 }
 
 expected<contents> document::read() const {
+  if (!impl_->exists)
+    return contents{};
   if (auto sound = impl_->wake().and_then([&] { return check_structure(impl_->db.get()); }); !sound)
     return fail(sound.error());
   contents all;
@@ -333,6 +353,8 @@ expected<contents> document::read() const {
 expected<page_ptr> document::read_page(const hash128& id) const {
   if (auto awake = impl_->wake(); !awake)
     return fail(awake.error());
+  if (!impl_->exists)
+    return fail(ec::not_found, "page " + to_hex(id) + " is not in the document");
   query row(impl_->page_by_id, id);
   const auto found = row.next();
   if (!found)
@@ -353,7 +375,7 @@ expected<page_ptr> document::read_page(const hash128& id) const {
 }
 
 bool document::has_page(const hash128& id) const {
-  return impl_->wake().and_then([&] { return impl_->has(id); }).value_or(false);
+  return impl_->exists && impl_->wake().and_then([&] { return impl_->has(id); }).value_or(false);
 }
 
 expected<void> document::wake() {

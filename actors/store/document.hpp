@@ -71,9 +71,10 @@ struct contents {
 /// document_lock.hpp) keeps every other `open` out. Not thread-safe: one thread at a time.
 class document {
 public:
-  /// Opens the document in `file`, or creates it when the file is absent: whole or not at all. A
-  /// file that is no document is left as it is; one of an older format is brought to the present
-  /// one, which older programs refuse.
+  /// Opens the document in `file`. When the file is absent the document is a new one: its name is
+  /// locked, and the first `commit` makes its file, whole or not at all. A file that is no document
+  /// is left as it is; one of an older format is brought to the present one, which older programs
+  /// refuse.
   /// Errors: `storage_error` when the file is empty, no SQLite database, no TEdit document, damaged
   /// or of a newer format; `io_error` when the system refuses to read or write it; `conflict` when
   /// it is open already, here or in another process.
@@ -86,9 +87,9 @@ public:
   /// Writes `c` in one transaction, which is durable when this returns.
   /// Errors: `storage_error` when a number is taken, names no stored version, a page is null or
   /// over `max_page_bytes`, another program holds or has changed the file, a row to change is
-  /// damaged, or the disk fails; then nothing of `c` is stored. Cost: one compression per new page,
-  /// two hashes of each changed row and one fsync, however long the history is; now and then a
-  /// checkpoint.
+  /// damaged, or the disk fails; `conflict` when a new document's file is there meanwhile. Then
+  /// nothing of `c` is stored. Cost: one compression per new page, two hashes of each changed row
+  /// and one fsync, however long the history is; now and then a checkpoint.
   [[nodiscard]] expected<void> commit(const change& c);
 
   /// Reads all rows but the pages, and checks each and all together. Errors: `storage_error` naming

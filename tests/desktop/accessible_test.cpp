@@ -13,9 +13,9 @@
 #include <QScrollBar>
 #include <QTextEdit>
 
-#include "client-qt/view/about_dialog.hpp"
-#include "client-qt/view/settings_dialog.hpp"
-#include "client-qt/view/shortcuts_dialog.hpp"
+#include "client-qt/tools/help/about_dialog.hpp"
+#include "client-qt/tools/help/shortcuts_dialog.hpp"
+#include "client-qt/tools/settings/settings_dialog.hpp"
 #include "tests/desktop/window_fixture.hpp"
 
 namespace tedit::desktop {

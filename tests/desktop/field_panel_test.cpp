@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/view/field_panel.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/view/loads_panel.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "client-qt/view/load_editor.hpp"
+#include "client-qt/tools/loads/load_editor.hpp"
 
 namespace tedit::desktop {
 namespace {

@@ -11,13 +11,13 @@
 #include <QScrollBar>
 #include <QTextBlock>
 
-#include "client-qt/view/help_panel.hpp"
-#include "client-qt/view/history_strip.hpp"
-#include "client-qt/view/jobs_panel.hpp"
-#include "client-qt/view/preview_box.hpp"
-#include "client-qt/view/receipt_panel.hpp"
-#include "client-qt/view/truth_line.hpp"
-#include "client-qt/view/version_editor.hpp"
+#include "client-qt/tools/help/help_panel.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/history/version_editor.hpp"
+#include "client-qt/tools/jobs/jobs_panel.hpp"
+#include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/tools/receipt/receipt_panel.hpp"
+#include "client-qt/widgets/truth_line.hpp"
 
 namespace tedit::desktop {
 namespace {

@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "client-qt/model/stall_watch.hpp"
-#include "client-qt/view/section_bar.hpp"
+#include "client-qt/tools/section/section_bar.hpp"
 #include "tests/support/slow_proxy.hpp"
 
 namespace tedit::desktop {

@@ -6,7 +6,7 @@
 
 #include <csignal>
 
-#include "client-qt/view/truth_line.hpp"
+#include "client-qt/widgets/truth_line.hpp"
 
 namespace tedit::desktop {
 namespace {

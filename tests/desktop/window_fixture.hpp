@@ -11,12 +11,12 @@
 
 #include <gtest/gtest.h>
 
-#include "client-qt/view/banner.hpp"
-#include "client-qt/view/context_panel.hpp"
-#include "client-qt/view/field_panel.hpp"
-#include "client-qt/view/main_window.hpp"
+#include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "client-qt/widgets/banner.hpp"
+#include "client-qt/window/main_window.hpp"
 
 namespace tedit::desktop {
 

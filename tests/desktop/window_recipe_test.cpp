@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QMimeData>
 
-#include "client-qt/view/history_strip.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
 
 namespace tedit::desktop {
 namespace {

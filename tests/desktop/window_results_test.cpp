@@ -7,11 +7,11 @@
 
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/probes.hpp"
-#include "client-qt/view/loads_panel.hpp"
-#include "client-qt/view/probe_panel.hpp"
-#include "client-qt/view/recorder.hpp"
-#include "client-qt/view/script.hpp"
-#include "client-qt/view/section_bar.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
+#include "client-qt/tools/probes/probe_panel.hpp"
+#include "client-qt/tools/section/section_bar.hpp"
+#include "client-qt/window/recorder.hpp"
+#include "client-qt/window/script.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::desktop {

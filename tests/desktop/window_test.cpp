@@ -6,8 +6,8 @@
 
 #include <csignal>
 
-#include "client-qt/view/history_strip.hpp"
-#include "client-qt/view/script.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/window/script.hpp"
 
 namespace tedit::desktop {
 namespace {
