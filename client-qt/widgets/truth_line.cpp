@@ -14,6 +14,7 @@ namespace tedit::desktop {
 namespace {
 
 constexpr double slow_answer_ms = 1000;
+constexpr int beside_server = 3;  // After the verdict, its button and the facts.
 
 }  // namespace
 
@@ -27,10 +28,10 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   stop_->setAutoRaise(true);
   stop_->setStyleSheet("padding: 0 6px; margin: 0;");  // As high as the words beside it.
   connect(stop_, &QToolButton::clicked, this, [this] {
-    if (part_.is_solving())
-      part_.cancel_solve();
+    if (part_.solver().is_running())
+      part_.solver().cancel();
     else
-      part_.solve();
+      part_.solver().solve();
   });
   facts_ = new QLabel;
   facts_->setObjectName("facts");
@@ -41,12 +42,16 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   addWidget(facts_, 1);
   server_->setContentsMargins(0, 0, 8, 0);  // No words at the very edge.
   addPermanentWidget(server_);
-  connect(&part_, &document::solve_changed, this, &truth_line::refresh);
+  connect(&part_.solver(), &solve_requests::changed, this, &truth_line::refresh);
   connect(&part_, &document::field_changed, this, &truth_line::refresh);
   connect(&part_, &document::head_changed, this, &truth_line::refresh);
   connect(&part_, &document::closed, this, &truth_line::refresh);
   connect(&link_, &remote::state_changed, this, &truth_line::refresh);
   refresh();
+}
+
+void truth_line::add(QWidget* widget) {
+  insertPermanentWidget(beside_server, widget);
 }
 
 void truth_line::set_theme(const theme& look) {
@@ -68,7 +73,7 @@ QString truth_line::verdict() const {
     return tr("no part");
   if (candidate_)
     return tr("preview of an edit, not applied");
-  switch (part_.field_progress()) {
+  switch (part_.solver().progress()) {
     case field_state::waiting:
       return tr("waiting for the solver");
     case field_state::solving:
@@ -97,7 +102,7 @@ QString truth_line::facts() const {
   if (candidate_)  // What is known of the head's field is not true of it.
     return tr("stresses follow when it is applied");
   const auto& outcome = head->outcome;
-  if (part_.field_progress() == field_state::converged && outcome) {
+  if (part_.solver().progress() == field_state::converged && outcome) {
     double residual = 0;
     double estimate = 0;
     double ms = 0;
@@ -116,9 +121,9 @@ QString truth_line::facts() const {
           << tr("solved in %1 on %2").arg(duration(ms), QString::fromStdString(first.device));
     if (outcome->cases.size() > 1)
       parts << tr("%1 load cases").arg(outcome->cases.size());
-  } else if (part_.field_progress() == field_state::solving ||
-             part_.field_progress() == field_state::interim) {
-    const auto& status = part_.solve_progress();
+  } else if (part_.solver().progress() == field_state::solving ||
+             part_.solver().progress() == field_state::interim) {
+    const auto& status = part_.solver().status();
     if (status.iterations > 0)
       parts << tr("iteration %1").arg(status.iterations)
             << tr("residual %1").arg(status.true_relative_residual, 0, 'g', 2);
@@ -155,17 +160,17 @@ void truth_line::refresh() {
   QColor ink = look_.palette.color(QPalette::WindowText);
   if (candidate_)
     ink = look_.warning;
-  else if (part_.field_progress() == field_state::converged)
+  else if (part_.solver().progress() == field_state::converged)
     ink = now == tr("final") ? look_.good : look_.warning;
-  else if (part_.field_progress() == field_state::failed)
+  else if (part_.solver().progress() == field_state::failed)
     ink = look_.error;
-  else if (part_.field_progress() != field_state::none)
+  else if (part_.solver().progress() != field_state::none)
     ink = look_.warning;
   verdict_->setStyleSheet(
     QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink.name()));
   verdict_->setText(now);
-  const bool stopped = part_.head() && part_.field_progress() == field_state::stopped;
-  stop_->setVisible(part_.head() && (part_.is_solving() || stopped));
+  const bool stopped = part_.head() && part_.solver().progress() == field_state::stopped;
+  stop_->setVisible(part_.head() && (part_.solver().is_running() || stopped));
   stop_->setText(stopped ? tr("Solve") : tr("Stop"));
   stop_->setToolTip(stopped ? tr("Solves the part as it is now (F5)")
                             : tr("Stops the solver; the next edit is solved again"));

@@ -20,6 +20,8 @@ public:
   truth_line(document& part, remote& link, QWidget* parent = nullptr);
 
   void set_theme(const theme& look);
+  /// Puts a widget of a tool before what is said of the server.
+  void add(QWidget* widget);
   /// Says that what is seen is only the preview of an edit.
   void set_candidate(bool on);
   /// "preview", "final", "solving ...": also for the legend and pictures.

@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "client-qt/tools/operations/context_panel.hpp"
+#include <QMainWindow>
+#include "client-qt/context/window_context.hpp"
+#include "client-qt/model/live_preview.hpp"
 #include "client-qt/view/viewport.hpp"
-#include "client-qt/window/main_window.hpp"
 
 namespace tedit::desktop {
 
@@ -24,23 +25,22 @@ void note(QElapsedTimer& since, std::optional<double>& worst) {
 
 }  // namespace
 
-latencies::latencies(main_window& window, QObject* parent) : QObject(parent), window_(window) {
+latencies::latencies(window_context& in, const live_preview& preview, QObject* parent)
+    : QObject(parent), in_(in) {
   since_start_.start();
-  connect(&window.view(), &viewport::clicked, this, [this] {
+  connect(&in_.view, &viewport::clicked, this, [this] {
     clicked_.start();
     asked_by_click_ = std::numeric_limits<int>::max();  // Known when all have heard of it.
-    QTimer::singleShot(0, this, [this] { asked_by_click_ = window_.view().asked(); });
+    QTimer::singleShot(0, this, [this] { asked_by_click_ = in_.view.asked(); });
   });
-  connect(&window.part(), &document::head_changed, this, [this] { committed_.start(); });
-  connect(&window.context().preview(), &live_preview::changed, this, [this] {
-    const auto& preview = window_.context().preview();
+  connect(&in_.part, &document::head_changed, this, [this] { committed_.start(); });
+  connect(&preview, &live_preview::changed, this, [this, &preview] {
     if (preview.shown() && !preview.is_busy() &&
-        window_.view().current().surface == preview.shown()->surface &&
-        !window_.view().is_settled())
+        in_.view.current().surface == preview.shown()->surface && !in_.view.is_settled())
       previewed_.start();
   });
-  connect(&window.view(), &vtk_view::drawn, this, &latencies::drawn);
-  window.installEventFilter(this);
+  connect(&in_.view, &vtk_view::drawn, this, &latencies::drawn);
+  in_.window.installEventFilter(this);
 }
 
 bool latencies::eventFilter(QObject* watched, QEvent* event) {
@@ -56,14 +56,14 @@ bool latencies::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void latencies::drawn() {
-  const auto& view = window_.view();
+  const auto& view = in_.view;
   if (clicked_.isValid() && view.seen() >= asked_by_click_)
     note(clicked_, click_to_frame);
-  if (since_start_.isValid() && view.value_extremes() && view.is_seen())
+  if (since_start_.isValid() && view.painted().extremes && view.is_seen())
     note(since_start_, first_field);
   if (!view.is_settled() || !view.is_shape_seen())
     return;
-  const auto* head = window_.part().head();
+  const auto* head = in_.part.head();
   if (committed_.isValid() && head && head->surface && view.current().surface == head->surface)
     note(committed_, commit_to_frame);
   if (previewed_.isValid())

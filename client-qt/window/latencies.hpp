@@ -8,7 +8,8 @@
 
 namespace tedit::desktop {
 
-class main_window;
+class live_preview;
+struct window_context;
 
 /// How long a person waits for a picture, and for the window itself. Each figure is the worst so
 /// far, ms; none before the first.
@@ -17,7 +18,7 @@ class latencies : public QObject {
 
 public:
   /// Its time counts from here.
-  explicit latencies(main_window& window, QObject* parent = nullptr);
+  latencies(window_context& in, const live_preview& preview, QObject* parent = nullptr);
 
   std::optional<double> window_open;       ///< From the start to the first picture of the window.
   std::optional<double> first_field;       ///< From the start to the first field on the screen.
@@ -35,7 +36,7 @@ protected:
 private:
   void drawn();
 
-  main_window& window_;
+  window_context& in_;
   QElapsedTimer since_start_;
   QElapsedTimer clicked_;
   int asked_by_click_ = 0;

@@ -1,88 +1,60 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/window/main_window.hpp"
 
-#include <QApplication>
+#include <QAction>
 #include <QCloseEvent>
-#include <QDateTime>
 #include <QDockWidget>
 #include <QLabel>
-#include <QMenu>
 #include <QMimeData>
-#include <QPlainTextEdit>
-#include <QScrollArea>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolBar>
-#include <QToolTip>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
-#include "client-qt/model/field_values.hpp"
-#include "client-qt/model/quantities.hpp"
-#include "client-qt/tools/documents/welcome_page.hpp"
-#include "client-qt/tools/history/history_strip.hpp"
-#include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
-#include "client-qt/tools/operations/preview_box.hpp"
-#include "client-qt/tools/receipt/receipt_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
-#include "client-qt/view/overlay.hpp"
 #include "client-qt/view/view_cube.hpp"
-#include "client-qt/view/viewport.hpp"
-#include "client-qt/widgets/banner.hpp"
 #include "client-qt/widgets/command_palette.hpp"
-#include "client-qt/widgets/truth_line.hpp"
-#include "client/recipe.hpp"
 
 namespace tedit::desktop {
 
 namespace {
 
-constexpr int most_log_lines = 5000;
 constexpr int cube_margin = 12;
 constexpr int widest_banner = 760;
-constexpr int below_titles = 70;    // Of a comparison.
-constexpr double silent_ms = 4000;  // Then a person wonders.
-
-QWidget* scrolled(QWidget* content) {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidget(content);
-  return area;
-}
+constexpr int below_titles = 70;  // Of a comparison.
 
 }  // namespace
 
 main_window::main_window(const QString& state_folder)
-    : settings_("tedit", "tedit-qt"), local_(state_folder), part_(link_), selection_(part_) {
+    : settings_("tedit", "tedit-qt"),
+      server_(state_folder),
+      part_(link_),
+      picked_(part_),
+      look_(settings_),
+      docks_(*this),
+      actions_(commands_, settings_, look_, *this) {
   setAcceptDrops(true);
   resize(1440, 900);
-  pages_ = new QStackedWidget;
-  welcome_ = new welcome_page;
-  view_ = new viewport;
-  view_->keep_fitted(true);
-  overlay_ = new overlay(*view_);
-  cube_ = new view_cube(*view_);
-  pages_->addWidget(welcome_);
-  pages_->addWidget(view_);
-  setCentralWidget(pages_);
-  banner_ = new banner(pages_);
-  palette_ = new command_palette(commands_, this);
-  view_->installEventFilter(this);
-  truth_ = new truth_line(part_, link_);
-  setStatusBar(truth_);
-  build_docks();
-  section_ = new section_bar(part_, *view_, *fields_);
+  make_view();
+  wire_look();
+  wire_messages();
+  context_.emplace(window_context{*this, settings_, link_, server_, part_, picked_, commands_,
+                                  actions_, escapes_, docks_, *rail_, *pages_, *view_, *overlay_,
+                                  look_, *banner_, *log_, *truth_});
+  tools_.emplace(*context_);
   add_commands();
-  build_toolbars();
+  lay_out_docks();
+  build_bar();
   wire();
-  system_dark_ = palette().color(QPalette::Window).lightness() < 128;
-  apply_preferences(load_preferences(settings_));
-  take_shortcuts();
-  show_recent();
+  tools_->settings.apply_kept();
+  actions_.take_shortcuts();
+  tools_->documents.show_recent();
   if (settings_.contains("geometry"))
     restoreGeometry(settings_.value("geometry").toByteArray());
   if (settings_.contains("layout"))
@@ -93,102 +65,126 @@ main_window::main_window(const QString& state_folder)
 
 main_window::~main_window() = default;
 
-// -- layout --------------------------------------------------------------------------
-
-QDockWidget* main_window::add_dock(const QString& name, const QString& title, QWidget* content,
-                                   Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  addDockWidget(area, dock);
-  return dock;
-}
-
-void main_window::build_docks() {
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  context_ = new context_panel(part_, selection_);
-  fields_ = new field_panel(part_);
-  loads_ = new loads_panel(part_, selection_);
-  receipt_ = new receipt_panel(part_);
-  history_ = new history_strip(part_);
-  log_ = new QPlainTextEdit;
-  log_->setReadOnly(true);
-  log_->setMaximumBlockCount(most_log_lines);
-  log_->setAccessibleName(tr("Log"));
-  auto* selected =
-    add_dock("context", tr("Selection"), scrolled(context_), Qt::RightDockWidgetArea);
-  auto* field = add_dock("field", tr("Field"), fields_, Qt::RightDockWidgetArea);
-  auto* loads = add_dock("loads", tr("Loads and supports"), loads_, Qt::RightDockWidgetArea);
-  auto* receipt = add_dock("receipt", tr("What this edit did"), receipt_, Qt::RightDockWidgetArea);
-  tabifyDockWidget(loads, receipt);
-  loads->raise();
-  auto* history = add_dock("history", tr("History"), history_, Qt::BottomDockWidgetArea);
-  auto* log = add_dock("log", tr("Log"), log_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(history, log);
-  history->raise();
-  resizeDocks({selected, field, loads}, {320, 240, 240}, Qt::Vertical);
-  resizeDocks({selected}, {330}, Qt::Horizontal);
-  resizeDocks({history}, {190}, Qt::Vertical);
-}
-
-void main_window::build_toolbars() {
-  bar_ = addToolBar(tr("Main"));
-  bar_->setObjectName("main_bar");
-  bar_->setMovable(false);
-  title_ = new QLabel;
-  title_->setObjectName("title");
-  title_->setContentsMargins(8, 0, 16, 0);
-  bar_->addWidget(title_);
-  auto* space = new QWidget;
-  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar_->addWidget(space);
-  for (const auto* id : {"file.open", "edit.undo", "edit.redo", "view.fit", "view.hide",
-                         "view.isolate", "view.section", "file.screenshot", "file.export"})
-    bar_->addAction(action(id));
-  auto* search = action("help.palette");
-  bar_->addAction(search);
+/// What stands there whatever the tools add.
+void main_window::make_view() {
+  view_ = new viewport;
+  view_->framing().keep_fitted(true);
+  view_->installEventFilter(this);
+  overlay_ = new overlay(*view_);
+  cube_ = new view_cube(*view_);
+  pages_ = new QStackedWidget;
+  pages_->addWidget(view_);
+  setCentralWidget(pages_);
+  banner_ = new banner(pages_);
+  palette_ = new command_palette(commands_, this);
+  log_ = new log_panel;
+  truth_ = new truth_line(part_, link_);
+  setStatusBar(truth_);
   rail_ = new QToolBar(tr("Operations"));
   rail_->setObjectName("rail");
   rail_->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   rail_->setMovable(false);
+}
+
+void main_window::add_commands() {
+  commands_.add({"file.quit", tr("Quit"), command_groups::file(), "Ctrl+Q", [this] { close(); }});
+  commands_.add({"edit.cancel",
+                 tr("Cancel what runs"),
+                 command_groups::edit(),
+                 "Esc",
+                 [this] { escapes_.run(); },
+                 {},
+                 {},
+                 "cancel"});
+  commands_.add({"help.palette",
+                 tr("Search everything"),
+                 command_groups::help(),
+                 "Ctrl+K",
+                 [this] { palette_->open(); },
+                 {},
+                 tr("All commands and operations"),
+                 "search"});
+  actions_.make_all();
+}
+
+// -- layout --------------------------------------------------------------------------
+
+/// As they are before a person has moved them.
+void main_window::lay_out_docks() {
+  docks_.add("log", tr("Log"), log_);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  for (const auto* name : {"context", "field", "loads", "receipt"})
+    addDockWidget(Qt::RightDockWidgetArea, &docks_.of(name));
+  for (const auto* name : {"history", "log", "probes"})
+    addDockWidget(Qt::BottomDockWidgetArea, &docks_.of(name));
+  addDockWidget(Qt::LeftDockWidgetArea, &docks_.of("help"));
+  docks_.of("help").hide();
+  tabifyDockWidget(&docks_.of("loads"), &docks_.of("receipt"));
+  tabifyDockWidget(&docks_.of("history"), &docks_.of("log"));
+  tabifyDockWidget(&docks_.of("log"), &docks_.of("probes"));
+  docks_.raise("loads");
+  docks_.raise("history");
+  resizeDocks({&docks_.of("context"), &docks_.of("field"), &docks_.of("loads")}, {320, 240, 240},
+              Qt::Vertical);
+  resizeDocks({&docks_.of("context")}, {330}, Qt::Horizontal);
+  resizeDocks({&docks_.of("history")}, {190}, Qt::Vertical);
+}
+
+void main_window::build_bar() {
+  auto* bar = addToolBar(tr("Main"));
+  bar->setObjectName("main_bar");
+  bar->setMovable(false);
+  title_ = new QLabel;
+  title_->setObjectName("title");
+  title_->setContentsMargins(8, 0, 16, 0);
+  bar->addWidget(title_);
+  auto* space = new QWidget;
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(space);
+  for (const auto* id : {"file.open", "edit.undo", "edit.redo", "view.fit", "view.hide",
+                         "view.isolate", "view.section", "file.screenshot", "file.export"})
+    bar->addAction(actions_.of(id));
+  bar->addAction(actions_.of("help.palette"));
   addToolBar(Qt::LeftToolBarArea, rail_);
 }
 
 void main_window::place_overlays() {
   overlay_->setGeometry(view_->rect());
   cube_->move(view_->width() - cube_->width() - cube_margin, cube_margin);
-  section_->adjustSize();
-  section_->move(view_->width() - section_->width() - cube_margin,
-                 view_->height() - section_->height() - cube_margin);
+  auto& section = tools_->section.bar();
+  section.adjustSize();
+  section.move(view_->width() - section.width() - cube_margin,
+               view_->height() - section.height() - cube_margin);
   const int room = pages_->width() - 2 * (cube_->width() + 2 * cube_margin);
   const int width = std::clamp(room, 320, widest_banner);
   const int height =
     banner_->hasHeightForWidth() ? banner_->heightForWidth(width) : banner_->sizeHint().height();
-  const auto* page = pages_->currentWidget();
-  const int top = page == view_ || page == welcome_ ? cube_margin : below_titles;
-  banner_->setGeometry((pages_->width() - width) / 2, top, width, height);
+  const bool has_titles = pages_->currentWidget() != view_ && !tools_->documents.shows_start_page();
+  banner_->setGeometry((pages_->width() - width) / 2, has_titles ? below_titles : cube_margin,
+                       width, height);
   banner_->raise();
 }
 
 /// A form with its preview needs more than a list of operations: the docks below give it, as far as
 /// they can. A dock never gets smaller by this.
 void main_window::make_room() {
-  auto* dock = findChild<QDockWidget*>("context");
-  if (context_->chosen().isEmpty() || !dock || dock->isFloating())
+  const auto& panel = tools_->operations.panel();
+  auto& dock = docks_.of("context");
+  if (panel.chosen().isEmpty() || dock.isFloating())
     return;
   constexpr int title_height = 40;
   constexpr int least_below = 120;  // Of the loads and the receipt.
-  auto* field = findChild<QDockWidget*>("field");
-  auto* loads = findChild<QDockWidget*>("loads");
-  auto* receipt = findChild<QDockWidget*>("receipt");
-  auto* below = loads->isVisible() && !loads->visibleRegion().isEmpty() ? loads : receipt;
-  const int all = dock->height() + field->height() + below->height();
-  const int shown = std::min(field->height(), fields_->sizeHint().height() + title_height);
-  const int wanted =
-    std::min(context_->sizeHint().height() + title_height, all - shown - least_below);
+  auto& field = docks_.of("field");
+  auto& loads = docks_.of("loads");
+  auto& below =
+    loads.isVisible() && !loads.visibleRegion().isEmpty() ? loads : docks_.of("receipt");
+  const int all = dock.height() + field.height() + below.height();
+  const int shown =
+    std::min(field.height(), tools_->results.panel().sizeHint().height() + title_height);
+  const int wanted = std::min(panel.sizeHint().height() + title_height, all - shown - least_below);
   // All three are given: Qt would take part of the room from the field.
-  if (dock->height() < wanted)
-    resizeDocks({dock, field, below}, {wanted, shown, all - wanted - shown}, Qt::Vertical);
+  if (dock.height() < wanted)
+    resizeDocks({&dock, &field, &below}, {wanted, shown, all - wanted - shown}, Qt::Vertical);
 }
 
 /// Docks and operations are about a part: beside the start page they would be empty. The help is
@@ -196,149 +192,19 @@ void main_window::make_room() {
 void main_window::show_docks(bool on) {
   if (std::exchange(docks_shown_, on) == on)
     return;
-  auto* help = findChild<QDockWidget*>("help");
-  const bool helps = help->isVisible();
+  auto& help = docks_.of("help");
+  const bool helps = help.isVisible();
   if (on) {
     restoreState(layout_);
-    help->setVisible(helps);
+    help.setVisible(helps);
   } else {
     layout_ = saveState();
     for (auto* dock : findChildren<QDockWidget*>())
-      dock->setVisible(dock == help && helps);
+      dock->setVisible(dock == &help && helps);
   }
   rail_->setVisible(on);
   // The menu of the bars would bring them back.
   setContextMenuPolicy(on ? Qt::DefaultContextMenu : Qt::NoContextMenu);
-}
-
-bool main_window::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == view_ && event->type() == QEvent::Resize)
-    place_overlays();
-  return QMainWindow::eventFilter(watched, event);
-}
-
-void main_window::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  place_overlays();
-}
-
-void main_window::set_dark(bool on) {
-  theme_ = make_theme(on);
-  settings_.setValue("look", on ? "dark" : "light");
-  qApp->setPalette(theme_.palette);
-  qApp->setStyleSheet(theme_.style_sheet);
-  view_->set_colours(theme_.scene);
-  overlay_->set_ink(theme_.ink);
-  cube_->set_colours(theme_.cube, theme_.ink);
-  banner_->set_theme(theme_);
-  truth_->set_theme(theme_);
-  welcome_->set_theme(theme_);
-  emit theme_changed(theme_);
-  for (auto at = actions_.begin(); at != actions_.end(); ++at)
-    if (const auto* what = commands_.find(at.key()); what && !what->icon.isEmpty())
-      at.value()->setIcon(icon(what->icon, theme_.ink));
-}
-
-void main_window::highlight(const QList<qint64>& surfaces) {
-  const std::vector<surface_id> ids(surfaces.begin(), surfaces.end());
-  selection_.set(ids);
-  view_->fit(ids);
-}
-
-// -- opening -------------------------------------------------------------------------
-
-void main_window::when_connected(std::function<void()> then) {
-  if (link_.current() == remote::state::connected) {
-    then();
-    return;
-  }
-  once_connected_ = std::move(then);
-  if (link_.current() == remote::state::offline)
-    local_.start();
-}
-
-/// Meshes are opened with the load cases that came beside them.
-void main_window::open_files(const QStringList& files) {
-  QString mesh;
-  QString recipe;
-  QStringList loads;
-  for (const auto& file : files) {
-    if (!file.endsWith(".json"))
-      mesh = mesh.isEmpty() ? file : mesh;
-    else if (client::is_recipe(file.toStdString()))
-      recipe = file;
-    else
-      loads << file;
-  }
-  if (!recipe.isEmpty())
-    run_recipe(recipe);
-  else if (!mesh.isEmpty())
-    open_file(mesh, loads);
-  else if (!loads.isEmpty())
-    emit part_.failed(
-      tr("Open %1").arg(loads.first()),
-      {ec::bad_input,
-       "this is no recipe: it has no \"steps\"",
-       "Give a load case together with its mesh; docs/recipes.md says what a recipe is",
-       {}});
-}
-
-void main_window::open_file(const QString& mesh, const QStringList& load_cases) {
-  log(tr("opening %1").arg(mesh));
-  if (mesh.endsWith(".tedit"))
-    return open_document_file(mesh);
-  if (mesh.endsWith(".json"))
-    return run_recipe(mesh);
-  when_connected([=, this] { part_.import(mesh, load_cases); });
-}
-
-void main_window::restore() {
-  const QString name = settings_.value("unfinished").toString();
-  if (name.isEmpty())
-    return;
-  log(tr("the last session was not closed; opening %1 again").arg(name));
-  open_document(name);
-}
-
-void main_window::open_document(const QString& name) {
-  when_connected([=, this] { part_.open(name); });
-}
-
-void main_window::connect_to(const server_address& address) {
-  part_.close();
-  link_.connect_to(address);
-}
-
-void main_window::connection_changed() {
-  if (link_.current() == remote::state::lost)
-    banner_->show_standing(
-      tr("The connection to the server is lost. It is taken up again by itself; nothing that was "
-         "done is lost."));
-  else if (link_.silence_ms() > silent_ms)
-    banner_->show_standing(
-      tr("The connection is slow: the server has not answered for %1. What was asked for goes on "
-         "when it does, and can be cancelled.")
-        .arg(duration(1000 * std::floor(link_.silence_ms() / 1000))));
-  else if (link_.current() == remote::state::connected)
-    banner_->clear_standing();
-}
-
-// -- showing -------------------------------------------------------------------------
-
-void main_window::show_part() {
-  const auto* head = part_.head();
-  if (!head || !head->surface)
-    return;
-  part_.watch(needs(fields_->wanted().field));
-  const auto& preview = context_->preview();
-  truth_->set_candidate(preview.shown() != nullptr);
-  const auto& refused = preview.refusal();
-  view_->mark(refused ? places_of(*refused) : std::vector<surface_id>{});
-  view_->set_legend(fields_->wanted());
-  view_->show_isolines(fields_->isolines() && !preview.shown());
-  if (const auto& shown = preview.shown())
-    return view_->show_part({shown->surface, nullptr, 0, shown->before});
-  view_->show_part({head->surface, fields_->field(), fields_->deform()});
 }
 
 void main_window::show_title() {
@@ -351,61 +217,70 @@ void main_window::show_title() {
   setWindowTitle(part_.is_open() ? title.words + " - TEdit" : "TEdit");
 }
 
-void main_window::show_tooltip(const std::optional<picked_point>& at, QPoint global) {
-  if (!at) {
-    QToolTip::hideText();
-    return;
-  }
-  QStringList lines{part_.surface_name(at->surface)};
-  const auto* head = part_.head();
-  if (head && head->surface) {
-    const auto& rows = head->surface->surfaces();
-    if (const auto row = rows.find(at->surface); row != rows.end())
-      lines << tr("area %1").arg(quantity(row->second.area_m2, "m2"));
-  }
-  lines << part_.acting_on({at->surface});
-  const auto& by = view_->current_legend();
-  if (const auto value = view_->value_at(*at))
-    lines << field_title(by.field) + ": " + field_value(by.field, *value);
-  QToolTip::showText(global + QPoint(16, 16), lines.join("\n"), view_);
+// -- wiring --------------------------------------------------------------------------
+
+void main_window::wire() {
+  connect(pages_, &QStackedWidget::currentChanged, this, [this] {
+    show_docks(!tools_->documents.shows_start_page());
+    place_overlays();  // What has to be said stays in front.
+  });
+  connect(banner_, &banner::changed, this, &main_window::place_overlays);
+  // Once the form has taken it up and its layout with it.
+  connect(&tools_->operations.panel().preview(), &live_preview::changed, this,
+          [this] { QTimer::singleShot(0, this, &main_window::make_room); });
+  for (auto signal : {&document::opened, &document::head_changed})
+    connect(&part_, signal, this, &main_window::show_title);
+  connect(&part_.foreground(), &foreground_work::changed, &actions_, &command_actions::refresh);
+  for (auto signal : {&document::head_changed, &document::closed, &document::opened})
+    connect(&part_, signal, &actions_, &command_actions::refresh);
+  connect(&picked_, &selection::changed, &actions_, &command_actions::refresh);
 }
 
-void main_window::show_menu(const std::optional<picked_point>& at, QPoint global) {
-  if (at && !selection_.contains(at->surface))
-    selection_.click(at->surface, false);
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const auto& what : commands_.all())
-    if (what.group == tr("Operation"))
-      menu->addAction(action(what.id));
-  menu->addSeparator();
-  for (const auto* id : {"view.hide", "view.isolate", "view.show_all", "view.fit"})
-    menu->addAction(action(id));
-  menu->popup(global);
+void main_window::wire_look() {
+  connect(&look_, &appearance::changed, this, [this](const theme& look) {
+    view_->set_colours(look.scene);
+    overlay_->set_ink(look.ink);
+    cube_->set_colours(look.cube, look.ink);
+    banner_->set_theme(look);
+    truth_->set_theme(look);
+  });
 }
 
-void main_window::step_to(std::uint32_t version) {
-  const auto* head = part_.head();
-  if (head && head->info.number != version && !part_.current_activity())
-    part_.go_to(version);
+/// What has to be said goes over the view and into the log.
+void main_window::wire_messages() {
+  connect(&part_, &document::failed, this, [this](const QString& what, const error& reason) {
+    log_->write(tr("%1: %2").arg(what, QString::fromStdString(tedit::render(reason))),
+                log_level::errors);
+    if (reason.code != ec::cancelled)
+      banner_->show_error(what, reason);
+  });
+  connect(&part_, &document::notice, this, [this](const QString& text) {
+    log_->write(text, log_level::notices);
+    banner_->show_news(text);
+  });
+  connect(&part_.files(), &file_requests::exported, this, [this](const QString& path) {
+    log_->write(tr("wrote %1").arg(path), log_level::notices);
+    banner_->show_news(tr("Wrote %1").arg(path));
+  });
 }
 
-QImage main_window::picture(int width, int height) {
-  return overlay_->picture(width, height);
+// -- events --------------------------------------------------------------------------
+
+bool main_window::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ && event->type() == QEvent::Resize && tools_)
+    place_overlays();
+  return QMainWindow::eventFilter(watched, event);
 }
 
-void main_window::log(const QString& line, log_level level) {
-  if (level > log_level_)
-    return;
-  log_->appendPlainText(QDateTime::currentDateTime().toString("HH:mm:ss.zzz  ") + line);
+void main_window::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  place_overlays();
 }
-
-// -- the window ----------------------------------------------------------------------
 
 void main_window::closeEvent(QCloseEvent* event) {
   settings_.setValue("geometry", saveGeometry());
   settings_.setValue("layout", docks_shown_ ? saveState() : layout_);
-  settings_.remove("unfinished");
+  tools_->documents.forget_unfinished();
   event->accept();
 }
 
@@ -418,7 +293,7 @@ void main_window::dropEvent(QDropEvent* event) {
   QStringList files;
   for (const auto& url : event->mimeData()->urls())
     files << url.toLocalFile();
-  open_files(files);
+  tools_->documents.open_files(files);
 }
 
 }  // namespace tedit::desktop

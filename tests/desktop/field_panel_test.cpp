@@ -14,7 +14,7 @@ namespace {
 class FieldPanel : public testing::Test {
 protected:
   FieldPanel() {
-    part_.open("part");
+    part_.files().open("part");
     client::committed import;
     import.head.version_id = "v";
     import.head.load_cases = {"a"};

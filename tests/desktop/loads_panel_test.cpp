@@ -16,7 +16,7 @@ namespace {
 class LoadsPanel : public testing::Test {
 protected:
   LoadsPanel() {
-    part_.open("part");
+    part_.files().open("part");
     client::committed import;
     import.head.version_id = "0";
     import.head.load_cases = {"braking"};
@@ -114,7 +114,7 @@ TEST_F(LoadsPanel, CancelClosesTheEditorOnce) {
 TEST_F(LoadsPanel, IsEmptyWhenThePartIsClosed) {
   panel_.new_load_case();
 
-  part_.close();
+  part_.files().close();
 
   EXPECT_EQ(panel_.tree()->topLevelItemCount(), 0);
   EXPECT_TRUE(hint().startsWith("No loads yet"));

@@ -74,12 +74,14 @@ compare_view::compare_view(document& part, QWidget* parent) : QWidget(parent), p
   middle->addStretch();
   column->addWidget(missing_, 1);
 
-  for (auto signal : {&document::history_changed, &document::field_changed,
-                      &document::surface_changed, &document::solve_changed})
-    connect(&part_, signal, this, [this] {
-      if (isVisible())
-        refresh();
-    });
+  const auto follow = [this] {
+    if (isVisible())
+      refresh();
+  };
+  for (auto signal :
+       {&document::history_changed, &document::field_changed, &document::surface_changed})
+    connect(&part_, signal, this, follow);
+  connect(&part_.solver(), &solve_requests::changed, this, follow);
 }
 
 compare_view::pane compare_view::make_pane(const char* name) {
@@ -132,7 +134,7 @@ bool compare_view::eventFilter(QObject* watched, QEvent* event) {
 /// there is seen in a narrower pane.
 double compare_view::distance_for(const QSize& size) const {
   const auto& narrower = difference_ ? after_ : before_;
-  return std::max(1.0, what_->aspect / narrower.view->free_aspect(size));
+  return std::max(1.0, what_->aspect / narrower.view->framing().free_aspect(size));
 }
 
 void compare_view::step_back(double factor) {
@@ -197,8 +199,8 @@ void compare_view::take_start_pose() {
 
 /// What shows both parts, from the same side.
 camera::pose compare_view::whole_pose() {
-  auto all = *after_.view->bounds();
-  const auto other = *before_.view->bounds();
+  auto all = after_.view->geometry()->bounds;
+  const auto other = before_.view->geometry()->bounds;
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = i % 2 == 0 ? std::min(all[i], other[i]) : std::max(all[i], other[i]);
   after_.view->view().fit(all);

@@ -278,7 +278,7 @@ void history_strip::edit_words() {
   if (found == part_.versions().end())
     return;
   auto* editor = new version_editor(found->second.info, this);
-  connect(editor, &version_editor::accepted, &part_, &document::annotate);
+  connect(editor, &version_editor::accepted, &part_.edits(), &edit_requests::annotate);
   editor->open_beside(
     QRect(viewport()->mapToGlobal(visualItemRect(row).topLeft()), visualItemRect(row).size()));
 }

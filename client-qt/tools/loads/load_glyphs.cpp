@@ -304,8 +304,8 @@ load_glyph_layer::load_glyph_layer(document& part, field_panel& fields, viewport
     : QObject(&view), part_(part), fields_(fields), view_(view) {
   makers_.setMaxThreadCount(1);
   connect(&fields_, &field_panel::changed, this, &load_glyph_layer::refresh);
-  for (auto signal : {&document::load_cases_changed, &document::head_changed,
-                      &document::surface_changed, &document::closed})
+  connect(&part_.loads(), &load_requests::changed, this, &load_glyph_layer::refresh);
+  for (auto signal : {&document::head_changed, &document::surface_changed, &document::closed})
     connect(&part_, signal, this, &load_glyph_layer::refresh);
 }
 
@@ -325,7 +325,7 @@ void load_glyph_layer::refresh() {
   const auto* head = part_.head();
   const auto field = fields_.field();
   std::vector<fem::load_case> shown;
-  for (const auto& one : part_.load_cases())
+  for (const auto& one : part_.loads().all())
     if (!field || field->envelope || field->report.load_case == one.name)
       shown.push_back(one);
   if (!on_ || !head || !head->surface || shown.empty()) {

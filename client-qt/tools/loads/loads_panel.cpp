@@ -115,10 +115,10 @@ void loads_panel::wire() {
           [this] { editor_->set_selection(picked_.surfaces()); });
   for (auto signal : {&document::head_changed, &document::opened})
     connect(&part_, signal, this, &loads_panel::refresh);
-  connect(&part_, &document::load_cases_changed, this, [this] {
+  connect(&part_.loads(), &load_requests::changed, this, [this] {
     // The same only: a later change may be on its way.
     std::erase_if(drafts_, [this](const fem::load_case& one) {
-      const auto* known = find(one.name, part_.load_cases());
+      const auto* known = find(one.name, part_.loads().all());
       return known && protocol::load_case_to_json(*known) == protocol::load_case_to_json(one);
     });
     refresh();
@@ -146,7 +146,7 @@ void loads_panel::wire() {
 
 /// Those of the head; drafts stand for the ones of their names.
 std::vector<fem::load_case> loads_panel::all() const {
-  auto result = part_.load_cases();
+  auto result = part_.loads().all();
   for (const auto& draft : drafts_)
     put(result, draft);
   return result;
@@ -296,7 +296,7 @@ void loads_panel::show_menu(QPoint at) {
     menu->addAction(tr("Rename ..."), this, [this, row] { tree_->editItem(row); });
     if (find(place->load_case, drafts_))
       menu->addAction(tr("Discard what is not solved yet"), this, [this, place] { drop(*place); });
-    if (find(place->load_case, part_.load_cases()))
+    if (find(place->load_case, part_.loads().all()))
       menu->addAction(tr("Remove the load case"), this, [this, place] { remove_case(*place); });
   }
   menu->popup(tree_->viewport()->mapToGlobal(at));
@@ -412,14 +412,14 @@ void loads_panel::drop(const row_place& place) {
 void loads_panel::remove_case(const row_place& place) {
   close_editor();
   std::erase_if(drafts_, [&](const auto& one) { return one.name == place.load_case; });
-  part_.remove_load_case(place.load_case);
+  part_.loads().remove(place.load_case);
 }
 
 void loads_panel::remove_current() {
   const auto place = current();
   if (!place)
     return;
-  if (!place->kind && find(place->load_case, part_.load_cases()))
+  if (!place->kind && find(place->load_case, part_.loads().all()))
     remove_case(*place);
   else
     drop(*place);
@@ -439,20 +439,20 @@ void loads_panel::renamed(QTreeWidgetItem* row) {
   auto copy = *loads;
   copy.name = name;
   const bool is_whole = missing(copy).isEmpty();
-  const bool is_sent = find(before, part_.load_cases()) != nullptr;
+  const bool is_sent = find(before, part_.loads().all()) != nullptr;
   if (is_whole || !is_sent)
     std::erase_if(drafts_, [&](const auto& one) { return one.name == before; });
   if (!is_whole || !is_sent)
     return change(copy);
   put(drafts_, copy);
-  part_.rename_load_case(before, copy);
+  part_.loads().rename(before, copy);
   refresh();
 }
 
 void loads_panel::change(const fem::load_case& loads) {
   put(drafts_, loads);
   if (missing(loads).isEmpty())
-    part_.set_load_case(loads);
+    part_.loads().set(loads);
   refresh();
 }
 

@@ -84,7 +84,7 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   fraction_->setTextVisible(false);
   cancel_ = new QPushButton(tr("Cancel"));
   cancel_->setObjectName("cancel");
-  connect(cancel_, &QPushButton::clicked, &part_, &document::cancel);
+  connect(cancel_, &QPushButton::clicked, &part_.foreground(), &foreground_work::cancel);
   activity->addWidget(stage_);
   activity->addWidget(fraction_);
   activity->addWidget(cancel_, 0, Qt::AlignLeft);
@@ -94,9 +94,9 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   connect(&picked_, &selection::changed, this, &context_panel::show_selection);
   connect(&picked_, &selection::changed, this, &context_panel::follow);
   connect(&part_, &document::operations_changed, this, &context_panel::show_selection);
-  connect(&part_, &document::load_cases_changed, this, &context_panel::show_selection);
+  connect(&part_.loads(), &load_requests::changed, this, &context_panel::show_selection);
   connect(&part_, &document::surface_changed, this, &context_panel::show_selection);
-  connect(&part_, &document::activity_changed, this, &context_panel::show_activity);
+  connect(&part_.foreground(), &foreground_work::changed, this, &context_panel::show_activity);
   show_selection();
   show_activity();
 }
@@ -123,7 +123,7 @@ void context_panel::show_selection() {
                       tr("\nArea %1").arg(quantity(picked_.area(), "m2")));
   }
   QStringList acting;
-  for (const auto& item : part_.acting_on(surfaces))
+  for (const auto& item : part_.loads().acting_on(surfaces))
     acting << item;
   loads_->setText(acting.join("\n"));
   loads_->setVisible(!acting.isEmpty());
@@ -208,8 +208,8 @@ QString context_panel::not_ready() const {
   const auto& wanted = offered->about.selection;
   if (count < wanted.minimum || (wanted.maximum > 0 && count > wanted.maximum))
     return tr("Select: %1").arg(QString::fromStdString(wanted.help));
-  if (part_.current_activity())
-    return tr("%1 is running.").arg(part_.current_activity()->title);
+  if (part_.foreground().current())
+    return tr("%1 is running.").arg(part_.foreground().current()->title);
   return {};
 }
 
@@ -257,11 +257,11 @@ void context_panel::show_readiness() {
 void context_panel::apply() {
   if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
     return;
-  part_.apply(operation_, picked_.surfaces(), form_->values());
+  part_.edits().apply(operation_, picked_.surfaces(), form_->values());
 }
 
 void context_panel::show_activity() {
-  const auto& now = part_.current_activity();
+  const auto& now = part_.foreground().current();
   running_->setVisible(now.has_value());
   if (now) {
     stage_->setText(now->stage.isEmpty() ? now->title : now->title + ": " + now->stage);

@@ -260,7 +260,7 @@ plot plot_panel::on_line() const {
   const auto to = all_.place(both[1], *head);
   result.note = tr("There is no field on this line.");
   const auto& drawn = view_.geometry();
-  if (!from || !to || !drawn || view_.values().size() != drawn->vertices.size() ||
+  if (!from || !to || !drawn || view_.painted().values.size() != drawn->vertices.size() ||
       drawn->version_id != head->info.version_id)
     return result;
   if (view_.current().deform != 0) {
@@ -278,7 +278,7 @@ plot plot_panel::on_line() const {
   result.x_title = "mm";
   result.y_title = unit.name;
   result.x_high = length_mm;
-  for (const double value : along(*drawn, view_.values(), from->at, to->at, line_steps))
+  for (const double value : along(*drawn, view_.painted().values, from->at, to->at, line_steps))
     result.y.push_back(value * unit.scale);
   if (std::ranges::none_of(result.y, [](double y) { return std::isfinite(y); }))
     result.y.clear();

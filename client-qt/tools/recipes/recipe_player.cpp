@@ -27,7 +27,7 @@ void recipe_player::start() {
   name_ = part_.name();
   const QString title = recipe_.name.empty() ? tr("Recipe") : QString::fromStdString(recipe_.name);
   job_ = part_.work().begin(title, [this] {
-    part_.cancel();
+    part_.foreground().cancel();
     stop();
   });
   poll_.start();
@@ -62,19 +62,19 @@ QString recipe_player::step_name() const {
 }
 
 bool recipe_player::is_ready() const {
-  if (part_.current_activity() || part_.changes_loads())
+  if (part_.foreground().current() || part_.loads().is_changing())
     return false;
   const auto* head = part_.head();
   if (!head)
     return name_.isEmpty() || at_ == 0;
   return head->surface && !part_.operations().operations.empty() &&
-         (!wants_field_ || part_.field_progress() == field_state::converged);
+         (!wants_field_ || part_.solver().progress() == field_state::converged);
 }
 
 void recipe_player::next() {
   if (part_.name() != name_)
     return stop();  // Somebody opened another one.
-  if (wants_field_ && part_.field_progress() == field_state::stopped)
+  if (wants_field_ && part_.solver().progress() == field_state::stopped)
     return refuse({ec::cancelled, "the solver was stopped", "Run the recipe again", {}});
   if (!is_ready())
     return;
@@ -96,7 +96,8 @@ void recipe_player::next() {
 // -- steps ---------------------------------------------------------------------------
 
 expected<void> recipe_player::perform(const client::import_step& s) {
-  part_.import(QString::fromStdString(s.mesh.string()), {}, QString::fromStdString(s.length_unit));
+  part_.files().import(QString::fromStdString(s.mesh.string()), {},
+                       QString::fromStdString(s.length_unit));
   name_ = part_.name();
   return {};
 }
@@ -115,7 +116,7 @@ expected<void> recipe_player::perform(const client::load_case_step& s) {
   const auto loads = protocol::load_case_from_file(s.file);
   if (!loads)
     return fail(loads.error());
-  part_.set_load_case(*loads);
+  part_.loads().set(*loads);
   return {};
 }
 
@@ -130,22 +131,22 @@ expected<void> recipe_player::perform(const client::edit_step& s) {
     if (!part_.head()->surface->surfaces().contains(id))
       return fail(ec::surface_not_found, "the part has no surface " + std::to_string(id),
                   "Open the part that the recipe was made for, or change the step's \"surfaces\"");
-  part_.apply(QString::fromStdString(wanted.operation), wanted.surfaces, wanted.parameters,
-              wanted.loads);
+  part_.edits().apply(QString::fromStdString(wanted.operation), wanted.surfaces, wanted.parameters,
+                      wanted.loads);
   return {};
 }
 
 expected<void> recipe_player::perform(const client::undo_step&) {
-  if (!part_.can_undo())
+  if (!part_.edits().can_undo())
     return fail(ec::conflict, "there is nothing to undo", "Put an edit step before it");
-  part_.undo();
+  part_.edits().undo();
   return {};
 }
 
 expected<void> recipe_player::perform(const client::redo_step&) {
-  if (!part_.can_redo())
+  if (!part_.edits().can_redo())
     return fail(ec::conflict, "there is nothing to redo", "Put an undo step before it");
-  part_.redo();
+  part_.edits().redo();
   return {};
 }
 
@@ -153,10 +154,10 @@ expected<void> recipe_player::perform(const client::redo_step&) {
 expected<void> recipe_player::perform(const client::solve_step&) {
   if (auto ok = needs_head(part_); !ok)
     return ok;
-  if (part_.head()->info.load_cases.empty() && part_.load_cases().empty())
+  if (part_.head()->info.load_cases.empty() && part_.loads().all().empty())
     return fail(ec::not_found, "this version has no load case", "Put a load_case step first");
-  if (part_.field_progress() != field_state::converged && !part_.is_solving())
-    part_.solve();
+  if (part_.solver().progress() != field_state::converged && !part_.solver().is_running())
+    part_.solver().solve();
   wants_field_ = true;
   return {};
 }

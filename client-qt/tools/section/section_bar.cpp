@@ -87,12 +87,12 @@ void section_bar::set_place(double place) {
 
 /// How far the part's box goes along a direction, m.
 std::array<double, 2> section_bar::reach(const vec3& normal) const {
-  const auto box = view_.bounds();
-  if (!box)
+  if (!view_.geometry())
     return {0, 1};
+  const auto& box = view_.geometry()->bounds;
   std::array<double, 2> ends{INFINITY, -INFINITY};
   for (int corner = 0; corner < 8; ++corner) {
-    const vec3 p{(*box)[corner & 1], (*box)[2 + (corner >> 1 & 1)], (*box)[4 + (corner >> 2 & 1)]};
+    const vec3 p{box[corner & 1], box[2 + (corner >> 1 & 1)], box[4 + (corner >> 2 & 1)]};
     ends[0] = std::min(ends[0], dot(p, normal));
     ends[1] = std::max(ends[1], dot(p, normal));
   }
@@ -100,7 +100,7 @@ std::array<double, 2> section_bar::reach(const vec3& normal) const {
 }
 
 std::optional<section_plane> section_bar::plane() const {
-  if (!view_.bounds())
+  if (!view_.geometry())
     return std::nullopt;
   const std::array<vec3, 4> normals{vec3{1, 0, 0}, vec3{0, 1, 0}, vec3{0, 0, 1}, own_normal_};
   const vec3 normal = normals[static_cast<std::size_t>(axis_->currentIndex())];
@@ -129,18 +129,19 @@ void section_bar::ask() {
   asking_ = true;
   const auto field = fields_.field();
   const std::string load_case = field && !field->envelope ? field->report.load_case : std::string();
-  part_.cut(wanted->at, wanted->normal, load_case, [this](expected<client::section> got) {
-    asking_ = false;
-    if (got && on_)
-      view_.show_cap(std::make_shared<const client::section>(std::move(*got)));
-    else if (!got && got.error().code == ec::cancelled)
-      again_ = false;  // Until the plane is moved.
-    else if (!got && got.error().code != ec::superseded &&
-             got.error().code != ec::service_unavailable)
-      emit part_.failed(tr("Section"), got.error());
-    if (std::exchange(again_, false))
-      ask();
-  });
+  part_.questions().cut(
+    wanted->at, wanted->normal, load_case, [this](expected<client::section> got) {
+      asking_ = false;
+      if (got && on_)
+        view_.show_cap(std::make_shared<const client::section>(std::move(*got)));
+      else if (!got && got.error().code == ec::cancelled)
+        again_ = false;  // Until the plane is moved.
+      else if (!got && got.error().code != ec::superseded &&
+               got.error().code != ec::service_unavailable)
+        emit part_.failed(tr("Section"), got.error());
+      if (std::exchange(again_, false))
+        ask();
+    });
 }
 
 }  // namespace tedit::desktop

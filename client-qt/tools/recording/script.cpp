@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/window/script.hpp"
+#include "client-qt/tools/recording/script.hpp"
 
 #include <QApplication>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMainWindow>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -14,9 +15,9 @@
 #include "client-qt/tools/probes/probe_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
+#include "client-qt/tools/toolbox.hpp"
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/view/viewport.hpp"
-#include "client-qt/window/main_window.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::desktop {
@@ -66,7 +67,7 @@ void set_camera(viewport& view, const QJsonObject& wanted) {
 }
 
 /// The whole window, with a menu or the like that is open over it.
-QImage with_popup(main_window& window) {
+QImage with_popup(QMainWindow& window) {
   for (auto* view : window.findChildren<viewport*>())
     if (view->isVisible())
       (void)view->picture();  // What was changed last is still to be drawn.
@@ -104,14 +105,14 @@ expected<QJsonArray> read_script(const QString& path) {
   return json.array();
 }
 
-script::script(main_window& window, QJsonArray steps, QObject* parent)
-    : QObject(parent), window_(window), steps_(std::move(steps)) {
+script::script(window_context& in, toolbox& tools, QJsonArray steps, QObject* parent)
+    : QObject(parent), in_(in), tools_(tools), steps_(std::move(steps)) {
   poll_.setInterval(poll_ms);
   connect(&poll_, &QTimer::timeout, this, &script::next);
 }
 
 void script::start() {
-  connect(&window_.part(), &document::failed, this,
+  connect(&in_.part, &document::failed, this,
           [this](const QString&, const error& reason) { stop(reason); });
   poll_.start();
 }
@@ -150,29 +151,29 @@ void script::next() {
 }
 
 bool script::is_all_seen() const {
-  return std::ranges::all_of(window_.findChildren<viewport*>(), [](const viewport* one) {
+  return std::ranges::all_of(in_.window.findChildren<viewport*>(), [](const viewport* one) {
     return !one->isVisible() || (one->is_settled() && one->is_seen());
   });
 }
 
 bool script::ready_for(const QJsonObject& step) const {
-  const auto& part = window_.part();
+  const auto& part = in_.part;
   if (alone_ && !part.is_open())
     return true;
   const auto* head = part.head();
-  const auto& preview = window_.context().preview();
+  const auto& preview = tools_.operations.panel().preview();
   const auto wanted = preview.shown() ? preview.shown()->surface : head ? head->surface : nullptr;
-  const bool shows_all = wanted && window_.view().is_settled() && !preview.is_busy() &&
-                         window_.view().current().surface == wanted;
-  if (!shows_all || !is_all_seen() || window_.runs_recipe() || part.current_activity() ||
-      part.changes_loads() || part.operations().operations.empty())
+  const bool shows_all =
+    wanted && in_.view.is_settled() && !preview.is_busy() && in_.view.current().surface == wanted;
+  if (!shows_all || !is_all_seen() || tools_.recipes.is_running() || part.foreground().current() ||
+      part.loads().is_changing() || part.operations().operations.empty())
     return false;
-  if (step.contains("case") && part.is_solving())
+  if (step.contains("case") && part.solver().is_running())
     return false;  // It can be chosen once it has a field.
   if (step["wait"].toString() != "final")
     return true;
-  const auto field = window_.view().current().field;
-  return part.field_progress() == field_state::converged && head->outcome &&
+  const auto field = in_.view.current().field;
+  return part.solver().progress() == field_state::converged && head->outcome &&
          (preview.shown() || (field && field->version_id() == head->info.version_id));
 }
 
@@ -196,21 +197,21 @@ expected<void> script::perform(const QJsonObject& step) {
   if (look(step))
     return {};
   if (step.contains("select")) {
-    window_.picked().set(ids_from<std::vector<surface_id>>(step["select"]));
+    in_.picked.set(ids_from<std::vector<surface_id>>(step["select"]));
   } else if (step.contains("choose")) {
-    window_.context().choose(step["choose"].toString());
+    tools_.operations.panel().choose(step["choose"].toString());
   } else if (step.contains("apply")) {
     return apply(step);
   } else if (step.contains("undo")) {
-    window_.part().undo();
+    in_.part.edits().undo();
   } else if (step.contains("redo")) {
-    window_.part().redo();
+    in_.part.edits().redo();
   } else if (step.contains("go_to")) {
-    window_.part().go_to(static_cast<std::uint32_t>(step["go_to"].toInteger()));
+    in_.part.edits().go_to(static_cast<std::uint32_t>(step["go_to"].toInteger()));
   } else if (step.contains("load_case")) {
     return set_load_case(step["load_case"].toObject());
   } else if (step.contains("remove_load_case")) {
-    window_.part().remove_load_case(step["remove_load_case"].toString().toStdString());
+    in_.part.loads().remove(step["remove_load_case"].toString().toStdString());
   } else if (step.contains("probe")) {
     return put_probe(step["probe"].toObject());
   } else if (step.contains("screenshot")) {
@@ -218,7 +219,7 @@ expected<void> script::perform(const QJsonObject& step) {
   } else if (!step.contains("wait")) {
     const QString id =
       step.contains("view") ? "view." + step["view"].toString() : step["command"].toString();
-    if (!window_.all_commands().trigger(id))
+    if (!in_.all_commands.trigger(id))
       return fail(ec::invalid_argument,
                   "there is no command \"" + id.toStdString() + "\", or it cannot be run now");
   }
@@ -226,7 +227,7 @@ expected<void> script::perform(const QJsonObject& step) {
 }
 
 bool script::look(const QJsonObject& step) {
-  auto& fields = window_.fields();
+  auto& fields = tools_.results.panel();
   if (step.contains("field"))
     fields.set_field(field_from_id(step["field"].toString()));
   else if (step.contains("case"))
@@ -238,20 +239,20 @@ bool script::look(const QJsonObject& step) {
   else if (step.contains("isolines"))
     fields.set_isolines(step["isolines"].toBool());
   else if (step.contains("camera"))
-    set_camera(window_.view(), step["camera"].toObject());
+    set_camera(in_.view, step["camera"].toObject());
   else if (step.contains("box"))
-    draw_box(window_.view(), step);
+    draw_box(in_.view, step);
   else if (step.contains("hidden"))
-    window_.set_hidden(ids_from<std::set<surface_id>>(step["hidden"]));
+    tools_.selecting.set_hidden(ids_from<std::set<surface_id>>(step["hidden"]));
   else if (step.contains("measure"))
-    window_.probe_list().choose(ids_from<std::vector<int>>(step["measure"]));
+    tools_.probing.list().choose(ids_from<std::vector<int>>(step["measure"]));
   else if (step.contains("remove_probe"))
-    window_.pins().remove(step["remove_probe"].toInt());
+    tools_.probing.pins().remove(step["remove_probe"].toInt());
   else if (step["section"].isObject())
-    window_.section().set_plane(point_from(step["section"]["at"]),
-                                point_from(step["section"]["normal"]));
+    tools_.section.bar().set_plane(point_from(step["section"]["at"]),
+                                   point_from(step["section"]["normal"]));
   else if (step["section"].isNull())
-    window_.section().set_on(false);
+    tools_.section.bar().set_on(false);
   else
     return false;
   return true;
@@ -259,7 +260,7 @@ bool script::look(const QJsonObject& step) {
 
 /// As a person would: the mouse is moved there, pressed and released.
 expected<void> script::click(qint64 surface) {
-  auto& view = window_.view();
+  auto& view = in_.view;
   const auto place = view.visible_point(surface);
   if (!place)
     return fail(ec::surface_not_found,
@@ -279,7 +280,7 @@ expected<void> script::click(qint64 surface) {
 
 /// The left button goes down before the first move and up after the last.
 void script::drag_on() {
-  auto& view = window_.view();
+  auto& view = in_.view;
   const auto send = [&](QEvent::Type type, double x) {
     const QPointF at(view.width() / 2.0 + x, view.height() / 2.0);
     const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
@@ -296,13 +297,13 @@ void script::drag_on() {
 
 expected<void> script::apply(const QJsonObject& step) {
   const QString id = step["apply"].toString();
-  const auto* offered = window_.part().operations().find(id);
+  const auto* offered = in_.part.operations().find(id);
   if (!offered)
     return fail(ec::operation_not_found, "there is no operation \"" + id.toStdString() + "\"");
-  window_.context().choose(id);
-  if (auto* form = window_.context().form())
+  tools_.operations.panel().choose(id);
+  if (auto* form = tools_.operations.panel().form())
     form->set_values(parameters_from(step["parameters"].toObject(), offered->about));
-  window_.context().apply();
+  tools_.operations.panel().apply();
   return {};
 }
 
@@ -311,7 +312,7 @@ expected<void> script::set_load_case(const QJsonObject& loads) {
     protocol::load_case_from_json(QJsonDocument(loads).toJson().toStdString(), "load_case");
   if (!read)
     return fail(read.error());
-  window_.part().set_load_case(*read);
+  in_.part.loads().set(*read);
   return {};
 }
 
@@ -320,7 +321,7 @@ expected<void> script::put_probe(const QJsonObject& probe) {
   if (probe["number"].toInt() < 1)
     return fail(ec::invalid_argument, "a probe needs a number from 1 on",
                 "Write {\"number\": 1, \"surface\": 7, \"at\": [0, 0, 0]}");
-  if (!window_.pins().put(probe["number"].toInt(), surface, point_from(probe["at"])))
+  if (!tools_.probing.pins().put(probe["number"].toInt(), surface, point_from(probe["at"])))
     return fail(ec::surface_not_found, "there is no surface " + std::to_string(surface),
                 "Name one that the part has at this step");
   return {};
@@ -329,8 +330,8 @@ expected<void> script::put_probe(const QJsonObject& probe) {
 expected<void> script::take_picture(const QJsonObject& step) {
   const QString path = step["screenshot"].toString();
   const QImage image = step["window"].toBool()
-                         ? with_popup(window_)
-                         : window_.picture(step["width"].toInt(), step["height"].toInt());
+                         ? with_popup(in_.window)
+                         : in_.over.picture(step["width"].toInt(), step["height"].toInt());
   if (!image.save(path))
     return fail(ec::io_error, "cannot write the picture " + path.toStdString(),
                 "Check the path and its permissions");

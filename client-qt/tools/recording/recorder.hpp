@@ -13,7 +13,8 @@
 
 namespace tedit::desktop {
 
-class main_window;
+struct toolbox;
+struct window_context;
 
 /// Writes down what a person does, as steps for `script`: selections, edits that were made, undo,
 /// load cases that were set or removed, probes, what is drawn and how it is looked at. Not: what
@@ -22,7 +23,7 @@ class recorder : public QObject {
   Q_OBJECT
 
 public:
-  explicit recorder(main_window& window);
+  recorder(window_context& in, toolbox& tools, QObject* parent);
 
   /// Begins anew, with the load cases as they are and how the part is looked at now.
   void start();
@@ -48,7 +49,8 @@ private:
   void section_moved();
   void committed(const client::committed& what);
 
-  main_window& window_;
+  window_context& in_;
+  toolbox& tools_;
   QJsonArray steps_;
   bool on_ = false;
   std::optional<QJsonObject> pending_;  ///< An edit without an answer.

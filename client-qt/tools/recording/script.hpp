@@ -9,7 +9,8 @@
 
 namespace tedit::desktop {
 
-class main_window;
+struct toolbox;
+struct window_context;
 
 /// Carries out steps in a window without a person: for pictures, tests and bug reports. Each step
 /// is a JSON object with one of these keys:
@@ -39,7 +40,7 @@ class script : public QObject {
   Q_OBJECT
 
 public:
-  script(main_window& window, QJsonArray steps, QObject* parent = nullptr);
+  script(window_context& in, toolbox& tools, QJsonArray steps, QObject* parent = nullptr);
 
   /// Seconds that one step may wait.
   void set_patience(int seconds) { patience_s_ = seconds; }
@@ -68,7 +69,8 @@ private:
   [[nodiscard]] expected<void> take_picture(const QJsonObject& step);
   void stop(const error& reason);
 
-  main_window& window_;
+  window_context& in_;
+  toolbox& tools_;
   QJsonArray steps_;
   int at_ = 0;
   int drags_left_ = 0;

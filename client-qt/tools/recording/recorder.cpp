@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/window/recorder.hpp"
+#include "client-qt/tools/recording/recorder.hpp"
 
 #include <QJsonDocument>
 
@@ -9,8 +9,8 @@
 #include "client-qt/tools/probes/probe_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
+#include "client-qt/tools/toolbox.hpp"
 #include "client-qt/view/viewport.hpp"
-#include "client-qt/window/main_window.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::desktop {
@@ -69,7 +69,8 @@ bool same_case(const QJsonObject& a, const QJsonObject& b) {
 
 }  // namespace
 
-recorder::recorder(main_window& window) : QObject(&window), window_(window) {
+recorder::recorder(window_context& in, toolbox& tools, QObject* parent)
+    : QObject(parent), in_(in), tools_(tools) {
   looked_.setSingleShot(true);
   looked_.setInterval(rest_ms);
   connect(&looked_, &QTimer::timeout, this, &recorder::look);
@@ -77,22 +78,22 @@ recorder::recorder(main_window& window) : QObject(&window), window_(window) {
 }
 
 void recorder::wire() {
-  connect(&window_.view(), &viewport::view_changed, this, [this] {
+  connect(&in_.view, &viewport::view_changed, this, [this] {
     if (on_)
       looked_.start();
   });
-  connect(&window_.picked(), &selection::changed, this, [this] {
-    add({{"select", to_json(window_.picked().surfaces())}});
+  connect(&in_.picked, &selection::changed, this, [this] {
+    add({{"select", to_json(in_.picked.surfaces())}});
   });
-  connect(&window_.all_commands(), &commands::triggered, this, [this](const QString& id) {
+  connect(&in_.all_commands, &commands::triggered, this, [this](const QString& id) {
     if (worth_a_step(id))
       add({{"command", id}});
   });
-  connect(&window_.fields(), &field_panel::changed, this, &recorder::fields_changed);
-  connect(&window_.section(), &section_bar::moved, this, &recorder::section_moved);
-  connect(&window_.part(), &document::edited, this, &recorder::committed);
-  connect(&window_.part(), &document::failed, this, [this] { pending_.reset(); });
-  connect(&window_.part(), &document::applied, this,
+  connect(&tools_.results.panel(), &field_panel::changed, this, &recorder::fields_changed);
+  connect(&tools_.section.bar(), &section_bar::moved, this, &recorder::section_moved);
+  connect(&in_.part, &document::edited, this, &recorder::committed);
+  connect(&in_.part, &document::failed, this, [this] { pending_.reset(); });
+  connect(&in_.part.edits(), &edit_requests::applied, this,
           [this](const QString& operation, const std::vector<surface_id>&,
                  const ops::parameters& values) {
             QJsonObject parameters;
@@ -100,14 +101,14 @@ void recorder::wire() {
               parameters[QString::fromStdString(id)] = to_json(value);
             pending_ = QJsonObject{{"apply", operation}, {"parameters", parameters}};
           });
-  connect(&window_, &main_window::hidden_changed, this, &recorder::add_hidden);
+  connect(&tools_.selecting, &selection_tool::hidden_changed, this, &recorder::add_hidden);
   wire_loads();
   wire_probes();
 }
 
 void recorder::wire_loads() {
-  connect(&window_.part(), &document::load_case_set, this, &recorder::add_loads);
-  connect(&window_.part(), &document::load_case_removed, this, [this](const std::string& name) {
+  connect(&in_.part.loads(), &load_requests::was_set, this, &recorder::add_loads);
+  connect(&in_.part.loads(), &load_requests::was_removed, this, [this](const std::string& name) {
     add({{"remove_load_case", QString::fromStdString(name)}});
   });
 }
@@ -118,20 +119,20 @@ void recorder::add_loads(const fem::load_case& loads) {
 }
 
 void recorder::wire_probes() {
-  connect(&window_.pins(), &probes::added, this, &recorder::add_probe);
-  connect(&window_.pins(), &probes::removed, this, [this](int number) {
+  connect(&tools_.probing.pins(), &probes::added, this, &recorder::add_probe);
+  connect(&tools_.probing.pins(), &probes::removed, this, [this](int number) {
     add({{"remove_probe", number}});
   });
-  connect(&window_.probe_list(), &probe_panel::chosen_changed, this, [this] {
+  connect(&tools_.probing.list(), &probe_panel::chosen_changed, this, [this] {
     QJsonArray numbers;
-    for (const int number : window_.probe_list().chosen())
+    for (const int number : tools_.probing.list().chosen())
       numbers.append(number);
     add({{"measure", numbers}});
   });
 }
 
 void recorder::add_hidden() {
-  add({{"hidden", to_json({window_.hidden().begin(), window_.hidden().end()})}});
+  add({{"hidden", to_json({tools_.selecting.hidden().begin(), tools_.selecting.hidden().end()})}});
 }
 
 void recorder::add_probe(const probe& what) {
@@ -144,15 +145,15 @@ void recorder::start() {
   steps_ = {};
   pending_.reset();
   on_ = true;
-  const auto* head = window_.part().head();
+  const auto* head = in_.part.head();
   head_ = head ? head->info.number : 0;
-  for (const auto& one : window_.part().load_cases())
+  for (const auto& one : in_.part.loads().all())
     add_loads(one);
   fields_changed();
   look();
-  add({{"select", to_json(window_.picked().surfaces())}});
+  add({{"select", to_json(in_.picked.surfaces())}});
   add_hidden();
-  for (const auto& one : window_.pins().all())
+  for (const auto& one : tools_.probing.pins().all())
     add_probe(one);
   emit changed();
 }
@@ -187,22 +188,22 @@ void recorder::add(const QJsonObject& step) {
 }
 
 void recorder::look() {
-  const auto& view = window_.view();
-  const auto pose = window_.view().view().get();
+  const auto& view = in_.view;
+  const auto pose = in_.view.view().get();
   if (!view.geometry())
     return;
   add({{"camera", QJsonObject{{"position", to_json(pose.position)},
                               {"focus", to_json(pose.focus)},
                               {"up", to_json(pose.up)},
                               {"scale", pose.parallel_scale},
-                              {"parallel", window_.view().view().is_parallel()}}}});
+                              {"parallel", in_.view.view().is_parallel()}}}});
 }
 
 /// Only what differs from what was noted last.
 void recorder::fields_changed() {
   if (!on_)
     return;
-  auto& fields = window_.fields();
+  auto& fields = tools_.results.panel();
   const auto note = [this](const char* key, const QJsonValue& value, const QJsonValue& at_first) {
     QJsonValue known = at_first;
     for (const auto& step : steps_)
@@ -221,7 +222,7 @@ void recorder::fields_changed() {
 }
 
 void recorder::section_moved() {
-  const auto& bar = window_.section();
+  const auto& bar = tools_.section.bar();
   const auto plane = bar.plane();
   if (!bar.is_on() || !plane)
     add({{"section", QJsonValue::Null}});
@@ -235,7 +236,7 @@ void recorder::committed(const client::committed& what) {
     return;
   if (what.cause == "edit" && pending_) {
     const auto step = *std::exchange(pending_, std::nullopt);
-    if (what.report && to_json(what.report->surfaces) != to_json(window_.picked().surfaces()))
+    if (what.report && to_json(what.report->surfaces) != to_json(in_.picked.surfaces()))
       add({{"select", to_json(what.report->surfaces)}});
     add(step);
   } else if (what.cause == "undo" || what.cause == "redo") {
