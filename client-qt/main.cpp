@@ -21,11 +21,12 @@
 #include "client-qt/model/language.hpp"
 #include "client-qt/model/preferences.hpp"
 #include "client-qt/model/stall_watch.hpp"
-#include "client-qt/view/latencies.hpp"
-#include "client-qt/view/main_window.hpp"
-#include "client-qt/view/script.hpp"
-#include "client-qt/view/theme.hpp"
+#include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/recording/script.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "client-qt/widgets/theme.hpp"
+#include "client-qt/window/latencies.hpp"
+#include "client-qt/window/main_window.hpp"
 
 namespace {
 
@@ -245,25 +246,25 @@ int main(int argc, char** argv) {
 
   stall_watch watch;
   main_window window(wanted.state_folder);
-  const latencies waits(window);
+  const latencies waits(window.context(), window.tools().operations.panel().preview());
   // Before there is a window, none is frozen.
   QObject::connect(&waits, &latencies::window_shown, &watch, &stall_watch::restart);
   if (wanted.dark)
-    window.set_dark(true);
+    window.context().look.set_dark(true);
   if (wanted.size.isValid())
     window.resize(wanted.size);
   window.show();
   if (!wanted.server.url.isEmpty())
-    window.connect_to(wanted.server);
+    window.tools().connection.connect_to(wanted.server);
   if (!wanted.mesh.isEmpty())
-    window.open_file(wanted.mesh, wanted.load_cases);
+    window.tools().documents.open_file(wanted.mesh, wanted.load_cases);
   else if (!wanted.document.isEmpty())
-    window.open_document(wanted.document);
+    window.tools().documents.open_document(wanted.document);
   else if (steps->isEmpty() && wanted.server.url.isEmpty())
-    window.restore();
+    window.tools().documents.restore();
 
   int status = 0;
-  script unattended(window, *steps);
+  script unattended(window.context(), window.tools(), *steps);
   unattended.set_alone(wanted.mesh.isEmpty() && wanted.document.isEmpty() &&
                        wanted.server.url.isEmpty());
   QObject::connect(&unattended, &script::finished, &app, &QApplication::quit);
@@ -275,6 +276,6 @@ int main(int argc, char** argv) {
     unattended.start();
   QApplication::exec();
   if (!wanted.report.isEmpty())
-    write_report(wanted.report, watch, waits, window.view());
+    write_report(wanted.report, watch, waits, window.context().view);
   return status;
 }

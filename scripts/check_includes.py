@@ -8,6 +8,8 @@ import re
 import subprocess
 import sys
 
+CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", "fem", "ops/sdk", "mesh", "base")
+
 # room: (other rooms, third-party prefixes). The longest room that is a prefix of a path owns it.
 ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
@@ -49,9 +51,15 @@ ROOMS = {
     "cli/render": (("base",), ("vtk", "CLI/", "nlohmann/")),
     "examples": (("client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
     "client-qt/net": (("client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
-    "client-qt/model": (("client-qt/net", "client", "protocol", "fem", "ops/sdk", "mesh", "base"), ()),
-    "client-qt": (("client-qt/net", "client-qt/model", "client", "protocol", "fem", "ops/sdk", "mesh", "base"),
-                  ("vtk",)),
+    "client-qt/model": (CLIENT_QT_BELOW, ()),
+    "client-qt/view": (("client-qt/model", *CLIENT_QT_BELOW), ("vtk",)),
+    "client-qt/widgets": (("client-qt/view", "client-qt/model", *CLIENT_QT_BELOW), ("vtk",)),
+    "client-qt/context": (("client-qt/widgets", "client-qt/view", "client-qt/model", *CLIENT_QT_BELOW), ("vtk",)),
+    "client-qt/tools": (
+        ("client-qt/context", "client-qt/widgets", "client-qt/view", "client-qt/model", *CLIENT_QT_BELOW), ("vtk",)),
+    "client-qt": (
+        ("client-qt/window", "client-qt/tools", "client-qt/context", "client-qt/widgets", "client-qt/view",
+         "client-qt/model", *CLIENT_QT_BELOW), ("vtk",)),
 }
 ANYWHERE = ("tests/", "bench/")  # may include every room
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)')

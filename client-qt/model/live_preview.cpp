@@ -9,39 +9,15 @@ constexpr int most_retries = 3;  // After other work went before it.
 
 }  // namespace
 
-/// The surface is made aside, too: a copy of the head's with the difference.
-ticket document::preview(const QString& operation, const std::vector<surface_id>& surfaces,
-                         const ops::parameters& values, remote::reply<shared_preview> done,
-                         remote::progress advanced) {
-  const auto* now = head();
-  const auto before = now ? now->surface : nullptr;
-  return link_.run<shared_preview>(
-    [=, id = operation.toStdString()](client::client& c,
-                                      const execution& run) -> expected<shared_preview> {
-      if (!before)
-        return fail(ec::superseded, "the part is not here yet");
-      auto got = c.preview_edit(id, surfaces, values, run, before->version_id());
-      if (!got)
-        return fail(std::move(got.error()));
-      auto surface = std::make_shared<client::surface_model>(*before);
-      if (auto ok = surface->apply(got->surface); !ok)
-        return fail(std::move(ok.error()));
-      got->surface = {};
-      return std::make_shared<const shown_preview>(
-        shown_preview{std::move(*got), before, std::move(surface)});
-    },
-    std::move(done), std::move(advanced));
-}
-
 live_preview::live_preview(document& part, QObject* parent) : QObject(parent), part_(part) {
   quiet_.setSingleShot(true);
   quiet_.setInterval(quiet_ms);
   connect(&quiet_, &QTimer::timeout, this, &live_preview::ask_now);
   connect(&part_, &document::head_changed, this, &live_preview::leave);
   connect(&part_, &document::closed, this, &live_preview::leave);
-  connect(&part_, &document::activity_changed, this, &live_preview::activity_changed);
+  connect(&part_.foreground(), &foreground_work::changed, this, &live_preview::activity_changed);
   // What becomes of loads is part of the answer.
-  connect(&part_, &document::load_cases_changed, this, [this] {
+  connect(&part_.loads(), &load_requests::changed, this, [this] {
     if (wish_ && on_ && !is_slow())
       quiet_.start();
   });
@@ -69,12 +45,12 @@ void live_preview::want(const wish& what) {
 
 void live_preview::ask_now() {
   stop();
-  if (!wish_ || part_.current_activity())
+  if (!wish_ || part_.foreground().current())
     return;
   const int mine = question_;
   running_ = true;
   clock_.start();
-  ticket_ = part_.preview(
+  ticket_ = part_.questions().preview(
     wish_->operation, wish_->surfaces, wish_->values,
     [this, mine](const expected<shared_preview>& result) {
       if (mine == question_)
@@ -140,7 +116,7 @@ void live_preview::set_on(bool on) {
 /// While the edit is applied its preview stays to be seen: it is what comes. Were it refused, the
 /// head is shown again; when it was done, the head has moved by then.
 void live_preview::activity_changed() {
-  if (part_.current_activity()) {
+  if (part_.foreground().current()) {
     const bool busy = is_busy();
     stop();
     if (busy)
@@ -148,7 +124,7 @@ void live_preview::activity_changed() {
     return;
   }
   QTimer::singleShot(0, this, [this] {
-    if (!part_.current_activity() && shown_)
+    if (!part_.foreground().current() && shown_)
       leave();
   });
 }

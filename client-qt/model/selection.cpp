@@ -78,7 +78,7 @@ void selection::look_for(surface_id id, feature_kind kind, bool add) {
   selection_query query;
   query.kind = kind;
   query.surfaces = {id};
-  part_.select(query, [=, this](const expected<std::vector<found_feature>>& got) {
+  part_.questions().select(query, [=, this](const expected<std::vector<found_feature>>& got) {
     if (mine != question_)
       return;
     if (got && !got->empty() && is_small(got->front()))
@@ -120,7 +120,7 @@ void selection::grow(feature_kind kind) {
   query.kind = kind;
   query.surfaces = picked_;
   const int mine = ++question_;
-  part_.select(query, [this, mine](const expected<std::vector<found_feature>>& got) {
+  part_.questions().select(query, [this, mine](const expected<std::vector<found_feature>>& got) {
     if (mine == question_ && got && !got->empty())
       take(got->front(), true);
   });

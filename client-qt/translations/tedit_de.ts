@@ -77,6 +77,33 @@
     </message>
 </context>
 <context>
+    <name>command_groups</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
     <name>compare</name>
     <message>
         <source>The surface of version %1 was not seen since the document was opened.</source>
@@ -124,6 +151,13 @@
     <message>
         <source>Bottom</source>
         <translation>Unten</translation>
+    </message>
+</context>
+<context>
+    <name>head_questions</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
     </message>
 </context>
 <context>
@@ -801,6 +835,21 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::compare_tool</name>
+    <message>
+        <source>Compare with the version before</source>
+        <translation>Mit der Version davor vergleichen</translation>
+    </message>
+    <message>
+        <source>Side by side with linked cameras, or their difference</source>
+        <translation>Nebeneinander mit gekoppelter Ansicht oder als Differenz</translation>
+    </message>
+    <message>
+        <source>Comparison: difference or side by side</source>
+        <translation>Vergleich: Differenz oder nebeneinander</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::compare_view</name>
     <message>
         <source>Side by side</source>
@@ -829,6 +878,37 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source> (no difference)</source>
         <translation> (kein Unterschied)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::connection_tool</name>
+    <message>
+        <source>Start the server</source>
+        <translation>Server starten</translation>
+    </message>
+    <message>
+        <source>connected to %1</source>
+        <translation>verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>The connection to the server is lost. It is taken up again by itself; nothing that was done is lost.</source>
+        <translation>Die Verbindung zum Server ist unterbrochen. Sie wird von selbst wieder aufgenommen; nichts von dem, was getan wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>The connection is slow: the server has not answered for %1. What was asked for goes on when it does, and can be cancelled.</source>
+        <translation>Die Verbindung ist langsam: der Server antwortet seit %1 nicht. Was angefordert wurde, geht weiter, sobald er antwortet, und kann abgebrochen werden.</translation>
+    </message>
+    <message>
+        <source>Connect to a server</source>
+        <translation>Mit einem Server verbinden</translation>
+    </message>
+    <message>
+        <source>Address and token, as &quot;tedit serve&quot; prints them: ws://HOST:PORT/v1 TOKEN</source>
+        <translation>Adresse und Token, wie „tedit serve“ sie ausgibt: ws://HOST:PORT/v1 TOKEN</translation>
     </message>
 </context>
 <context>
@@ -903,25 +983,75 @@ Inhalt %1</translation>
         <translation>Fläche %1</translation>
     </message>
     <message>
-        <source> in %1</source>
-        <translation> in %1</translation>
+        <source>The list of operations did not come: %1</source>
+        <translation>Die Liste der Operationen kam nicht an: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::documents_tool</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
     </message>
     <message>
-        <source>cancelling</source>
-        <translation>wird abgebrochen</translation>
+        <source>A mesh with its load cases, a document, or a recipe, which is run</source>
+        <translation>Ein Netz mit seinen Lastfällen, ein Dokument oder ein Rezept, das ausgeführt wird</translation>
+    </message>
+    <message>
+        <source>Connect to a server</source>
+        <translation>Mit einem Server verbinden</translation>
+    </message>
+    <message>
+        <source>Close the part</source>
+        <translation>Bauteil schließen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Writes the mesh (.msh), its boundary (.stl) or its fields (.vtu)</source>
+        <translation>Schreibt das Netz (.msh), seine Oberfläche (.stl) oder seine Felder (.vtu)</translation>
     </message>
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>Set the load cases</source>
-        <translation>Lastfälle setzen</translation>
+        <source>opening %1</source>
+        <translation>öffne %1</translation>
     </message>
     <message>
-        <source>The list of operations did not come: %1</source>
-        <translation>Die Liste der Operationen kam nicht an: %1</translation>
+        <source>the last session was not closed; opening %1 again</source>
+        <translation>die letzte Sitzung wurde nicht beendet; %1 wird wieder geöffnet</translation>
     </message>
+    <message>
+        <source>Open a mesh and its load cases, a document or a recipe</source>
+        <translation>Netz mit Lastfällen, Dokument oder Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes, load cases, recipes, documents (*.msh *.json *.tedit)</source>
+        <translation>Netze, Lastfälle, Rezepte, Dokumente (*.msh *.json *.tedit)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mesh (*.msh)</source>
+        <translation>Netz (*.msh)</translation>
+    </message>
+    <message>
+        <source>Fields for ParaView (*.vtu)</source>
+        <translation>Felder für ParaView (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Boundary (*.stl)</source>
+        <translation>Oberfläche (*.stl)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::edit_requests</name>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
@@ -935,40 +1065,8 @@ Inhalt %1</translation>
         <translation>Zu Version %1 gehen</translation>
     </message>
     <message>
-        <source>Export %1</source>
-        <translation>%1 exportieren</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>iteration %1, residual %2</source>
-        <translation>Iteration %1, Residuum %2</translation>
-    </message>
-    <message>
-        <source>Solve</source>
-        <translation>Rechnen</translation>
-    </message>
-    <message>
-        <source>Remove the load case</source>
-        <translation>Lastfall entfernen</translation>
-    </message>
-    <message>
         <source>Name the version</source>
         <translation>Version benennen</translation>
-    </message>
-    <message>
-        <source>Fields on demand</source>
-        <translation>Felder auf Abruf</translation>
-    </message>
-    <message>
-        <source>Stop the solver</source>
-        <translation>Löser anhalten</translation>
-    </message>
-    <message>
-        <source>Rename the load case</source>
-        <translation>Lastfall umbenennen</translation>
     </message>
 </context>
 <context>
@@ -1079,6 +1177,24 @@ Inhalt %1</translation>
     </message>
 </context>
 <context>
+    <name>tedit::desktop::file_requests</name>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::foreground_work</name>
+    <message>
+        <source>cancelling</source>
+        <translation>wird abgebrochen</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::help_panel</name>
     <message>
         <source>Search the help</source>
@@ -1134,6 +1250,33 @@ Inhalt %1</translation>
     </message>
 </context>
 <context>
+    <name>tedit::desktop::help_tool</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>The manual: the page for what is being done, with a search</source>
+        <translation>Das Handbuch: die Seite zu dem, was gerade getan wird, mit Suche</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>All commands with their keys, to look up and to change</source>
+        <translation>Alle Befehle mit ihren Tasten, zum Nachsehen und Ändern</translation>
+    </message>
+    <message>
+        <source>About TEdit</source>
+        <translation>Über TEdit</translation>
+    </message>
+    <message>
+        <source>Version, licence, libraries</source>
+        <translation>Version, Lizenz, Bibliotheken</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::history_strip</name>
     <message>
         <source>Versions</source>
@@ -1166,6 +1309,29 @@ Inhalt %1</translation>
     <message>
         <source>Name and note ... (F2)</source>
         <translation>Name und Notiz … (F2)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::history_tool</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Name and note of a version</source>
+        <translation>Name und Notiz einer Version</translation>
+    </message>
+    <message>
+        <source>Of the one that is chosen in the history</source>
+        <translation>Von der, die im Verlauf gewählt ist</translation>
     </message>
 </context>
 <context>
@@ -1220,6 +1386,17 @@ Inhalt %1</translation>
     <message>
         <source>open documents: %1, connections: %2</source>
         <translation>offene Dokumente: %1, Verbindungen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::jobs_tool</name>
+    <message>
+        <source>What runs</source>
+        <translation>Was läuft</translation>
+    </message>
+    <message>
+        <source>Jobs with their progress, and the server&apos;s workers</source>
+        <translation>Aufträge mit ihrem Fortschritt und die Arbeitsprozesse des Servers</translation>
     </message>
 </context>
 <context>
@@ -1389,6 +1566,25 @@ Inhalt %1</translation>
     </message>
 </context>
 <context>
+    <name>tedit::desktop::load_requests</name>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source>Set the load cases</source>
+        <translation>Lastfälle setzen</translation>
+    </message>
+    <message>
+        <source>Remove the load case</source>
+        <translation>Lastfall entfernen</translation>
+    </message>
+    <message>
+        <source>Rename the load case</source>
+        <translation>Lastfall umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::loads_panel</name>
     <message>
         <source>Load cases</source>
@@ -1528,321 +1724,10 @@ Inhalt %1</translation>
     </message>
 </context>
 <context>
-    <name>tedit::desktop::local_server</name>
-    <message>
-        <source>it printed nothing</source>
-        <translation>er hat nichts ausgegeben</translation>
-    </message>
-</context>
-<context>
-    <name>tedit::desktop::main_window</name>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>Auswahl</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>Feld</translation>
-    </message>
+    <name>tedit::desktop::loads_tool</name>
     <message>
         <source>Loads and supports</source>
         <translation>Lasten und Lager</translation>
-    </message>
-    <message>
-        <source>What this edit did</source>
-        <translation>Was sich geändert hat</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Main</source>
-        <translation>Hauptleiste</translation>
-    </message>
-    <message>
-        <source>Operations</source>
-        <translation>Operationen</translation>
-    </message>
-    <message>
-        <source>opening %1</source>
-        <translation>öffne %1</translation>
-    </message>
-    <message>
-        <source>the last session was not closed; opening %1 again</source>
-        <translation>die letzte Sitzung wurde nicht beendet; %1 wird wieder geöffnet</translation>
-    </message>
-    <message>
-        <source>The connection to the server is lost. It is taken up again by itself; nothing that was done is lost.</source>
-        <translation>Die Verbindung zum Server ist unterbrochen. Sie wird von selbst wieder aufgenommen; nichts von dem, was getan wurde, geht verloren.</translation>
-    </message>
-    <message>
-        <source>The connection is slow: the server has not answered for %1. What was asked for goes on when it does, and can be cancelled.</source>
-        <translation>Die Verbindung ist langsam: der Server antwortet seit %1 nicht. Was angefordert wurde, geht weiter, sobald er antwortet, und kann abgebrochen werden.</translation>
-    </message>
-    <message>
-        <source>Document %1</source>
-        <translation>Dokument %1</translation>
-    </message>
-    <message>
-        <source>area %1</source>
-        <translation>Inhalt %1</translation>
-    </message>
-    <message>
-        <source>Operation</source>
-        <translation>Operation</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Connect to a server</source>
-        <translation>Mit einem Server verbinden</translation>
-    </message>
-    <message>
-        <source>Close the part</source>
-        <translation>Bauteil schließen</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Writes the mesh (.msh), its boundary (.stl) or its fields (.vtu)</source>
-        <translation>Schreibt das Netz (.msh), seine Oberfläche (.stl) oder seine Felder (.vtu)</translation>
-    </message>
-    <message>
-        <source>Save a picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>The view with its legend as a PNG</source>
-        <translation>Die Ansicht mit ihrer Legende als PNG</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Apply the operation</source>
-        <translation>Operation anwenden</translation>
-    </message>
-    <message>
-        <source>Cancel what runs</source>
-        <translation>Abbrechen, was läuft</translation>
-    </message>
-    <message>
-        <source>Solve again</source>
-        <translation>Neu rechnen</translation>
-    </message>
-    <message>
-        <source>Stop the solver</source>
-        <translation>Löser anhalten</translation>
-    </message>
-    <message>
-        <source>Search everything</source>
-        <translation>Alles durchsuchen</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>All commands and operations</source>
-        <translation>Alle Befehle und Operationen</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>The selection, or the whole part</source>
-        <translation>Die Auswahl oder das ganze Bauteil</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Hinten</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>Isometric</source>
-        <translation>Isometrisch</translation>
-    </message>
-    <message>
-        <source>View from: %1</source>
-        <translation>Ansicht von: %1</translation>
-    </message>
-    <message>
-        <source>Section plane</source>
-        <translation>Schnittebene</translation>
-    </message>
-    <message>
-        <source>Cuts the part and shows the field inside</source>
-        <translation>Schneidet das Bauteil und zeigt das Feld im Inneren</translation>
-    </message>
-    <message>
-        <source>Section parallel to the last click</source>
-        <translation>Schnitt parallel zum letzten Klick</translation>
-    </message>
-    <message>
-        <source>Hide the selection</source>
-        <translation>Auswahl ausblenden</translation>
-    </message>
-    <message>
-        <source>Isolate the selection</source>
-        <translation>Nur die Auswahl zeigen</translation>
-    </message>
-    <message>
-        <source>Show everything</source>
-        <translation>Alles zeigen</translation>
-    </message>
-    <message>
-        <source>Parallel or perspective</source>
-        <translation>Parallel oder perspektivisch</translation>
-    </message>
-    <message>
-        <source>Show or hide the mesh</source>
-        <translation>Netz ein- oder ausblenden</translation>
-    </message>
-    <message>
-        <source>Show or hide the edges</source>
-        <translation>Kanten ein- oder ausblenden</translation>
-    </message>
-    <message>
-        <source>Mark smallest and largest value</source>
-        <translation>Kleinsten und größten Wert markieren</translation>
-    </message>
-    <message>
-        <source>Dark or light</source>
-        <translation>Dunkel oder hell</translation>
-    </message>
-    <message>
-        <source>Show: %1</source>
-        <translation>Zeigen: %1</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Address and token, as &quot;tedit serve&quot; prints them: ws://HOST:PORT/v1 TOKEN</source>
-        <translation>Adresse und Token, wie „tedit serve“ sie ausgibt: ws://HOST:PORT/v1 TOKEN</translation>
-    </message>
-    <message>
-        <source>Mesh (*.msh)</source>
-        <translation>Netz (*.msh)</translation>
-    </message>
-    <message>
-        <source>Fields for ParaView (*.vtu)</source>
-        <translation>Felder für ParaView (*.vtu)</translation>
-    </message>
-    <message>
-        <source>Boundary (*.stl)</source>
-        <translation>Oberfläche (*.stl)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>What runs</source>
-        <translation>Was läuft</translation>
-    </message>
-    <message>
-        <source>Jobs with their progress, and the server&apos;s workers</source>
-        <translation>Aufträge mit ihrem Fortschritt und die Arbeitsprozesse des Servers</translation>
-    </message>
-    <message>
-        <source>Draw a box. To the right: what lies in it altogether; to the left: all that it touches. Shift adds, Esc ends. Ctrl+drag does it at any time.</source>
-        <translation>Ein Rechteck aufziehen. Nach rechts: was ganz darin liegt; nach links: alles, was es berührt. Umschalt nimmt dazu, Esc beendet. Strg+Ziehen geht jederzeit.</translation>
-    </message>
-    <message>
-        <source>Select with a box</source>
-        <translation>Mit einem Rechteck auswählen</translation>
-    </message>
-    <message>
-        <source>Ctrl+drag in the view does the same</source>
-        <translation>Strg+Ziehen in der Ansicht tut dasselbe</translation>
-    </message>
-    <message>
-        <source>Select all that can be seen</source>
-        <translation>Alles Sichtbare auswählen</translation>
-    </message>
-    <message>
-        <source>Show or hide isolines</source>
-        <translation>Isolinien ein- oder ausblenden</translation>
-    </message>
-    <message>
-        <source>Name and note of a version</source>
-        <translation>Name und Notiz einer Version</translation>
-    </message>
-    <message>
-        <source>Of the one that is chosen in the history</source>
-        <translation>Von der, die im Verlauf gewählt ist</translation>
-    </message>
-    <message>
-        <source>recording, steps: %1</source>
-        <translation>Aufzeichnung, Schritte: %1</translation>
-    </message>
-    <message>
-        <source>Record steps</source>
-        <translation>Schritte aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Writes down what is done, for &quot;tedit-qt --script&quot;; again: ends and saves</source>
-        <translation>Zeichnet auf, was getan wird, für „tedit-qt --script“; noch einmal: beendet und speichert</translation>
-    </message>
-    <message>
-        <source>Save the recorded steps</source>
-        <translation>Aufgezeichnete Schritte speichern</translation>
-    </message>
-    <message>
-        <source>Steps (*.json)</source>
-        <translation>Schritte (*.json)</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>%1 öffnen</translation>
     </message>
     <message>
         <source>Show or hide loads and supports</source>
@@ -1851,10 +1736,6 @@ Inhalt %1</translation>
     <message>
         <source>Arrows and support marks of the load case that is shown</source>
         <translation>Pfeile und Lagersymbole des gezeigten Lastfalls</translation>
-    </message>
-    <message>
-        <source>Loads</source>
-        <translation>Lasten</translation>
     </message>
     <message>
         <source>Add a support</source>
@@ -1880,81 +1761,54 @@ Inhalt %1</translation>
         <source>What is chosen in &quot;Loads and supports&quot;</source>
         <translation>Was unter „Lasten und Lager“ gewählt ist</translation>
     </message>
+</context>
+<context>
+    <name>tedit::desktop::local_server</name>
     <message>
-        <source>Compare with the version before</source>
-        <translation>Mit der Version davor vergleichen</translation>
+        <source>it printed nothing</source>
+        <translation>er hat nichts ausgegeben</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::log_panel</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::main_window</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
     </message>
     <message>
-        <source>Side by side with linked cameras, or their difference</source>
-        <translation>Nebeneinander mit gekoppelter Ansicht oder als Differenz</translation>
+        <source>Main</source>
+        <translation>Hauptleiste</translation>
     </message>
     <message>
-        <source>Comparison: difference or side by side</source>
-        <translation>Vergleich: Differenz oder nebeneinander</translation>
+        <source>Operations</source>
+        <translation>Operationen</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
+        <source>Document %1</source>
+        <translation>Dokument %1</translation>
     </message>
     <message>
-        <source>Colours, solver, legend, log</source>
-        <translation>Farben, Löser, Legende, Protokoll</translation>
+        <source>Quit</source>
+        <translation>Beenden</translation>
     </message>
     <message>
-        <source>Keyboard shortcuts</source>
-        <translation>Tastenkürzel</translation>
+        <source>Cancel what runs</source>
+        <translation>Abbrechen, was läuft</translation>
     </message>
     <message>
-        <source>All commands with their keys, to look up and to change</source>
-        <translation>Alle Befehle mit ihren Tasten, zum Nachsehen und Ändern</translation>
+        <source>Search everything</source>
+        <translation>Alles durchsuchen</translation>
     </message>
     <message>
-        <source>About TEdit</source>
-        <translation>Über TEdit</translation>
-    </message>
-    <message>
-        <source>Version, licence, libraries</source>
-        <translation>Version, Lizenz, Bibliotheken</translation>
-    </message>
-    <message>
-        <source>Probes and plots</source>
-        <translation>Messpunkte und Diagramme</translation>
-    </message>
-    <message>
-        <source>Probe: values at places that are clicked</source>
-        <translation>Messen: Werte an angeklickten Stellen</translation>
-    </message>
-    <message>
-        <source>Numbered pins that stay over edits; two give a distance and a line</source>
-        <translation>Nummerierte Punkte, die Änderungen überdauern; zwei ergeben einen Abstand und eine Linie</translation>
-    </message>
-    <message>
-        <source>Remove all probes</source>
-        <translation>Alle Messpunkte entfernen</translation>
-    </message>
-    <message>
-        <source>The field by area, along a line, and the quality of tets</source>
-        <translation>Das Feld über dem Flächeninhalt, längs einer Linie, und die Güte der Tetraeder</translation>
-    </message>
-    <message>
-        <source>Start the server</source>
-        <translation>Server starten</translation>
-    </message>
-    <message>
-        <source>connected to %1</source>
-        <translation>verbunden mit %1</translation>
-    </message>
-    <message>
-        <source>Connect</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>%1: version %2 in %3</source>
-        <translation>%1: Version %2 in %3</translation>
-    </message>
-    <message>
-        <source>Loads and supports that this edit reduced or dropped: %1. See &quot;What this edit did&quot;.</source>
-        <translation>Lasten und Lager, die diese Änderung verkleinert oder entfernt hat: %1. Siehe „Was sich geändert hat“.</translation>
+        <source>All commands and operations</source>
+        <translation>Alle Befehle und Operationen</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1968,45 +1822,16 @@ Inhalt %1</translation>
         <source>Wrote %1</source>
         <translation>%1 geschrieben</translation>
     </message>
+</context>
+<context>
+    <name>tedit::desktop::operations_tool</name>
     <message>
-        <source>The manual: the page for what is being done, with a search</source>
-        <translation>Das Handbuch: die Seite zu dem, was gerade getan wird, mit Suche</translation>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>A mesh with its load cases, a document, or a recipe, which is run</source>
-        <translation>Ein Netz mit seinen Lastfällen, ein Dokument oder ein Rezept, das ausgeführt wird</translation>
-    </message>
-    <message>
-        <source>Open a mesh and its load cases, a document or a recipe</source>
-        <translation>Netz mit Lastfällen, Dokument oder Rezept öffnen</translation>
-    </message>
-    <message>
-        <source>Meshes, load cases, recipes, documents (*.msh *.json *.tedit)</source>
-        <translation>Netze, Lastfälle, Rezepte, Dokumente (*.msh *.json *.tedit)</translation>
-    </message>
-    <message>
-        <source>Lines of equal value on the surface and on a section</source>
-        <translation>Linien gleichen Werts auf der Oberfläche und auf einem Schnitt</translation>
-    </message>
-    <message>
-        <source>Run the recipe %1</source>
-        <translation>Rezept %1 ausführen</translation>
-    </message>
-    <message>
-        <source>%1: done</source>
-        <translation>%1: fertig</translation>
-    </message>
-    <message>
-        <source>%1: done. Its exports (%2) were left out: export by hand, or use &quot;tedit run&quot;.</source>
-        <translation>%1: fertig. Seine Exporte (%2) wurden ausgelassen: von Hand exportieren, oder „tedit run“ verwenden.</translation>
-    </message>
-    <message>
-        <source>%1: stopped at %2</source>
-        <translation>%1: angehalten bei %2</translation>
+        <source>Apply the operation</source>
+        <translation>Operation anwenden</translation>
     </message>
 </context>
 <context>
@@ -2018,6 +1843,21 @@ Inhalt %1</translation>
     <message>
         <source>max %1</source>
         <translation>max. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::pictures_tool</name>
+    <message>
+        <source>Save a picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>The view with its legend as a PNG</source>
+        <translation>Die Ansicht mit ihrer Legende als PNG</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
     </message>
 </context>
 <context>
@@ -2184,6 +2024,29 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::probes_tool</name>
+    <message>
+        <source>Probes and plots</source>
+        <translation>Messpunkte und Diagramme</translation>
+    </message>
+    <message>
+        <source>Probe: values at places that are clicked</source>
+        <translation>Messen: Werte an angeklickten Stellen</translation>
+    </message>
+    <message>
+        <source>Numbered pins that stay over edits; two give a distance and a line</source>
+        <translation>Nummerierte Punkte, die Änderungen überdauern; zwei ergeben einen Abstand und eine Linie</translation>
+    </message>
+    <message>
+        <source>Remove all probes</source>
+        <translation>Alle Messpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>The field by area, along a line, and the quality of tets</source>
+        <translation>Das Feld über dem Flächeninhalt, längs einer Linie, und die Güte der Tetraeder</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::receipt_panel</name>
     <message>
         <source>What this edit did</source>
@@ -2192,6 +2055,21 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>No edit has been made yet.</source>
         <translation>Es wurde noch nichts geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::receipt_tool</name>
+    <message>
+        <source>What this edit did</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>%1: version %2 in %3</source>
+        <translation>%1: Version %2 in %3</translation>
+    </message>
+    <message>
+        <source>Loads and supports that this edit reduced or dropped: %1. See &quot;What this edit did&quot;.</source>
+        <translation>Lasten und Lager, die diese Änderung verkleinert oder entfernt hat: %1. Siehe „Was sich geändert hat“.</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2119,79 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::recipes_tool</name>
+    <message>
+        <source>Run the recipe %1</source>
+        <translation>Rezept %1 ausführen</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1: fertig</translation>
+    </message>
+    <message>
+        <source>%1: done. Its exports (%2) were left out: export by hand, or use &quot;tedit run&quot;.</source>
+        <translation>%1: fertig. Seine Exporte (%2) wurden ausgelassen: von Hand exportieren, oder „tedit run“ verwenden.</translation>
+    </message>
+    <message>
+        <source>%1: stopped at %2</source>
+        <translation>%1: angehalten bei %2</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::recording_tool</name>
+    <message>
+        <source>Record steps</source>
+        <translation>Schritte aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Writes down what is done, for &quot;tedit-qt --script&quot;; again: ends and saves</source>
+        <translation>Zeichnet auf, was getan wird, für „tedit-qt --script“; noch einmal: beendet und speichert</translation>
+    </message>
+    <message>
+        <source>recording, steps: %1</source>
+        <translation>Aufzeichnung, Schritte: %1</translation>
+    </message>
+    <message>
+        <source>Save the recorded steps</source>
+        <translation>Aufgezeichnete Schritte speichern</translation>
+    </message>
+    <message>
+        <source>Steps (*.json)</source>
+        <translation>Schritte (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::results_tool</name>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Solve again</source>
+        <translation>Neu rechnen</translation>
+    </message>
+    <message>
+        <source>Stop the solver</source>
+        <translation>Löser anhalten</translation>
+    </message>
+    <message>
+        <source>Mark smallest and largest value</source>
+        <translation>Kleinsten und größten Wert markieren</translation>
+    </message>
+    <message>
+        <source>Show or hide isolines</source>
+        <translation>Isolinien ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Lines of equal value on the surface and on a section</source>
+        <translation>Linien gleichen Werts auf der Oberfläche und auf einem Schnitt</translation>
+    </message>
+    <message>
+        <source>Show: %1</source>
+        <translation>Zeigen: %1</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::section_bar</name>
     <message>
         <source>Section across x</source>
@@ -2276,6 +2227,21 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::section_tool</name>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Cuts the part and shows the field inside</source>
+        <translation>Schneidet das Bauteil und zeigt das Feld im Inneren</translation>
+    </message>
+    <message>
+        <source>Section parallel to the last click</source>
+        <translation>Schnitt parallel zum letzten Klick</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::selection</name>
     <message>
         <source>Nothing selected</source>
@@ -2296,6 +2262,41 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>%1 surfaces</source>
         <translation>%1 Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::selection_tool</name>
+    <message>
+        <source>Hide the selection</source>
+        <translation>Auswahl ausblenden</translation>
+    </message>
+    <message>
+        <source>Isolate the selection</source>
+        <translation>Nur die Auswahl zeigen</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Select with a box</source>
+        <translation>Mit einem Rechteck auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag in the view does the same</source>
+        <translation>Strg+Ziehen in der Ansicht tut dasselbe</translation>
+    </message>
+    <message>
+        <source>Select all that can be seen</source>
+        <translation>Alles Sichtbare auswählen</translation>
+    </message>
+    <message>
+        <source>Draw a box. To the right: what lies in it altogether; to the left: all that it touches. Shift adds, Esc ends. Ctrl+drag does it at any time.</source>
+        <translation>Ein Rechteck aufziehen. Nach rechts: was ganz darin liegt; nach links: alles, was es berührt. Umschalt nimmt dazu, Esc beendet. Strg+Ziehen geht jederzeit.</translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation>Inhalt %1</translation>
     </message>
 </context>
 <context>
@@ -2466,6 +2467,17 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::settings_tool</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Colours, solver, legend, log</source>
+        <translation>Farben, Löser, Legende, Protokoll</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::shortcuts_dialog</name>
     <message>
         <source>Keyboard shortcuts</source>
@@ -2522,6 +2534,25 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>%1 belongs to &quot;%2&quot; already. Give that one other keys first.</source>
         <translation>%1 gehört schon zu „%2“. Diesem zuerst andere Tasten geben.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::solve_requests</name>
+    <message>
+        <source>Solve</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Stop the solver</source>
+        <translation>Löser anhalten</translation>
+    </message>
+    <message>
+        <source>Fields on demand</source>
+        <translation>Felder auf Abruf</translation>
+    </message>
+    <message>
+        <source>iteration %1, residual %2</source>
+        <translation>Iteration %1, Residuum %2</translation>
     </message>
 </context>
 <context>
@@ -2671,6 +2702,65 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Standard views</source>
         <translation>Standardansichten</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::viewing_tool</name>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>The selection, or the whole part</source>
+        <translation>Die Auswahl oder das ganze Bauteil</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>View from: %1</source>
+        <translation>Ansicht von: %1</translation>
+    </message>
+    <message>
+        <source>Parallel or perspective</source>
+        <translation>Parallel oder perspektivisch</translation>
+    </message>
+    <message>
+        <source>Show or hide the mesh</source>
+        <translation>Netz ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide the edges</source>
+        <translation>Kanten ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Dark or light</source>
+        <translation>Dunkel oder hell</translation>
     </message>
 </context>
 <context>

@@ -115,7 +115,7 @@ void overlay::show_extremes(bool on) {
 
 void overlay::show_legend(bool on) {
   legend_ = on;
-  view_.set_left_margin(on ? qRound(legend_width + margin) : 0);
+  view_.framing().set_left_margin(on ? qRound(legend_width + margin) : 0);
   update();
 }
 
@@ -129,10 +129,10 @@ QRectF clear_of(const QRectF& other, QRectF box, double gap) {
 }
 
 std::vector<overlay::tag> overlay::tags(double scale) const {
-  const auto& ends = view_.value_extremes();
+  const auto& ends = view_.painted().extremes;
   if (!extremes_ || !ends)
     return {};
-  const auto& by = view_.current_legend();
+  const auto& by = view_.painted().by;
   const QFontMetricsF metrics(sized(font(), 12 * scale));
   std::vector<tag> result;
   const auto add = [&](const vec3& at, const QString& text, bool below) {
@@ -185,7 +185,7 @@ void overlay::paint_note(QPainter& painter, double scale) {
 
 void overlay::paint(QPainter& painter, double scale, const QRect& within) {
   painter.setRenderHint(QPainter::Antialiasing);
-  const auto& ends = view_.value_extremes();
+  const auto& ends = view_.painted().extremes;
   if (!ends && view_.current().before)
     paint_note(painter, scale);
   if (!ends)
@@ -200,7 +200,7 @@ void overlay::paint(QPainter& painter, double scale, const QRect& within) {
 /// Around the legend, pixels of the screen.
 QRectF overlay::scale_box() const {
   const double height = std::min(legend_height, view_.height() - 2 * margin);
-  const auto& by = view_.current_legend();
+  const auto& by = view_.painted().by;
   const QFontMetricsF title(sized(font(), title_size, true));
   const double width = std::max(legend_width, title.horizontalAdvance(title_of(by)) + margin);
   return {margin / 2, view_.height() - height - 1.5 * margin, width + margin / 2, height + margin};
@@ -215,7 +215,7 @@ void overlay::paint_scale(QPainter& painter, double scale) {
   paint_legend(painter,
                QRectF(scale * margin, scale * (box.top() + margin / 2), scale * legend_width,
                       scale * (box.height() - margin)),
-               view_.current_legend(), note_, ink_, scale);
+               view_.painted().by, note_, ink_, scale);
 }
 
 void overlay::paintEvent(QPaintEvent* event) {
@@ -226,8 +226,8 @@ void overlay::paintEvent(QPaintEvent* event) {
 QImage overlay::picture(int width, int height) {
   const QSize before = view_.size();
   const bool other = width > 0 && height > 0 && QSize(width, height) != before;
-  const bool kept_fitted = view_.keeps_fitted();
-  view_.keep_fitted(false);  // The picture is of what is seen.
+  const bool kept_fitted = view_.framing().keeps_fitted();
+  view_.framing().keep_fitted(false);  // The picture is of what is seen.
   if (other)
     view_.resize(width, height);
   QImage image = view_.picture();
@@ -239,7 +239,7 @@ QImage overlay::picture(int width, int height) {
   }
   if (other)
     view_.resize(before);
-  view_.keep_fitted(kept_fitted);
+  view_.framing().keep_fitted(kept_fitted);
   return image;
 }
 

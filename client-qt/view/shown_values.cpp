@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/shown_values.hpp"
 
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +28,26 @@ std::vector<float> values_of(const client::section& cap, shown_field wanted) {
   if (std::ranges::none_of(result, [](float value) { return std::isfinite(value); }))
     result.clear();
   return result;
+}
+
+void painted_values::find_extremes(const part_geometry& part) {
+  std::size_t low = values.size();
+  std::size_t high = values.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]))
+      continue;
+    if (low == values.size() || values[i] < values[low])
+      low = i;
+    if (high == values.size() || values[i] > values[high])
+      high = i;
+  }
+  const auto at = [&](std::size_t i) {
+    std::array<double, 3> p{};
+    part.faces->GetPoints()->GetPoint(static_cast<vtkIdType>(i), p.data());
+    return vec3{p[0], p[1], p[2]};
+  };
+  if (low < values.size())
+    extremes = range{values[low], values[high], at(low), at(high)};
 }
 
 }  // namespace tedit::desktop

@@ -110,10 +110,10 @@ void view_cube::paintEvent(QPaintEvent*) {
 void view_cube::mousePressEvent(QMouseEvent* event) {
   for (const auto& f : visible_faces())
     if (f.shape.containsPoint(event->position(), Qt::OddEvenFill)) {
-      view_.look_from(f.from);
+      view_.framing().look_from(f.from);
       return;
     }
-  view_.look_from(camera::direction::isometric);
+  view_.framing().look_from(camera::direction::isometric);
 }
 
 void view_cube::mouseMoveEvent(QMouseEvent* event) {

@@ -22,6 +22,10 @@ viewport::viewport(QWidget* parent) : vtk_view(parent) {
   setMinimumSize(320, 240);
   setAccessibleName(tr("The part"));
   builders_.setMaxThreadCount(1);
+  connect(&framing_, &part_framing::moved, this, [this] {
+    redraw();
+    emit view_changed();
+  });
 }
 
 viewport::~viewport() {
@@ -79,15 +83,12 @@ void viewport::take_geometry(std::shared_ptr<const part_geometry> part,
   if (generation != generation_)
     return;
   building_ = false;
-  const bool first = !part_;
   part_ = std::move(part);
   change_stage([part = part_, preview](stage& on) {
     on.part.set_part(part);
     on.preview.show(preview);
   });
-  camera_.set_box(part_->bounds);
-  if (first || !fitted_)
-    fit();
+  framing_.set_part(part_);
   paint_values();
   shaped_ = asked();
   highlight();
@@ -96,44 +97,29 @@ void viewport::take_geometry(std::shared_ptr<const part_geometry> part,
 
 /// Most of what changes in the window changes no colour; painting takes 10 ms for 50 000 points.
 void viewport::set_legend(const legend& by) {
-  if (legend_.draws_like(by))
+  if (painted_values_.by.draws_like(by))
     return;
-  legend_ = by;
+  painted_values_.by = by;
   if (part_)
     paint_values();
 }
 
 void viewport::paint_values() {
-  values_.clear();
-  extremes_.reset();
+  painted_values_.values.clear();
+  painted_values_.extremes.reset();
   const auto& part = part_;
   const bool fits = shown_.field && shown_.field->version_id() == part->version_id;
-  if (legend_.field == shown_field::surfaces) {
+  if (painted_values_.by.field == shown_field::surfaces) {
     change_stage([](stage& on) { on.part.show_surfaces(); });
-  } else if (legend_.field == shown_field::none || !fits) {
+  } else if (painted_values_.by.field == shown_field::none || !fits) {
     change_stage([](stage& on) { on.part.show_plain(); });
   } else {
-    values_ = values_of(*part, *shown_.field, legend_.field);
-    legend_.fit(values_);
-    change_stage([values = values_, by = legend_](stage& on) { on.part.show_values(values, by); });
-    std::size_t low = values_.size();
-    std::size_t high = values_.size();
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (!std::isfinite(values_[i]))
-        continue;
-      if (low == values_.size() || values_[i] < values_[low])
-        low = i;
-      if (high == values_.size() || values_[i] > values_[high])
-        high = i;
-    }
-    if (low < values_.size()) {
-      const auto at = [&](std::size_t i) {
-        std::array<double, 3> p{};
-        part->faces->GetPoints()->GetPoint(static_cast<vtkIdType>(i), p.data());
-        return vec3{p[0], p[1], p[2]};
-      };
-      extremes_ = extremes{values_[low], values_[high], at(low), at(high)};
-    }
+    painted_values_.values = values_of(*part, *shown_.field, painted_values_.by.field);
+    painted_values_.by.fit(painted_values_.values);
+    change_stage([values = painted_values_.values, by = painted_values_.by](stage& on) {
+      on.part.show_values(values, by);
+    });
+    painted_values_.find_extremes(*part);
   }
   paint_cap();
   contour();
@@ -146,25 +132,25 @@ void viewport::paint_values() {
 /// On another thread; the newest wins.
 void viewport::contour() {
   const int mine = ++contours_;
-  contouring_ = isolines_ && !values_.empty();
+  contouring_ = isolines_ && !painted_values_.values.empty();
   if (!contouring_) {
     change_stage([](stage& on) { on.part.set_isolines(nullptr); });
     return;
   }
-  builders_.start(
-    [this, mine, part = part_, values = values_, levels = legend_.levels(), hidden = hidden_] {
-      auto lines = make_isolines(*part, values, levels, hidden);
-      QMetaObject::invokeMethod(
-        this,
-        [this, lines, mine] {
-          if (mine != contours_)
-            return;
-          contouring_ = false;
-          change_stage([lines](stage& on) { on.part.set_isolines(lines); });
-          redraw();
-        },
-        Qt::QueuedConnection);
-    });
+  builders_.start([this, mine, part = part_, values = painted_values_.values,
+                   levels = painted_values_.by.levels(), hidden = hidden_] {
+    auto lines = make_isolines(*part, values, levels, hidden);
+    QMetaObject::invokeMethod(
+      this,
+      [this, lines, mine] {
+        if (mine != contours_)
+          return;
+        contouring_ = false;
+        change_stage([lines](stage& on) { on.part.set_isolines(lines); });
+        redraw();
+      },
+      Qt::QueuedConnection);
+  });
 }
 
 void viewport::show_isolines(bool on) {
@@ -186,8 +172,9 @@ void viewport::paint_cap() {
     return;
   }
   const auto cap = make_cap(*cap_, shown_.deform);
-  const bool lines = isolines_ && !values_.empty();
-  change_stage([cap, values = values_of(*cap_, legend_.field), by = legend_, lines](stage& on) {
+  const bool lines = isolines_ && !painted_values_.values.empty();
+  change_stage([cap, values = values_of(*cap_, painted_values_.by.field), by = painted_values_.by,
+                lines](stage& on) {
     on.part.set_cap(cap, values, by);
     on.part.set_cap_isolines(
       lines && !values.empty() ? make_isolines(*cap, values, by.levels()).Get() : nullptr);
@@ -210,10 +197,6 @@ void viewport::show_cap(std::shared_ptr<const client::section> cap) {
   cap_ = std::move(cap);
   paint_cap();
   redraw();
-}
-
-std::optional<std::array<double, 6>> viewport::bounds() const {
-  return part_ ? std::optional(part_->bounds) : std::nullopt;
 }
 
 void viewport::set_colours(const scene_colours& colours) {
@@ -291,54 +274,12 @@ void viewport::frame_came() {
   seen_by_ = drawn_by_;
 }
 
-// -- the camera ----------------------------------------------------------------------
-
-void viewport::fit(const std::vector<surface_id>& around) {
-  const auto& part = part_;
-  if (!part)
-    return;
-  auto bounds = part->bounds;
-  if (!around.empty()) {
-    auto some = extract(*part, around);
-    if (some->GetNumberOfCells() > 0) {
-      some->GetCellsBounds(bounds.data());
-    }
-  }
-  fitted_ = true;
-  camera_.fit(bounds);
-  whole_ = around.empty() ? std::optional(camera_.get()) : std::nullopt;
-  redraw();
-  emit view_changed();
-}
-
-void viewport::set_left_margin(int pixels) {
-  left_margin_ = pixels;
-  camera_.set_left_margin(static_cast<double>(pixels) / std::max(1, width()));
-}
-
-double viewport::free_aspect(const QSize& size) const {
-  const double width =
-    std::max(0.6 * size.width(), static_cast<double>(size.width() - left_margin_));
-  return width / std::max(1, size.height());
-}
+// -- places --------------------------------------------------------------------------
 
 void viewport::resizeEvent(QResizeEvent* event) {
   camera_.set_size(width(), height());
   vtk_view::resizeEvent(event);
-  set_left_margin(left_margin_);
-  if (keeps_fitted_ && whole_ == camera_.get())
-    fit();
-}
-
-void viewport::look_from(camera::direction from) {
-  camera_.look_from(from);
-  fit();
-}
-
-void viewport::fly_to(const vec3& place) {
-  camera_.focus_on(place);
-  redraw();
-  emit view_changed();
+  framing_.set_size(size());
 }
 
 std::optional<picked_point> viewport::pick_at(QPointF position) const {
@@ -383,15 +324,15 @@ std::optional<vec3> viewport::visible_point(surface_id surface) const {
 }
 
 std::optional<double> viewport::value_at(const picked_point& at) const {
-  const auto& part = part_;
-  if (!part || values_.empty())
+  const auto& values = painted_values_.values;
+  if (!part_ || values.empty())
     return std::nullopt;
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
-  part->faces->GetCellPoints(at.cell, count, points);
+  part_->faces->GetCellPoints(at.cell, count, points);
   double sum = 0;
   for (int k = 0; k < 3; ++k)
-    sum += at.weights[k] * values_[static_cast<std::size_t>(points[k])];
+    sum += at.weights[k] * values[static_cast<std::size_t>(points[k])];
   return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
 }
 

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "client-qt/view/camera.hpp"
+#include "client-qt/view/part_framing.hpp"
 #include "client-qt/view/preview_layer.hpp"
 #include "client-qt/view/scene.hpp"
+#include "client-qt/view/shown_values.hpp"
 #include "client-qt/view/vtk_view.hpp"
 
 class QRubberBand;
@@ -37,11 +39,11 @@ public:
   void show_part(const shown_part& what);
   /// How values become colours; its range is taken from the values when it is automatic.
   void set_legend(const legend& by);
-  [[nodiscard]] const legend& current_legend() const noexcept { return legend_; }
   [[nodiscard]] const shown_part& current() const noexcept { return shown_; }
-  /// What is drawn, and one value for each of its points; null before the first.
+  /// What is drawn; null before the first.
   [[nodiscard]] const std::shared_ptr<const part_geometry>& geometry() const { return part_; }
-  [[nodiscard]] const std::vector<float>& values() const noexcept { return values_; }
+  /// By which legend, and with which values.
+  [[nodiscard]] const painted_values& painted() const noexcept { return painted_values_; }
   /// Whether no geometry or line is being made any more; its frame may still be drawn.
   [[nodiscard]] bool is_settled() const noexcept { return !building_ && !contouring_; }
   /// Whether the last frame shows the present geometry,
@@ -67,23 +69,10 @@ public:
   void set_section(const std::optional<section_plane>& plane);
   [[nodiscard]] const std::optional<section_plane>& section() const noexcept { return section_; }
   void show_cap(std::shared_ptr<const client::section> cap);
-  /// m: x low, x high, y low, ...; nothing before a part is shown.
-  [[nodiscard]] std::optional<std::array<double, 6>> bounds() const;
 
   [[nodiscard]] camera& view() { return camera_; }
-  /// Puts the whole part, or some surfaces of it, into the view.
-  void fit(const std::vector<surface_id>& around = {});
-  /// As long as nobody turns or moves the part it is made to fit again when the view's size
-  /// changes.
-  void keep_fitted(bool on) { keeps_fitted_ = on; }
-  [[nodiscard]] bool keeps_fitted() const noexcept { return keeps_fitted_; }
-  /// Pixels at the left that something else covers: what is made to fit stays beside them.
-  void set_left_margin(int pixels);
-  /// Width to height of what that leaves.
-  [[nodiscard]] double free_aspect(const QSize& size) const;
-  [[nodiscard]] double free_aspect() const { return free_aspect(size()); }
-  void look_from(camera::direction from);
-  void fly_to(const vec3& place);
+  /// What of it the camera shows.
+  [[nodiscard]] part_framing& framing() { return framing_; }
 
   /// The surface point at a widget position, if any.
   [[nodiscard]] std::optional<picked_point> pick_at(QPointF position) const;
@@ -95,14 +84,6 @@ public:
   [[nodiscard]] std::optional<vec3> visible_point(surface_id surface) const;
   /// The shown value at a picked point, SI; nothing without a field there.
   [[nodiscard]] std::optional<double> value_at(const picked_point& at) const;
-  /// Smallest and largest value and where they are; nothing without a field.
-  struct extremes {
-    double low = 0;
-    double high = 0;
-    vec3 low_at;
-    vec3 high_at;
-  };
-  [[nodiscard]] const std::optional<extremes>& value_extremes() const { return extremes_; }
 
 signals:
   void shown();           ///< New geometry or colours are on the screen.
@@ -145,31 +126,26 @@ private:
   void hover_at(QPointF position, QPoint global);
 
   camera camera_;
+  part_framing framing_{camera_};
   camera::projection drawn_by_;  ///< Of the frame that is drawn,
   camera::projection seen_by_;   ///< and of the last one.
   std::unique_ptr<stage> stage_;
   std::shared_ptr<const part_geometry> part_;
   std::set<surface_id> hidden_;
   shown_part shown_;
-  legend legend_;
+  painted_values painted_values_;
   std::vector<surface_id> selected_;
   std::vector<surface_id> faulty_;
   std::optional<section_plane> section_;
   std::shared_ptr<const client::section> cap_;
-  std::vector<float> values_;  ///< One for each point of the geometry.
-  std::optional<extremes> extremes_;
   int shaped_ = 0;   ///< The frame asked for when the geometry changed,
   int painted_ = 0;  ///< and when the values did.
   QThreadPool builders_;
   int generation_ = 0;
   bool building_ = false;
-  bool fitted_ = false;
-  bool keeps_fitted_ = false;
-  std::optional<camera::pose> whole_;  ///< As the last fit of the whole part left it.
   bool isolines_ = false;
   bool contouring_ = false;
   int contours_ = 0;  ///< Lines of earlier values are not for us.
-  int left_margin_ = 0;
   bool boxing_ = false;
   bool draws_box_ = false;  ///< The drag that is going on.
   QRubberBand* band_ = nullptr;

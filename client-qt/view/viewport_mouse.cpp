@@ -80,7 +80,7 @@ void viewport::mouseReleaseEvent(QMouseEvent* event) {
 
 void viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (const auto hit = pick_at(event->position()))
-    fly_to(hit->at);
+    framing_.fly_to(hit->at);
 }
 
 void viewport::wheelEvent(QWheelEvent* event) {

@@ -13,9 +13,9 @@
 #include <QScrollBar>
 #include <QTextEdit>
 
-#include "client-qt/view/about_dialog.hpp"
-#include "client-qt/view/settings_dialog.hpp"
-#include "client-qt/view/shortcuts_dialog.hpp"
+#include "client-qt/tools/help/about_dialog.hpp"
+#include "client-qt/tools/help/shortcuts_dialog.hpp"
+#include "client-qt/tools/settings/settings_dialog.hpp"
 #include "tests/desktop/window_fixture.hpp"
 
 namespace tedit::desktop {
@@ -74,9 +74,9 @@ void expect_tabs_go_down(const QWidget& root) {
 TEST_F(Window, EverythingThatCanBeWorkedWithHasAName) {
   EXPECT_EQ(nameless(*window), "") << "on the start page";
   open_plate();
-  window->picked().set({1, 2});
-  window->context().choose("erode");
-  window->all_commands().trigger("view.section");
+  window->context().picked.set({1, 2});
+  window->tools().operations.panel().choose("erode");
+  window->context().all_commands.trigger("view.section");
   EXPECT_EQ(nameless(*window), "") << "with a part and a form";
   for (auto* dock : window->findChildren<QDockWidget*>()) {
     dock->show();
@@ -85,7 +85,7 @@ TEST_F(Window, EverythingThatCanBeWorkedWithHasAName) {
     EXPECT_EQ(nameless(*window), "") << dock->objectName().toStdString();
   }
   for (const auto* id : {"loads.add_support", "loads.add_load", "loads.add_material"}) {
-    window->all_commands().trigger(id);
+    window->context().all_commands.trigger(id);
     QTest::qWait(10);
     EXPECT_EQ(nameless(*window), "") << id;
   }
@@ -100,7 +100,7 @@ TEST_F(Window, DialogsHaveNamesAndTabsThatGoDown) {
   about.show();
   EXPECT_EQ(nameless(about), "");
   QSettings kept(state.filePath("keys.ini"), QSettings::IniFormat);
-  shortcuts_dialog keys({window->all_commands(), kept});
+  shortcuts_dialog keys({window->context().all_commands, kept});
   keys.show();
   EXPECT_EQ(nameless(keys), "");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What is said over the view, and what is painted there: nothing covers what matters more.
-#include "client-qt/view/banner.hpp"
+#include "client-qt/widgets/banner.hpp"
 
 #include <QPushButton>
 

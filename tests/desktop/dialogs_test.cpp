@@ -10,10 +10,10 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-#include "client-qt/view/about_dialog.hpp"
-#include "client-qt/view/operation_form.hpp"
-#include "client-qt/view/settings_dialog.hpp"
-#include "client-qt/view/shortcuts_dialog.hpp"
+#include "client-qt/tools/help/about_dialog.hpp"
+#include "client-qt/tools/help/shortcuts_dialog.hpp"
+#include "client-qt/tools/operations/operation_form.hpp"
+#include "client-qt/tools/settings/settings_dialog.hpp"
 
 namespace tedit::desktop {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/view/field_panel.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 class FieldPanel : public testing::Test {
 protected:
   FieldPanel() {
-    part_.open("part");
+    part_.files().open("part");
     client::committed import;
     import.head.version_id = "v";
     import.head.load_cases = {"a"};

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
+#include "client-qt/tools/loads/load_glyphs.hpp"
+#include "client-qt/tools/probes/plot_panel.hpp"
 #include "client-qt/view/box_pick.hpp"
 #include "client-qt/view/isolines.hpp"
-#include "client-qt/view/load_glyphs.hpp"
-#include "client-qt/view/plot_panel.hpp"
 
 namespace tedit::desktop {
 namespace {

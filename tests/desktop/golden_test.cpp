@@ -40,7 +40,8 @@ protected:
   [[nodiscard]] QImage take() {
     const QSize before = view().size();
     view().resize(picture_size);
-    view().look_from(camera::direction::isometric);  // Fitted for this size, not the window's.
+    view().framing().look_from(
+      camera::direction::isometric);  // Fitted for this size, not the window's.
     const QImage image = view().picture().convertToFormat(QImage::Format_RGB32);
     view().resize(before);
     return image;
@@ -67,30 +68,31 @@ protected:
                       << wrong.toStdString();
   }
 
-  void command(const char* id) { ASSERT_TRUE(window->all_commands().trigger(id)) << id; }
+  void command(const char* id) { ASSERT_TRUE(window->context().all_commands.trigger(id)) << id; }
 };
 
 TEST_F(Golden, ThePlateIsDrawnAsItWas) {
   open_plate();
-  window->set_dark(false);
-  view().set_left_margin(0);  // No legend is in these pictures.
-  view().fit();
+  window->context().look.set_dark(false);
+  view().framing().set_left_margin(0);  // No legend is in these pictures.
+  view().framing().fit();
   expect_golden("field");
 
-  window->fields().set_field(shown_field::none);
+  window->tools().results.panel().set_field(shown_field::none);
   expect_golden("surface");
 
-  window->picked().set({1, 2, 98});
+  window->context().picked.set({1, 2, 98});
   expect_golden("selection");
-  window->picked().clear();
+  window->context().picked.clear();
 
-  window->fields().set_field(shown_field::von_mises);
+  window->tools().results.panel().set_field(shown_field::von_mises);
   command("view.section");
-  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && view().section().has_value(); }));
+  ASSERT_TRUE(
+    wait([&] { return window->context().link.running() == 0 && view().section().has_value(); }));
   expect_golden("section");
   command("view.section");
 
-  window->set_dark(true);
+  window->context().look.set_dark(true);
   expect_golden("dark");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/view/load_editor.hpp"
+#include "client-qt/tools/loads/load_editor.hpp"
 
 #include <gtest/gtest.h>
 

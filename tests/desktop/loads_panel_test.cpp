@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/view/loads_panel.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "client-qt/view/load_editor.hpp"
+#include "client-qt/tools/loads/load_editor.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 class LoadsPanel : public testing::Test {
 protected:
   LoadsPanel() {
-    part_.open("part");
+    part_.files().open("part");
     client::committed import;
     import.head.version_id = "0";
     import.head.load_cases = {"braking"};
@@ -114,7 +114,7 @@ TEST_F(LoadsPanel, CancelClosesTheEditorOnce) {
 TEST_F(LoadsPanel, IsEmptyWhenThePartIsClosed) {
   panel_.new_load_case();
 
-  part_.close();
+  part_.files().close();
 
   EXPECT_EQ(panel_.tree()->topLevelItemCount(), 0);
   EXPECT_TRUE(hint().startsWith("No loads yet"));

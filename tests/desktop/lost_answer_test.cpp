@@ -31,7 +31,7 @@ protected:
     address.url.replace(QString::number(port), QString::number(line->port()));
     link.connect_to(address);
     ASSERT_TRUE(wait([&] { return link.current() == remote::state::connected; }));
-    part.import(TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh", {});
+    part.files().import(TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh", {});
     ASSERT_TRUE(wait([&] { return is_at(0); }));
   }
 
@@ -49,7 +49,7 @@ protected:
 
   /// Whether this version is the head and nothing is on its way.
   [[nodiscard]] bool is_at(std::uint32_t version) const {
-    return part.head() && part.head()->info.number == version && !part.current_activity() &&
+    return part.head() && part.head()->info.number == version && !part.foreground().current() &&
            link.running() == 0 && link.current() == remote::state::connected;
   }
 
@@ -77,7 +77,7 @@ protected:
 
 TEST_F(LostAnswer, AnEditThatNeverArrivedIsMadeOnTheNextConnection) {
   line->stall(true);
-  part.apply("fill_hole", {1, 2}, {});
+  part.edits().apply("fill_hole", {1, 2}, {});
   EXPECT_TRUE(wait([&] { return link.running() > 0; }));
   line->cut(false);
   line->stall(false);
@@ -89,22 +89,22 @@ TEST_F(LostAnswer, AnEditThatNeverArrivedIsMadeOnTheNextConnection) {
 
 TEST_F(LostAnswer, AnEditWhoseAnswerWasLostIsNotMadeTwice) {
   // The server hears of it; what it says comes to a line that has broken.
-  QObject::connect(&part, &document::activity_changed, &link, [this] {
-    if (part.current_activity() && !part.current_activity()->stage.isEmpty())
+  QObject::connect(&part.foreground(), &foreground_work::changed, &link, [this] {
+    if (part.foreground().current() && !part.foreground().current()->stage.isEmpty())
       line->cut(false);
   });
-  part.apply("fill_hole", {1, 2}, {});
+  part.edits().apply("fill_hole", {1, 2}, {});
 
   ASSERT_TRUE(wait([&] { return is_at(1); })) << failures.toStdString();
   EXPECT_EQ(versions(), 2u);
   EXPECT_EQ(failures, "");
-  part.undo();
+  part.edits().undo();
   ASSERT_TRUE(wait([&] { return is_at(0); })) << failures.toStdString();
 }
 
 TEST_F(LostAnswer, WithoutAWayBackTheLossIsTold) {
   line->stall(true);
-  part.apply("fill_hole", {1, 2}, {});
+  part.edits().apply("fill_hole", {1, 2}, {});
   EXPECT_TRUE(wait([&] { return link.running() > 0; }));
   line->cut(true);
   ASSERT_TRUE(wait([&] { return link.current() == remote::state::lost; }));

@@ -11,13 +11,13 @@
 #include <QScrollBar>
 #include <QTextBlock>
 
-#include "client-qt/view/help_panel.hpp"
-#include "client-qt/view/history_strip.hpp"
-#include "client-qt/view/jobs_panel.hpp"
-#include "client-qt/view/preview_box.hpp"
-#include "client-qt/view/receipt_panel.hpp"
-#include "client-qt/view/truth_line.hpp"
-#include "client-qt/view/version_editor.hpp"
+#include "client-qt/tools/help/help_panel.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/history/version_editor.hpp"
+#include "client-qt/tools/jobs/jobs_panel.hpp"
+#include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/tools/receipt/receipt_panel.hpp"
+#include "client-qt/widgets/truth_line.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -41,7 +41,7 @@ client::version_info version(std::uint32_t number, std::optional<std::uint32_t> 
 class History : public testing::Test {
 protected:
   History() {
-    part_.open("part");
+    part_.files().open("part");
     // 0 - 1 - 2 and a branch 3 of 0, which is the head.
     for (const auto& [number, parent] :
          std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>>{
@@ -211,7 +211,7 @@ TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
 TEST(TruthLine, SaysThatTheLoadsWantALook) {
   remote link;
   document part(link);
-  part.open("part");
+  part.files().open("part");
   truth_line line(part, link);
   client::committed made;
   made.head = version(0, {});

@@ -9,7 +9,7 @@ namespace {
 
 class PreviewWindow : public Window {
 protected:
-  [[nodiscard]] live_preview& preview() { return window->context().preview(); }
+  [[nodiscard]] live_preview& preview() { return window->tools().operations.panel().preview(); }
 
   [[nodiscard]] bool shows_preview() {
     const auto& shown = preview().shown();
@@ -18,8 +18,8 @@ protected:
   }
 
   void choose(const std::vector<surface_id>& surfaces, const char* operation) {
-    window->picked().set(surfaces);
-    window->context().choose(operation);
+    window->context().picked.set(surfaces);
+    window->tools().operations.panel().choose(operation);
   }
 
   [[nodiscard]] QString label(const char* name) {
@@ -29,7 +29,7 @@ protected:
 
   /// Pixels of the view in the colour of what an edit would add, at any light.
   [[nodiscard]] int accent_pixels() {
-    const QImage image = window->picture();
+    const QImage image = window->context().over.picture();
     int count = 0;
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x) {
@@ -50,7 +50,7 @@ TEST_F(PreviewWindow, ShowsWhatTheFormWouldMakeAndEscGoesBackToTheHead) {
 
   EXPECT_EQ(view().geometry()->version_id, preview().shown()->surface->version_id());
   EXPECT_NE(view().geometry()->version_id, head);
-  EXPECT_FALSE(view().value_extremes().has_value()) << "no field on a candidate";
+  EXPECT_FALSE(view().painted().extremes.has_value()) << "no field on a candidate";
   EXPECT_EQ(label("verdict"), "preview of an edit, not applied");
   EXPECT_TRUE(label("preview_figures").contains("Volume"));
   EXPECT_GT(accent_pixels(), 20);
@@ -59,8 +59,8 @@ TEST_F(PreviewWindow, ShowsWhatTheFormWouldMakeAndEscGoesBackToTheHead) {
 
   QTest::keyClick(window.get(), Qt::Key_Escape);
   ASSERT_TRUE(wait([&] { return is_final(); }));
-  EXPECT_TRUE(window->context().chosen().isEmpty());
-  window->picked().clear();  // It has the same colour.
+  EXPECT_TRUE(window->tools().operations.panel().chosen().isEmpty());
+  window->context().picked.clear();  // It has the same colour.
   EXPECT_EQ(accent_pixels(), 0);
   EXPECT_EQ(label("verdict"), "final");
   EXPECT_EQ(part().versions().size(), 1U);
@@ -70,7 +70,7 @@ TEST_F(PreviewWindow, FollowsTheLastValueAndApplyMakesTheVeryThing) {
   open_plate(false);
   choose({7}, "thicken");
   for (const double thickness : {0.0005, 0.0015, 0.001})
-    window->context().form()->set_values({{"thickness", thickness}});
+    window->tools().operations.panel().form()->set_values({{"thickness", thickness}});
   ASSERT_TRUE(wait([&] { return shows_preview(); }));
   EXPECT_NEAR(preview().shown()->made.report.volume_change, 5e-6, 1e-9);  // 5000 mm2 by 1 mm.
   const auto id = preview().shown()->surface->version_id();
@@ -91,13 +91,13 @@ TEST_F(PreviewWindow, WhatIsRefusedIsExplainedWhileTheHeadStays) {
   choose({1, 2}, "fill_hole");
   ASSERT_TRUE(wait([&] { return shows_preview(); }));
 
-  window->picked().set({5});
+  window->context().picked.set({5});
   ASSERT_TRUE(wait([&] { return preview().refusal().has_value() && shows_head(); }));
 
   EXPECT_TRUE(label("preview_fault").contains("flat")) << label("preview_fault").toStdString();
   EXPECT_TRUE(label("preview_fault").contains("Select the walls of a hole"));
   EXPECT_EQ(label("preview_figures"), "");
-  EXPECT_TRUE(window->messages().text().isEmpty());
+  EXPECT_TRUE(window->context().messages.text().isEmpty());
   EXPECT_EQ(view().current().before, nullptr);
 }
 
@@ -109,7 +109,7 @@ TEST_F(PreviewWindow, CanBeTurnedOffWhichIsRememberedAndAskedForOnce) {
   window->findChild<QCheckBox*>("preview_follows")->click();
   ASSERT_TRUE(wait([&] { return shows_head(); }));
   EXPECT_FALSE(QSettings("tedit", "tedit-qt").value("preview").toBool());
-  window->picked().set({51, 52});
+  window->context().picked.set({51, 52});
   EXPECT_FALSE(preview().is_busy());
 
   press("preview_now");
@@ -123,7 +123,7 @@ TEST_F(PreviewWindow, SlowOnesWaitToBeAskedFor) {
   choose({1, 2}, "fill_hole");
   ASSERT_TRUE(wait([&] { return shows_preview(); }));
 
-  window->picked().set({51, 52});
+  window->context().picked.set({51, 52});
 
   EXPECT_FALSE(preview().is_busy());
   EXPECT_EQ(preview().shown(), nullptr);

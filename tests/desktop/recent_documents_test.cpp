@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "client-qt/view/recent_documents.hpp"
+#include "client-qt/tools/documents/recent_documents.hpp"
 
 #include <gtest/gtest.h>
 

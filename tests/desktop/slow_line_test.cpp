@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "client-qt/model/stall_watch.hpp"
-#include "client-qt/view/section_bar.hpp"
+#include "client-qt/tools/section/section_bar.hpp"
 #include "tests/support/slow_proxy.hpp"
 
 namespace tedit::desktop {
@@ -29,8 +29,8 @@ protected:
                                               test::slow_proxy::line{});
     ASSERT_NE(line->port(), 0);
     address.url.replace(QString::number(port), QString::number(line->port()));
-    window->connect_to(address);
-    ASSERT_TRUE(wait([&] { return window->link().current() == remote::state::connected; }));
+    window->tools().connection.connect_to(address);
+    ASSERT_TRUE(wait([&] { return window->context().link.current() == remote::state::connected; }));
   }
 
   void TearDown() override {
@@ -70,7 +70,7 @@ protected:
 
 TEST_F(SlowLine, TheWindowNeverWaitsAndSaysWhatIsSlow) {
   open_plate(false);
-  part().apply("fill_hole", {1, 2}, {});
+  part().edits().apply("fill_hole", {1, 2}, {});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
 
   stall_watch watch;
@@ -78,41 +78,42 @@ TEST_F(SlowLine, TheWindowNeverWaitsAndSaysWhatIsSlow) {
   stalled.start();
   line->stall(true);
   ASSERT_TRUE(wait([&] { return label("server").contains("no answer for"); }));
-  ASSERT_TRUE(wait([&] { return window->messages().text().contains("slow"); }));
+  ASSERT_TRUE(wait([&] { return window->context().messages.text().contains("slow"); }));
   const auto waits = watch.take();
   const auto stall_ms = static_cast<double>(stalled.elapsed());
   line->stall(false);
-  ASSERT_TRUE(wait([&] { return window->messages().text().isEmpty(); }));
+  ASSERT_TRUE(wait([&] { return window->context().messages.text().isEmpty(); }));
 
   // The line stood still for more than four seconds; what waits for it would wait as long.
   EXPECT_GT(stall_ms, 4000);
   EXPECT_GT(waits.samples, 20U);
   EXPECT_LT(waits.worst_ms, stall_ms / 2);
-  EXPECT_GE(window->link().latency_ms(), 200);
+  EXPECT_GE(window->context().link.latency_ms(), 200);
   expect_nothing_lost();
 }
 
 TEST_F(SlowLine, AnEditThatIsHeldUpCanBeCancelled) {
   open_plate(false);
   line->stall(true);
-  part().apply("remove_surfaces", {3}, {});
-  ASSERT_TRUE(part().current_activity().has_value());
+  part().edits().apply("remove_surfaces", {3}, {});
+  ASSERT_TRUE(part().foreground().current().has_value());
 
   press("cancel");
-  EXPECT_EQ(part().current_activity()->stage, "cancelling");
+  EXPECT_EQ(part().foreground().current()->stage, "cancelling");
   EXPECT_FALSE(window->findChild<QPushButton*>("cancel")->isEnabled());
   line->stall(false);
-  ASSERT_TRUE(wait([&] { return !part().current_activity() && shows_head(); }));
+  ASSERT_TRUE(wait([&] { return !part().foreground().current() && shows_head(); }));
 
-  EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
+  EXPECT_TRUE(window->context().messages.text().isEmpty())
+    << window->context().messages.text().toStdString();
   expect_nothing_lost();
 }
 
 TEST_F(SlowLine, ASectionThatIsHeldUpCanBeCancelledAndItsLateAnswerIsDropped) {
   open_plate(false);
   line->stall(true);
-  window->section().set_plane({0, 0, 0.001}, {0, 0, 1});  // Its cap is seen from here.
-  ASSERT_TRUE(window->all_commands().trigger("view.jobs"));
+  window->tools().section.bar().set_plane({0, 0, 0.001}, {0, 0, 1});  // Its cap is seen from here.
+  ASSERT_TRUE(window->context().all_commands.trigger("view.jobs"));
   auto* jobs = QApplication::activePopupWidget();
   ASSERT_NE(jobs, nullptr);
   auto* cancel = jobs->findChild<QPushButton*>("job_cancel");
@@ -122,25 +123,27 @@ TEST_F(SlowLine, ASectionThatIsHeldUpCanBeCancelledAndItsLateAnswerIsDropped) {
   EXPECT_TRUE(part().work().all().empty());
   jobs->close();
   line->stall(false);
-  ASSERT_TRUE(wait([&] { return window->link().running() == 0; }));
-  const auto hollow = window->picture();
-  EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
+  ASSERT_TRUE(wait([&] { return window->context().link.running() == 0; }));
+  const auto hollow = window->context().over.picture();
+  EXPECT_TRUE(window->context().messages.text().isEmpty())
+    << window->context().messages.text().toStdString();
 
-  window->section().set_on(true);  // Asks anew.
-  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && part().work().all().empty(); }));
-  EXPECT_NE(window->picture(), hollow);
+  window->tools().section.bar().set_on(true);  // Asks anew.
+  ASSERT_TRUE(
+    wait([&] { return window->context().link.running() == 0 && part().work().all().empty(); }));
+  EXPECT_NE(window->context().over.picture(), hollow);
 }
 
 TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
-  window->open_file(plate(), {});
+  window->tools().documents.open_file(plate(), {});
   ASSERT_TRUE(wait([&] { return part().head() != nullptr; }));
   EXPECT_EQ(part().head()->surface, nullptr) << "its 300 kB are on their way";
 
   line->cut(true);
-  ASSERT_TRUE(wait([&] { return window->link().current() == remote::state::lost; }));
-  EXPECT_TRUE(window->messages().text().contains("lost"));
+  ASSERT_TRUE(wait([&] { return window->context().link.current() == remote::state::lost; }));
+  EXPECT_TRUE(window->context().messages.text().contains("lost"));
   emit part().failed("Fill hole", {ec::invalid_argument, "no such hole", "choose a wall", "here"});
-  const auto& said = window->messages();
+  const auto& said = window->context().messages;
   EXPECT_TRUE(said.text().contains("lost")) << "an error does not take its place";
   EXPECT_TRUE(said.text().contains("Choose a wall."));
   EXPECT_TRUE(wait([&] { return said.height() == said.heightForWidth(said.width()); }))
@@ -148,16 +151,17 @@ TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
   said.findChild<QPushButton*>("close")->click();
   line->mend();
   ASSERT_TRUE(wait([&] { return shows_head(); }));
-  EXPECT_TRUE(window->messages().text().isEmpty());
+  EXPECT_TRUE(window->context().messages.text().isEmpty());
   expect_nothing_lost();
 
   // Once more while an edit is on its way: it is made, and once.
-  part().apply("fill_hole", {1, 2}, {});
+  part().edits().apply("fill_hole", {1, 2}, {});
   QTest::qWait(150);
   line->cut(false);
   ASSERT_TRUE(wait([&] {
-    return window->link().current() == remote::state::connected && !part().current_activity() &&
-           version() == 1 && shows_head() && window->link().running() == 0;
+    return window->context().link.current() == remote::state::connected &&
+           !part().foreground().current() && version() == 1 && shows_head() &&
+           window->context().link.running() == 0;
   }));
   expect_nothing_lost();
   EXPECT_EQ(truth().versions.size(), 2U);
@@ -165,13 +169,13 @@ TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
 
 TEST_F(SlowLine, PreviewsFollowTheLastValueOverIt) {
   open_plate(false);
-  window->picked().set({7});
-  window->context().choose("thicken");
+  window->context().picked.set({7});
+  window->tools().operations.panel().choose("thicken");
   for (const double depth : {0.0005, 0.0015, 0.001}) {
-    window->context().form()->set_values({{"depth", depth}});
+    window->tools().operations.panel().form()->set_values({{"depth", depth}});
     QTest::qWait(live_preview::quiet_ms + 50);  // Each is asked for.
   }
-  auto& preview = window->context().preview();
+  auto& preview = window->tools().operations.panel().preview();
 
   ASSERT_TRUE(wait([&] { return preview.shown() && !preview.is_busy(); }));
   EXPECT_NEAR(preview.shown()->made.report.volume_change, 5e-6, 1e-9);

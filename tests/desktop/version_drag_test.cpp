@@ -7,7 +7,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 
-#include "client-qt/view/compare_view.hpp"
+#include "client-qt/tools/compare/compare_view.hpp"
 
 namespace tedit::desktop {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <csignal>
 
-#include "client-qt/view/truth_line.hpp"
+#include "client-qt/widgets/truth_line.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -16,8 +16,8 @@ protected:
   /// The process that solves; 0 while there is none.
   [[nodiscard]] pid_t solver() {
     client::connect_options options;
-    options.url = window->link().address().url.toStdString();
-    options.token = window->link().address().token.toStdString();
+    options.url = window->context().link.address().url.toStdString();
+    options.token = window->context().link.address().token.toStdString();
     options.client_name = "test";
     auto other = client::client::connect(options, {});
     const auto status = other ? (*other)->status() : expected<client::server_status>();
@@ -35,25 +35,26 @@ protected:
     ASSERT_EQ(::kill(pid, SIGSTOP), 0);
     const auto next = static_cast<std::uint32_t>(part().versions().size());
     static const std::vector<std::vector<surface_id>> bores{{1, 2}, {51, 52}, {92, 93}};
-    part().apply("fill_hole", bores.at(next - 1), {});
-    ASSERT_TRUE(wait([&] { return version() == next && shows_head() && part().is_solving(); }));
+    part().edits().apply("fill_hole", bores.at(next - 1), {});
+    ASSERT_TRUE(
+      wait([&] { return version() == next && shows_head() && part().solver().is_running(); }));
     means();
-    EXPECT_TRUE(wait([&] { return part().field_progress() == field_state::stopped; }));
+    EXPECT_TRUE(wait([&] { return part().solver().progress() == field_state::stopped; }));
     ::kill(pid, SIGCONT);
-    EXPECT_FALSE(part().is_solving());
+    EXPECT_FALSE(part().solver().is_running());
     EXPECT_TRUE(part().head()->fields.empty());
     EXPECT_EQ(window->findChild<truth_line*>()->verdict(), "solver stopped");
-    EXPECT_FALSE(window->messages().text().contains("did not work"))
-      << window->messages().text().toStdString();
+    EXPECT_FALSE(window->context().messages.text().contains("did not work"))
+      << window->context().messages.text().toStdString();
   }
 };
 
 TEST_F(SolveStop, FromItsRowTheTruthLineAndTheKeyboardAndTheNextEditIsSolvedAgain) {
   open_plate();
-  window->picked().clear();
+  window->context().picked.clear();
 
   stop_by([&] {
-    ASSERT_TRUE(window->all_commands().trigger("view.jobs"));
+    ASSERT_TRUE(window->context().all_commands.trigger("view.jobs"));
     auto* jobs = QApplication::activePopupWidget();
     auto* cancel = jobs->findChild<QPushButton*>("job_cancel");
     ASSERT_TRUE(cancel && cancel->isVisible());
@@ -73,22 +74,22 @@ TEST_F(SolveStop, FromItsRowTheTruthLineAndTheKeyboardAndTheNextEditIsSolvedAgai
   ASSERT_TRUE(wait([&] { return is_final(); }));
   EXPECT_FALSE(stop->isVisible());
   ASSERT_FALSE(HasFatalFailure());
-  part().apply("thicken", {7}, {{"depth", 0.001}});
+  part().edits().apply("thicken", {7}, {{"depth", 0.001}});
   const auto next = static_cast<std::uint32_t>(part().versions().size());
   ASSERT_TRUE(wait([&] { return version() == next && is_final(); }));
 }
 
 TEST_F(SolveStop, EscFirstEndsWhatIsNearer) {
   open_plate();
-  window->picked().set({98});
+  window->context().picked.set({98});
   stop_by([&] {
-    window->picked().set({98});
-    window->context().choose("erode");
+    window->context().picked.set({98});
+    window->tools().operations.panel().choose("erode");
     QTest::keyClick(window.get(), Qt::Key_Escape);
-    EXPECT_TRUE(window->context().chosen().isEmpty());
+    EXPECT_TRUE(window->tools().operations.panel().chosen().isEmpty());
     QTest::keyClick(window.get(), Qt::Key_Escape);
-    EXPECT_TRUE(window->picked().surfaces().empty());
-    EXPECT_TRUE(part().is_solving());
+    EXPECT_TRUE(window->context().picked.surfaces().empty());
+    EXPECT_TRUE(part().solver().is_running());
     QTest::keyClick(window.get(), Qt::Key_Escape);
   });
 }

@@ -11,12 +11,12 @@
 
 #include <gtest/gtest.h>
 
-#include "client-qt/view/banner.hpp"
-#include "client-qt/view/context_panel.hpp"
-#include "client-qt/view/field_panel.hpp"
-#include "client-qt/view/main_window.hpp"
+#include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/view/viewport.hpp"
+#include "client-qt/widgets/banner.hpp"
+#include "client-qt/window/main_window.hpp"
 
 namespace tedit::desktop {
 
@@ -43,15 +43,15 @@ protected:
   static QString plate() { return TEDIT_EXAMPLES "/ctc01_plate/ctc01_plate.coarse.msh"; }
   static QString loads() { return TEDIT_EXAMPLES "/ctc01_plate/load_case.json"; }
 
-  [[nodiscard]] document& part() { return window->part(); }
-  [[nodiscard]] viewport& view() { return window->view(); }
+  [[nodiscard]] document& part() { return window->context().part; }
+  [[nodiscard]] viewport& view() { return window->context().view; }
 
   [[nodiscard]] testing::AssertionResult wait(const std::function<bool()>& until) {
     if (QTest::qWaitFor(until, patience_ms))
       return testing::AssertionSuccess();
     return testing::AssertionFailure()
            << "waited " << patience_ms / 1000
-           << " s; message: " << window->messages().text().toStdString() << "\n"
+           << " s; message: " << window->context().messages.text().toStdString() << "\n"
            << state_now();
   }
 
@@ -61,10 +61,11 @@ protected:
     const auto& shown = view().current();
     const auto version_of = [](const auto& what) { return what ? what->version_id() : "none"; };
     std::ostringstream out;
-    out << "connection " << static_cast<int>(window->link().current()) << ", version " << version()
-        << (head ? " " + head->info.version_id : "") << ", fields "
-        << static_cast<int>(part().field_progress()) << ", activity "
-        << (part().current_activity() ? part().current_activity()->title.toStdString() : "none")
+    out << "connection " << static_cast<int>(window->context().link.current()) << ", version "
+        << version() << (head ? " " + head->info.version_id : "") << ", fields "
+        << static_cast<int>(part().solver().progress()) << ", activity "
+        << (part().foreground().current() ? part().foreground().current()->title.toStdString()
+                                          : "none")
         << ", view " << (view().is_settled() ? "settled" : "at work") << "\nhead's surface "
         << version_of(head ? head->surface : nullptr) << "\nshown surface  "
         << version_of(shown.surface) << "\nshown field    " << version_of(shown.field);
@@ -73,18 +74,18 @@ protected:
 
   [[nodiscard]] bool shows_head() {
     const auto* head = part().head();
-    return head && head->surface && view().is_settled() && !part().current_activity() &&
+    return head && head->surface && view().is_settled() && !part().foreground().current() &&
            view().current().surface == head->surface;
   }
 
   [[nodiscard]] bool is_final() {
     const auto field = view().current().field;
-    return shows_head() && part().field_progress() == field_state::converged && field &&
+    return shows_head() && part().solver().progress() == field_state::converged && field &&
            field->version_id() == part().head()->info.version_id;
   }
 
   void open_plate(bool with_loads = true) {
-    window->open_file(plate(), with_loads ? QStringList{loads()} : QStringList{});
+    window->tools().documents.open_file(plate(), with_loads ? QStringList{loads()} : QStringList{});
     ASSERT_TRUE(wait([&] {
       return (with_loads ? is_final() : shows_head()) && !part().operations().operations.empty();
     }));

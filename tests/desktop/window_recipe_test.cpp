@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QMimeData>
 
-#include "client-qt/view/history_strip.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -31,7 +31,7 @@ protected:
     return path;
   }
 
-  [[nodiscard]] QString said() { return window->messages().text(); }
+  [[nodiscard]] QString said() { return window->context().messages.text(); }
 };
 
 TEST_F(Recipe, OpensItsPartAndEachEditIsAVersion) {
@@ -40,12 +40,12 @@ TEST_F(Recipe, OpensItsPartAndEachEditIsAVersion) {
     ASSERT_TRUE(wait([&] { return part().versions().size() >= versions; }));
   ASSERT_TRUE(wait([&] { return said().contains("left out"); }));
 
-  EXPECT_FALSE(window->runs_recipe());
+  EXPECT_FALSE(window->tools().recipes.is_running());
   EXPECT_TRUE(said().contains("(3)")) << said().toStdString();
   EXPECT_EQ(part().versions().size(), 3U);
   EXPECT_EQ(window->findChild<history_strip*>()->count(), 3);
   EXPECT_EQ(version(), 1U);
-  EXPECT_EQ(part().load_cases().size(), 1U);
+  EXPECT_EQ(part().loads().all().size(), 1U);
   ASSERT_TRUE(wait([&] { return is_final(); }));
   EXPECT_TRUE(part().work().all().empty());
   EXPECT_TRUE(part().name().startsWith("ctc01_plate.coarse"));
@@ -78,7 +78,7 @@ TEST_F(Recipe, WhatDoesNotFitIsSaidWithStepCauseAndRemedy) {
   ASSERT_TRUE(wait([&] { return said().contains("no surface 4711"); }));
   EXPECT_TRUE(said().contains("step 2 of 3 (edit)")) << said().toStdString();
   EXPECT_TRUE(said().contains("the recipe was made for")) << said().toStdString();
-  EXPECT_FALSE(window->runs_recipe());
+  EXPECT_FALSE(window->tools().recipes.is_running());
   EXPECT_EQ(version(), 1U);  // What was done before stays.
   EXPECT_TRUE(part().work().all().empty());
 

@@ -7,11 +7,11 @@
 
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/probes.hpp"
-#include "client-qt/view/loads_panel.hpp"
-#include "client-qt/view/probe_panel.hpp"
-#include "client-qt/view/recorder.hpp"
-#include "client-qt/view/script.hpp"
-#include "client-qt/view/section_bar.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
+#include "client-qt/tools/probes/probe_panel.hpp"
+#include "client-qt/tools/recording/recorder.hpp"
+#include "client-qt/tools/recording/script.hpp"
+#include "client-qt/tools/section/section_bar.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::desktop {
@@ -23,28 +23,28 @@ protected:
 
   /// As in the panel: a load case is made harder, gets another name, and one is added and removed.
   void record_loads_and_probes() {
-    auto twice = part().load_cases().front();
+    auto twice = part().loads().all().front();
     const std::string before = twice.name;
     std::get<fem::force>(twice.loads.front().kind).total_n.z *= 2;
-    part().set_load_case(twice);
+    part().loads().set(twice);
     twice.name = "twice";
-    ASSERT_TRUE(wait([&] { return !part().changes_loads(); }));
-    part().rename_load_case(before, twice);
+    ASSERT_TRUE(wait([&] { return !part().loads().is_changing(); }));
+    part().loads().rename(before, twice);
     ASSERT_TRUE(wait([&] {
-      const auto& now = part().load_cases();
-      return !part().changes_loads() && is_final() && now.size() == 1 &&
+      const auto& now = part().loads().all();
+      return !part().loads().is_changing() && is_final() && now.size() == 1 &&
              now.front().name == "twice";
     }));
 
-    auto& pins = window->pins();
+    auto& pins = window->tools().probing.pins();
     int number = 0;
     for (const surface_id id : {98, 7, 3})
       ASSERT_TRUE(pins.put(++number, id, {})) << id;
     pins.remove(2);
-    window->probe_list().choose({1, 3});
+    window->tools().probing.list().choose({1, 3});
     probed = pins.distance(pins.all()[0], pins.all()[1], *part().head());
-    window->picked().set({98});
-    ASSERT_TRUE(window->all_commands().trigger("view.hide"));
+    window->context().picked.set({98});
+    ASSERT_TRUE(window->context().all_commands.trigger("view.hide"));
   }
 };
 
@@ -52,14 +52,14 @@ TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
   open_plate();
   EXPECT_TRUE(view().current().field->stress.empty());
 
-  const auto* low = window->fields().findChildren<QLineEdit*>().front();
+  const auto* low = window->tools().results.panel().findChildren<QLineEdit*>().front();
   EXPECT_FALSE(low->text().isEmpty());
-  window->fields().set_field(shown_field::principal_1);
+  window->tools().results.panel().set_field(shown_field::principal_1);
   EXPECT_TRUE(low->text().isEmpty()) << "a range of values that are not there";
   EXPECT_EQ(low->placeholderText(), "loading");
-  ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
   EXPECT_FALSE(low->text().isEmpty());
-  const auto& by = view().current_legend();
+  const auto& by = view().painted().by;
   EXPECT_EQ(by.map, colour_map::coolwarm);
   EXPECT_DOUBLE_EQ(by.low, -by.high);
   const auto& field = *view().current().field;
@@ -67,45 +67,45 @@ TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
     ASSERT_GE(value_in(field, i, shown_field::principal_1),
               value_in(field, i, shown_field::stress_xx) - 1);
 
-  part().apply("fill_hole", {1, 2}, {});
+  part().edits().apply("fill_hole", {1, 2}, {});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   EXPECT_FALSE(view().current().field->stress.empty());
-  window->fields().set_field(shown_field::safety_factor);
-  ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
-  EXPECT_NEAR(view().value_extremes()->low, *part().head()->outcome->cases[0].min_safety_factor,
-              0.01 * view().value_extremes()->low);
+  window->tools().results.panel().set_field(shown_field::safety_factor);
+  ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
+  EXPECT_NEAR(view().painted().extremes->low, *part().head()->outcome->cases[0].min_safety_factor,
+              0.01 * view().painted().extremes->low);
 }
 
 TEST_F(Window, WhatChangesNoColourPaintsNothing) {
   open_plate();
-  const auto values = view().values().data();
+  const auto values = view().painted().values.data();
   QSignalSpy painted(&view(), &viewport::legend_changed);
-  legend same = view().current_legend();
+  legend same = view().painted().by;
   same.low = -1;  // Automatic: the values' own range holds.
 
   view().set_legend(same);
   EXPECT_EQ(painted.count(), 0);
   view().show_part(view().current());  // `shown` follows all the same.
-  EXPECT_EQ(view().values().data(), values);
+  EXPECT_EQ(view().painted().values.data(), values);
   legend other = same;
   other.map = colour_map::grey;
   view().set_legend(other);
   EXPECT_EQ(painted.count(), 2);
-  EXPECT_GE(view().current_legend().low, 0);
+  EXPECT_GE(view().painted().by.low, 0);
 }
 
 TEST_F(Window, IsolinesAreDrawnAndTakenAwayAgain) {
   open_plate();
-  const auto bare = window->picture();
+  const auto bare = window->context().over.picture();
 
   QTest::keyClick(window.get(), Qt::Key_N);
   ASSERT_TRUE(wait([&] { return view().is_settled(); }));
   QTest::qWait(50);
-  EXPECT_NE(window->picture(), bare);
+  EXPECT_NE(window->context().over.picture(), bare);
 
   QTest::keyClick(window.get(), Qt::Key_N);
   QTest::qWait(50);
-  EXPECT_EQ(window->picture(), bare);
+  EXPECT_EQ(window->context().over.picture(), bare);
 }
 
 TEST_F(Window, IsolinesAndBandsAreDrawnOnASection) {
@@ -113,29 +113,29 @@ TEST_F(Window, IsolinesAndBandsAreDrawnOnASection) {
   std::set<surface_id> all;
   for (const auto& [id, row] : part().head()->surface->surfaces())
     all.insert(id);
-  ASSERT_TRUE(window->all_commands().trigger("view.edges"));
-  window->set_hidden(all);  // Only the cut surface is left.
-  const auto bare = window->picture();
-  window->section().set_plane({0, 0, 0.001}, {0, 0, 1});
-  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && view().is_settled(); }));
-  const auto smooth = window->picture();
+  ASSERT_TRUE(window->context().all_commands.trigger("view.edges"));
+  window->tools().selecting.set_hidden(all);  // Only the cut surface is left.
+  const auto bare = window->context().over.picture();
+  window->tools().section.bar().set_plane({0, 0, 0.001}, {0, 0, 1});
+  ASSERT_TRUE(wait([&] { return window->context().link.running() == 0 && view().is_settled(); }));
+  const auto smooth = window->context().over.picture();
   ASSERT_NE(smooth, bare);
 
-  window->fields().set_isolines(true);
-  ASSERT_TRUE(wait([&] { return view().is_settled() && window->link().running() == 0; }));
-  const auto lined = window->picture();
+  window->tools().results.panel().set_isolines(true);
+  ASSERT_TRUE(wait([&] { return view().is_settled() && window->context().link.running() == 0; }));
+  const auto lined = window->context().over.picture();
   EXPECT_NE(lined, smooth);
-  window->fields().set_isolines(false);
-  ASSERT_TRUE(wait([&] { return view().is_settled() && window->link().running() == 0; }));
-  EXPECT_EQ(window->picture(), smooth);
-  window->fields().set_bands(8);
-  ASSERT_TRUE(wait([&] { return view().is_settled() && window->link().running() == 0; }));
-  EXPECT_NE(window->picture(), smooth);
+  window->tools().results.panel().set_isolines(false);
+  ASSERT_TRUE(wait([&] { return view().is_settled() && window->context().link.running() == 0; }));
+  EXPECT_EQ(window->context().over.picture(), smooth);
+  window->tools().results.panel().set_bands(8);
+  ASSERT_TRUE(wait([&] { return view().is_settled() && window->context().link.running() == 0; }));
+  EXPECT_NE(window->context().over.picture(), smooth);
 }
 
 TEST_F(Window, ABoxToTheRightTakesWhatLiesInItAndOneToTheLeftWhatItTouches) {
   open_plate(false);
-  ASSERT_TRUE(window->all_commands().trigger("view.top"));
+  ASSERT_TRUE(window->context().all_commands.trigger("view.top"));
   const auto place = view().visible_point(98);
   const auto draw = [&](QPoint from, QPoint to, Qt::KeyboardModifiers with) {
     QTest::mousePress(&view(), Qt::LeftButton, with, from);
@@ -151,24 +151,24 @@ TEST_F(Window, ABoxToTheRightTakesWhatLiesInItAndOneToTheLeftWhatItTouches) {
   const auto before = view().view().get();
 
   draw(at + QPoint(12, 12), at - QPoint(12, 12), Qt::ControlModifier);  // To the left.
-  ASSERT_TRUE(wait([&] { return window->picked().contains(98); }));
+  ASSERT_TRUE(wait([&] { return window->context().picked.contains(98); }));
   draw(at - QPoint(12, 12), at + QPoint(12, 12), Qt::ControlModifier);  // To the right.
-  ASSERT_TRUE(wait([&] { return window->picked().surfaces().empty(); }));
+  ASSERT_TRUE(wait([&] { return window->context().picked.surfaces().empty(); }));
   EXPECT_EQ(view().view().get().position, before.position);  // Nothing was turned.
 
   QTest::keyClick(window.get(), Qt::Key_A, Qt::ControlModifier);
-  ASSERT_TRUE(wait([&] { return window->picked().surfaces().size() > 5; }));
-  EXPECT_TRUE(window->picked().contains(98));
+  ASSERT_TRUE(wait([&] { return window->context().picked.surfaces().size() > 5; }));
+  EXPECT_TRUE(window->context().picked.contains(98));
 }
 
 TEST_F(Window, ANameIsKeptByTheServer) {
   open_plate(false);
-  part().annotate(0, "as bought", "from the shelf");
+  part().edits().annotate(0, "as bought", "from the shelf");
   ASSERT_TRUE(wait([&] { return part().head()->info.name == "as bought"; }));
 
   const auto name = part().name();
-  part().close();
-  part().open(name);
+  part().files().close();
+  part().files().open(name);
   ASSERT_TRUE(wait([&] { return shows_head() && part().head()->info.name == "as bought"; }));
   EXPECT_EQ(part().head()->info.note, "from the shelf");
 }
@@ -178,7 +178,7 @@ TEST_F(Window, AHistoryThatWasAskedForBeforeItTakesNoNameAway) {
   auto named = part().head()->info;
   named.name = "as bought";
   part().refresh_history();
-  emit window->link().annotated(named);  // Overtakes the answer.
+  emit window->context().link.annotated(named);  // Overtakes the answer.
   QSignalSpy answers(&part(), &document::history_changed);
 
   ASSERT_TRUE(wait([&] { return !answers.isEmpty(); }));
@@ -188,12 +188,12 @@ TEST_F(Window, AHistoryThatWasAskedForBeforeItTakesNoNameAway) {
 TEST_F(Window, AnEditIsTakenOnceAndItsAnswerMovesNoNewerHeadBack) {
   open_plate();
   QSignalSpy edits(&part(), &document::edited);
-  part().apply("fill_hole", {1, 2}, {});
+  part().edits().apply("fill_hole", {1, 2}, {});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   EXPECT_EQ(edits.count(), 1);
 
   // Somebody else's commit comes between the event of this undo and its answer.
-  auto& link = window->link();
+  auto& link = window->context().link;
   bool told = false;
   QObject::connect(&link, &remote::committed, &part(), [&](const client::committed& what) {
     if (std::exchange(told, true))
@@ -203,46 +203,47 @@ TEST_F(Window, AnEditIsTakenOnceAndItsAnswerMovesNoNewerHeadBack) {
     other.head.version_id = "somebody's";
     emit link.committed(other);
   });
-  part().undo();
-  ASSERT_TRUE(wait([&] { return told && !part().current_activity(); }));
+  part().edits().undo();
+  ASSERT_TRUE(wait([&] { return told && !part().foreground().current(); }));
   EXPECT_EQ(version(), 7u);
 }
 
 TEST_F(Window, ALoadCaseCanBeRemovedTheLastOneToo) {
   open_plate();
-  auto second = part().load_cases().front();
+  auto second = part().loads().all().front();
   second.name = "second";
-  part().set_load_case(second);
+  part().loads().set(second);
   ASSERT_TRUE(wait([&] { return is_final() && part().head()->fields.size() == 3; }));
 
-  part().remove_load_case("second");
+  part().loads().remove("second");
   ASSERT_TRUE(wait([&] { return is_final() && part().head()->fields.size() == 1; }));
   EXPECT_EQ(window->findChild<loads_panel*>()->tree()->topLevelItemCount(), 1);
 
-  part().remove_load_case(part().load_cases().front().name);
-  ASSERT_TRUE(wait([&] { return part().load_cases().empty(); }));
+  part().loads().remove(part().loads().all().front().name);
+  ASSERT_TRUE(wait([&] { return part().loads().all().empty(); }));
   EXPECT_TRUE(part().head()->fields.empty());
-  EXPECT_EQ(part().field_progress(), field_state::none);
-  EXPECT_FALSE(view().value_extremes().has_value());
-  EXPECT_TRUE(window->messages().text().isEmpty()) << window->messages().text().toStdString();
+  EXPECT_EQ(part().solver().progress(), field_state::none);
+  EXPECT_FALSE(view().painted().extremes.has_value());
+  EXPECT_TRUE(window->context().messages.text().isEmpty())
+    << window->context().messages.text().toStdString();
 }
 
 TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   open_plate();
-  window->recording().start();
-  window->picked().set({1, 2});
-  part().apply("fill_hole", {1, 2}, {});
+  window->tools().recording.recording().start();
+  window->context().picked.set({1, 2});
+  part().edits().apply("fill_hole", {1, 2}, {});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
-  window->fields().set_field(shown_field::max_shear);
-  window->fields().set_bands(8);
-  ASSERT_TRUE(wait([&] { return view().value_extremes().has_value(); }));
+  window->tools().results.panel().set_field(shown_field::max_shear);
+  window->tools().results.panel().set_bands(8);
+  ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
   record_loads_and_probes();
-  const auto loads = part().load_cases();
-  part().apply("erode", {98}, {{"depth", 0.5}});  // Refused: no step.
-  ASSERT_TRUE(wait([&] { return !part().current_activity() && shows_head(); }));
-  ASSERT_TRUE(window->all_commands().trigger("view.top"));
-  window->recording().stop();
-  const auto steps = window->recording().steps();
+  const auto loads = part().loads().all();
+  part().edits().apply("erode", {98}, {{"depth", 0.5}});  // Refused: no step.
+  ASSERT_TRUE(wait([&] { return !part().foreground().current() && shows_head(); }));
+  ASSERT_TRUE(window->context().all_commands.trigger("view.top"));
+  window->tools().recording.recording().stop();
+  const auto steps = window->tools().recording.recording().steps();
   const auto id = part().head()->info.version_id;
   const auto pose = view().view().get();
 
@@ -250,30 +251,32 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   window->resize(1200, 800);
   window->show();
   open_plate(false);  // The loads are in the recording.
-  script replay(*window, steps);
+  script replay(window->context(), window->tools(), steps);
   bool done = false;
   QObject::connect(&replay, &script::finished, [&] { done = true; });
   replay.start();
-  ASSERT_TRUE(wait([&] { return done && is_final(); })) << window->recording().text().toStdString();
+  ASSERT_TRUE(wait([&] { return done && is_final(); }))
+    << window->tools().recording.recording().text().toStdString();
 
   EXPECT_EQ(part().head()->info.version_id, id);
-  EXPECT_EQ(window->fields().wanted().field, shown_field::max_shear);
-  EXPECT_EQ(window->fields().wanted().bands, 8);
+  EXPECT_EQ(window->tools().results.panel().wanted().field, shown_field::max_shear);
+  EXPECT_EQ(window->tools().results.panel().wanted().bands, 8);
   const vec3 off = view().view().get().position - pose.position;
   EXPECT_LT(dot(off, off), 1e-12);
   EXPECT_EQ(part().versions().size(), 2U);
   ASSERT_EQ(loads.size(), 1U);
-  ASSERT_EQ(part().load_cases().size(), 1U);
-  EXPECT_EQ(protocol::load_case_to_json(part().load_cases().front()),
+  ASSERT_EQ(part().loads().all().size(), 1U);
+  EXPECT_EQ(protocol::load_case_to_json(part().loads().all().front()),
             protocol::load_case_to_json(loads.front()));
   EXPECT_EQ(loads.front().name, "twice");
-  EXPECT_EQ(window->hidden(), (std::set<surface_id>{98}));
-  ASSERT_EQ(window->pins().all().size(), 2U);
-  EXPECT_EQ(window->pins().all()[0].number, 1);
-  EXPECT_EQ(window->pins().all()[1].number, 3);
-  EXPECT_EQ(window->probe_list().chosen(), (std::vector<int>{1, 3}));
-  const auto way =
-    window->pins().distance(window->pins().all()[0], window->pins().all()[1], *part().head());
+  EXPECT_EQ(window->tools().selecting.hidden(), (std::set<surface_id>{98}));
+  ASSERT_EQ(window->tools().probing.pins().all().size(), 2U);
+  EXPECT_EQ(window->tools().probing.pins().all()[0].number, 1);
+  EXPECT_EQ(window->tools().probing.pins().all()[1].number, 3);
+  EXPECT_EQ(window->tools().probing.list().chosen(), (std::vector<int>{1, 3}));
+  const auto way = window->tools().probing.pins().distance(window->tools().probing.pins().all()[0],
+                                                           window->tools().probing.pins().all()[1],
+                                                           *part().head());
   ASSERT_TRUE(way && probed);
   EXPECT_NEAR(*way, *probed, 1e-9);
 }

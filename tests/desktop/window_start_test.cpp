@@ -55,20 +55,20 @@ TEST_F(Start, TheLayoutIsAsItWasWhenAPartIsOpenedAgain) {
   const auto name = part().name();
   const auto shown = shown_docks();
 
-  part().close();
+  part().files().close();
   EXPECT_TRUE(shown_docks().isEmpty()) << shown_docks().join(" ").toStdString();
   EXPECT_FALSE(has_rail());
-  window->open_document(name);
+  window->tools().documents.open_document(name);
   ASSERT_TRUE(wait([&] { return shows_head(); }));
   EXPECT_EQ(shown_docks(), shown);
   EXPECT_EQ(window->dockWidgetArea(dock("field")), Qt::LeftDockWidgetArea);
 
-  part().close();
+  part().files().close();
   window->close();
   window = std::make_unique<main_window>(state.path());
   window->show();
   EXPECT_TRUE(shown_docks().isEmpty());
-  window->open_document(name);
+  window->tools().documents.open_document(name);
   ASSERT_TRUE(wait([&] { return shows_head(); }));
   EXPECT_EQ(shown_docks(), shown);
   EXPECT_EQ(window->dockWidgetArea(dock("field")), Qt::LeftDockWidgetArea);
@@ -79,7 +79,7 @@ TEST_F(Start, WhatWasOpenIsFoundWithItsPictureAndCanBeTakenFromTheList) {
   const auto name = part().name();
   const QString picture = state.path() + "/pictures/" + name + ".png";
   ASSERT_TRUE(wait([&] { return QFile::exists(picture); }));
-  part().close();
+  part().files().close();
 
   auto* list = window->findChild<QListWidget*>("recent");
   ASSERT_EQ(list->count(), 1);
@@ -93,36 +93,36 @@ TEST_F(Start, WhatWasOpenIsFoundWithItsPictureAndCanBeTakenFromTheList) {
   window->show();
   EXPECT_EQ(window->findChild<QListWidget*>("recent")->count(), 0);
 
-  window->open_document(name);  // It is still there.
+  window->tools().documents.open_document(name);  // It is still there.
   ASSERT_TRUE(wait([&] { return shows_head(); }));
-  EXPECT_EQ(part().load_cases().size(), 1U);
+  EXPECT_EQ(part().loads().all().size(), 1U);
 }
 
 TEST_F(Start, TheHelpStaysBesideTheStartPageAndThePart) {
-  ASSERT_TRUE(window->all_commands().trigger("help.manual"));
+  ASSERT_TRUE(window->context().all_commands.trigger("help.manual"));
   EXPECT_EQ(shown_docks(), QStringList{"help"});
   open_plate(false);
   EXPECT_TRUE(shown_docks().contains("help"));
-  part().close();
+  part().files().close();
   EXPECT_EQ(shown_docks(), QStringList{"help"});
 }
 
 TEST_F(Start, WhatIsBeingOpenedIsSaidOnTheStartPageAndCanBeCancelled) {
-  window->open_file(plate(), {});
+  window->tools().documents.open_file(plate(), {});
   auto* stage = window->findChild<QLabel*>("welcome_stage");
-  ASSERT_TRUE(wait([&] { return part().current_activity().has_value(); }));
+  ASSERT_TRUE(wait([&] { return part().foreground().current().has_value(); }));
   EXPECT_TRUE(stage->isVisible());
   EXPECT_TRUE(stage->text().contains("ctc01_plate.coarse.msh")) << stage->text().toStdString();
 
   press("welcome_cancel");
-  ASSERT_TRUE(wait([&] { return !part().current_activity(); }));
+  ASSERT_TRUE(wait([&] { return !part().foreground().current(); }));
   EXPECT_FALSE(stage->isVisible());
 }
 
 TEST_F(Start, TheIconsOfOfferedOperationsHaveTheColourOfTheWords) {
-  window->set_dark(false);
+  window->context().look.set_dark(false);
   open_plate(false);
-  window->picked().set({98});
+  window->context().picked.set({98});
   const auto ink = [&] {
     const auto* offer = window->findChild<QPushButton*>("offer_fill_hole");
     const QImage drawn = offer->icon().pixmap(16, 16).toImage();
@@ -135,7 +135,7 @@ TEST_F(Start, TheIconsOfOfferedOperationsHaveTheColourOfTheWords) {
   };
   EXPECT_LT(ink(), 128);
 
-  window->set_dark(true);
+  window->context().look.set_dark(true);
   QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   EXPECT_GT(ink(), 128);
 }

@@ -6,72 +6,74 @@
 
 #include <csignal>
 
-#include "client-qt/view/history_strip.hpp"
-#include "client-qt/view/script.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/recording/script.hpp"
 
 namespace tedit::desktop {
 namespace {
 
 TEST_F(Window, ABoreIsPickedByAClickFilledAndBroughtBack) {
   open_plate();
-  const auto stress_before = view().value_extremes()->high;
+  const auto stress_before = view().painted().extremes->high;
 
   click_surface(1);
-  ASSERT_TRUE(wait([&] { return window->picked().surfaces().size() == 2; }));
+  ASSERT_TRUE(wait([&] { return window->context().picked.surfaces().size() == 2; }));
   EXPECT_EQ(window->findChild<QLabel*>("selection_title")->text(), QString("Bore, Ø 25 mm"));
   press("offer_fill_hole");
   press("apply");
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
 
   EXPECT_FALSE(part().head()->surface->surfaces().contains(1));
-  EXPECT_TRUE(window->picked().surfaces().empty());
+  EXPECT_TRUE(window->context().picked.surfaces().empty());
   ASSERT_TRUE(part().head()->report.has_value());
-  EXPECT_NE(view().value_extremes()->low, 0);
-  EXPECT_NEAR(view().value_extremes()->high, stress_before, 0.05 * stress_before);
+  EXPECT_NE(view().painted().extremes->low, 0);
+  EXPECT_NEAR(view().painted().extremes->high, stress_before, 0.05 * stress_before);
 
   QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(wait([&] { return version() == 0 && is_final(); }));
   EXPECT_TRUE(part().head()->surface->surfaces().contains(1));
-  EXPECT_TRUE(part().can_redo());
+  EXPECT_TRUE(part().edits().can_redo());
 }
 
 TEST_F(Window, ASecondClickMeansTheSurfaceAloneAndShiftAdds) {
   open_plate(false);
 
   click_surface(1);
-  ASSERT_TRUE(wait([&] { return window->picked().surfaces().size() == 2; }));
+  ASSERT_TRUE(wait([&] { return window->context().picked.surfaces().size() == 2; }));
   click_surface(1);
-  EXPECT_EQ(window->picked().surfaces(), (std::vector<surface_id>{1}));
+  EXPECT_EQ(window->context().picked.surfaces(), (std::vector<surface_id>{1}));
   click_surface(98, Qt::ShiftModifier);
-  ASSERT_TRUE(wait([&] { return window->picked().contains(98) && window->link().running() == 0; }));
-  EXPECT_TRUE(window->picked().contains(1));
+  ASSERT_TRUE(wait([&] {
+    return window->context().picked.contains(98) && window->context().link.running() == 0;
+  }));
+  EXPECT_TRUE(window->context().picked.contains(1));
 
   QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(3, 3));  // Beside the part.
-  EXPECT_TRUE(window->picked().surfaces().empty());
+  EXPECT_TRUE(window->context().picked.surfaces().empty());
 }
 
 TEST_F(Window, WhatCannotBeDoneIsSaidAndChangesNothing) {
   // A script that was not started hears nothing: its failure would end the program.
-  script idle(*window, {});
+  script idle(window->context(), window->tools(), {});
   const QSignalSpy ended(&idle, &script::failed);
   open_plate(false);
 
-  window->picked().set({98});
-  window->context().choose("erode");
-  window->context().form()->set_values({{"depth", 0.5}});
-  window->context().apply();
-  ASSERT_TRUE(wait([&] { return !window->messages().text().isEmpty(); }));
+  window->context().picked.set({98});
+  window->tools().operations.panel().choose("erode");
+  window->tools().operations.panel().form()->set_values({{"depth", 0.5}});
+  window->tools().operations.panel().apply();
+  ASSERT_TRUE(wait([&] { return !window->context().messages.text().isEmpty(); }));
 
-  EXPECT_TRUE(window->messages().text().startsWith("Erode did not work"))
-    << window->messages().text().toStdString();
+  EXPECT_TRUE(window->context().messages.text().startsWith("Erode did not work"))
+    << window->context().messages.text().toStdString();
   EXPECT_EQ(version(), 0U);
-  EXPECT_FALSE(part().current_activity().has_value());
+  EXPECT_FALSE(part().foreground().current().has_value());
   EXPECT_EQ(ended.count(), 0);
 }
 
 TEST_F(Window, ThePaletteFindsAndRunsByTheKeyboardAlone) {
   open_plate(false);
-  window->picked().set({1, 2});
+  window->context().picked.set({1, 2});
 
   QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier);
   auto* letters = window->findChild<QLineEdit*>("palette_letters");
@@ -79,7 +81,7 @@ TEST_F(Window, ThePaletteFindsAndRunsByTheKeyboardAlone) {
   QTest::keyClicks(letters, "fillh");
   QTest::keyClick(letters, Qt::Key_Return);
 
-  EXPECT_EQ(window->context().chosen(), "fill_hole");
+  EXPECT_EQ(window->tools().operations.panel().chosen(), "fill_hole");
   EXPECT_FALSE(letters->isVisible());
   QTest::keyClick(window.get(), Qt::Key_Return, Qt::ControlModifier);
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
@@ -87,29 +89,29 @@ TEST_F(Window, ThePaletteFindsAndRunsByTheKeyboardAlone) {
 
 TEST_F(Window, AKilledServerComesBackWithAllThatWasDone) {
   open_plate(false);
-  window->picked().set({1, 2});
-  window->context().choose("fill_hole");
-  window->context().apply();
+  window->context().picked.set({1, 2});
+  window->tools().operations.panel().choose("fill_hole");
+  window->tools().operations.panel().apply();
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
   const auto id = part().head()->info.version_id;
 
-  const auto pid = window->server().pid();
-  const auto url = window->link().address().url;
+  const auto pid = window->context().server.pid();
+  const auto url = window->context().link.address().url;
   ASSERT_EQ(::kill(static_cast<pid_t>(pid), SIGKILL), 0);
   ASSERT_TRUE(wait([&] {
-    return window->server().pid() != pid && window->link().address().url != url &&
-           window->link().current() == remote::state::connected && shows_head();
+    return window->context().server.pid() != pid && window->context().link.address().url != url &&
+           window->context().link.current() == remote::state::connected && shows_head();
   }));
 
   EXPECT_EQ(part().head()->info.version_id, id);
-  EXPECT_TRUE(window->messages().text().isEmpty());
-  part().undo();
+  EXPECT_TRUE(window->context().messages.text().isEmpty());
+  part().edits().undo();
   ASSERT_TRUE(wait([&] { return version() == 0 && shows_head(); }));
 }
 
 TEST_F(Window, WhatWasOpenInACrashIsOpenedAgain) {
   open_plate(false);
-  part().apply("fill_hole", {1, 2}, {});
+  part().edits().apply("fill_hole", {1, 2}, {});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
   const auto name = part().name();
   const auto id = part().head()->info.version_id;
@@ -117,15 +119,15 @@ TEST_F(Window, WhatWasOpenInACrashIsOpenedAgain) {
   window.reset();  // Not closed by anybody.
   window = std::make_unique<main_window>(state.path());
   window->show();
-  window->restore();
+  window->tools().documents.restore();
   ASSERT_TRUE(wait([&] { return part().head() && shows_head(); }));
   EXPECT_EQ(part().name(), name);
   EXPECT_EQ(part().head()->info.version_id, id);
-  EXPECT_TRUE(part().can_undo());
+  EXPECT_TRUE(part().edits().can_undo());
 
   window->close();
   window = std::make_unique<main_window>(state.path());
-  window->restore();
+  window->tools().documents.restore();
   EXPECT_FALSE(part().is_open());
 }
 
@@ -133,18 +135,18 @@ TEST_F(Window, AnyVersionOfTheHistoryCanBeGoneTo) {
   open_plate(false);
   for (const auto& hole : {std::vector<surface_id>{1, 2}, std::vector<surface_id>{51, 52}}) {
     const auto next = version() + 1;
-    part().apply("fill_hole", hole, {});
+    part().edits().apply("fill_hole", hole, {});
     ASSERT_TRUE(wait([&] { return version() == next && shows_head(); }));
   }
 
-  part().go_to(0);
+  part().edits().go_to(0);
   ASSERT_TRUE(wait([&] { return version() == 0 && shows_head(); }));
-  EXPECT_TRUE(part().can_redo());
-  part().redo();
+  EXPECT_TRUE(part().edits().can_redo());
+  part().edits().redo();
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
-  part().go_to(2);
+  part().edits().go_to(2);
   ASSERT_TRUE(wait([&] { return version() == 2 && shows_head(); }));
-  EXPECT_FALSE(part().can_redo());
+  EXPECT_FALSE(part().edits().can_redo());
   EXPECT_EQ(window->findChild<history_strip*>()->count(), 3);
 }
 
@@ -155,38 +157,40 @@ TEST_F(Window, AVersionHasAPictureBeforeItHasAField) {
   ASSERT_TRUE(wait([&] { return history.has_thumbnail(id, false); }));
   EXPECT_FALSE(history.has_thumbnail(id, true));
 
-  window->open_file(plate(), {loads()});
+  window->tools().documents.open_file(plate(), {loads()});
   ASSERT_TRUE(wait([&] { return is_final() && history.has_thumbnail(id, true); }));
 }
 
 TEST_F(Window, ASectionShowsTheFieldInside) {
   open_plate();
-  const auto before = window->picture();
+  const auto before = window->context().over.picture();
 
-  ASSERT_TRUE(window->all_commands().trigger("view.section"));
-  ASSERT_TRUE(wait([&] { return window->link().running() == 0 && view().section().has_value(); }));
+  ASSERT_TRUE(window->context().all_commands.trigger("view.section"));
+  ASSERT_TRUE(
+    wait([&] { return window->context().link.running() == 0 && view().section().has_value(); }));
   QTest::qWait(50);
-  const auto cut = window->picture();
+  const auto cut = window->context().over.picture();
 
   ASSERT_EQ(cut.size(), before.size());
   EXPECT_NE(cut, before);
-  ASSERT_TRUE(window->all_commands().trigger("view.section"));
+  ASSERT_TRUE(window->context().all_commands.trigger("view.section"));
   QTest::qWait(50);
-  EXPECT_EQ(window->picture(), before);
+  EXPECT_EQ(window->context().over.picture(), before);
 }
 
 TEST_F(Window, LoadCasesAreThoseOfTheServer) {
   open_plate();
-  ASSERT_EQ(part().load_cases().size(), 1U);
+  ASSERT_EQ(part().loads().all().size(), 1U);
 
-  auto harder = part().load_cases().front();
+  auto harder = part().loads().all().front();
   std::get<fem::force>(harder.loads.front().kind).total_n.z *= 2;
-  const auto before = view().value_extremes()->high;
-  part().set_load_case(harder);
-  ASSERT_TRUE(wait([&] { return is_final() && view().value_extremes()->high > 1.5 * before; }));
+  const auto before = view().painted().extremes->high;
+  part().loads().set(harder);
+  ASSERT_TRUE(wait([&] { return is_final() && view().painted().extremes->high > 1.5 * before; }));
 
-  EXPECT_NEAR(view().value_extremes()->high, 2 * before, 1e-3 * before);
-  EXPECT_EQ(std::get<fem::force>(part().load_cases().front().loads.front().kind).total_n.z, -40000);
+  EXPECT_NEAR(view().painted().extremes->high, 2 * before, 1e-3 * before);
+  EXPECT_EQ(std::get<fem::force>(part().loads().all().front().loads.front().kind).total_n.z,
+            -40000);
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <optional>
+#include <vector>
+
+#include "client-qt/net/remote.hpp"
+
+namespace tedit::desktop {
+
+class document;
+class version_store;
+
+/// Changes of the head: operations, undo, redo, another version. One at a time is what a person
+/// waits for; `document::edited` or `document::failed` follows each.
+class edit_requests : public QObject {
+  Q_OBJECT
+
+public:
+  edit_requests(document& part, const version_store& versions, remote& link);
+
+  [[nodiscard]] bool can_undo() const noexcept { return can_undo_; }
+  [[nodiscard]] bool can_redo() const noexcept { return can_redo_; }
+  /// `loads`: what becomes of loads whose surface goes.
+  void apply(const QString& operation, const std::vector<surface_id>& surfaces,
+             const ops::parameters& values, const fem::carry_settings& loads = {});
+  void undo();
+  void redo();
+  /// Makes any version the head.
+  void go_to(std::uint32_t number);
+  /// Gives a version another name and note. No edit: nobody waits for it.
+  void annotate(std::uint32_t number, const QString& name, const QString& note);
+
+  // -- for the document ----------------------------------------------------------------
+
+  void take(bool can_undo, bool can_redo);
+  /// Asks again for what the connection took the answer of, once the document is open again.
+  void ask_again();
+  void forget();
+
+signals:
+  /// An operation was asked for.
+  void applied(const QString& operation, const std::vector<tedit::surface_id>& surfaces,
+               const tedit::ops::parameters& values);
+
+private:
+  /// A change whose answer the connection took with it when it broke.
+  struct unanswered_change {
+    QString title;
+    remote::work<client::committed> call;
+    error why;
+  };
+
+  void ask(const QString& title, const remote::work<client::committed>& call);
+  void answered(const client::committed& what, int asked);
+  void connection_changed();
+
+  document& part_;
+  const version_store& versions_;
+  remote& link_;
+  bool can_undo_ = false;
+  bool can_redo_ = false;
+  std::optional<unanswered_change> unanswered_;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/head_questions.hpp"
+
+#include <utility>
+
+#include "client-qt/model/document.hpp"
+
+namespace tedit::desktop {
+
+/// The surface is made aside, too: a copy of the head's with the difference.
+ticket head_questions::preview(const QString& operation, const std::vector<surface_id>& surfaces,
+                               const ops::parameters& values, remote::reply<shared_preview> done,
+                               remote::progress advanced) {
+  const auto* now = part_.head();
+  const auto before = now ? now->surface : nullptr;
+  return link_.run<shared_preview>(
+    [=, id = operation.toStdString()](client::client& c,
+                                      const execution& run) -> expected<shared_preview> {
+      if (!before)
+        return fail(ec::superseded, "the part is not here yet");
+      auto got = c.preview_edit(id, surfaces, values, run, before->version_id());
+      if (!got)
+        return fail(std::move(got.error()));
+      auto surface = std::make_shared<client::surface_model>(*before);
+      if (auto ok = surface->apply(got->surface); !ok)
+        return fail(std::move(ok.error()));
+      got->surface = {};
+      return std::make_shared<const shown_preview>(
+        shown_preview{std::move(*got), before, std::move(surface)});
+    },
+    std::move(done), std::move(advanced));
+}
+
+void head_questions::select(const selection_query& query,
+                            remote::reply<std::vector<found_feature>> done) {
+  link_.run<std::vector<found_feature>>(
+    [query](client::client& c, const execution& run) { return c.select(query, run); },
+    std::move(done));
+}
+
+void head_questions::cut(const vec3& at, const vec3& normal, const std::string& load_case,
+                         remote::reply<client::section> done) {
+  // The server cuts in one go: an answer that comes after a cancel is dropped.
+  struct question {
+    int job = 0;
+    ticket asked;
+    remote::reply<client::section> done;
+  };
+  auto& all = part_.work();
+  auto open = std::make_shared<question>();
+  const auto finish = [&all, open](expected<client::section> got) {
+    all.end(open->job);
+    if (auto then = std::exchange(open->done, nullptr))
+      then(std::move(got));
+  };
+  open->done = std::move(done);
+  open->job = all.begin(tr("Section"), [open, finish] {
+    open->asked.cancel();
+    finish(fail(ec::cancelled, "the section was cancelled"));
+  });
+  open->asked = link_.run<client::section>(
+    [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
+    finish,
+    [&all, open](double fraction, const QString& stage) {
+      all.progress(open->job, fraction, stage);
+    });
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+
+#include <memory>
+#include <vector>
+
+#include "client-qt/model/version_store.hpp"
+#include "client-qt/net/remote.hpp"
+
+namespace tedit::desktop {
+
+class document;
+
+/// What an edit would make; its version is nowhere but here.
+struct shown_preview {
+  client::edit_preview made;  ///< Its `surface` is moved on to below.
+  shared_surface before;      ///< The head's.
+  shared_surface surface;
+};
+using shared_preview = std::shared_ptr<const shown_preview>;
+
+/// Questions about the head, which change nothing. Each is answered once, also by an error: that is
+/// no failure to be told.
+class head_questions {
+  Q_DECLARE_TR_FUNCTIONS(head_questions)
+
+public:
+  head_questions(document& part, remote& link) : part_(part), link_(link) {}
+
+  /// What an edit would make of the head. A newer question makes an older one `superseded`.
+  ticket preview(const QString& operation, const std::vector<surface_id>& surfaces,
+                 const ops::parameters& values, remote::reply<shared_preview> done,
+                 remote::progress advanced = {});
+  /// Which surfaces belong together, or why none do.
+  void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
+  /// A plane through the head, with the field of a load case as `client::cut` says. A newer
+  /// question makes an older one `superseded`; one that is cancelled among what runs is `cancelled`
+  /// at once.
+  void cut(const vec3& at, const vec3& normal, const std::string& load_case,
+           remote::reply<client::section> done);
+
+private:
+  document& part_;
+  remote& link_;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/model/solve_requests.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "client-qt/model/document.hpp"
+
+namespace tedit::desktop {
+
+solve_requests::solve_requests(document& part, version_store& versions, remote& link)
+    : part_(part), versions_(versions), link_(link) {
+  settings_.all_load_cases = true;
+  connect(&link_, &remote::solve_status, this, &solve_requests::take_status);
+  connect(&link_, &remote::solved, this, &solve_requests::take_outcome);
+  connect(&link_, &remote::state_changed, this, [this] {
+    if (link_.current() == remote::state::lost && progress_ == field_state::solving)
+      set_progress(field_state::waiting);
+  });
+}
+
+void solve_requests::forget() {
+  status_ = {};
+  requests_ = 0;
+  set_progress(field_state::none);
+}
+
+// -- requests ------------------------------------------------------------------------
+
+void solve_requests::set_settings(const client::solve_settings& settings) {
+  settings_ = settings;
+  solve();
+}
+
+void solve_requests::solve() {
+  if (!versions_.head())
+    return;
+  ++requests_;
+  set_progress(field_state::waiting);
+  link_.run<solve_outcome>(
+    [settings = settings_](client::client& c, const execution& run) {
+      return c.solve_cases(settings, run);
+    },
+    [this, mine = part_.opening()](const expected<solve_outcome>& got) {
+      if (mine != part_.opening())
+        return;
+      --requests_;
+      if (got)
+        take_outcome(*got);
+      else if (got.error().code != ec::superseded && got.error().code != ec::cancelled) {
+        set_progress(field_state::failed);
+        emit part_.failed(tr("Solve"), got.error());
+      }
+    },
+    [this](double fraction, const QString& stage) {
+      part_.work().progress(job_, fraction, stage);
+    });
+}
+
+void solve_requests::cancel() {
+  if (!is_running())
+    return;
+  link_.run<void>([](client::client& c, const execution&) { return c.cancel_solve(); },
+                  [this](const expected<void>& ok) {  // That it ended comes as an event.
+                    if (!ok)
+                      emit part_.failed(tr("Stop the solver"), ok.error());
+                  });
+}
+
+void solve_requests::watch(const client::watched_quantities& wanted) {
+  const client::watched_quantities all{watched_.stress || wanted.stress,
+                                       watched_.safety_factor || wanted.safety_factor,
+                                       watched_.relative_error || wanted.relative_error};
+  if (std::exchange(watched_, all) != all)
+    send_watch();
+}
+
+void solve_requests::send_watch() {
+  if (!part_.is_open() || watched_ == client::watched_quantities{})
+    return;
+  link_.run<std::string>(
+    [wanted = watched_](client::client& c, const execution&) { return c.watch_fields(wanted); },
+    [this, mine = part_.opening()](const expected<std::string>& got) {
+      if (mine != part_.opening() || link_.current() != remote::state::connected)
+        return;
+      if (!got)
+        emit part_.failed(tr("Fields on demand"), got.error());
+      else if (!got->empty() && progress_ == field_state::converged)
+        emit part_.notice(QString::fromStdString(*got));
+    });
+}
+
+// -- what the server tells -----------------------------------------------------------
+
+void solve_requests::take_outcome(const solve_outcome& outcome) {
+  if (outcome.cases.empty() || outcome.cases.front().interim)
+    return;
+  auto* row = versions_.find(outcome.version_id());
+  if (!row)
+    return;
+  row->outcome = outcome;
+  for (const auto& report : outcome.cases) {
+    if (!report.notice.empty())
+      emit part_.notice(QString::fromStdString(report.notice));
+    for (const auto& warning : report.warnings)
+      emit part_.notice(QString::fromStdString(warning));
+  }
+  emit changed();
+  emit part_.history_changed();
+}
+
+void solve_requests::take_status(const client::solve_status& status) {
+  const auto* now = versions_.head();
+  if (!now || now->info.version_id != status.version_id)
+    return;
+  status_ = status;
+  using phase = client::solve_phase;
+  if (status.phase == phase::started || status.phase == phase::converging) {
+    if (progress_ != field_state::interim)
+      set_progress(field_state::solving);
+    note_residual(status);
+  } else if (status.phase == phase::failed) {
+    set_progress(field_state::failed);
+    if (requests_ == 0)  // Else the answer to the request says it.
+      emit part_.failed(tr("Solve"), {ec::not_converged, status.message, {}, {}});
+  } else if (status.phase == phase::cancelled) {
+    set_progress(field_state::stopped);
+  }
+  emit changed();
+}
+
+/// The residual falls about evenly in its logarithm.
+void solve_requests::note_residual(const client::solve_status& status) {
+  const double residual = status.true_relative_residual;
+  if (status.iterations > 0 && residual > 0 && residual < 1)
+    part_.work().progress(
+      job_, std::min(0.99, std::log(residual) / std::log(settings_.tolerance)),
+      tr("iteration %1, residual %2").arg(status.iterations).arg(residual, 0, 'g', 2));
+}
+
+void solve_requests::set_progress(field_state next) {
+  const bool other = std::exchange(progress_, next) != next;
+  note_job();
+  if (other)
+    emit changed();
+}
+
+/// The solve among what runs.
+void solve_requests::note_job() {
+  const bool runs = progress_ == field_state::waiting || progress_ == field_state::solving ||
+                    progress_ == field_state::interim;
+  auto& all = part_.work();
+  if (!runs)
+    all.end(std::exchange(job_, 0));
+  else if (job_ == 0)
+    job_ = all.begin(tr("Solve"), [this] { cancel(); });
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/documents/documents_tool.hpp"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QMainWindow>
+#include <QPointer>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QThreadPool>
+
+#include "client-qt/context/command_groups.hpp"
+#include "client-qt/tools/connection/connection_tool.hpp"
+#include "client-qt/tools/documents/recent_documents.hpp"
+#include "client-qt/tools/documents/welcome_page.hpp"
+#include "client-qt/tools/pictures/kept_picture.hpp"
+#include "client-qt/tools/recipes/recipes_tool.hpp"
+#include "client/recipe.hpp"
+
+namespace tedit::desktop {
+
+static constexpr int most_recent = 12;
+
+documents_tool::documents_tool(window_context& in, connection_tool& connection,
+                               recipes_tool& recipes)
+    : in_(in), connection_(connection), recipes_(recipes), start_page_(new welcome_page) {
+  in_.pages.addWidget(start_page_);
+  in_.pages.setCurrentWidget(start_page_);
+  connect(&in_.part, &document::opened, this, [this] {
+    in_.pages.setCurrentWidget(&in_.view);
+    remember(in_.part.name());
+    if (connection_.is_local())
+      in_.settings.setValue("unfinished", in_.part.name());
+  });
+  connect(&in_.part, &document::closed, this, [this] {
+    in_.pages.setCurrentWidget(start_page_);
+    forget_unfinished();
+    show_recent();
+  });
+  wire_start_page();
+  add_commands();
+}
+
+void documents_tool::wire_start_page() {
+  connect(&in_.look, &appearance::changed, start_page_, &welcome_page::set_theme);
+  connect(&in_.part.foreground(), &foreground_work::changed, start_page_,
+          [this] { start_page_->show_activity(in_.part.foreground().current()); });
+  connect(start_page_, &welcome_page::recent_changed, this,
+          [this](const QStringList& names) { in_.settings.setValue("recent", names); });
+  connect(start_page_, &welcome_page::cancel_wanted, &in_.part.foreground(),
+          &foreground_work::cancel);
+  connect(start_page_, &welcome_page::example_wanted, this,
+          [this](const example& one) { open_file(one.mesh, one.load_cases); });
+  connect(start_page_, &welcome_page::document_wanted, this, &documents_tool::open_document);
+  connect(start_page_, &welcome_page::file_wanted, this, &documents_tool::ask_file);
+  connect(start_page_, &welcome_page::server_wanted, &connection_, &connection_tool::ask);
+}
+
+void documents_tool::add_commands() {
+  const QString file = command_groups::file();
+  in_.all_commands.add({"file.open",
+                        tr("Open"),
+                        file,
+                        "Ctrl+O",
+                        [this] { ask_file(); },
+                        {},
+                        tr("A mesh with its load cases, a document, or a recipe, which is run"),
+                        "file_open"});
+  in_.all_commands.add(
+    {"file.connect", tr("Connect to a server"), file, {}, [this] { connection_.ask(); }});
+  in_.all_commands.add({"file.close", tr("Close the part"), file, "Ctrl+W",
+                        [this] { in_.part.files().close(); }, in_.has_part()});
+  in_.all_commands.add(
+    {"file.export", tr("Export"), file, "Ctrl+E", [this] { ask_export(); }, in_.has_part(),
+     tr("Writes the mesh (.msh), its boundary (.stl) or its fields (.vtu)"), "export"});
+}
+
+bool documents_tool::shows_start_page() const {
+  return in_.pages.currentWidget() == start_page_;
+}
+
+// -- opening -------------------------------------------------------------------------
+
+/// Meshes are opened with the load cases that came beside them.
+void documents_tool::open_files(const QStringList& files) {
+  QString mesh;
+  QString recipe;
+  QStringList loads;
+  for (const auto& file : files) {
+    if (!file.endsWith(".json"))
+      mesh = mesh.isEmpty() ? file : mesh;
+    else if (client::is_recipe(file.toStdString()))
+      recipe = file;
+    else
+      loads << file;
+  }
+  if (!recipe.isEmpty())
+    recipes_.run(recipe);
+  else if (!mesh.isEmpty())
+    open_file(mesh, loads);
+  else if (!loads.isEmpty())
+    emit in_.part.failed(
+      tr("Open %1").arg(loads.first()),
+      {ec::bad_input,
+       "this is no recipe: it has no \"steps\"",
+       "Give a load case together with its mesh; docs/recipes.md says what a recipe is",
+       {}});
+}
+
+void documents_tool::open_file(const QString& mesh, const QStringList& load_cases) {
+  in_.log.write(tr("opening %1").arg(mesh));
+  if (mesh.endsWith(".tedit"))
+    return open_document_file(mesh);
+  if (mesh.endsWith(".json"))
+    return recipes_.run(mesh);
+  connection_.when_connected([=, this] { in_.part.files().import(mesh, load_cases); });
+}
+
+void documents_tool::open_document(const QString& name) {
+  connection_.when_connected([=, this] { in_.part.files().open(name); });
+}
+
+void documents_tool::restore() {
+  const QString name = in_.settings.value("unfinished").toString();
+  if (name.isEmpty())
+    return;
+  in_.log.write(tr("the last session was not closed; opening %1 again").arg(name));
+  open_document(name);
+}
+
+void documents_tool::forget_unfinished() {
+  in_.settings.remove("unfinished");
+}
+
+/// A document is served from the local server's folder.
+void documents_tool::open_document_file(const QString& path) {
+  const QFileInfo file(path);
+  const QDir documents(in_.server.folder() + "/documents");
+  if (in_.link.current() == remote::state::connected && !connection_.is_local())
+    emit in_.part.failed(tr("Open %1").arg(file.fileName()),
+                         {ec::invalid_argument, "a document file is opened on this computer only",
+                          "Start TEdit anew without --server", path.toStdString()});
+  else if (file.absoluteDir() == documents)
+    open_document(file.completeBaseName());
+  else
+    copy_here(path, documents.path());
+}
+
+/// One from elsewhere is copied, aside.
+void documents_tool::copy_here(const QString& path, const QString& folder) {
+  const QDir documents(folder);
+  QString stem = QFileInfo(path).completeBaseName().left(40);
+  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+  QString name = stem;
+  for (int i = 2; documents.exists(name + ".tedit"); ++i)
+    name = stem + "-" + QString::number(i);
+  const QString to = documents.absoluteFilePath(name + ".tedit");
+  QThreadPool::globalInstance()->start([path, to, name, tool = QPointer(this)] {
+    QDir().mkpath(QFileInfo(to).path());
+    if (QFile::exists(path + "-wal"))  // Steps that are not in the main file yet.
+      QFile::copy(path + "-wal", to + "-wal");
+    const bool copied = QFile::copy(path, to);
+    QMetaObject::invokeMethod(qApp, [=] {
+      if (tool && copied)
+        tool->open_document(name);
+      else if (tool)
+        emit tool->in_.part.failed(
+          tr("Open %1").arg(path),
+          {ec::io_error, "cannot copy the document to " + to.toStdString(),
+           "Check that it can be read and that there is room", path.toStdString()});
+    });
+  });
+}
+
+// -- recent documents ----------------------------------------------------------------
+
+void documents_tool::remember(const QString& document) {
+  auto recent = in_.settings.value("recent").toStringList();
+  recent.removeAll(document);
+  recent.prepend(document);
+  for (const auto& old : recent.mid(most_recent))
+    QFile::remove(picture_file(in_.server.folder(), old));
+  recent = recent.mid(0, most_recent);
+  QVariantMap used = in_.settings.value("recent_used").toMap();
+  used[document] = QDateTime::currentDateTime();
+  for (const auto& name : used.keys())
+    if (!recent.contains(name))
+      used.remove(name);
+  in_.settings.setValue("recent", recent);
+  in_.settings.setValue("recent_used", used);
+}
+
+void documents_tool::show_recent() {
+  const auto used = in_.settings.value("recent_used").toMap();
+  std::vector<recent_document> all;
+  for (const auto& name : in_.settings.value("recent").toStringList())
+    all.push_back({name, used[name].toDateTime(), QImage(picture_file(in_.server.folder(), name))});
+  start_page_->set_recent(std::move(all));
+}
+
+// -- questions -----------------------------------------------------------------------
+
+void documents_tool::ask_file() {
+  auto* dialog =
+    new QFileDialog(&in_.window, tr("Open a mesh and its load cases, a document or a recipe"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  dialog->setNameFilters(
+    {tr("Meshes, load cases, recipes, documents (*.msh *.json *.tedit)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::filesSelected, this, &documents_tool::open_files);
+  dialog->open();
+}
+
+void documents_tool::ask_export() {
+  auto* dialog = new QFileDialog(&in_.window, tr("Export"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilters(
+    {tr("Mesh (*.msh)"), tr("Fields for ParaView (*.vtu)"), tr("Boundary (*.stl)")});
+  dialog->setDefaultSuffix("msh");
+  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    dialog->setDefaultSuffix(filter.section("*.", 1).chopped(1));
+  });
+  connect(dialog, &QFileDialog::fileSelected, &in_.part.files(), &file_requests::export_to);
+  dialog->open();
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/documents/welcome_page.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "client-qt/tools/documents/recent_documents.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+/// Beside the program as it is installed (share/tedit/examples) or built (the source's examples).
+QString examples_folder() {
+  const QDir program(QCoreApplication::applicationDirPath());
+  for (const auto* place : {"../share/tedit/examples", "../../../examples"})
+    if (program.exists(place))
+      return program.absoluteFilePath(place);
+  return {};
+}
+
+QPushButton* card(const QString& title, const QString& text) {
+  auto* button = new QPushButton;
+  auto* column = new QVBoxLayout(button);
+  auto* first = new QLabel(title);
+  first->setProperty("role", "section");
+  auto* second = new QLabel(text);
+  second->setProperty("role", "faint");
+  second->setWordWrap(true);
+  for (auto* label : {first, second}) {
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    column->addWidget(label);
+  }
+  button->setAccessibleName(title);
+  button->setMinimumHeight(84);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  return button;
+}
+
+}  // namespace
+
+std::vector<example> shipped_examples() {
+  std::vector<example> result;
+  const QDir folder(examples_folder());
+  if (examples_folder().isEmpty())
+    return result;
+  for (const auto& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+    const QDir part(folder.absoluteFilePath(name));
+    QFile about(part.absoluteFilePath("example.json"));
+    if (!about.open(QIODevice::ReadOnly))
+      continue;
+    const auto json = QJsonDocument::fromJson(about.readAll()).object();
+    example one{json["title"].toString(),
+                json["story"].toString(),
+                part.absoluteFilePath(json["mesh"].toString()),
+                {}};
+    for (const auto& file : json["load_cases"].toArray())
+      one.load_cases << part.absoluteFilePath(file.toString());
+    result.push_back(one);
+  }
+  return result;
+}
+
+welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
+  // Examples and recent documents may need more room than a small screen has.
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  all->addWidget(area);
+  auto* content = new QWidget;
+  area->setWidget(content);
+  auto* outer = new QHBoxLayout(content);
+  outer->addStretch(1);
+  auto* column = new QVBoxLayout;
+  outer->addLayout(column, 3);
+  outer->addStretch(1);
+  column->addStretch(1);
+  auto* title = new QLabel(tr("Change a part, see its stress at once"));
+  title->setStyleSheet("font-size: 24px; font-weight: 600;");
+  column->addWidget(title);
+  auto* hint =
+    new QLabel(tr("Open a tetrahedral mesh with surface ids (Gmsh .msh) by dropping it "
+                  "here, or start with a shipped part:"));
+  hint->setProperty("role", "faint");
+  hint->setWordWrap(true);
+  column->addWidget(hint);
+  column->addSpacing(8);
+  for (const auto& one : shipped_examples()) {
+    auto* button = card(one.title, one.story);
+    button->setObjectName("example");
+    connect(button, &QPushButton::clicked, this, [this, one] { emit example_wanted(one); });
+    column->addWidget(button);
+  }
+  column->addSpacing(8);
+  auto* row = new QHBoxLayout;
+  auto* open = new QPushButton(tr("Open ..."));
+  open->setProperty("role", "primary");
+  connect(open, &QPushButton::clicked, this, &welcome_page::file_wanted);
+  auto* connect_to = new QPushButton(tr("Connect to a server ..."));
+  connect(connect_to, &QPushButton::clicked, this, &welcome_page::server_wanted);
+  row->addWidget(open);
+  row->addWidget(connect_to);
+  row->addStretch();
+  column->addLayout(row);
+  column->addWidget(make_activity());
+  column->addSpacing(12);
+  recent_ = new recent_documents;
+  connect(recent_, &recent_documents::document_wanted, this, &welcome_page::document_wanted);
+  connect(recent_, &recent_documents::changed, this, &welcome_page::recent_changed);
+  column->addWidget(recent_);
+  column->addStretch(2);
+  recent_->hide();
+}
+
+QWidget* welcome_page::make_activity() {
+  running_ = new QWidget;
+  auto* row = new QHBoxLayout(running_);
+  row->setContentsMargins(0, 12, 0, 0);
+  stage_ = new QLabel;
+  stage_->setObjectName("welcome_stage");
+  fraction_ = new QProgressBar;
+  fraction_->setRange(0, 1000);
+  fraction_->setTextVisible(false);
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("welcome_cancel");
+  connect(cancel_, &QPushButton::clicked, this, &welcome_page::cancel_wanted);
+  row->addWidget(stage_);
+  row->addWidget(fraction_, 1);
+  row->addWidget(cancel_);
+  running_->hide();
+  return running_;
+}
+
+void welcome_page::show_activity(const std::optional<activity>& now) {
+  running_->setVisible(now.has_value());
+  if (!now)
+    return;
+  stage_->setText(now->stage.isEmpty() ? now->title : now->title + ": " + now->stage);
+  fraction_->setValue(qRound(1000 * now->fraction));
+  cancel_->setEnabled(now->can_cancel);
+}
+
+void welcome_page::set_recent(std::vector<recent_document> documents) {
+  recent_->show_documents(std::move(documents));
+}
+
+void welcome_page::set_theme(const theme& look) {
+  setPalette(look.palette);
+}
+
+}  // namespace tedit::desktop

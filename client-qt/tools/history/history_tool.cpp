@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/history/history_tool.hpp"
+
+#include "client-qt/context/command_groups.hpp"
+#include "client-qt/tools/history/history_strip.hpp"
+
+namespace tedit::desktop {
+
+history_tool::history_tool(window_context& in) : in_(in), strip_(new history_strip(in.part)) {
+  in_.panels.add("history", tr("History"), strip_);
+  connect(strip_, &history_strip::version_wanted, this, &history_tool::step_to);
+  add_commands();
+}
+
+void history_tool::add_commands() {
+  const QString edit = command_groups::edit();
+  in_.all_commands.add(
+    {"edit.undo",
+     tr("Undo"),
+     edit,
+     "Ctrl+Z",
+     [this] { in_.part.edits().undo(); },
+     [this, idle = in_.is_idle()] { return idle() && in_.part.edits().can_undo(); },
+     {},
+     "undo"});
+  in_.all_commands.add(
+    {"edit.redo",
+     tr("Redo"),
+     edit,
+     "Ctrl+Y",
+     [this] { in_.part.edits().redo(); },
+     [this, idle = in_.is_idle()] { return idle() && in_.part.edits().can_redo(); },
+     {},
+     "redo"});
+  in_.all_commands.add({"history.words", tr("Name and note of a version"), edit, "Ctrl+F2",
+                        [this] {
+                          in_.panels.raise("history");
+                          strip_->edit_words();
+                        },
+                        in_.has_part(), tr("Of the one that is chosen in the history")});
+}
+
+void history_tool::step_to(std::uint32_t version) {
+  const auto* head = in_.part.head();
+  if (head && head->info.number != version && !in_.part.foreground().current())
+    in_.part.edits().go_to(version);
+}
+
+}  // namespace tedit::desktop

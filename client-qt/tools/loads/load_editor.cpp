@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/loads/load_editor.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr double mega = 1e6;
+constexpr double milli = 1e-3;
+enum load_row { force_row, traction_row, pressure_row, gravity_row };
+
+double typed(const QLineEdit* field) {
+  return read_number(field->text()).value_or(NAN);
+}
+
+/// All digits that matter, so that showing and reading again changes nothing.
+QString plain(double value) {
+  return QString::number(value, 'g', 10);
+}
+
+vec3 typed(const std::array<QLineEdit*, 3>& fields, double scale) {
+  return {scale * typed(fields[0]), scale * typed(fields[1]), scale * typed(fields[2])};
+}
+
+void fill(const std::array<QLineEdit*, 3>& fields, const vec3& value, double scale) {
+  const std::array<double, 3> parts{value.x, value.y, value.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    fields[i]->setText(plain(parts[i] / scale));
+}
+
+/// Words that get the height that they need at their width: a form in a form does not give it.
+class wrapped_label : public QLabel {
+public:
+  wrapped_label() { setWordWrap(true); }
+
+  void show_words(const QString& words) {
+    setText(words);
+    setMinimumHeight(words.isEmpty() ? 0 : heightForWidth(width()));
+  }
+
+protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    show_words(text());
+  }
+};
+
+}  // namespace
+
+load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
+    : QWidget(parent), library_(std::move(library)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  title_ = new QLabel;
+  title_->setProperty("role", "section");
+  column->addWidget(title_);
+  build_material();
+  build_support();
+  build_load();
+  for (auto* page : pages_)
+    column->addWidget(page);
+
+  picked_ = new QLabel;
+  picked_->setObjectName("picked");
+  picked_->setWordWrap(true);
+  use_ = new QPushButton(tr("Use the selection"));
+  use_->setObjectName("use_selection");
+  connect(use_, &QPushButton::clicked, this, [this] {
+    surfaces_ = selection_;
+    show_surfaces();
+    check();
+  });
+  picking_ = row_of({picked_, use_});
+  column->addWidget(picking_);
+  column->addWidget(fault_label("surfaces"));
+
+  apply_ = new QPushButton(tr("Apply"));
+  apply_->setObjectName("apply_item");
+  apply_->setProperty("role", "primary");
+  connect(apply_, &QPushButton::clicked, this, [this] {
+    if (value())
+      emit applied();
+  });
+  auto* close = new QPushButton(tr("Cancel"));
+  close->setObjectName("close_item");
+  connect(close, &QPushButton::clicked, this, &load_editor::closed);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(apply_);
+  buttons->addWidget(close);
+  buttons->addStretch();
+  column->addLayout(buttons);
+  edit(tr("New load"), fem::load{{}, fem::force{}});
+}
+
+// -- building ------------------------------------------------------------------------
+
+QLabel* load_editor::fault_label(const char* field) {
+  auto* label = new wrapped_label;
+  label->setObjectName(QString("fault_") + field);
+  label->setProperty("role", "fault");
+  label->hide();
+  fault_labels_[field].push_back(label);
+  return label;
+}
+
+QLineEdit* load_editor::number_field(const char* name, const QString& accessible) {
+  auto* field = new QLineEdit;
+  field->setObjectName(name);
+  field->setAccessibleName(accessible);
+  field->setMinimumSize(44, field->sizeHint().height());  // The form is cut off before they are.
+  connect(field, &QLineEdit::textChanged, this, &load_editor::touched);
+  connect(field, &QLineEdit::returnPressed, this, [this] { apply_->click(); });
+  return field;
+}
+
+QWidget* load_editor::row_of(const std::vector<QWidget*>& parts) {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (auto* part : parts)
+    row->addWidget(part, qobject_cast<QLineEdit*>(part) || part == picked_ ? 1 : 0);
+  return box;
+}
+
+void load_editor::add_row(QFormLayout* form, const QString& title, QWidget* field,
+                          const char* fault) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
+  column->addWidget(field);
+  column->addWidget(fault_label(fault));
+  auto* label = new QLabel(title);
+  label->setBuddy(field);
+  form->addRow(label, box);
+}
+
+QFormLayout* load_editor::new_page(item_kind kind) {
+  auto* page = new QWidget;
+  auto* form = new QFormLayout(page);
+  form->setContentsMargins(0, 0, 0, 0);
+  pages_[static_cast<std::size_t>(kind)] = page;
+  return form;
+}
+
+void load_editor::build_material() {
+  auto* form = new_page(item_kind::material);
+  library_box_ = new QComboBox;
+  library_box_->setObjectName("library");
+  library_box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  library_box_->addItem(tr("Own values"));
+  for (const auto& one : library_)
+    library_box_->addItem(QString::fromStdString(one.name));
+  library_box_->setToolTip(tr("Typical values; take those of your data sheet for a real design"));
+  connect(library_box_, &QComboBox::currentIndexChanged, this, &load_editor::take_library);
+  form->addRow(tr("From"), library_box_);
+  name_ = number_field("name", tr("Name of the material"));
+  add_row(form, tr("Name"), name_, "name");
+  young_ = number_field("young_modulus", tr("Young's modulus in MPa"));
+  add_row(form, tr("E"), row_of({young_, new QLabel("MPa")}), "young_modulus");
+  poisson_ = number_field("poisson_ratio", tr("Poisson's ratio"));
+  add_row(form, QString::fromUtf8("ν"), poisson_, "poisson_ratio");
+  density_ = number_field("density", tr("Density in kg/m³"));
+  add_row(form, tr("Density"), row_of({density_, new QLabel(QString::fromUtf8("kg/m³"))}),
+          "density");
+  yield_ = number_field("yield_strength", tr("Yield strength in MPa"));
+  add_row(form, tr("Yield"), row_of({yield_, new QLabel("MPa")}), "yield_strength");
+  regions_ = number_field("regions", tr("Regions of the mesh"));
+  regions_->setPlaceholderText(tr("all that no other material names"));
+  add_row(form, tr("Regions"), regions_, "regions");
+}
+
+void load_editor::build_support() {
+  auto* form = new_page(item_kind::support);
+  support_kind_ = new QComboBox;
+  support_kind_->setObjectName("support_kind");
+  support_kind_->addItems({tr("Fixed"), tr("Displaced by ..."), tr("Roller: slides, no lifting")});
+  form->addRow(tr("Kind"), support_kind_);
+  displacements_ = new QWidget;
+  auto* rows = new QFormLayout(displacements_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  const char* axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    held_[i] = new QCheckBox(axes[i]);
+    held_[i]->setObjectName(QString("held_") + axes[i]);
+    held_[i]->setToolTip(tr("Not ticked: free to move this way"));
+    moved_[i] = number_field((std::string("moved_") + axes[i]).c_str(),
+                             tr("Displacement %1 in mm").arg(axes[i]));
+    connect(held_[i], &QCheckBox::toggled, moved_[i], &QWidget::setEnabled);
+    connect(held_[i], &QCheckBox::toggled, this, &load_editor::touched);
+    rows->addRow(held_[i], row_of({moved_[i], new QLabel("mm")}));
+  }
+  add_row(form, QString(), displacements_, "components");
+  connect(support_kind_, &QComboBox::currentIndexChanged, this, [this](int row) {
+    displacements_->parentWidget()->setVisible(row == 1);
+    check();
+  });
+}
+
+void load_editor::build_load() {
+  auto* form = new_page(item_kind::load);
+  load_kind_ = new QComboBox;
+  load_kind_->setObjectName("load_kind");
+  load_kind_->addItems({tr("Force, spread over the surfaces"), tr("Traction, per area"),
+                        tr("Pressure, along the normal"), tr("Gravity, on all mass")});
+  load_kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  form->addRow(tr("Kind"), load_kind_);
+  const char* axes[] = {"x", "y", "z"};
+  vector_ = new QWidget;
+  auto* row = new QHBoxLayout(vector_);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    components_[i] =
+      number_field((std::string("component_") + axes[i]).c_str(), tr("Component %1").arg(axes[i]));
+    row->addWidget(new QLabel(axes[i]));
+    row->addWidget(components_[i], 1);
+  }
+  vector_unit_ = new QLabel;
+  row->addWidget(vector_unit_);
+  pressure_ = number_field("pressure", tr("Pressure in MPa"));
+  pressure_row_ = row_of({pressure_, new QLabel("MPa")});
+  pressure_row_->setToolTip(tr("Positive pushes on the part, negative pulls"));
+  auto* both = new QWidget;
+  auto* column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(vector_);
+  column->addWidget(pressure_row_);
+  size_ = new QLabel;
+  size_->setObjectName("size");
+  size_->setProperty("role", "faint");
+  column->addWidget(size_);
+  add_row(form, tr("Size"), both, "components");
+  connect(load_kind_, &QComboBox::currentIndexChanged, this, &load_editor::load_kind_changed);
+}
+
+// -- showing -------------------------------------------------------------------------
+
+void load_editor::edit(const QString& title, const load_item& item) {
+  filling_ = true;
+  touched_ = false;
+  title_->setText(title);
+  kind_ = kind_of(item);
+  for (std::size_t i = 0; i < pages_.size(); ++i)
+    pages_[i]->setVisible(i == static_cast<std::size_t>(kind_));
+  surfaces_.clear();
+  if (const auto* material = std::get_if<fem::material>(&item))
+    show_material(*material);
+  else if (const auto* support = std::get_if<fem::constraint>(&item))
+    show_support(*support);
+  else
+    show_load(std::get<fem::load>(item));
+  show_surfaces();
+  filling_ = false;
+  check();
+}
+
+void load_editor::show_material(const fem::material& material) {
+  const auto same = std::ranges::find(library_, material.name, &fem::material::name);
+  library_box_->setCurrentIndex(
+    same == library_.end() ? 0 : 1 + static_cast<int>(same - library_.begin()));
+  name_->setText(QString::fromStdString(material.name));
+  young_->setText(plain(material.young_modulus_pa / mega));
+  poisson_->setText(plain(material.poisson_ratio));
+  density_->setText(plain(material.density_kg_m3));
+  yield_->setText(plain(material.yield_strength_pa / mega));
+  QStringList regions;
+  for (const auto region : material.regions)
+    regions << QString::number(region);
+  regions_->setText(regions.join(", "));
+}
+
+void load_editor::take_library(int row) {
+  if (filling_ || row <= 0)
+    return;
+  auto chosen = library_[static_cast<std::size_t>(row - 1)];
+  chosen.regions = read_regions(regions_->text()).value_or(std::vector<region_id>{});
+  filling_ = true;
+  show_material(chosen);
+  filling_ = false;
+  check();
+}
+
+void load_editor::show_support(const fem::constraint& support) {
+  surfaces_ = support.surfaces;
+  support_kind_->setCurrentIndex(static_cast<int>(support.kind.index()));
+  displacements_->parentWidget()->setVisible(support.kind.index() == 1);
+  const auto* given = std::get_if<fem::prescribed_displacement>(&support.kind);
+  const std::array<std::optional<double>, 3> parts =
+    given ? std::array{given->x_m, given->y_m, given->z_m}
+          : std::array<std::optional<double>, 3>{0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    held_[i]->setChecked(parts[i].has_value());
+    moved_[i]->setEnabled(parts[i].has_value());
+    moved_[i]->setText(plain(parts[i].value_or(0) / milli));
+  }
+}
+
+void load_editor::show_load(const fem::load& load) {
+  surfaces_ = load.surfaces;
+  load_kind_->setCurrentIndex(static_cast<int>(load.kind.index()));
+  if (const auto* force = std::get_if<fem::force>(&load.kind))
+    fill(components_, force->total_n, 1);
+  else if (const auto* traction = std::get_if<fem::traction>(&load.kind))
+    fill(components_, traction->pa, mega);
+  else if (const auto* gravity = std::get_if<fem::gravity>(&load.kind))
+    fill(components_, gravity->m_s2, 1);
+  const auto* pressure = std::get_if<fem::pressure>(&load.kind);
+  pressure_->setText(plain(pressure ? pressure->pa / mega : 0));
+  load_kind_changed();
+}
+
+void load_editor::load_kind_changed() {
+  const int row = load_kind_->currentIndex();
+  vector_->setVisible(row != pressure_row);
+  pressure_row_->setVisible(row == pressure_row);
+  vector_unit_->setText(row == force_row      ? "N"
+                        : row == traction_row ? "MPa"
+                                              : QString::fromUtf8("m/s²"));
+  const bool untouched = typed(components_, 1) == vec3{};
+  if (!filling_ && row == gravity_row && untouched)
+    fill(components_, {0, 0, -9.81}, 1);
+  show_surfaces();
+  check();
+}
+
+void load_editor::set_selection(const std::vector<surface_id>& picked) {
+  selection_ = picked;
+  show_surfaces();
+}
+
+void load_editor::show_surfaces() {
+  const bool all =
+    kind_ == item_kind::load && load_kind_->currentIndex() == static_cast<int>(gravity_row);
+  picking_->setVisible(kind_ != item_kind::material && !all);
+  QStringList ids;
+  for (const auto id : surfaces_)
+    ids << QString::number(id);
+  const QString shown = ids.mid(0, 6).join(", ") + (ids.size() > 6 ? ", ..." : "");
+  picked_->setText(ids.isEmpty() ? tr("No surfaces yet") : tr("Surfaces: %1").arg(shown));
+  picked_->setToolTip(ids.join(", "));
+  use_->setEnabled(!selection_.empty() && selection_ != surfaces_);
+  use_->setToolTip(selection_.empty() ? tr("Click surfaces of the part first")
+                                      : tr("Surfaces picked: %1").arg(selection_.size()));
+}
+
+// -- reading -------------------------------------------------------------------------
+
+load_item load_editor::read() const {
+  if (kind_ == item_kind::material) {
+    fem::material result;
+    result.name = name_->text().trimmed().toStdString();
+    result.young_modulus_pa = mega * typed(young_);
+    result.poisson_ratio = typed(poisson_);
+    result.density_kg_m3 = typed(density_);
+    result.yield_strength_pa = mega * typed(yield_);
+    result.regions = read_regions(regions_->text()).value_or(std::vector<region_id>{});
+    return result;
+  }
+  if (kind_ == item_kind::support) {
+    fem::constraint result{surfaces_, fem::fixed{}};
+    const auto part = [&](std::size_t i) {
+      return held_[i]->isChecked() ? std::optional(milli * typed(moved_[i])) : std::nullopt;
+    };
+    if (support_kind_->currentIndex() == 1)
+      result.kind = fem::prescribed_displacement{part(0), part(1), part(2)};
+    else if (support_kind_->currentIndex() == 2)
+      result.kind = fem::roller{};
+    return result;
+  }
+  switch (load_kind_->currentIndex()) {
+    case traction_row:
+      return fem::load{surfaces_, fem::traction{typed(components_, mega)}};
+    case pressure_row:
+      return fem::load{surfaces_, fem::pressure{mega * typed(pressure_)}};
+    case gravity_row:
+      return fem::load{{}, fem::gravity{typed(components_, 1)}};
+    default:
+      return fem::load{surfaces_, fem::force{typed(components_, 1)}};
+  }
+}
+
+std::vector<item_fault> load_editor::faults_now() const {
+  auto found = faults(read());
+  if (kind_ == item_kind::material && !read_regions(regions_->text()))
+    found.push_back({"regions", tr("Give numbers of regions, with commas between")});
+  return found;
+}
+
+std::optional<load_item> load_editor::value() const {
+  return faults_now().empty() ? std::optional(read()) : std::nullopt;
+}
+
+void load_editor::touched() {
+  if (!filling_)
+    touched_ = true;
+  check();
+}
+
+void load_editor::check() {
+  if (filling_)
+    return;
+  const auto found = faults_now();
+  for (const auto& [field, labels] : fault_labels_) {
+    const auto fault = std::ranges::find(found, field, &item_fault::field);
+    for (auto* label : labels) {
+      label->setProperty("role", touched_ ? "fault" : "faint");
+      label->style()->unpolish(label);
+      label->style()->polish(label);
+      static_cast<wrapped_label*>(label)->show_words(fault == found.end() ? QString()
+                                                                          : fault->words);
+      label->setVisible(fault != found.end() &&
+                        (field != "surfaces" || picking_->isVisibleTo(this)));
+    }
+  }
+  apply_->setEnabled(found.empty());
+  const vec3 size = typed(components_, 1);
+  const double length = std::sqrt(dot(size, size));
+  size_->setVisible(kind_ == item_kind::load && load_kind_->currentIndex() != pressure_row &&
+                    std::isfinite(length) && length > 0);
+  size_->setText(tr("%1 %2 in all").arg(number(length), vector_unit_->text()));
+}
+
+}  // namespace tedit::desktop

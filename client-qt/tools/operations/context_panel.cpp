@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/operations/context_panel.hpp"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <map>
+
+#include "client-qt/model/quantities.hpp"
+#include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/widgets/theme.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+QLabel* make_label(const char* role, bool wraps = true) {
+  auto* label = new QLabel;
+  label->setProperty("role", role);
+  label->setWordWrap(wraps);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+/// What fits a kind of feature best, the likeliest first.
+int likelihood(const found_feature* feature, const std::string& operation) {
+  static const std::map<std::string, int> plain{
+    {"erode", 5}, {"thicken", 4}, {"fill_hole", 3}, {"remove_surfaces", 2}};
+  if (feature && feature->kind == feature_kind::hole && operation == "fill_hole")
+    return 10;
+  if (feature && feature->kind == feature_kind::protrusion && operation == "remove_surfaces")
+    return 10;
+  const auto found = plain.find(operation);
+  return found == plain.end() ? 1 : found->second;
+}
+
+}  // namespace
+
+context_panel::context_panel(document& part, selection& picked, QWidget* parent)
+    : QWidget(parent), part_(part), picked_(picked), preview_(part) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 10, 12, 10);
+  title_ = make_label("title");
+  title_->setObjectName("selection_title");
+  details_ = make_label("faint");
+  loads_ = make_label("faint");
+  column->addWidget(title_);
+  column->addWidget(details_);
+  column->addWidget(loads_);
+
+  growing_ = new QWidget;
+  auto* row = new QHBoxLayout(growing_);
+  row->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& text, const QString& help, feature_kind kind) {
+    auto* button = new QPushButton(text);
+    button->setProperty("role", "link");
+    button->setToolTip(help);
+    connect(button, &QPushButton::clicked, this, [this, kind] { picked_.grow(kind); });
+    row->addWidget(button);
+  };
+  add(tr("+ smooth"), tr("Add all surfaces that continue these without an edge"),
+      feature_kind::smooth);
+  add(tr("+ tangent neighbours"), tr("Add the surfaces next to these"), feature_kind::neighbours);
+  row->addStretch();
+  column->addWidget(growing_);
+
+  body_ = new QWidget;
+  body_layout_ = new QVBoxLayout(body_);
+  body_layout_->setContentsMargins(0, 8, 0, 0);
+  column->addWidget(body_);
+
+  running_ = new QWidget;
+  auto* activity = new QVBoxLayout(running_);
+  activity->setContentsMargins(0, 8, 0, 0);
+  stage_ = make_label("faint");
+  fraction_ = new QProgressBar;
+  fraction_->setRange(0, 1000);
+  fraction_->setTextVisible(false);
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("cancel");
+  connect(cancel_, &QPushButton::clicked, &part_.foreground(), &foreground_work::cancel);
+  activity->addWidget(stage_);
+  activity->addWidget(fraction_);
+  activity->addWidget(cancel_, 0, Qt::AlignLeft);
+  column->addWidget(running_);
+  column->addStretch();
+
+  connect(&picked_, &selection::changed, this, &context_panel::show_selection);
+  connect(&picked_, &selection::changed, this, &context_panel::follow);
+  connect(&part_, &document::operations_changed, this, &context_panel::show_selection);
+  connect(&part_.loads(), &load_requests::changed, this, &context_panel::show_selection);
+  connect(&part_, &document::surface_changed, this, &context_panel::show_selection);
+  connect(&part_.foreground(), &foreground_work::changed, this, &context_panel::show_activity);
+  show_selection();
+  show_activity();
+}
+
+// -- the selection -------------------------------------------------------------------
+
+void context_panel::show_selection() {
+  title_->setText(picked_.title());
+  const auto& surfaces = picked_.surfaces();
+  growing_->setVisible(!surfaces.empty());
+  if (surfaces.empty()) {
+    details_->setText(
+      tr("Click a surface of the part: a bore, a rib or a wall is picked whole. "
+         "Click again for the single surface; Shift adds. "
+         "Ctrl+drag draws a box."));
+  } else {
+    QStringList ids;
+    for (const auto id : surfaces)
+      ids << QString::number(id);
+    QString all = ids.mid(0, 8).join(", ");
+    if (ids.size() > 8)
+      all += tr(" and %1 more").arg(ids.size() - 8);
+    details_->setText(tr("Surfaces: %1").arg(all) +
+                      tr("\nArea %1").arg(quantity(picked_.area(), "m2")));
+  }
+  QStringList acting;
+  for (const auto& item : part_.loads().acting_on(surfaces))
+    acting << item;
+  loads_->setText(acting.join("\n"));
+  loads_->setVisible(!acting.isEmpty());
+  if (operation_.isEmpty())
+    show_offers();
+  else if (hint_ && apply_)
+    show_readiness();
+  else
+    show_form();
+}
+
+std::vector<const offered_operation*> context_panel::offers() const {
+  std::vector<const offered_operation*> result;
+  for (const auto& one : part_.operations().operations)
+    result.push_back(&one);
+  const auto* feature = picked_.feature() ? &*picked_.feature() : nullptr;
+  std::ranges::stable_sort(result, std::ranges::greater{}, [&](const offered_operation* o) {
+    return likelihood(feature, o->about.id);
+  });
+  return result;
+}
+
+// -- operations ----------------------------------------------------------------------
+
+void context_panel::choose(const QString& operation) {
+  operation_ = part_.operations().find(operation) ? operation : QString();
+  if (operation_.isEmpty())
+    show_offers();
+  else
+    show_form();
+  follow();
+}
+
+/// What the form would do is shown while its values move.
+void context_panel::follow() {
+  if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
+    preview_.leave();
+  else
+    preview_.want({operation_, picked_.surfaces(), form_->values()});
+}
+
+static void clear(QLayout* layout) {
+  while (auto* item = layout->takeAt(0)) {
+    if (item->widget())
+      item->widget()->deleteLater();
+    delete item;
+  }
+}
+
+/// The icons have the colour of the words.
+void context_panel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && body_layout_ && operation_.isEmpty())
+    show_offers();
+}
+
+void context_panel::show_offers() {
+  clear(body_layout_);
+  if (picked_.surfaces().empty())
+    return;
+  constexpr std::size_t most_offers = 4;  // All are in the bar at the left.
+  for (const auto* one : offers()) {
+    if (static_cast<std::size_t>(body_layout_->count()) == most_offers)
+      break;
+    auto* button = new QPushButton(icon(operation_icon(QString::fromStdString(one->about.id)),
+                                        palette().color(QPalette::WindowText)),
+                                   QString::fromStdString(one->about.name));
+    const auto id = QString::fromStdString(one->about.id);
+    button->setObjectName("offer_" + id);
+    button->setToolTip(QString::fromStdString(one->about.summary));
+    button->setStyleSheet("text-align: left");
+    connect(button, &QPushButton::clicked, this, [this, id] { choose(id); });
+    body_layout_->addWidget(button);
+  }
+}
+
+QString context_panel::not_ready() const {
+  const auto* offered = part_.operations().find(operation_);
+  if (!offered)
+    return tr("The server does not offer this operation any more.");
+  const auto count = picked_.surfaces().size();
+  const auto& wanted = offered->about.selection;
+  if (count < wanted.minimum || (wanted.maximum > 0 && count > wanted.maximum))
+    return tr("Select: %1").arg(QString::fromStdString(wanted.help));
+  if (part_.foreground().current())
+    return tr("%1 is running.").arg(part_.foreground().current()->title);
+  return {};
+}
+
+void context_panel::show_form() {
+  const auto* offered = part_.operations().find(operation_);
+  if (!offered)
+    return;
+  clear(body_layout_);
+  auto* name = make_label("section");
+  name->setText(QString::fromStdString(offered->about.name));
+  auto* summary = make_label("faint");
+  summary->setText(QString::fromStdString(offered->about.summary));
+  form_ = new operation_form(offered->about);
+  connect(form_, &operation_form::changed, this, &context_panel::follow);
+  auto* seen = new preview_box(preview_);
+  connect(seen, &preview_box::place_wanted, this, &context_panel::place_wanted);
+  hint_ = make_label("faint");
+  hint_->setObjectName("form_hint");
+  apply_ = new QPushButton(tr("Apply"));
+  apply_->setObjectName("apply");
+  apply_->setProperty("role", "primary");
+  apply_->setToolTip(tr("Ctrl+Enter"));
+  connect(apply_, &QPushButton::clicked, this, &context_panel::apply);
+  auto* back = new QPushButton(tr("Close"));
+  connect(back, &QPushButton::clicked, this, [this] { choose({}); });
+  auto* row = new QWidget;
+  auto* buttons = new QHBoxLayout(row);
+  buttons->setContentsMargins(0, 4, 0, 0);
+  buttons->addWidget(apply_);
+  buttons->addWidget(back);
+  buttons->addStretch();
+  for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, hint_, row, seen})
+    body_layout_->addWidget(one);
+  show_readiness();
+}
+
+/// What keeps the form from being applied, if anything.
+void context_panel::show_readiness() {
+  const QString why_not = not_ready();
+  hint_->setText(why_not);
+  hint_->setVisible(!why_not.isEmpty());
+  apply_->setEnabled(why_not.isEmpty());
+}
+
+void context_panel::apply() {
+  if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
+    return;
+  part_.edits().apply(operation_, picked_.surfaces(), form_->values());
+}
+
+void context_panel::show_activity() {
+  const auto& now = part_.foreground().current();
+  running_->setVisible(now.has_value());
+  if (now) {
+    stage_->setText(now->stage.isEmpty() ? now->title : now->title + ": " + now->stage);
+    fraction_->setValue(qRound(1000 * now->fraction));
+    cancel_->setEnabled(now->can_cancel);
+  }
+  if (hint_ && apply_)
+    show_readiness();
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/operations/operation_form.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QWhatsThis>
+
+#include <cmath>
+#include <limits>
+
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(operation_form)
+};
+
+/// A spin box for numbers of any size: as many decimals as the value needs.
+class number_box : public QDoubleSpinBox {
+public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+  [[nodiscard]] QString textFromValue(double value) const override {
+    return locale().toString(value, 'g', 8);
+  }
+};
+
+QString text(const std::string& words) {
+  return QString::fromStdString(words);
+}
+
+/// Name, help, range and default of a parameter.
+QString what_it_is(const ops::parameter_description& parameter) {
+  QString result = "<b>" + text(parameter.name).toHtmlEscaped() + "</b><br>" +
+                   text(parameter.help).toHtmlEscaped();
+  const QString unit = text(parameter.unit);
+  if (parameter.min && parameter.max)
+    result += "<br>" + phrases::tr("From %1 to %2")
+                         .arg(quantity(*parameter.min, unit), quantity(*parameter.max, unit));
+  else if (parameter.min)
+    result += "<br>" + phrases::tr("At least %1").arg(quantity(*parameter.min, unit));
+  else if (parameter.max)
+    result += "<br>" + phrases::tr("At most %1").arg(quantity(*parameter.max, unit));
+  if (const auto* value = std::get_if<double>(&parameter.default_value))
+    result += "<br>" + phrases::tr("Usually %1").arg(quantity(*value, unit));
+  return result;
+}
+
+}  // namespace
+
+operation_form::operation_form(const ops::operation_description& about, QWidget* parent)
+    : QWidget(parent), about_(about) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  for (const auto& parameter : about_.parameters) {
+    auto* widget = make_field(parameter);
+    widget->setObjectName(text(parameter.id));
+    widget->setToolTip(text(parameter.help));
+    widget->setWhatsThis(what_it_is(parameter));
+    widget->setAccessibleName(text(parameter.name));
+    widget->setAccessibleDescription(text(parameter.help));
+    if (parameter.type == ops::parameter_type::boolean) {
+      form->addRow(widget);
+    } else {
+      auto* label = new QLabel(text(parameter.name));
+      label->setToolTip(text(parameter.help));
+      label->setBuddy(widget);
+      form->addRow(label, widget);
+    }
+  }
+  reset();
+}
+
+bool operation_form::event(QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+    return QWidget::event(event);
+  auto* field = focusWidget();
+  while (field && field != this && field->whatsThis().isEmpty())
+    field = field->parentWidget();
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() != Qt::Key_F1 || !field || field == this)
+    return QWidget::event(event);
+  event->accept();  // Else it would be the window's shortcut.
+  if (event->type() == QEvent::KeyPress)
+    QWhatsThis::showText(field->mapToGlobal(field->rect().bottomLeft()), field->whatsThis(), field);
+  return true;
+}
+
+QWidget* operation_form::make_field(const ops::parameter_description& parameter) {
+  switch (parameter.type) {
+    case ops::parameter_type::boolean:
+      return make_boolean(parameter);
+    case ops::parameter_type::integer:
+      return make_integer(parameter);
+    case ops::parameter_type::real:
+      return make_real(parameter);
+    case ops::parameter_type::choice:
+      return make_choice(parameter);
+    default:
+      return make_text(parameter);
+  }
+}
+
+QWidget* operation_form::make_boolean(const ops::parameter_description& parameter) {
+  auto* box = new QCheckBox(text(parameter.name));
+  connect(box, &QCheckBox::toggled, this, &operation_form::changed);
+  fields_[parameter.id] = {[box] { return ops::parameter_value(box->isChecked()); },
+                           [box](const ops::parameter_value& v) {
+                             if (const auto* on = std::get_if<bool>(&v))
+                               box->setChecked(*on);
+                           }};
+  return box;
+}
+
+QWidget* operation_form::make_integer(const ops::parameter_description& parameter) {
+  auto* box = new QSpinBox;
+  const auto limit = [](std::optional<double> given, int otherwise) {
+    return given ? static_cast<int>(std::clamp(*given, -2e9, 2e9)) : otherwise;
+  };
+  box->setRange(limit(parameter.min, std::numeric_limits<int>::min()),
+                limit(parameter.max, std::numeric_limits<int>::max()));
+  connect(box, &QSpinBox::valueChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {
+    [box] { return ops::parameter_value(static_cast<std::int64_t>(box->value())); },
+    [box](const ops::parameter_value& v) {
+      if (const auto* n = std::get_if<std::int64_t>(&v))
+        box->setValue(static_cast<int>(*n));
+    }};
+  return box;
+}
+
+QWidget* operation_form::make_real(const ops::parameter_description& parameter) {
+  const auto unit = shown_as(text(parameter.unit));
+  auto* box = new number_box;
+  box->setDecimals(9);
+  box->setRange(parameter.min ? *parameter.min * unit.scale : -1e12,
+                parameter.max ? *parameter.max * unit.scale : 1e12);
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  if (!unit.name.isEmpty())
+    box->setSuffix(" " + unit.name);
+  connect(box, &QDoubleSpinBox::valueChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {
+    [box, scale = unit.scale] { return ops::parameter_value(box->value() / scale); },
+    [box, scale = unit.scale](const ops::parameter_value& v) {
+      if (const auto* x = std::get_if<double>(&v))
+        box->setValue(*x * scale);
+    }};
+  return box;
+}
+
+QWidget* operation_form::make_choice(const ops::parameter_description& parameter) {
+  auto* box = new QComboBox;
+  for (const auto& choice : parameter.choices)
+    box->addItem(text(choice));
+  connect(box, &QComboBox::currentTextChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {[box] { return ops::parameter_value(box->currentText().toStdString()); },
+                           [box](const ops::parameter_value& v) {
+                             if (const auto* s = std::get_if<std::string>(&v))
+                               box->setCurrentText(text(*s));
+                           }};
+  return box;
+}
+
+QWidget* operation_form::make_text(const ops::parameter_description& parameter) {
+  auto* box = new QLineEdit;
+  connect(box, &QLineEdit::textChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {[box] { return ops::parameter_value(box->text().toStdString()); },
+                           [box](const ops::parameter_value& v) {
+                             if (const auto* s = std::get_if<std::string>(&v))
+                               box->setText(text(*s));
+                           }};
+  return box;
+}
+
+ops::parameters operation_form::values() const {
+  ops::parameters result;
+  for (const auto& [id, one] : fields_)
+    result[id] = one.get();
+  return result;
+}
+
+void operation_form::set_values(const ops::parameters& values) {
+  for (const auto& [id, value] : values)
+    if (const auto found = fields_.find(id); found != fields_.end())
+      found->second.set(value);
+}
+
+void operation_form::reset() {
+  for (const auto& parameter : about_.parameters)
+    fields_[parameter.id].set(parameter.default_value);
+}
+
+}  // namespace tedit::desktop

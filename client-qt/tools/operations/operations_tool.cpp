@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/operations/operations_tool.hpp"
+
+#include <QAction>
+#include <QScrollArea>
+#include <QToolBar>
+
+#include "client-qt/context/command_groups.hpp"
+#include "client-qt/tools/operations/context_panel.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+QWidget* scrolled(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidget(content);
+  return area;
+}
+
+}  // namespace
+
+operations_tool::operations_tool(window_context& in)
+    : in_(in), panel_(new context_panel(in.part, in.picked)) {
+  in_.panels.add("context", tr("Selection"), scrolled(panel_));
+  connect(&in_.part, &document::operations_changed, this, &operations_tool::offer);
+  connect(panel_, &context_panel::place_wanted, &in_.view.framing(), &part_framing::fit);
+  add_commands();
+}
+
+void operations_tool::add_commands() {
+  in_.all_commands.add({"edit.apply", tr("Apply the operation"), command_groups::edit(),
+                        "Ctrl+Return", [this] { panel_->apply(); }, in_.is_idle()});
+  in_.esc.add(ends::form, [this] {
+    const bool open = !panel_->chosen().isEmpty();
+    if (open)
+      panel_->choose({});
+    return open;
+  });
+}
+
+/// From the catalogue: operations of plugins that this program never saw are there as well.
+void operations_tool::offer() {
+  const QString group = command_groups::operation();
+  in_.buttons.forget_group(group);
+  in_.all_commands.remove_group(group);
+  in_.rail.clear();
+  for (const auto& one : in_.part.operations().operations) {
+    const auto id = QString::fromStdString(one.about.id);
+    in_.all_commands.add({"op." + id,
+                          QString::fromStdString(one.about.name),
+                          group,
+                          {},
+                          [this, id] { panel_->choose(id); },
+                          in_.has_part(),
+                          QString::fromStdString(one.about.summary),
+                          operation_icon(id)});
+    auto* button = in_.buttons.of("op." + id);
+    button->setToolTip(QString::fromStdString(one.about.summary));
+    in_.rail.addAction(button);
+  }
+  in_.buttons.refresh();
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/pictures/kept_picture.hpp"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QThreadPool>
+
+namespace tedit::desktop {
+
+static constexpr QSize kept_size(264, 168);
+
+QString picture_file(const QString& state_folder, const QString& document) {
+  return state_folder + "/pictures/" + QString::fromLatin1(document.toUtf8().toPercentEncoding()) +
+         ".png";
+}
+
+void keep_picture(const QImage& frame, const QString& to) {
+  QThreadPool::globalInstance()->start([frame, to] {
+    const QImage fitted =
+      frame.scaled(kept_size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    const QRect middle(
+      QPoint((fitted.width() - kept_size.width()) / 2, (fitted.height() - kept_size.height()) / 2),
+      kept_size);
+    QDir().mkpath(QFileInfo(to).path());
+    fitted.copy(middle).save(to);
+  });
+}
+
+}  // namespace tedit::desktop

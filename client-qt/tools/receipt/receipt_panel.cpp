@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/receipt/receipt_panel.hpp"
+
+#include <QCoreApplication>
+#include <QUrl>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client-qt/model/operation_words.hpp"
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+struct phrases {
+  Q_DECLARE_TR_FUNCTIONS(receipt)
+};
+
+QString row(const QString& left, const QString& right) {
+  return "<tr><td>" + left + "&nbsp;&nbsp;</td><td>" + right + "</td></tr>";
+}
+
+QString surface_link(surface_id id, const std::string& name) {
+  const QString shown =
+    name.empty() ? phrases::tr("Surface %1").arg(id) : QString::fromStdString(name);
+  return QString("<a href=\"surface:%1\">%2</a>").arg(id).arg(shown.toHtmlEscaped());
+}
+
+QString fate_words(const surface_change& change) {
+  switch (change.fate) {
+    case surface_fate::added:
+      return phrases::tr("new, %1").arg(quantity(change.area_after, "m2"));
+    case surface_fate::removed:
+      return phrases::tr("gone");
+    case surface_fate::merged_into:
+      return phrases::tr("merged into surface %1").arg(change.other);
+    case surface_fate::split_from:
+      return phrases::tr("split from surface %1").arg(change.other);
+    default:
+      return phrases::tr("area %1").arg(desktop::change(change.area_before, change.area_after));
+  }
+}
+
+/// Surfaces whose area moved by less are as they were to a person.
+bool matters(const surface_change& change) {
+  if (change.fate != surface_fate::changed)
+    return true;
+  return std::abs(change.area_after - change.area_before) > 1e-6 * change.area_before;
+}
+
+}  // namespace
+
+int changed_loads(const edit_report& report) {
+  return static_cast<int>(std::ranges::count_if(
+    report.receipt, [](const auto& line) { return line.fate != fem::receipt_fate::kept; }));
+}
+
+int lost_loads(const edit_report& report) {
+  return static_cast<int>(std::ranges::count_if(report.receipt, [](const auto& line) {
+    return line.fate == fem::receipt_fate::reduced || line.fate == fem::receipt_fate::dropped;
+  }));
+}
+
+QString receipt_html(const edit_report& report) {
+  QString html;
+  const int changed = changed_loads(report);
+  html += "<p><b>" +
+          (report.receipt.empty() ? phrases::tr("There are no loads yet.")
+           : changed == 0         ? phrases::tr("All loads and supports are as before.")
+                          : phrases::tr("Loads and supports that changed: %1").arg(changed)) +
+          "</b></p>";
+  if (changed > 0) {
+    html += "<ul>";
+    for (const auto& line : report.receipt)
+      if (line.fate != fem::receipt_fate::kept)
+        html += "<li>" + words_of(line.text).toHtmlEscaped() + "</li>";
+    html += "</ul>";
+  }
+  for (const auto& line : report.receipt)
+    if (!line.warning.empty())
+      html += "<p><b>" + words_of(line.warning).toHtmlEscaped() + "</b></p>";
+  html += "<table>";
+  html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
+  html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
+                                     .arg(count(static_cast<double>(report.tets_added)),
+                                          count(static_cast<double>(report.tets_removed))));
+  if (const auto& ratios = report.ratios)
+    html += row(
+      phrases::tr("Worst tet here"),
+      phrases::tr("%1 before, %2 now").arg(number(ratios->min_before), number(ratios->min_after)));
+  for (const auto& figure : report.figures)
+    html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
+                number(figure.value) + " " + words_of(figure.unit));
+  html +=
+    row(phrases::tr("Time"),
+        (was_previewed(report) ? phrases::tr("%1, made by the preview (operation %2, mesh %3, "
+                                             "checks %4)")
+                               : phrases::tr("%1 (operation %2, mesh %3, checks %4)"))
+          .arg(duration(report.total_ms), duration(report.operation_ms),
+               duration(report.improve_ms), duration(report.check_ms)));
+  html += "</table>";
+  QString surfaces;
+  for (const auto& one : report.surface_map)
+    if (matters(one))
+      surfaces += row(surface_link(one.id, one.name), fate_words(one));
+  if (!surfaces.isEmpty())
+    html += "<p><b>" + phrases::tr("Surfaces") + "</b></p><table>" + surfaces + "</table>";
+  for (const auto& text : report.notices)
+    html += "<p>" + words_of(text).toHtmlEscaped() + "</p>";
+  return html;
+}
+
+receipt_panel::receipt_panel(desktop::document& part, QWidget* parent)
+    : QTextBrowser(parent), part_(part) {
+  setOpenLinks(false);
+  setFrameShape(QFrame::NoFrame);
+  setAccessibleName(tr("What this edit did"));
+  connect(this, &QTextBrowser::anchorClicked, this,
+          [this](const QUrl& link) { emit surface_wanted(link.path().toLongLong()); });
+  connect(&part_, &desktop::document::head_changed, this, &receipt_panel::refresh);
+  connect(&part_, &desktop::document::closed, this, &receipt_panel::refresh);
+  refresh();
+}
+
+void receipt_panel::refresh() {
+  const auto* head = part_.head();
+  setHtml(head && head->report ? receipt_html(*head->report)
+                               : "<p>" + tr("No edit has been made yet.") + "</p>");
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+#include "client-qt/model/document.hpp"
+#include "client-qt/model/probes.hpp"
+
+namespace tedit::desktop {
+
+struct toolbox;
+struct window_context;
+
+/// Writes down what a person does, as steps for `script`: selections, edits that were made, undo,
+/// load cases that were set or removed, probes, what is drawn and how it is looked at. Not: what
+/// was refused.
+class recorder : public QObject {
+  Q_OBJECT
+
+public:
+  recorder(window_context& in, toolbox& tools, QObject* parent);
+
+  /// Begins anew, with the load cases as they are and how the part is looked at now.
+  void start();
+  void stop();
+  [[nodiscard]] bool is_on() const noexcept { return on_; }
+  [[nodiscard]] const QJsonArray& steps() const noexcept { return steps_; }
+  /// One step on each line.
+  [[nodiscard]] QByteArray text() const;
+
+signals:
+  void changed();
+
+private:
+  void wire();
+  void wire_loads();
+  void wire_probes();
+  void add_hidden();
+  void add_loads(const fem::load_case& loads);
+  void add_probe(const probe& what);
+  void add(const QJsonObject& step);
+  void look();
+  void fields_changed();
+  void section_moved();
+  void committed(const client::committed& what);
+
+  window_context& in_;
+  toolbox& tools_;
+  QJsonArray steps_;
+  bool on_ = false;
+  std::optional<QJsonObject> pending_;  ///< An edit without an answer.
+  std::uint32_t head_ = 0;
+  QTimer looked_;  ///< The camera is noted when it has come to rest.
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/tools/results/results_tool.hpp"
+
+#include "client-qt/context/command_groups.hpp"
+#include "client-qt/model/field_values.hpp"
+#include "client-qt/model/live_preview.hpp"
+#include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
+
+namespace tedit::desktop {
+
+results_tool::results_tool(window_context& in, live_preview& preview)
+    : in_(in), preview_(preview), panel_(new field_panel(in.part)) {
+  in_.panels.add("field", tr("Field"), panel_);
+  wire();
+  add_commands();
+}
+
+void results_tool::wire() {
+  connect(&in_.part, &document::surface_changed, this, &results_tool::show);
+  connect(panel_, &field_panel::changed, this, &results_tool::show);
+  connect(&preview_, &live_preview::changed, this, &results_tool::show);
+  connect(&in_.view, &viewport::legend_changed, this, [this] {
+    panel_->take_range(in_.view.painted().by, in_.view.painted().extremes.has_value());
+  });
+  connect(&in_.view, &viewport::shown, this, &results_tool::say_verdict);
+  connect(&in_.part.solver(), &solve_requests::changed, this, &results_tool::say_verdict);
+}
+
+void results_tool::add_commands() {
+  const QString edit = command_groups::edit();
+  const QString view = command_groups::view();
+  const auto has_part = in_.has_part();
+  in_.all_commands.add(
+    {"edit.solve", tr("Solve again"), edit, "F5", [this] { in_.part.solver().solve(); }, has_part});
+  in_.all_commands.add({"edit.cancel_solve",
+                        tr("Stop the solver"),
+                        edit,
+                        {},
+                        [this] { in_.part.solver().cancel(); },
+                        has_part});
+  in_.esc.add(ends::solve, [this] {
+    in_.part.solver().cancel();
+    return true;
+  });
+  in_.all_commands.add({"view.extremes", tr("Mark smallest and largest value"), view, "X",
+                        [this] { in_.over.show_extremes(!in_.over.shows_extremes()); }, has_part});
+  in_.all_commands.add({"view.isolines", tr("Show or hide isolines"), view, "N",
+                        [this] { panel_->set_isolines(!panel_->isolines()); }, has_part,
+                        tr("Lines of equal value on the surface and on a section")});
+  for (const auto& group : field_groups())
+    for (const auto field : group)
+      in_.all_commands.add({"view.field_" + field_id(field),
+                            tr("Show: %1").arg(field_title(field)),
+                            view,
+                            {},
+                            [this, field] { panel_->set_field(field); },
+                            has_part,
+                            field_help(field)});
+}
+
+void results_tool::show() {
+  const auto* head = in_.part.head();
+  if (!head || !head->surface)
+    return;
+  in_.part.solver().watch(needs(panel_->wanted().field));
+  in_.truth.set_candidate(preview_.shown() != nullptr);
+  const auto& refused = preview_.refusal();
+  in_.view.mark(refused ? places_of(*refused) : std::vector<surface_id>{});
+  in_.view.set_legend(panel_->wanted());
+  in_.view.show_isolines(panel_->isolines() && !preview_.shown());
+  if (const auto& shown = preview_.shown())
+    return in_.view.show_part({shown->surface, nullptr, 0, shown->before});
+  in_.view.show_part({head->surface, panel_->field(), panel_->deform()});
+}
+
+void results_tool::say_verdict() {
+  in_.over.set_note(in_.truth.verdict());
+}
+
+}  // namespace tedit::desktop

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "client-qt/context/window_context.hpp"
+
+namespace tedit::desktop {
+
+class field_panel;
+class live_preview;
+
+/// Shows the head with its field, or what an operation would make of it: which quantity, its
+/// legend, isolines, extremes; and the solver's commands.
+class results_tool : public QObject {
+  Q_OBJECT
+
+public:
+  results_tool(window_context& in, live_preview& preview);
+
+  [[nodiscard]] field_panel& panel() { return *panel_; }
+
+private:
+  void wire();
+  void add_commands();
+  void show();
+  void say_verdict();
+
+  window_context& in_;
+  live_preview& preview_;
+  field_panel* panel_;
+};
+
+}  // namespace tedit::desktop

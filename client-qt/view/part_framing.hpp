@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QSize>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "client-qt/view/camera.hpp"
+#include "client-qt/view/part_geometry.hpp"
+
+namespace tedit::desktop {
+
+/// Brings the part, or places of it, into the view.
+class part_framing : public QObject {
+  Q_OBJECT
+
+public:
+  explicit part_framing(camera& eye) : eye_(eye) {}
+
+  /// The part that is drawn; the first is made to fit.
+  void set_part(std::shared_ptr<const part_geometry> part);
+  /// The view's size in pixels.
+  void set_size(const QSize& size);
+  /// Puts the whole part, or some surfaces of it, into the view.
+  void fit(const std::vector<surface_id>& around = {});
+  /// As long as nobody turns or moves the part it is made to fit again when the view's size
+  /// changes.
+  void keep_fitted(bool on) { keeps_fitted_ = on; }
+  [[nodiscard]] bool keeps_fitted() const noexcept { return keeps_fitted_; }
+  /// Pixels at the left that something else covers: what is made to fit stays beside them.
+  void set_left_margin(int pixels);
+  /// Width to height of what that leaves.
+  [[nodiscard]] double free_aspect(const QSize& size) const;
+  [[nodiscard]] double free_aspect() const { return free_aspect(size_); }
+  void look_from(camera::direction from);
+  void fly_to(const vec3& place);
+
+signals:
+  void moved();
+
+private:
+  camera& eye_;
+  std::shared_ptr<const part_geometry> part_;
+  QSize size_;
+  bool fitted_ = false;
+  bool keeps_fitted_ = false;
+  std::optional<camera::pose> whole_;  ///< As the last fit of the whole part left it.
+  int left_margin_ = 0;
+};
+
+}  // namespace tedit::desktop

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "client-qt/widgets/banner.hpp"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+#include "client-qt/model/quantities.hpp"
+
+namespace tedit::desktop {
+
+namespace {
+
+constexpr int news_ms = 8000;
+
+QString sentence(const std::string& text) {
+  QString result = QString::fromStdString(text);
+  if (!result.isEmpty())
+    result[0] = result[0].toUpper();
+  if (!result.isEmpty() && !result.endsWith('.'))
+    result += '.';
+  return result;
+}
+
+}  // namespace
+
+QList<qint64> surfaces_in(const QString& text) {
+  static const QRegularExpression named("surfaces?\\s+((?:-?\\d+(?:,\\s*|\\s+and\\s+)?)+)",
+                                        QRegularExpression::CaseInsensitiveOption);
+  static const QRegularExpression number("-?\\d+");
+  QList<qint64> result;
+  for (auto at = named.globalMatch(text); at.hasNext();)
+    for (auto n = number.globalMatch(at.next().captured(1)); n.hasNext();)
+      result << n.next().captured().toLongLong();
+  return result;
+}
+
+QString explained(const error& reason) {
+  QString text = sentence(reason.message);
+  if (!reason.where.empty())
+    text += "\n" + banner::tr("Where: %1").arg(QString::fromStdString(reason.where));
+  if (!reason.remedy.empty())
+    text += "\n" + sentence(reason.remedy);
+  return words_of(text.toStdString());
+}
+
+banner::banner(QWidget* parent) : QFrame(parent) {
+  setObjectName("banner");
+  setFrameShape(QFrame::NoFrame);
+  auto* row = new QHBoxLayout(this);
+  auto* column = new QVBoxLayout;
+  standing_ = new QLabel;
+  standing_->setProperty("role", "section");
+  standing_->setWordWrap(true);
+  standing_->hide();
+  column->addWidget(standing_);
+  title_ = new QLabel;
+  title_->setProperty("role", "section");
+  title_->setWordWrap(true);
+  body_ = new QLabel;
+  body_->setWordWrap(true);
+  body_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(title_);
+  column->addWidget(body_);
+  row->addLayout(column, 1);
+  place_ = new QPushButton(tr("Show the place"));
+  connect(place_, &QPushButton::clicked, this, [this] { emit place_wanted(surfaces_); });
+  auto* close = new QPushButton(tr("Close"));
+  close->setObjectName("close");
+  connect(close, &QPushButton::clicked, this, [this] {
+    if (has_message())
+      drop_message();
+    else
+      hide();
+  });
+  row->addWidget(place_, 0, Qt::AlignTop);
+  row->addWidget(close, 0, Qt::AlignTop);
+  away_.setSingleShot(true);
+  connect(&away_, &QTimer::timeout, this, &banner::drop_message);
+  hide();
+}
+
+void banner::set_theme(const theme& look) {
+  look_ = look;
+  paint_bar();
+}
+
+QString banner::text() const {
+  if (isHidden())
+    return {};
+  return QStringList{standing_->text(), title_->text(), body_->text()}.join("\n").trimmed();
+}
+
+bool banner::has_message() const {
+  return !title_->text().isEmpty() || !body_->text().isEmpty();
+}
+
+void banner::present(const QString& title, const QString& body, const QColor& bar) {
+  title_->setText(title);
+  title_->setVisible(!title.isEmpty());
+  body_->setText(body);
+  body_->setVisible(!body.isEmpty());
+  place_->setVisible(!surfaces_.isEmpty());
+  bar_ = bar;
+  paint_bar();
+  show();
+  emit changed();
+}
+
+/// Fonts of words that are shown for the first time are known later than the words.
+bool banner::event(QEvent* event) {
+  const bool done = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest)
+    emit changed();
+  return done;
+}
+
+void banner::paint_bar() {
+  const QString ground = look_.palette.color(QPalette::Base).name();
+  setStyleSheet(
+    QString("#banner { background: %1; border: 1px solid %2; border-left: 4px solid %2; "
+            "border-radius: 4px; }")
+      .arg(ground, bar_.isValid() ? bar_.name() : ground));
+}
+
+void banner::show_error(const QString& what, const error& reason) {
+  surfaces_ = surfaces_in(QString::fromStdString(reason.message + " " + reason.where));
+  away_.stop();
+  present(tr("%1 did not work").arg(what), explained(reason), look_.error);
+}
+
+void banner::show_news(const QString& text) {
+  if (!isHidden() && (stands_ || (has_message() && !away_.isActive())))
+    return;  // An error or a lost connection says more.
+  surfaces_.clear();
+  present({}, text, look_.good);
+  away_.start(news_ms);
+}
+
+void banner::show_standing(const QString& text) {
+  if (away_.isActive())
+    drop_message();  // News: what comes now says more.
+  stands_ = true;
+  standing_->setText(text);
+  standing_->show();
+  present(title_->text(), body_->text(), has_message() ? look_.error : look_.warning);
+}
+
+void banner::clear_standing() {
+  if (!std::exchange(stands_, false))
+    return;
+  standing_->clear();
+  standing_->hide();
+  setVisible(!isHidden() && has_message());
+  emit changed();
+}
+
+/// What stands stays.
+void banner::drop_message() {
+  away_.stop();
+  surfaces_.clear();
+  present({}, {}, look_.warning);
+  setVisible(stands_);
+}
+
+}  // namespace tedit::desktop
