@@ -64,6 +64,9 @@ struct parameter_description {
   std::optional<double> max;
   std::vector<std::string> choices;  ///< For choice.
   parameter_value default_value = false;
+  /// Id of a number that this one stands in for: where a request gives this one and not that one,
+  /// that one is 0 instead of its default.
+  std::string instead_of = {};
 };
 
 /// What a person picks before the operation can run.
@@ -205,7 +208,7 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 4;
+inline constexpr std::uint32_t sdk_major = 5;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 /// Compiler and standard library that built the plugin: C++ types cross the border.
