@@ -28,8 +28,9 @@ protected:
     plugins_.load_directory(TEDIT_BIN "/../lib/tedit/plugins");
   }
 
-  static version_ptr part(const std::string& name) {
-    const auto folder = std::filesystem::path(TEDIT_EXAMPLES) / name;
+  static version_ptr part(const std::string& name,
+                          const std::filesystem::path& parts = TEDIT_EXAMPLES) {
+    const auto folder = parts / name;
     auto imported = import_mesh(folder / (name + ".coarse.msh"), "mm");
     EXPECT_TRUE(imported) << render(imported.error());
     return imported ? imported->version : nullptr;
@@ -140,8 +141,9 @@ TEST_F(Stories, ThePlateOfTheReadmeGetsThinner) {
 }
 
 TEST_F(Stories, FlatWallsAreNoHolesAndNoRibs) {
-  for (const auto* name : {"heatsink_125", "bracket_4040", "ctc01_plate"}) {
-    const auto base = part(name);
+  for (const auto* name : {"heatsink_125", "bracket_4040", "ctc01_plate", "inch_block", "fork_thin",
+                           "holes_block", "foot_cup", "as1_assembly"}) {
+    const auto base = part(name, std::filesystem::path(TEDIT_TEST_DATA) / "parts");
     ASSERT_TRUE(base);
     for (const auto& row : base->surfaces()) {
       const auto shape = fit_wall(*base, facets_of(*base, std::vector{row.id}));
