@@ -41,19 +41,24 @@ std::optional<rival> rival_in(const caf::error& e) {
 }
 
 caf::error to_caf(const error& e) {
-  return {static_cast<std::uint8_t>(e.code), category,
-          caf::make_message(e.message, e.remedy, e.where)};
+  const auto code = static_cast<std::uint8_t>(e.code);
+  if (e.most)
+    return {code, category,
+            caf::make_message(e.message, e.remedy, e.where, e.most->parameter, e.most->value)};
+  return {code, category, caf::make_message(e.message, e.remedy, e.where)};
 }
 
 error from_caf(const caf::error& e, const std::string& what) {
   if (e.category() == category) {
-    error result{static_cast<ec>(e.code()), what, {}, {}};
+    error result{static_cast<ec>(e.code()), what, {}, {}, {}};
     const auto& context = e.context();
     if (has_texts(context)) {
       result.message = context.get_as<std::string>(0);
       result.remedy = context.get_as<std::string>(1);
       result.where = context.get_as<std::string>(2);
     }
+    if (context.match_elements<std::string, std::string, std::string, std::string, double>())
+      result.most = {context.get_as<std::string>(3), context.get_as<double>(4)};
     return result;
   }
   if (e == caf::sec::request_timeout)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,12 +68,21 @@ enum class ec {
 /// device unavailable, 130 cancelled.
 [[nodiscard]] int exit_status(ec code) noexcept;
 
+/// What a refused request may ask for instead: tried before it is told.
+struct most_that_works {
+  std::string parameter;  ///< Id of the parameter that asked for too much.
+  double value = 0;       ///< In its unit (SI): the same request with this value succeeds.
+
+  friend bool operator==(const most_that_works&, const most_that_works&) = default;
+};
+
 /// A failure that a person can act on.
 struct error {
   ec code = ec::internal;
   std::string message;  ///< What is wrong, with the numbers.
   std::string remedy;   ///< What the person can do about it; may be empty.
   std::string where;    ///< File:line, byte offset, element or surface; may be empty.
+  std::optional<most_that_works> most = {};  ///< Where it is known.
 };
 
 /// One line for a person: message, place and remedy.
@@ -85,7 +95,7 @@ using expected = tl::expected<T, error>;
 [[nodiscard]] inline tl::unexpected<error> fail(ec code, std::string message,
                                                 std::string remedy = {}, std::string where = {}) {
   return tl::unexpected<error>(
-    error{code, std::move(message), std::move(remedy), std::move(where)});
+    error{code, std::move(message), std::move(remedy), std::move(where), {}});
 }
 
 /// Hands an error on unchanged.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -28,6 +29,20 @@ struct edit_options {
   std::string length_unit = "mm";
   double time_limit_s = 120;
 };
+
+/// An edit that changes more of the part than this is pointed out.
+constexpr double large_share = 0.1;
+
+/// Of the part's volume: below zero where material goes.
+double changed_share(const mesh_version& base, const edit_report& report) {
+  return report.volume_change / total_volume(base);
+}
+
+void warn_of_large_change(double share, session& s) {
+  if (std::abs(share) > large_share)
+    notice(s, "WARNING: the edit " + std::string(share < 0 ? "takes off " : "adds ") +
+                pretty(100 * std::abs(share), 3) + " % of the part");
+}
 
 /// A process of its own, because plugins may crash or hang.
 operation_place place_of(const edit_options& options, const session& s) {
@@ -79,6 +94,7 @@ int run_edit(const edit_options& options, session& s) {
   json["timings_ms"]["import"] = import_ms;
   json["timings_ms"]["export"] = clock.milliseconds();
   print_result(s, json, describe(outcome->report));
+  warn_of_large_change(changed_share(*imported->version, outcome->report), s);
   return 0;
 }
 

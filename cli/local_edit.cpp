@@ -4,6 +4,7 @@
 #include "actors/optimizer/finish.hpp"
 #include "base/stopwatch.hpp"
 #include "ops/loader/operation_log.hpp"
+#include "ops/sdk/most_that_works.hpp"
 #include "ops/services/host_services.hpp"
 
 namespace tedit::cli {
@@ -15,6 +16,7 @@ expected<ops::edit_result> run_operation(const ops::catalogue& plugins, const ve
                                          const operation_place& place) {
   const auto host = ops::make_host_services();
   ops::context ctx;
+  ctx.search_s = ops::refusal_search_s;
   ctx.host = host.get();
   ctx.run.cancel = run.cancel;
   if (run.progress)

@@ -47,6 +47,8 @@ nlohmann::ordered_json to_json(const ops::catalogue::entry& entry) {
       row["max"] = *p.max;
     if (!p.choices.empty())
       row["choices"] = p.choices;
+    if (!p.instead_of.empty())
+      row["instead_of"] = p.instead_of;
     parameters.push_back(std::move(row));
   }
   return {{"id", d.id},

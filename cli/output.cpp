@@ -34,11 +34,14 @@ void print_result(const session& s, const nlohmann::ordered_json& result, const 
 int print_error(const session& s, const error& e) {
   end_progress(s);
   if (s.json) {
-    const nlohmann::ordered_json body{{"error",
-                                       {{"code", code_name(e.code)},
-                                        {"message", e.message},
-                                        {"remedy", e.remedy},
-                                        {"where", e.where}}}};
+    nlohmann::ordered_json body{{"error",
+                                 {{"code", code_name(e.code)},
+                                  {"message", e.message},
+                                  {"remedy", e.remedy},
+                                  {"where", e.where}}}};
+    if (e.most)
+      body["error"]["most_that_works"] = {{"parameter", e.most->parameter},
+                                          {"value", e.most->value}};
     std::cout << to_line(body) << '\n';
     std::cout.flush();
   }

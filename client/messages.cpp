@@ -76,7 +76,10 @@ std::vector<fem::load_case> load_cases_from(
 }  // namespace
 
 error from_message(const v1::Error& message) {
-  return {code_from_name(message.code()), message.message(), message.remedy(), message.where()};
+  error e{code_from_name(message.code()), message.message(), message.remedy(), message.where(), {}};
+  if (message.has_most_that_works())
+    e.most = {message.most_that_works().parameter(), message.most_that_works().value()};
+  return e;
 }
 
 version_info from_message(const v1::VersionInfo& message) {

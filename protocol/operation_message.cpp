@@ -53,6 +53,7 @@ ops::parameter_description from_message(const v1::Parameter& m) {
     p.max = m.max();
   p.choices.assign(m.choices().begin(), m.choices().end());
   p.default_value = protocol::from_message(m.default_value());
+  p.instead_of = m.instead_of();
   return p;
 }
 
@@ -119,6 +120,7 @@ void to_message(const ops::operation_description& description, const std::string
       row->set_max(*p.max);
     row->mutable_choices()->Assign(p.choices.begin(), p.choices.end());
     to_message(p.default_value, row->mutable_default_value());
+    row->set_instead_of(p.instead_of);
   }
 }
 

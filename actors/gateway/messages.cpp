@@ -79,6 +79,10 @@ void to_message(const error& e, v1::Error* out) {
   out->set_message(e.message);
   out->set_remedy(e.remedy);
   out->set_where(e.where);
+  if (!e.most)
+    return;
+  out->mutable_most_that_works()->set_parameter(e.most->parameter);
+  out->mutable_most_that_works()->set_value(e.most->value);
 }
 
 void to_message(const actors::rival& other, v1::Conflict* out) {

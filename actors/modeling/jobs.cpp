@@ -9,6 +9,7 @@
 #include "mesh/io/msh_writer.hpp"
 #include "mesh/io/stl_writer.hpp"
 #include "ops/loader/operation_log.hpp"
+#include "ops/sdk/most_that_works.hpp"
 #include "protocol/operation_message.hpp"
 #include "protocol/report.hpp"
 #include "protocol/selection_message.hpp"
@@ -91,6 +92,7 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   ops::context ctx;
   ctx.host = &services;
   ctx.run = run;
+  ctx.search_s = order.preview ? 0 : ops::refusal_search_s;
   ctx.log =
     ops::operation_log(order.operation, [](const std::string& line) { spdlog::info("{}", line); });
   auto edit =

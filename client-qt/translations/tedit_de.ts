@@ -497,8 +497,8 @@
         <translation>Abtragen</translation>
     </message>
     <message>
-        <source>Takes material off below surfaces: layers of tets, or a given depth.</source>
-        <translation>Trägt unter Flächen Werkstoff ab: Schichten von Tetraedern oder eine gegebene Tiefe.</translation>
+        <source>Takes material off below surfaces: a given depth, or layers of tets.</source>
+        <translation>Trägt unter Flächen Werkstoff ab: eine gegebene Tiefe oder Schichten von Tetraedern.</translation>
     </message>
     <message>
         <source>The surfaces to take material off; for a fin its sides, tip and fillets.</source>
@@ -509,16 +509,16 @@
         <translation>Tetraederschichten</translation>
     </message>
     <message>
-        <source>How many layers of tets to take off. A layer is no length: for one, give a depth.</source>
-        <translation>Wie viele Schichten von Tetraedern abgetragen werden. Eine Schicht ist keine Länge: dafür eine Tiefe angeben.</translation>
+        <source>How many layers of tets to take off where the depth is 0. A layer is no length.</source>
+        <translation>Wie viele Schichten von Tetraedern abgetragen werden, wo die Tiefe 0 ist. Eine Schicht ist keine Länge.</translation>
     </message>
     <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Lower the surfaces by this length instead; 0 takes off layers.</source>
-        <translation>Stattdessen die Flächen um diese Länge absenken; 0 trägt Schichten ab.</translation>
+        <source>How much material to take off. 0 takes off layers of tets instead.</source>
+        <translation>Wie viel Werkstoff abgetragen wird. 0 trägt stattdessen Schichten von Tetraedern ab.</translation>
     </message>
     <message>
         <source>Pieces</source>

@@ -10,6 +10,7 @@
 #include "mesh/features/hole.hpp"
 #include "mesh/features/protrusion.hpp"
 #include "mesh/features/surface_shape.hpp"
+#include "mesh/features/wall_shape.hpp"
 
 namespace tedit {
 
@@ -36,6 +37,44 @@ double round_radius(const mesh_version& mesh, const rim& r) {
   return most - least <= 0.05 * mean ? mean : 0;
 }
 
+/// The space between the surfaces and lids over their rims, as a share of their area to the power
+/// 3/2: positive where it is material (a boss), negative where it is open (a hole), 0 where flat.
+double bulge(const mesh_version& mesh, const std::vector<shell>& shells) {
+  double volume = 0;
+  double area = 0;
+  const vec3 origin = mesh.position(mesh.facet(shells.front().facets.front()).v[0]);
+  const auto add = [&](vec3 a, vec3 b, vec3 c) {
+    volume += dot(a - origin, cross(b - origin, c - origin)) / 6;
+  };
+  for (const auto& part : shells) {
+    for (const auto f : part.facets) {
+      const auto& v = mesh.facet(f).v;
+      add(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
+      area += norm(area_vector(mesh, mesh.facet(f)));
+    }
+    for (const auto& r : part.rims)
+      for (std::size_t i = 0; i < r.loop.size(); ++i)
+        add(r.centre, mesh.position(r.loop[(i + 1) % r.loop.size()]), mesh.position(r.loop[i]));
+  }
+  return volume / std::pow(area, 1.5);
+}
+
+double rim_length(const mesh_version& mesh, const std::vector<shell>& shells) {
+  double length = 0;
+  for (const auto& part : shells)
+    for (const auto& r : part.rims)
+      for (std::size_t i = 0; i < r.loop.size(); ++i)
+        length += norm(mesh.position(r.loop[(i + 1) % r.loop.size()]) - mesh.position(r.loop[i]));
+  return length;
+}
+
+/// Next to no space, as a share of area^(3/2): that of a wall 1 m wide with a dent of 10 um.
+constexpr double no_space = 1e-5;
+/// A boss has one flat surface of at most this share, unless its foot is most of its border: a wall
+/// with the roundings at its edges has not.
+constexpr double wall_share = 0.8;
+constexpr double foot_share = 0.6;
+
 class selector {
 public:
   selector(const mesh_version& mesh, const execution& run) : mesh_(mesh), run_(run) {}
@@ -57,6 +96,11 @@ public:
     const auto whole = complete_hole(mesh_, sorted(walls), {});
     if (!whole)
       return fail(whole.error());
+    if (bulge(mesh_, whole->shells) > -no_space)
+      return fail(ec::not_a_hole,
+                  "surface " + std::to_string(wall) +
+                    " bounds no hole or pocket: it is flat, or bends outwards",
+                  "Pick a wall of a hole, or take the surface alone");
     found_feature found;
     found.surfaces = whole->surfaces;
     std::size_t rims = 0;
@@ -82,6 +126,11 @@ public:
     const auto whole = complete_protrusion(mesh_, surfaces, false);
     if (!whole)
       return fail(whole.error());
+    if (is_wall(*whole))
+      return fail(ec::not_a_protrusion,
+                  "surface " + std::to_string(surfaces.front()) +
+                    " is a wall of the part, of no boss, rib or fin",
+                  "Pick a surface of a boss, rib or fin, or take the surface alone");
     found_feature found;
     found.kind = feature_kind::protrusion;
     found.surfaces = whole->surfaces;
@@ -128,6 +177,25 @@ public:
   }
 
 private:
+  /// Nothing stands out, or it is one flat surface with what rounds its edges.
+  bool is_wall(const protrusion& found) {
+    const auto shells = find_shells(mesh_, facets_of(mesh_, found.surfaces));
+    if (bulge(mesh_, shells) < no_space)
+      return true;
+    double all = 0;
+    double largest = 0;
+    for (const auto id : found.surfaces) {
+      all += shape(id).area;
+      const auto fitted = fit_wall(mesh_, shape(id).facets);
+      if (fitted && fitted->type == wall_shape::kind::plane)
+        largest = std::max(largest, shape(id).area);
+    }
+    double feet = 0;
+    for (const auto& one : found.feet)
+      feet += one.length;
+    return largest > wall_share * all && feet < foot_share * rim_length(mesh_, shells);
+  }
+
   const surface_shape& shape(surface_id id) {
     const auto known = shapes_.find(id);
     return known != shapes_.end() ? known->second

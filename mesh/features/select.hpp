@@ -38,7 +38,8 @@ struct found_feature {
   vec3 axis;                               ///< Unit, out of the part; zero when not round.
 };
 
-/// Answers a query. One feature, or for holes any number, by falling area of their walls. Errors:
+/// Answers a query. A flat wall, and one with nothing but roundings at its edges, is neither a hole
+/// nor a protrusion. One feature, or for holes any number, by falling area of their walls. Errors:
 /// `surface_not_found`, `empty_selection`, `mixed_rim`, `not_a_hole`, `not_a_protrusion`,
 /// `invalid_argument`, `cancelled`. Cost: O(boundary); for holes times the number of holes' walls.
 [[nodiscard]] expected<std::vector<found_feature>> select_surfaces(const mesh_version& mesh,

@@ -119,7 +119,8 @@ std::string flat(const operation_description& d) {
   for (const auto& p : d.parameters) {
     text += "\n" + p.id + "|" + p.name + "|" + p.help + "|" + p.unit + "|" +
             std::to_string(static_cast<int>(p.type)) + "|" + std::to_string(p.min.value_or(0)) +
-            "|" + std::to_string(p.max.value_or(0)) + "|" + std::to_string(p.default_value.index());
+            "|" + std::to_string(p.max.value_or(0)) + "|" +
+            std::to_string(p.default_value.index()) + "|" + p.instead_of;
     for (const auto& choice : p.choices)
       text += "|" + choice;
   }

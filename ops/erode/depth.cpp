@@ -112,9 +112,10 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& done, d
     {"thickness_change_worst_mm", 1e3 * worst, "mm", "taken off at the least exact place"});
 }
 
-/// Round surfaces, with flat ones beside them: all move at once.
-expected<void> lower_walls(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
-                           double depth, context& ctx, erosion_sum& sum) {
+}  // namespace
+
+expected<void> shift_in(mesh_builder& mesh, const std::vector<surface_id>& surfaces, double depth,
+                        context& ctx, erosion_sum& sum) {
   const auto walls = fit_walls(*mesh.base(), surfaces);
   if (!walls)
     return fail(walls.error());
@@ -124,26 +125,13 @@ expected<void> lower_walls(mesh_builder& mesh, const std::vector<surface_id>& su
   return {};
 }
 
-expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
-  for (const auto surface : surfaces) {
-    const auto patch = find_patch(mesh, surface);
-    if (!patch)
-      return fail(patch.error());
-    if (!patch->flat())
-      return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
                            double depth, context& ctx, erosion_sum& sum) {
   const auto flat = all_flat(mesh, surfaces);
   if (!flat)
     return fail(flat.error());
   if (!*flat)
-    return lower_walls(mesh, surfaces, depth, ctx, sum);
+    return shift_in(mesh, surfaces, depth, ctx, sum);
   std::vector<surface_patch> done;
   bool cut = false;
   for (const auto surface : surfaces) {

@@ -13,4 +13,9 @@ namespace tedit::ops {
                                          const std::vector<surface_id>& surfaces, double depth,
                                          context& ctx, erosion_sum& sum);
 
+/// Moves the surfaces as a whole by their own vertices, whatever their shape: `shift_walls`.
+/// Errors: those of `fit_walls` and `shift_walls`.
+[[nodiscard]] expected<void> shift_in(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
+                                      double depth, context& ctx, erosion_sum& sum);
+
 }  // namespace tedit::ops

@@ -3,6 +3,8 @@
 
 #include "ops/erode/depth.hpp"
 #include "ops/erode/layers.hpp"
+#include "ops/sdk/most_that_works.hpp"
+#include "ops/sdk/shift_walls.hpp"
 
 namespace tedit::ops {
 
@@ -37,22 +39,28 @@ void add_counts(const erosion_sum& sum, edit_result& result) {
   result.notices.push_back(gone(removal.crumbs, "crumb", removal.crumb_volume));
 }
 
-}  // namespace
+/// From the boundary alone: that is quicker than over all tets. m^3.
+double enclosed_volume(const mesh_version& mesh) {
+  double volume = 0;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    const auto& v = mesh.facet(f).v;
+    volume += dot(mesh.position(v[0]), cross(mesh.position(v[1]), mesh.position(v[2]))) / 6;
+  }
+  return volume;
+}
 
-expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
-                            const erode_settings& settings, context& ctx) {
-  if (surfaces.empty())
-    return fail(ec::empty_selection, "no surface was selected", "Select what to take material off");
-  if (ctx.run.cancel.cancelled())
-    return fail(ec::cancelled, "the edit was cancelled");
-  ctx.run.report(0.05, "looking at the surfaces");
+/// One way to take material off.
+using erosion = std::function<expected<void>(mesh_builder& mesh, erosion_sum& sum)>;
+
+expected<edit_result> eroded_by(const erosion& way, const mesh_version& mesh,
+                                const std::vector<surface_id>& surfaces, piece_policy policy) {
   // The version outlives the call; the builder only needs a handle without ownership.
   mesh_builder builder(version_ptr(version_ptr{}, &mesh));
   erosion_sum sum;
-  sum.policy = settings.pieces;
-  const auto done = settings.depth > 0 ? erode_depth(builder, surfaces, settings.depth, ctx, sum)
-                                       : erode_layers(builder, surfaces, settings.layers, ctx, sum);
-  if (!done)
+  sum.policy = policy;
+  if (const auto done = way(builder, sum); !done)
     return fail(done.error());
   edit_result result;
   result.candidate = builder.freeze();
@@ -65,6 +73,63 @@ expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_
   result.notices = std::move(sum.notices);
   result.bodies_added = sum.bodies_added;
   add_counts(sum, result);
+  result.figures.push_back({"volume_change_percent",
+                            100 * result.volume_change / enclosed_volume(mesh), "%",
+                            "of the part's volume"});
+  return result;
+}
+
+/// Flat surfaces are cut free or lowered one by one; where that does not work they move together,
+/// with the fillets around them.
+expected<edit_result> lowered(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+                              bool flat, double depth, piece_policy policy, context& ctx) {
+  auto result = eroded_by(
+    [&](mesh_builder& to, erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
+    mesh, surfaces, policy);
+  const auto sound = result ? passes_if_doubtful(mesh, *result, ctx.run) : fail(result.error());
+  if (sound || !flat || sound.error().code == ec::cancelled)
+    return result;
+  auto moved = eroded_by(
+    [&](mesh_builder& to, erosion_sum& sum) { return shift_in(to, surfaces, depth, ctx, sum); },
+    mesh, surfaces, policy);
+  if (moved && passes_if_doubtful(mesh, *moved, ctx.run))
+    return moved;
+  if (ctx.run.cancel.cancelled())
+    return fail(ec::cancelled, "the edit was cancelled");
+  return result;
+}
+
+}  // namespace
+
+expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+                            const erode_settings& settings, context& ctx) {
+  if (surfaces.empty())
+    return fail(ec::empty_selection, "no surface was selected", "Select what to take material off");
+  if (settings.depth <= 0 && settings.layers <= 0)
+    return fail(ec::invalid_parameter, "neither a depth nor layers of tets are given",
+                "Give a depth above 0, or a number of layers");
+  if (ctx.run.cancel.cancelled())
+    return fail(ec::cancelled, "the edit was cancelled");
+  ctx.run.report(0.05, "looking at the surfaces");
+  const auto flat = all_flat(mesh_builder(version_ptr(version_ptr{}, &mesh)), surfaces);
+  if (settings.depth > 0 && !flat)
+    return fail(flat.error());
+  auto result = settings.depth > 0
+                  ? at_most(
+                      mesh, {"depth", "depth", settings.depth},
+                      [&](double depth, context& trial) {
+                        return lowered(mesh, surfaces, *flat, depth, settings.pieces, trial);
+                      },
+                      ctx)
+                  : eroded_by(
+                      [&](mesh_builder& to, erosion_sum& sum) {
+                        return erode_layers(to, surfaces, settings.layers, ctx, sum);
+                      },
+                      mesh, surfaces, settings.pieces);
+  if (!result)
+    return result;
+  if (settings.depth > 0 && settings.layers > 0)
+    result->notices.push_back("the depth was taken off; layers count where the depth is 0");
   ctx.run.report(1, "eroded");
   return result;
 }

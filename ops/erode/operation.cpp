@@ -11,28 +11,29 @@ public:
     ops::operation_description d;
     d.id = "erode";
     d.name = "Erode";
-    d.summary = "Takes material off below surfaces: layers of tets, or a given depth.";
-    d.version = "1.1.0";
+    d.summary = "Takes material off below surfaces: a given depth, or layers of tets.";
+    d.version = "2.0.0";
     d.selection.help = "The surfaces to take material off; for a fin its sides, tip and fillets.";
     d.parameters = {
-      {"layers",
-       "Layers of tets",
-       "How many layers of tets to take off. A layer is no length: for one, give a depth.",
-       ops::parameter_type::integer,
-       "",
-       1.0,
-       20.0,
-       {},
-       std::int64_t{1}},
       {"depth",
        "Depth",
-       "Lower the surfaces by this length instead; 0 takes off layers.",
+       "How much material to take off. 0 takes off layers of tets instead.",
        ops::parameter_type::real,
        "m",
        0.0,
        1.0,
        {},
-       0.0},
+       0.0005},
+      {"layers",
+       "Layers of tets",
+       "How many layers of tets to take off where the depth is 0. A layer is no length.",
+       ops::parameter_type::integer,
+       "",
+       0.0,
+       20.0,
+       {},
+       std::int64_t{0},
+       "depth"},
       {"pieces",
        "Pieces",
        "What becomes of a part that falls apart: refuse, keep_largest (of each body) or allow.",
@@ -62,4 +63,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("erode", "1.1.0", erode_operation)
+TEDIT_PLUGIN("erode", "2.0.0", erode_operation)

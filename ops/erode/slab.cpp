@@ -171,10 +171,9 @@ expected<void> slab::check(const std::unordered_set<tet_id>& inside) const {
   for (const auto t : inside) {
     for (const auto v : mesh_.tet_at(t).v)
       if (patch_.depth(mesh_.position(v)) < -std::max(zero_, 10 * patch_.deviation))
-        return fail(ec::invalid_argument,
-                    "the cut below surface " + std::to_string(patch_.surface) +
-                      " would run into material that rises beside it",
-                    "Take less off, or select other surfaces");
+        return fail(ec::invalid_argument, "the cut below surface " +
+                                            std::to_string(patch_.surface) +
+                                            " would run into material that rises beside it");
     for (const auto behind : mesh_.neighbours(t)) {
       if (!is_facet(behind))
         continue;
@@ -191,19 +190,16 @@ expected<void> slab::check(const std::unordered_set<tet_id>& inside) const {
       if (cosine < (beside.contains(facet.surface) ? -lower_step : underside))
         thinnest = std::min(thinnest, depth);
       if (cosine > lower_step && depth > zero_)
-        return fail(ec::invalid_argument,
-                    "the cut would take off surface " + std::to_string(facet.surface) +
-                      ", which lies " + millimetres(depth) + " below surface " +
-                      std::to_string(patch_.surface),
-                    "Take less off than that");
+        return fail(ec::invalid_argument, "the cut would take off surface " +
+                                            std::to_string(facet.surface) + ", which lies " +
+                                            millimetres(depth) + " below surface " +
+                                            std::to_string(patch_.surface));
     }
   }
   if (thinnest < 1e300)
-    return fail(ec::invalid_argument,
-                "the wall below surface " + std::to_string(patch_.surface) + " is only " +
-                  millimetres(std::max(0.0, thinnest)) + " thick at its thinnest; " +
-                  millimetres(depth_) + " cannot be taken off it",
-                "Take less off than that");
+    return fail(ec::invalid_argument, "the wall below surface " + std::to_string(patch_.surface) +
+                                        " is only " + millimetres(std::max(0.0, thinnest)) +
+                                        " thick at its thinnest");
   return {};
 }
 

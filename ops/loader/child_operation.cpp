@@ -19,6 +19,7 @@ enum message_kind : std::uint32_t { progress_message, log_message, answer_messag
 context context_in_child(const context& callers, const caller_line& line) {
   context ctx;
   ctx.host = callers.host;
+  ctx.search_s = callers.search_s;
   ctx.log = [&line](std::string_view text) {
     line.send(log_message, std::as_bytes(std::span(text)));
   };

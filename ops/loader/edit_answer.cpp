@@ -50,6 +50,11 @@ void write_error(const error& e, byte_writer& out) {
   out.text(code_name(e.code));
   for (const auto* text : {&e.message, &e.remedy, &e.where})
     out.text(*text);
+  out.number(static_cast<std::uint8_t>(e.most.has_value()));
+  if (!e.most)
+    return;
+  out.text(e.most->parameter);
+  out.number(e.most->value);
 }
 
 error read_error(byte_reader& in) {
@@ -57,6 +62,11 @@ error read_error(byte_reader& in) {
   e.code = code_from_name(in.text());
   for (auto* text : {&e.message, &e.remedy, &e.where})
     *text = in.text();
+  if (in.number<std::uint8_t>() == 0)
+    return e;
+  auto& most = e.most.emplace();
+  most.parameter = in.text();
+  most.value = in.number<double>();
   return e;
 }
 

@@ -115,6 +115,15 @@ expected<parameters> in_metres(const operation_description& description, const p
   return result;
 }
 
+/// 0 where the request gives what stands in for the parameter.
+parameter_value default_of(const parameter_description& p, const operation_description& description,
+                           const parameters& given) {
+  const bool replaced = std::ranges::any_of(description.parameters, [&](const auto& other) {
+    return other.instead_of == p.id && given.contains(other.id);
+  });
+  return replaced ? parameter_value(std::int64_t{0}) : p.default_value;
+}
+
 }  // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
@@ -150,7 +159,7 @@ expected<parameters> complete_parameters(const operation_description& descriptio
   for (const auto& p : description.parameters) {
     names.push_back(p.id);
     const auto found = given.find(p.id);
-    auto value = typed(p, found == given.end() ? p.default_value : found->second);
+    auto value = typed(p, found == given.end() ? default_of(p, description, given) : found->second);
     if (!value)
       return fail(value.error());
     if (auto ok = check_range(p, *value); !ok)

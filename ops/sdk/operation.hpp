@@ -64,6 +64,9 @@ struct parameter_description {
   std::optional<double> max;
   std::vector<std::string> choices;  ///< For choice.
   parameter_value default_value = false;
+  /// Id of a number that this one stands in for: where a request gives this one and not that one,
+  /// that one is 0 instead of its default.
+  std::string instead_of = {};
 };
 
 /// What a person picks before the operation can run.
@@ -153,6 +156,9 @@ struct context {
   /// Takes a line for whoever runs the program: the server's log, stderr of the command line. The
   /// host puts the operation's name before it. Thread-safe; never empty.
   std::function<void(std::string_view)> log = [](std::string_view) {};
+  /// How long a refusal may look for what would work instead, beside the time of one trial; 0: not
+  /// at all, as for a preview, whose answer must come at once.
+  double search_s = 0;
 };
 
 /// A number that only this operation has, measured on the result: shown with the edit's report and
@@ -205,7 +211,7 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 4;
+inline constexpr std::uint32_t sdk_major = 5;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 /// Compiler and standard library that built the plugin: C++ types cross the border.

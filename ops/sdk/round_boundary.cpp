@@ -37,10 +37,8 @@ public:
                    std::nullopt, made_.chain[i]);
     }
     if (!closed())
-      return fail(ec::invalid_argument,
-                  "the rounding of " + plan_.chains.front().name(mesh_) +
-                    " does not join the walls around it",
-                  "Take a smaller radius, or select other edges");
+      return fail(ec::invalid_argument, "the rounding of " + plan_.chains.front().name(mesh_) +
+                                          " does not join the walls around it");
     return std::move(shell_);
   }
 
@@ -119,11 +117,8 @@ private:
       for (const auto u : mesh_.facet(f).v)
         if (dropped_.contains(u))
           at = mesh_.position(u);
-    return fail(ec::invalid_argument,
-                "the rounding reaches " + length_name(made_.widest) + " onto surface " +
-                  std::to_string(part.surface) + ", which has no room for that at " +
-                  place_text(at),
-                "Take a smaller radius");
+    return fail(ec::invalid_argument, "surface " + std::to_string(part.surface) +
+                                        " has no room for the rounding at " + place_text(at));
   }
 
   [[nodiscard]] bool closed() const {

@@ -93,11 +93,9 @@ expected<std::unordered_set<tet_id>> find_cavity(const mesh_version& mesh, const
       }
   for (const auto t : found)
     if (mesh.region_of(t) != mesh.region_of(found.front()))
-      return fail(ec::invalid_argument,
-                  plan.chains.front().name(mesh) + " lies where regions " +
-                    std::to_string(mesh.region_of(found.front())) + " and " +
-                    std::to_string(mesh.region_of(t)) + " meet",
-                  "Take a smaller radius, or edges away from the border of the regions");
+      return fail(ec::invalid_argument, plan.chains.front().name(mesh) + " lies where regions " +
+                                          std::to_string(mesh.region_of(found.front())) + " and " +
+                                          std::to_string(mesh.region_of(t)) + " meet");
   return cavity;
 }
 

@@ -104,8 +104,7 @@ expected<void> check_free(const mesh_version& mesh, const round_plan& plan,
       result =
         fail(ec::cap_intersects,
              "the rounding of " + plan.chains.front().name(mesh) + " would run into surface " +
-               std::to_string(mesh.facet(f).surface) + " at " + place_text(p[0]),
-             "Take a smaller radius");
+               std::to_string(mesh.facet(f).surface) + " at " + place_text(p[0]));
   });
   return result;
 }

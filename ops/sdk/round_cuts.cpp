@@ -110,12 +110,11 @@ private:
     used += length;
     const auto& chain = plan_.chains[corner.ends.front().chain];
     if (used > whole - 0.1 * made_.arc_step)
-      return fail(ec::invalid_argument,
-                  "rounding " + chain.name(mesh_) + " takes " + length_name(length) +
-                    " of the edge between surfaces " + std::to_string(s1) + " and " +
-                    std::to_string(s2) + ", which is only " + length_name(whole) + " long, at " +
-                    place_text(from),
-                  "Take a smaller radius");
+      return fail(ec::invalid_argument, "rounding " + chain.name(mesh_) + " takes " +
+                                          length_name(length) + " of the edge between surfaces " +
+                                          std::to_string(s1) + " and " + std::to_string(s2) +
+                                          ", which is only " + length_name(whole) + " long, at " +
+                                          place_text(from));
     if (off > 0.05 * length)
       return fail(ec::invalid_argument,
                   "the rounding of " + chain.name(mesh_) + " leaves the edge between surfaces " +

@@ -9,6 +9,7 @@
 #include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
+#include "ops/sdk/most_that_works.hpp"
 #include "ops/sdk/round_boundary.hpp"
 #include "ops/sdk/round_cavity.hpp"
 
@@ -100,8 +101,6 @@ private:
     }
     if (best)
       return std::move(*best);
-    if (first->remedy.empty())
-      first->remedy = "The version is unchanged; take another radius";
     return fail(*first);
   }
 
@@ -259,7 +258,12 @@ expected<edit_result> round_edges(const mesh_version& mesh, const std::vector<su
   const auto plan = find_chains(mesh, surfaces, side);
   if (!plan)
     return fail(plan.error());
-  auto result = rounder(mesh, *plan, ctx).round(settings);
+  const auto round = [&](double radius, context& trial) {
+    auto taken = settings;
+    taken.radius = radius;
+    return rounder(mesh, *plan, trial).round(taken);
+  };
+  auto result = at_most(mesh, {"radius", "radius", settings.radius}, round, ctx);
   if (!result)
     return fail(result.error());
   result->surfaces_used = plan->used;

@@ -52,10 +52,9 @@ public:
 private:
   [[nodiscard]] tl::unexpected<error> too_large(std::size_t c, const std::string& why,
                                                 vec3 at) const {
-    return fail(ec::invalid_argument,
-                plan_.chains[c].name(mesh_) + " cannot be rounded with a radius of " +
-                  length_name(settings_.radius) + " at " + place_text(at) + ": " + why,
-                "Take a smaller radius");
+    return fail(
+      ec::invalid_argument,
+      plan_.chains[c].name(mesh_) + " cannot be rounded so far at " + place_text(at) + ": " + why);
   }
 
   std::uint32_t add(vec3 p) {

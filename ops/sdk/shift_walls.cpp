@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <unordered_set>
 
 #include "mesh/level_set_freedom.hpp"
+#include "mesh/level_set_patch.hpp"
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
+#include "ops/sdk/carried_surfaces.hpp"
+#include "ops/sdk/facet_sheet.hpp"
 #include "ops/sdk/swept_facets.hpp"
 
 namespace tedit::ops {
@@ -32,69 +34,14 @@ constexpr double least_sine = 0.05;
 constexpr double flush_tolerance = 0.1;
 constexpr int newton_steps = 30;
 
-std::string text_of(const char* format, double a, double b = 0, double c = 0) {
+std::string text_of(const char* format, double a) {
   char text[96];
-  std::snprintf(text, sizeof(text), format, a, b, c);
+  std::snprintf(text, sizeof(text), format, a);
   return text;
 }
 
 /// What counts as round here. A vertex that is a little off the shape stays as far off.
 constexpr fit_limits round_enough{3e-3, true, true};
-
-/// A neighbour of any shape: its facets as they were before the edit. Beyond its border the plane
-/// of the nearest one goes on.
-class facet_sheet {
-public:
-  facet_sheet(const mesh_version& mesh, surface_id id) {
-    for (const auto f : facets_of(mesh, std::vector{id})) {
-      const auto& v = mesh.facet(f).v;
-      triangles_.push_back({mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])});
-    }
-    if (!triangles_.empty())
-      for (int i = 0; i < 3; ++i)
-        size_ = std::max(size_, norm(triangles_[0][(i + 1) % 3] - triangles_[0][i]));
-  }
-
-  /// The plane through the point nearest to p, of the facets there on average. Cost: O(facets).
-  [[nodiscard]] wall_shape plane_at(vec3 p) const {
-    std::vector<vec3> nearest;
-    double least = 1e300;
-    for (const auto& t : triangles_) {
-      nearest.push_back(nearest_on(p, t));
-      least = std::min(least, norm(p - nearest.back()));
-    }
-    wall_shape plane;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      if (norm(p - nearest[i]) > least + 1e-6 * size_)
-        continue;
-      const auto& [a, b, c] = triangles_[i];
-      plane.point = nearest[i];
-      plane.axis += normalized(area_vector(a, b, c));
-    }
-    plane.axis = normalized(plane.axis);
-    return plane;
-  }
-
-private:
-  static vec3 nearest_on(vec3 p, const std::array<vec3, 3>& t) {
-    const vec3 n = area_vector(t[0], t[1], t[2]);
-    vec3 best;
-    double least = 1e300;
-    bool inside = true;
-    for (int i = 0; i < 3; ++i) {
-      const vec3 along = t[(i + 1) % 3] - t[i];
-      const vec3 d = p - t[i];
-      inside = inside && dot(cross(along, d), n) >= 0;
-      const vec3 foot = t[i] + std::clamp(dot(d, along) / dot(along, along), 0.0, 1.0) * along;
-      if (norm(p - foot) < least)
-        std::tie(least, best) = std::tuple(norm(p - foot), foot);
-    }
-    return inside ? p - dot(p - t[0], n) / dot(n, n) * n : best;
-  }
-
-  std::vector<std::array<vec3, 3>> triangles_;
-  double size_ = 0;  ///< Longest edge of the first facet, m: points nearer than 1e-6 of it are one.
-};
 
 /// A surface as the shift sees it: its exact shape where it has one.
 struct known_surface {
@@ -109,14 +56,20 @@ struct condition {
   double target = 0;
   surface_id surface = 0;
   bool moves = false;
+  vec3 carried = {};  ///< How far the surface has gone with a wall, m.
 
-  [[nodiscard]] wall_shape shape_at(vec3 p) const { return exact ? *exact : sheet->plane_at(p); }
+  [[nodiscard]] wall_shape shape_at(vec3 p) const {
+    auto shape = exact ? *exact : sheet->plane_at(p - carried);
+    shape.point += carried;
+    return shape;
+  }
 };
 
 class shifter {
 public:
-  shifter(mesh_builder& mesh, const wall_set& walls, double distance, const execution& run)
-      : mesh_(mesh), walls_(walls), distance_(distance), run_(run) {
+  shifter(mesh_builder& mesh, const wall_set& walls, const carried_set& carried, double distance,
+          const execution& run)
+      : mesh_(mesh), walls_(walls), carried_(carried), distance_(distance), run_(run) {
     for (const auto& [id, shape] : walls)
       surfaces_.emplace(id, known_surface{shape, {}});
   }
@@ -149,11 +102,15 @@ public:
 private:
   using vertex_places = std::map<vertex_id, vec3>;
 
-  /// Where the vertices of the walls belong at a share of the way.
+  [[nodiscard]] bool goes(surface_id id) const {
+    return walls_.contains(id) || carried_.contains(id);
+  }
+
+  /// Where the vertices of the walls, and of what goes with them, belong at a share of the way.
   expected<vertex_places> places_at(double share) {
     vertex_places places;
     for (facet_id f = 0; f < mesh_.facet_slots(); ++f) {
-      if (!mesh_.is_live_facet(f) || !walls_.contains(mesh_.facet(f).surface))
+      if (!mesh_.is_live_facet(f) || !goes(mesh_.facet(f).surface))
         continue;
       for (const auto v : mesh_.facet(f).v) {
         if (places.contains(v))
@@ -173,7 +130,7 @@ private:
     const double close = 1e-10 * std::abs(distance_);
     // Where a sheet's facets meet the nearest one may change to and fro.
     const double loose = 1e-3 * std::abs(distance_);
-    vec3 x = start;
+    vec3 x = start + first_way(conditions, share);
     for (int n = 0; n < newton_steps; ++n) {
       const auto move = newton_step(conditions, x, share);
       if (!move)
@@ -184,11 +141,17 @@ private:
       if (!is_finite(x) || norm(x - start) > 50 * std::abs(distance_))
         break;
     }
-    return fail(ec::invalid_argument,
-                "surface " + std::to_string(conditions.front().surface) + " at " +
-                  place_text(start) + " finds no place on its neighbours that is " +
-                  text_of("%.4g mm", 1e3 * std::abs(distance_)) + " away",
-                "Take a smaller depth");
+    return fail(ec::invalid_argument, "surface " + std::to_string(conditions.front().surface) +
+                                        " at " + place_text(start) +
+                                        " finds no place on its neighbours so far away");
+  }
+
+  /// What goes along keeps its place on its surface.
+  [[nodiscard]] vec3 first_way(const std::vector<condition>& conditions, double share) const {
+    for (const auto& c : conditions)
+      if (const auto row = carried_.find(c.surface); row != carried_.end())
+        return (share - reached_) * row->second;
+    return {};
   }
 
   /// The shortest step that fulfils all conditions to first order; moving walls come first.
@@ -241,8 +204,13 @@ private:
       condition next{known.shape, known.sheet ? &*known.sheet : nullptr, 0, id,
                      walls_.contains(id)};
       const vec3 here = mesh_.position(v);
+      const auto along = carried_.find(id);
+      if (along != carried_.end())
+        next.carried = reached_ * along->second;
       next.target =
         next.moves ? share * distance_ + offset_of(v, id) : next.shape_at(here).distance(here);
+      if (along != carried_.end())
+        next.carried = share * along->second;
       result.push_back(next);
     }
     add_interfaces(v, star, result);
@@ -330,7 +298,7 @@ private:
     tidy_settings tidy;
     tidy.target = mend_below;
     tidy.tolerance_of = [&](surface_id id) {
-      return walls_.contains(id) ? tidy.tolerance : neighbour_tolerance;
+      return goes(id) ? tidy.tolerance : neighbour_tolerance;
     };
     if (const auto done = tidy_cut(mesh_, region, tidy, run_); !done)
       return fail(done.error());
@@ -347,16 +315,13 @@ private:
     std::string ids;
     for (const auto& [id, shape] : walls_)
       ids += (ids.empty() ? "" : ", ") + std::to_string(id);
-    const double most = std::abs(distance_) * reached_;
-    return fail(ec::invalid_argument,
-                (walls_.size() == 1 ? "surface " : "surfaces ") + ids + " can be moved by " +
-                  text_of("%.3g mm of %.4g mm only: ", 1e3 * most, 1e3 * std::abs(distance_)) +
-                  obstacle_,
-                reached_ > 0 ? "Take no more than that" : "Improve the mesh there first");
+    return fail(ec::invalid_argument, (walls_.size() == 1 ? "surface " : "surfaces ") + ids +
+                                        " cannot be moved so far: " + obstacle_);
   }
 
   mesh_builder& mesh_;
   const wall_set& walls_;
+  const carried_set& carried_;
   double distance_;
   const execution& run_;
   double reached_ = 0;  ///< Share of the way.
@@ -370,11 +335,11 @@ expected<void> check_radii(const wall_set& walls, double distance) {
   for (const auto& [id, shape] : walls)
     if (shape.type == wall_shape::kind::cylinder &&
         shape.radius + shape.side * distance <= 1e-3 * shape.radius)
-      return fail(ec::invalid_argument,
-                  "surface " + std::to_string(id) + " is round with a radius of " +
-                    text_of("%.4g mm; it cannot be moved by %.4g mm towards its axis",
-                            1e3 * shape.radius, 1e3 * std::abs(distance)),
-                  distance < 0 ? "Take less off" : "Fill the hole (fill_hole) instead");
+      return fail(
+        ec::invalid_argument,
+        "surface " + std::to_string(id) + " is round with a radius of " +
+          text_of("%.4g mm; it cannot be moved by as much towards its axis", 1e3 * shape.radius),
+        distance < 0 ? "" : "Fill the hole (fill_hole) instead");
   return {};
 }
 
@@ -416,15 +381,30 @@ expected<wall_set> fit_walls(const mesh_version& mesh, const std::vector<surface
   return walls;
 }
 
+expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
+  for (const auto surface : surfaces) {
+    const auto patch = find_patch(mesh, surface);
+    if (!patch)
+      return fail(patch.error());
+    if (!patch->flat())
+      return false;
+  }
+  return true;
+}
+
 expected<void> shift_walls(mesh_builder& mesh, const wall_set& walls, double distance,
                            const execution& run) {
   if (auto ok = check_radii(walls, distance); !ok)
     return fail(ok.error());
-  return shifter(mesh, walls, distance, run).shift();
+  auto moving = walls;
+  const auto carried = find_carried(*mesh.base(), moving, distance);
+  return shifter(mesh, moving, carried, distance, run).shift();
 }
 
 std::vector<figure> measure_shift(const mesh_version& base, const mesh_version& mesh,
-                                  const wall_set& walls, double distance) {
+                                  const wall_set& selected, double distance) {
+  auto walls = selected;
+  find_carried(base, walls, distance);
   double area = 0;
   double mean = 0;
   double worst = distance;

@@ -17,6 +17,10 @@ using wall_set = std::map<surface_id, wall_shape>;
 [[nodiscard]] expected<wall_set> fit_walls(const mesh_version& mesh,
                                            const std::vector<surface_id>& surfaces);
 
+/// Are all of the surfaces planes? Errors: those of `find_patch`. Cost: O(surfaces x facet slots).
+[[nodiscard]] expected<bool> all_flat(const mesh_builder& mesh,
+                                      const std::vector<surface_id>& surfaces);
+
 /// Moves the walls by `distance` (m, outward; negative: into the material), parallel to themselves,
 /// by their own vertices: each goes to where it is `distance` off every wall of the set that it
 /// lies on and still on every neighbour's exact shape (on its facets where it has another one),

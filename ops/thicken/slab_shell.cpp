@@ -16,6 +16,12 @@ namespace {
 
 /// A neighbour that looks down on the patch by more than this (cosine) is no wall but a roof.
 constexpr double roof = -0.5;
+/// Behind a convex edge that bends by more a rising neighbour ends, rad.
+constexpr double most_bend = std::numbers::pi / 6;
+/// The same where another surface begins beside it, which does not touch the patch, rad.
+constexpr double least_bend = std::numbers::pi / 180;
+/// Edges that rise less, m per m, run along the patch.
+constexpr double level_slope = 1e-3;
 
 std::uint64_t edge_key(vertex_id a, vertex_id b) {
   return std::uint64_t{a} << 32 | b;
@@ -52,17 +58,28 @@ public:
       if (f == no_id || mesh_.facet(f).surface == patch_.surface || !seen.insert(f).second)
         return;
       const auto& v = mesh_.facet(f).v;
-      if (std::ranges::any_of(v, [&](vertex_id u) { return above_top(u) < 0; }))
+      const auto inside = [&](vertex_id u) { return above_top(u) < 0; };
+      const auto higher = [&](vertex_id u) { return height(u) > zero_; };
+      if (std::ranges::any_of(v, inside) && std::ranges::any_of(v, higher))
         found.push_back(f);
     };
+    std::unordered_set<surface_id> beside;
     for (const auto& edge : patch_.border)
-      if (!edge.convex())
+      if (!edge.convex()) {
         visit(edge.outer);
+        beside.insert(mesh_.facet(edge.outer).surface);
+      }
     for (std::size_t next = 0; next < found.size(); ++next)
       for (int i = 0; i < 3; ++i) {
         const auto& v = mesh_.facet(found[next]).v;
         const auto across = left_of(v[(i + 1) % 3], v[i]);
-        if (across != no_id && !turns_away(found[next], across, v[i], v[(i + 1) % 3]))
+        if (across == no_id)
+          continue;
+        const double bend = bend_at(found[next], across, v[i], v[(i + 1) % 3]);
+        // A wall that ends sideways at a rounding: the slab ends with it.
+        const bool ends = bend > least_bend && !beside.contains(mesh_.facet(across).surface) &&
+                          !level(v[i], v[(i + 1) % 3]);
+        if (!ends && bend <= most_bend)
           visit(across);
       }
     return found;
@@ -77,12 +94,19 @@ private:
       area_vector(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])));
   }
 
-  [[nodiscard]] bool turns_away(facet_id f, facet_id g, vertex_id a, vertex_id b) const {
+  /// By how much the boundary turns away from the slab at the edge, rad.
+  [[nodiscard]] double bend_at(facet_id f, facet_id g, vertex_id a, vertex_id b) const {
     const vec3 along = normalized(mesh_.position(b) - mesh_.position(a));
-    const double bend =
-      std::atan2(dot(along, cross(normal(f), normal(g))), dot(normal(f), normal(g)));
-    return bend > std::numbers::pi / 6;
+    return std::atan2(dot(along, cross(normal(f), normal(g))), dot(normal(f), normal(g)));
   }
+
+  /// Does the edge run along the patch, at one height above it?
+  [[nodiscard]] bool level(vertex_id a, vertex_id b) const {
+    return std::abs(height(a) - height(b)) <=
+           level_slope * norm(mesh_.position(a) - mesh_.position(b));
+  }
+
+  [[nodiscard]] double height(vertex_id v) const { return -patch_.depth(mesh_.position(v)); }
 
   const mesh_builder& mesh_;
   const surface_patch& patch_;
@@ -111,8 +135,7 @@ public:
       if (dot(n, patch_.normal) < roof)
         return fail(ec::cap_intersects,
                     "the slab would run into surface " + std::to_string(mesh_.facet(f).surface) +
-                      ", which hangs over surface " + std::to_string(patch_.surface),
-                    "Take a smaller height");
+                      ", which hangs over surface " + std::to_string(patch_.surface));
       shell_.covered.push_back(f);
     }
     for (const auto f : shell_.covered) {
@@ -125,10 +148,8 @@ public:
     if (auto ok = add_cap(host); !ok)
       return fail(ok.error());
     if (!closed())
-      return fail(ec::not_a_hole,
-                  "the space above surface " + std::to_string(patch_.surface) +
-                    " is not bounded by sides that go straight up",
-                  "Select other surfaces, or a smaller height");
+      return fail(ec::not_a_hole, "the space above surface " + std::to_string(patch_.surface) +
+                                    " is not bounded by sides that go straight up");
     return std::move(shell_);
   }
 
@@ -338,8 +359,7 @@ expected<void> check_free(const mesh_builder& mesh, const slab_shell& shell) {
         continue;
       if (triangles_intersect({points[t[0]], points[t[1]], points[t[2]]}, p))
         return fail(ec::cap_intersects,
-                    "the slab would run into surface " + std::to_string(mesh.facet(f).surface),
-                    "Take a smaller height");
+                    "the slab would run into surface " + std::to_string(mesh.facet(f).surface));
     }
   }
   return {};

@@ -7,6 +7,7 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/shift_patch.hpp"
+#include "ops/sdk/most_that_works.hpp"
 #include "ops/sdk/shift_walls.hpp"
 #include "ops/thicken/slab_shell.hpp"
 
@@ -84,12 +85,8 @@ expected<surface_patch> raise(mesh_builder& mesh, surface_id surface, double hei
   if (auto ok = check_free(mesh, *shell); !ok)
     return fail(ok.error());
   const auto filling = ctx.host->tetrahedralise(shell->surface, ctx.run);
-  if (!filling) {
-    auto e = filling.error();
-    if (e.remedy.empty())
-      e.remedy = "The version is unchanged; take another height";
-    return fail(std::move(e));
-  }
+  if (!filling)
+    return fail(filling.error());
   if (auto ok = slab_merger(mesh, *patch).merge(*shell, *filling); !ok)
     return fail(ok.error());
   return patch;
@@ -144,17 +141,6 @@ expected<void> raise_planes(mesh_builder& mesh, const std::vector<surface_id>& s
   return {};
 }
 
-expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
-  for (const auto surface : surfaces) {
-    const auto patch = find_patch(mesh, surface);
-    if (!patch)
-      return fail(patch.error());
-    if (!patch->flat())
-      return false;
-  }
-  return true;
-}
-
 /// Round surfaces, with flat ones beside them: all move at once.
 expected<void> raise_walls(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
                            double height, context& ctx, edit_result& result) {
@@ -167,6 +153,44 @@ expected<void> raise_walls(mesh_builder& mesh, const std::vector<surface_id>& su
   return {};
 }
 
+using raising = expected<void> (*)(mesh_builder&, const std::vector<surface_id>&, double, context&,
+                                   edit_result&);
+
+expected<edit_result> raised_by(raising way, const mesh_version& mesh,
+                                const std::vector<surface_id>& surfaces, double height,
+                                context& ctx) {
+  // The version outlives the call; the builder only needs a handle without ownership.
+  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
+  edit_result result;
+  if (auto ok = way(builder, surfaces, height, ctx, result); !ok)
+    return fail(ok.error());
+  result.candidate = builder.freeze();
+  result.touched = builder.touched();
+  result.volume_change = boundary_volume_change(mesh, *result.candidate);
+  result.surfaces_used = surfaces;
+  // The triangles that the slab stands on were made for another height.
+  result.quality_floor = 0.1;
+  return result;
+}
+
+/// Flat surfaces get a slab; where that does not work, as with a height far below the edge length,
+/// they move by their own vertices, with the fillets around them.
+expected<edit_result> raised(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+                             bool flat, double height, context& ctx) {
+  if (!flat)
+    return raised_by(raise_walls, mesh, surfaces, height, ctx);
+  auto slab = raised_by(raise_planes, mesh, surfaces, height, ctx);
+  const auto sound = slab ? passes_if_doubtful(mesh, *slab, ctx.run) : fail(slab.error());
+  if (sound || sound.error().code == ec::cancelled)
+    return slab;
+  auto moved = raised_by(raise_walls, mesh, surfaces, height, ctx);
+  if (moved && passes_if_doubtful(mesh, *moved, ctx.run))
+    return moved;
+  if (ctx.run.cancel.cancelled())
+    return fail(ec::cancelled, "the edit was cancelled");
+  return slab;
+}
+
 }  // namespace
 
 expected<edit_result> thicken(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
@@ -175,22 +199,14 @@ expected<edit_result> thicken(const mesh_version& mesh, const std::vector<surfac
     return fail(ec::empty_selection, "no surface was selected", "Select what to put material on");
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
-  // The version outlives the call; the builder only needs a handle without ownership.
-  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
-  const auto flat = all_flat(builder, surfaces);
+  const auto flat = all_flat(mesh_builder(version_ptr(version_ptr{}, &mesh)), surfaces);
   if (!flat)
     return fail(flat.error());
-  edit_result result;
-  const auto raised = (*flat ? raise_planes : raise_walls)(builder, surfaces, height, ctx, result);
-  if (!raised)
-    return fail(raised.error());
-  result.candidate = builder.freeze();
-  result.touched = builder.touched();
-  result.volume_change = boundary_volume_change(mesh, *result.candidate);
-  result.surfaces_used = surfaces;
-  // The triangles that the slab stands on were made for another height.
-  result.quality_floor = 0.1;
-  ctx.run.report(1, "thickened");
+  auto result = at_most(
+    mesh, {"depth", "thickness", height},
+    [&](double value, context& trial) { return raised(mesh, surfaces, *flat, value, trial); }, ctx);
+  if (result)
+    ctx.run.report(1, "thickened");
   return result;
 }
 

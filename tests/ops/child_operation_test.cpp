@@ -41,6 +41,18 @@ protected:
   context context_;
 };
 
+TEST_F(HostAndPlugin, TheMostThatWorksComesThroughTheProcess) {
+  const error refused{ec::invalid_argument, "too thin", "Take 2 mm", "", {{"depth", 0.002}}};
+
+  const auto with = answer_from_bytes(to_bytes(fail(refused), *mesh_), *mesh_);
+  const auto without = answer_from_bytes(to_bytes(fail(ec::flat_plug, "flat"), *mesh_), *mesh_);
+
+  ASSERT_FALSE(with || without);
+  EXPECT_EQ(with.error().most, refused.most);
+  EXPECT_EQ(with.error().remedy, "Take 2 mm");
+  EXPECT_FALSE(without.error().most);
+}
+
 TEST_F(HostAndPlugin, SelectionsThatDoNotFitNeverReachThePlugin) {
   const auto nothing = here("trusts_the_host", {});
   const auto unknown = here("trusts_the_host", {1, 4711});

@@ -173,7 +173,7 @@ TEST_F(RoundWalls, HalfAWallIsRefusedAndTheOtherHalfNamed) {
   EXPECT_NEAR(total_volume(*both), polygon(16, 2) - polygon(16, 1.1), 1e-9);
 }
 
-TEST_F(RoundWalls, AWallThinnerThanTheDepthIsRefusedWithWhatItBears) {
+TEST_F(RoundWalls, AWallThinnerThanTheDepthIsRefusedWithThePlace) {
   tube shape;
   shape.outer = 1.5;
   const auto base = tube_mesh(shape);
@@ -182,7 +182,7 @@ TEST_F(RoundWalls, AWallThinnerThanTheDepthIsRefusedWithWhatItBears) {
 
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ec::invalid_argument);
-  EXPECT_THAT(result.error().message, HasSubstr("surface 1 can be moved by"));
+  EXPECT_THAT(result.error().message, HasSubstr("surface 1 cannot be moved so far"));
   EXPECT_THAT(result.error().message, HasSubstr("leaves no room"));
 }
 
@@ -282,7 +282,6 @@ TEST_F(RoundWallsOfParts, EverySurfaceAloneMovesSoundlyOrIsRefusedByName) {
     if (!result) {
       EXPECT_EQ(result.error().code, ec::invalid_argument) << render(result.error());
       EXPECT_THAT(result.error().message, HasSubstr("surface"));
-      EXPECT_FALSE(result.error().remedy.empty());
     } else if (finish(base, result)) {
       ++done;
     }

@@ -15,7 +15,16 @@ ops::operation_description sample() {
   d.selection = {"The surface", 1, 4};
   d.parameters = {
     {"distance", "Distance", "How far.", ops::parameter_type::real, "m", -1.0, 1.0, {}, 0.001},
-    {"layers", "Layers", "", ops::parameter_type::integer, "", 1.0, {}, {}, std::int64_t{3}},
+    {"layers",
+     "Layers",
+     "",
+     ops::parameter_type::integer,
+     "",
+     1.0,
+     {},
+     {},
+     std::int64_t{3},
+     "distance"},
     {"exact", "Exact", "", ops::parameter_type::boolean, "", {}, {}, {}, true},
     {"name", "Name", "", ops::parameter_type::text, "", {}, {}, {}, std::string("x")},
     {"side", "Side", "", ops::parameter_type::choice, "", {}, {}, {"in", "out"}, std::string("in")},
@@ -50,6 +59,7 @@ TEST(Catalogue, ComesBackFromItsJson) {
     EXPECT_EQ(p.max, q.max) << p.id;
     EXPECT_EQ(p.choices, q.choices) << p.id;
     EXPECT_EQ(p.default_value, q.default_value) << p.id;
+    EXPECT_EQ(p.instead_of, q.instead_of) << p.id;
   }
 }
 

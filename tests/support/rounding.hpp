@@ -77,7 +77,7 @@ protected:
   static double spandrel(int n) { return 1 - 0.5 * n * std::sin(std::numbers::pi / (2 * n)); }
 
   std::unique_ptr<ops::services> host_ = ops::make_host_services();
-  ops::context ctx_{{}, host_.get(), {}};
+  ops::context ctx_{{}, host_.get(), {}, 1e9};
 };
 
 }  // namespace tedit::test

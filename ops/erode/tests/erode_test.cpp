@@ -58,7 +58,7 @@ protected:
   }
 
   std::unique_ptr<services> host_ = make_host_services();
-  context ctx_{{}, host_.get(), {}};
+  context ctx_{{}, host_.get(), {}, 1e9};
 };
 
 /// A block 4 x 4 x 4 with a pocket 2 x 2 x 2 in the middle of its top: floor 7 at z = 2.
@@ -210,6 +210,43 @@ TEST_F(Erode, AWallThinnerThanTheDepthIsNamed) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ec::invalid_argument);
   EXPECT_THAT(result.error().message, HasSubstr("250 mm thick"));
+}
+
+TEST_F(Erode, TheMostThatWorksDependsOnTheWallAloneAndWorks) {
+  const auto base = test::box_mesh({4, 4, 2}, {1, 1, 0.25});
+
+  const auto a_little = lower(base, {6}, 0.3);
+  const auto a_lot = lower(base, {6}, 0.9);
+
+  ASSERT_FALSE(a_little || a_lot);
+  ASSERT_TRUE(a_little.error().most && a_lot.error().most);
+  EXPECT_EQ(a_little.error().most, a_lot.error().most);
+  EXPECT_EQ(a_little.error().message, a_lot.error().message);
+  EXPECT_EQ(a_lot.error().most->parameter, "depth");
+  const double most = a_lot.error().most->value;
+  EXPECT_GT(most, 0.2);
+  EXPECT_LT(most, 0.25);
+  const auto result = lower(base, {6}, most);
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(base, *result);
+}
+
+TEST_F(Erode, WithoutDepthAndLayersThereIsNothingToDo) {
+  const auto refused = erode(*test::box_mesh({4, 4, 2}, {1, 1, 1}), {6}, {}, ctx_);
+
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ec::invalid_parameter);
+  EXPECT_THAT(refused.error().remedy, HasSubstr("depth"));
+}
+
+TEST_F(Erode, TheShareOfThePartIsToldAndThatADepthGoesBeforeLayers) {
+  const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
+
+  const auto result = erode(*base, {6}, {0.3, 2, piece_policy::refuse}, ctx_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  EXPECT_NEAR(figure_of(*result, "volume_change_percent"), -30, 1e-9);
+  EXPECT_THAT(result->notices, ::testing::Contains(HasSubstr("the depth was taken off")));
 }
 
 TEST_F(Erode, GoingBelowALowerStepLeavesAWall) {

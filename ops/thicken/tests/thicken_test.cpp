@@ -43,7 +43,7 @@ protected:
   }
 
   std::unique_ptr<services> host_ = make_host_services();
-  context ctx_{{}, host_.get(), {}};
+  context ctx_{{}, host_.get(), {}, 1e9};
 };
 
 TEST_F(Thicken, ACubeGrowsStraightUp) {
