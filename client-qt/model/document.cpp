@@ -53,7 +53,9 @@ void document::begin(const QString& name) {
   versions_.forget();
   edits_.forget();
   solver_.forget();
+  loads_.forget();
   name_ = name;
+  emit begun();
 }
 
 void document::load_catalogue() {
@@ -85,8 +87,6 @@ void document::take(const client::document_state& state) {
     versions_.set_head(state.head->number);
     versions_.take_info(*state.head);
   }
-  if (state.load_cases.empty())
-    forget_fields();
   loads_.take(state.load_cases);
   say(state.warnings);
   emit head_changed();
@@ -158,14 +158,11 @@ void document::take_load_cases(const client::load_cases_event& event) {
     for (const auto& before : row->load_cases)
       if (std::ranges::find(loads, before.name, &fem::load_case::name) == loads.end())
         std::erase(row->info.load_cases, before.name);
-    if (loads.empty())
-      forget_fields();
     loads_.take(loads);
   }
   say(event.warnings);
 }
 
-/// Without loads the head has no field, whatever was shown of it before.
 void document::forget_fields() {
   auto* row = versions_.head();
   if (row) {

@@ -73,8 +73,13 @@ public:
   /// With `reports` also of what edits did that were made before this was opened.
   void refresh_history(bool reports = false);
   void load_catalogue();
+  /// Without loads, or with others, the head has no field, whatever was shown of it before.
+  void forget_fields();
+  void say(const std::vector<std::string>& texts);
 
 signals:
+  /// Another document takes the place of the one before, or none: `opened` or `closed` follows.
+  void begun();
   void opened();
   void closed();
   void head_changed();
@@ -91,8 +96,6 @@ private:
   void take_event(const client::committed& what);
   void take_load_cases(const client::load_cases_event& event);
   void take_field(const shared_field& field);
-  void forget_fields();
-  void say(const std::vector<std::string>& texts);
 
   remote& link_;
   QString name_;

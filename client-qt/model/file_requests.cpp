@@ -15,14 +15,47 @@ file_requests::file_requests(document& part, remote& link) : part_(part), link_(
 }
 
 void file_requests::close() {
+  ++wanted_;
   part_.begin({});
   part_.solver().forget_watch();
   emit part_.closed();
 }
 
 void file_requests::open(const QString& name) {
-  part_.begin(name);
-  reopen();
+  const auto look = [name = name.toStdString()](client::client& server,
+                                                const execution&) -> expected<ready> {
+    const auto state = server.open(name, false, false);
+    if (!state)
+      return fail(state.error());
+    if (!state->head)
+      return fail(ec::not_found, "the server has no document \"" + name + "\" any more",
+                  "Open the part's mesh, or look for the document where it was moved to");
+    return ready{};
+  };
+  switch_to(tr("Open %1").arg(title_of(name).words), name, look);
+}
+
+/// `prepare` works on a connection of its own. What was wanted last counts.
+void file_requests::switch_to(const QString& title, const QString& name,
+                              remote::work<ready> prepare) {
+  part_.foreground().ask<ready>(
+    title,
+    [options = link_.options(), prepare = std::move(prepare)](
+      client::client&, const execution& run) -> expected<ready> {
+      const auto aside = client::client::connect(options, {});
+      return aside ? prepare(**aside, run) : expected<ready>(fail(aside.error()));
+    },
+    [this, title, name, mine = ++wanted_](const expected<ready>& got) {
+      if (mine != wanted_)
+        return;
+      if (!got)
+        return emit part_.failed(title, got.error());
+      part_.begin(name);
+      reopen();
+      part_.say(got->warnings);
+      if (got->refused_loads)
+        emit part_.failed(tr("Set the load cases"), *got->refused_loads);
+    });
 }
 
 /// Also when a lost connection is back: the server sends the whole surface again.
@@ -63,33 +96,29 @@ void file_requests::import(const QString& mesh, const QStringList& load_cases,
     }
     loads.push_back(std::move(*read));
   }
-  part_.begin(new_document_name(mesh, QDateTime::currentDateTime()));
-  part_.load_catalogue();
-  ask_import(mesh, unit, std::move(loads));
+  const QString name = new_document_name(mesh, QDateTime::currentDateTime());
+  switch_to(
+    tr("Open %1").arg(QFileInfo(mesh).fileName()), name,
+    [mesh = mesh.toStdString(), unit = unit.toStdString(), name = name.toStdString(),
+     loads = std::move(loads)](client::client& server, const execution& run) -> expected<ready> {
+      if (const auto state = server.open(name, false, false); !state)
+        return fail(state.error());
+      return make(server, run, mesh, unit, loads);
+    });
 }
 
-void file_requests::ask_import(const QString& mesh, const QString& unit,
-                               std::vector<fem::load_case> loads) {
-  const QString title = tr("Open %1").arg(QFileInfo(mesh).fileName());
-  part_.foreground().ask<client::committed>(
-    title,
-    [mesh = mesh.toStdString(), unit = unit.toStdString(), name = part_.name().toStdString()](
-      client::client& c, const execution& run) -> expected<client::committed> {
-      if (auto state = c.open(name, true, true); !state)
-        return fail(std::move(state.error()));
-      return c.import_file(mesh, unit, run);
-    },
-    [this, title, loads = std::move(loads),
-     mine = part_.opening()](const expected<client::committed>& got) {
-      if (mine != part_.opening())
-        return;
-      if (!got)
-        return emit part_.failed(title, got.error());
-      emit part_.opened();
-      part_.take(*got);
-      part_.solver().send_watch();
-      part_.loads().send(loads);
-    });
+/// A part whose loads are refused is opened all the same.
+expected<file_requests::ready> file_requests::make(client::client& server, const execution& run,
+                                                   const std::string& mesh, const std::string& unit,
+                                                   const std::vector<fem::load_case>& loads) {
+  auto made = server.import_file(mesh, unit, run);
+  if (!made)
+    return fail(made.error());
+  ready result{std::move(made->warnings), {}};
+  for (const auto& one : loads)
+    if (const auto ok = server.set_load_case(one); !ok && !result.refused_loads)
+      result.refused_loads = ok.error();
+  return result;
 }
 
 void file_requests::export_to(const QString& path) {

@@ -4,20 +4,24 @@
 #include <QObject>
 #include <QStringList>
 
+#include <optional>
+#include <vector>
+
 #include "client-qt/net/remote.hpp"
 
 namespace tedit::desktop {
 
 class document;
 
-/// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows.
+/// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows. The
+/// document that is open stays so until the other one is there: what fails changes nothing.
 class file_requests : public QObject {
   Q_OBJECT
 
 public:
   file_requests(document& part, remote& link);
 
-  /// Opens a document of the server; it is made when it is not there.
+  /// Opens a document that the server has. `document::failed` says `not_found` when it has none.
   void open(const QString& name);
   /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
   /// it. `unit` is the mesh's length unit, "mm" when empty.
@@ -31,11 +35,20 @@ signals:
   void exported(const QString& path);
 
 private:
+  /// What a person should know of a document that was made ready.
+  struct ready {
+    std::vector<std::string> warnings;
+    std::optional<error> refused_loads;
+  };
   void reopen();
-  void ask_import(const QString& mesh, const QString& unit, std::vector<fem::load_case> loads);
+  void switch_to(const QString& title, const QString& name, remote::work<ready> prepare);
+  [[nodiscard]] static expected<ready> make(client::client& server, const execution& run,
+                                            const std::string& mesh, const std::string& unit,
+                                            const std::vector<fem::load_case>& loads);
 
   document& part_;
   remote& link_;
+  int wanted_ = 0;  ///< The last document that was asked for, or that none shall be open.
 };
 
 }  // namespace tedit::desktop

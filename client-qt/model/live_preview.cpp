@@ -14,7 +14,7 @@ live_preview::live_preview(document& part, QObject* parent) : QObject(parent), p
   quiet_.setInterval(quiet_ms);
   connect(&quiet_, &QTimer::timeout, this, &live_preview::ask_now);
   connect(&part_, &document::head_changed, this, &live_preview::leave);
-  connect(&part_, &document::closed, this, &live_preview::leave);
+  connect(&part_, &document::begun, this, &live_preview::leave);
   connect(&part_.foreground(), &foreground_work::changed, this, &live_preview::activity_changed);
   // What becomes of loads is part of the answer.
   connect(&part_.loads(), &load_requests::changed, this, [this] {

@@ -2,6 +2,7 @@
 #include "client-qt/model/load_requests.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/load_words.hpp"
@@ -39,14 +40,15 @@ QStringList load_requests::acting_on(const std::vector<surface_id>& surfaces) co
 }
 
 void load_requests::take(const std::vector<fem::load_case>& loads) {
-  if (auto* row = versions_.head())
-    row->load_cases = loads;
+  auto* row = versions_.head();
+  const bool others = row && std::exchange(row->load_cases, loads) != loads;
+  if (others && !row->fields.empty())
+    part_.forget_fields();
   emit changed();
 }
 
 /// One request; `done` when it was granted and the document is still the one that asked.
-void load_requests::change(const QString& title, remote::work<void> call,
-                           std::function<void()> done) {
+void load_requests::ask(const QString& title, remote::work<void> call, std::function<void()> done) {
   ++requests_;
   link_.run<void>(std::move(call), [this, title, done = std::move(done),
                                     mine = part_.opening()](const expected<void>& ok) {
@@ -58,6 +60,65 @@ void load_requests::change(const QString& title, remote::work<void> call,
     else
       emit part_.failed(title, ok.error());
   });
+}
+
+/// The server tells what they are now before it answers.
+void load_requests::change(const QString& title, remote::work<void> call,
+                           std::function<void()> done) {
+  const auto version = versions_.head_number();
+  ask(title, std::move(call), [this, version, before = all(), done = std::move(done)] {
+    if (version && version == versions_.head_number())
+      past_.changed(*version, before, all());
+    done();
+  });
+}
+
+const std::vector<fem::load_case>* load_requests::past_to(step_to which) const {
+  const auto version = versions_.head_number();
+  return version && !is_changing() ? (past_.*which)(*version, all()) : nullptr;
+}
+
+void load_requests::undo() {
+  if (const auto* wanted = past_to(&load_history::to_undo))
+    replace(tr("Undo"), *wanted, [this](std::uint32_t version) { past_.undone(version); });
+}
+
+void load_requests::redo() {
+  if (const auto* wanted = past_to(&load_history::to_redo))
+    replace(tr("Redo"), *wanted, [this](std::uint32_t version) { past_.redone(version); });
+}
+
+/// Those that are there already stay as they are.
+void load_requests::replace(const QString& title, std::vector<fem::load_case> wanted,
+                            std::function<void(std::uint32_t)> done) {
+  std::vector<fem::load_case> sent;
+  std::vector<std::string> gone;
+  for (const auto& one : wanted)
+    if (std::ranges::find(all(), one) == all().end())
+      sent.push_back(one);
+  for (const auto& one : all())
+    if (std::ranges::find(wanted, one.name, &fem::load_case::name) == wanted.end())
+      gone.push_back(one.name);
+  ask(
+    title,
+    [sent, gone](client::client& c, const execution&) {
+      expected<void> ok;
+      for (auto i = sent.begin(); ok && i != sent.end(); ++i)
+        ok = c.set_load_case(*i);
+      for (auto i = gone.begin(); ok && i != gone.end(); ++i)
+        ok = c.remove_load_case(*i);
+      return ok;
+    },
+    [this, sent, gone, done = std::move(done), version = *versions_.head_number()] {
+      done(version);
+      for (const auto& one : sent)
+        emit was_set(one);
+      for (const auto& name : gone)
+        emit was_removed(name);
+      if (!all().empty())
+        part_.solver().solve();
+      emit changed();
+    });
 }
 
 void load_requests::send(std::vector<fem::load_case> loads, std::function<void()> then) {

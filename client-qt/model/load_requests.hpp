@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "client-qt/model/load_history.hpp"
 #include "client-qt/net/remote.hpp"
 
 namespace tedit::desktop {
@@ -34,8 +35,16 @@ public:
   /// Gives a load case the name that `renamed` has: the head is never without it. One request, so
   /// that nothing comes between.
   void rename(const std::string& before, const fem::load_case& renamed);
-  /// The document heard of them.
+  /// Takes back the last change that was made here, where nothing else happened to the head since;
+  /// `redo` makes it again. Solves what there is then.
+  void undo();
+  void redo();
+  [[nodiscard]] bool can_undo() const { return past_to(&load_history::to_undo) != nullptr; }
+  [[nodiscard]] bool can_redo() const { return past_to(&load_history::to_redo) != nullptr; }
+  /// The document heard of them. Fields of other loads are forgotten.
   void take(const std::vector<fem::load_case>& loads);
+
+  void forget() { past_.clear(); }
 
 signals:
   void changed();
@@ -44,11 +53,18 @@ signals:
   void was_removed(const std::string& name);
 
 private:
+  using step_to = const std::vector<fem::load_case>* (
+    load_history::*)(std::uint32_t, const std::vector<fem::load_case>&) const;
+  void ask(const QString& title, remote::work<void> call, std::function<void()> done);
   void change(const QString& title, remote::work<void> call, std::function<void()> done);
+  void replace(const QString& title, std::vector<fem::load_case> wanted,
+               std::function<void(std::uint32_t)> done);
+  [[nodiscard]] const std::vector<fem::load_case>* past_to(step_to which) const;
 
   document& part_;
   version_store& versions_;
   remote& link_;
+  load_history past_;
   int requests_ = 0;  ///< Without an answer.
 };
 

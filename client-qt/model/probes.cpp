@@ -112,7 +112,7 @@ std::optional<double> value_at(const probe_place& place, const client::field_eve
 // -- of a document -------------------------------------------------------------------
 
 probes::probes(document& part, QObject* parent) : QObject(parent), part_(part) {
-  connect(&part_, &document::closed, this, &probes::clear);
+  connect(&part_, &document::begun, this, &probes::clear);
   for (auto signal : {&document::field_changed, &document::head_changed, &document::history_changed,
                       &document::surface_changed})
     connect(&part_, signal, this, [this] {

@@ -16,7 +16,7 @@ constexpr double largest_share = 0.25;
 
 selection::selection(document& part, QObject* parent) : QObject(parent), part_(part) {
   connect(&part_, &document::surface_changed, this, &selection::prune);
-  connect(&part_, &document::closed, this, &selection::clear);
+  connect(&part_, &document::begun, this, &selection::clear);
 }
 
 bool selection::contains(surface_id id) const {

@@ -59,17 +59,21 @@ void remote::drop_client() {
   }
 }
 
+client::connect_options remote::options() const {
+  client::connect_options result;
+  result.url = address_.url.toStdString();
+  result.token = address_.token.toStdString();
+  result.client_name = "tedit-qt " TEDIT_VERSION;
+  result.timeout = address_.patience;
+  return result;
+}
+
 void remote::try_connect() {
   if (state_ != state::lost)
     set_state(state::connecting);
-  client::connect_options options;
-  options.url = address_.url.toStdString();
-  options.token = address_.token.toStdString();
-  options.client_name = "tedit-qt " TEDIT_VERSION;
-  options.timeout = address_.patience;
   const int generation = ++generation_;
   auto handlers = make_events();
-  pool_.start([this, options, generation, handlers = std::move(handlers)] {
+  pool_.start([this, options = options(), generation, handlers = std::move(handlers)] {
     auto made = client::client::connect(options, handlers);
     auto shared = made ? expected<shared_client>(shared_client(std::move(*made)))
                        : expected<shared_client>(fail(std::move(made.error())));

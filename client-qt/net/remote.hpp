@@ -54,6 +54,8 @@ public:
 
   [[nodiscard]] state current() const noexcept { return state_; }
   [[nodiscard]] const server_address& address() const noexcept { return address_; }
+  /// For a connection of one's own to the same server.
+  [[nodiscard]] client::connect_options options() const;
   /// Requests that have no answer yet.
   [[nodiscard]] int running() const noexcept { return running_; }
   /// Time of the last status request to its answer, ms; negative before the first.

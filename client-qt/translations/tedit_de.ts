@@ -1186,6 +1186,10 @@ Inhalt %1</translation>
         <source>Export %1</source>
         <translation>%1 exportieren</translation>
     </message>
+    <message>
+        <source>Set the load cases</source>
+        <translation>Lastfälle setzen</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::foreground_work</name>
@@ -1332,6 +1336,14 @@ Inhalt %1</translation>
     <message>
         <source>Of the one that is chosen in the history</source>
         <translation>Von der, die im Verlauf gewählt ist</translation>
+    </message>
+    <message>
+        <source>The last edit, or the last change of loads</source>
+        <translation>Die letzte Änderung am Teil oder an den Lasten</translation>
+    </message>
+    <message>
+        <source>What was undone last</source>
+        <translation>Was zuletzt rückgängig gemacht wurde</translation>
     </message>
 </context>
 <context>
@@ -1582,6 +1594,14 @@ Inhalt %1</translation>
     <message>
         <source>Rename the load case</source>
         <translation>Lastfall umbenennen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,11 @@ void part_framing::set_part(std::shared_ptr<const part_geometry> part) {
     fit();
 }
 
+void part_framing::expect_another() {
+  fitted_ = false;
+  keeps_fitted_ = true;
+}
+
 void part_framing::fit(const std::vector<surface_id>& around) {
   if (!part_)
     return;

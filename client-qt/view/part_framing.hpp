@@ -22,6 +22,8 @@ public:
 
   /// The part that is drawn; the first is made to fit.
   void set_part(std::shared_ptr<const part_geometry> part);
+  /// The next part is another one: it is made to fit as the first was.
+  void expect_another();
   /// The view's size in pixels.
   void set_size(const QSize& size);
   /// Puts the whole part, or some surfaces of it, into the view.

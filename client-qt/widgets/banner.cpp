@@ -158,6 +158,11 @@ void banner::clear_standing() {
   emit changed();
 }
 
+void banner::clear_message() {
+  if (has_message())
+    drop_message();
+}
+
 /// What stands stays.
 void banner::drop_message() {
   away_.stop();

@@ -27,6 +27,8 @@ public:
   /// Stays until `clear_standing`, also beside an error: a connection that is lost.
   void show_standing(const QString& text);
   void clear_standing();
+  /// What was said of a part that is closed now; what stands stays.
+  void clear_message();
   /// All that it says; empty while it is hidden.
   [[nodiscard]] QString text() const;
 

@@ -228,8 +228,11 @@ void main_window::wire() {
   // Once the form has taken it up and its layout with it.
   connect(&tools_->operations.panel().preview(), &live_preview::changed, this,
           [this] { QTimer::singleShot(0, this, &main_window::make_room); });
-  for (auto signal : {&document::opened, &document::head_changed})
+  for (auto signal : {&document::opened, &document::closed, &document::head_changed})
     connect(&part_, signal, this, &main_window::show_title);
+  connect(&part_, &document::begun, banner_, &banner::clear_message);
+  connect(&part_, &document::begun, this, [this] { view_->framing().expect_another(); });
+  connect(&part_.loads(), &load_requests::changed, &actions_, &command_actions::refresh);
   connect(&part_.foreground(), &foreground_work::changed, &actions_, &command_actions::refresh);
   for (auto signal : {&document::head_changed, &document::closed, &document::opened})
     connect(&part_, signal, &actions_, &command_actions::refresh);

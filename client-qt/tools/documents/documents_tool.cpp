@@ -181,7 +181,7 @@ void documents_tool::remember(const QString& document) {
   recent.removeAll(document);
   recent.prepend(document);
   for (const auto& old : recent.mid(most_recent))
-    QFile::remove(picture_file(in_.server.folder(), old));
+    remove_pictures(in_.server.folder(), old);
   recent = recent.mid(0, most_recent);
   QVariantMap used = in_.settings.value("recent_used").toMap();
   used[document] = QDateTime::currentDateTime();

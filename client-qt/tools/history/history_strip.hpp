@@ -29,6 +29,9 @@ public:
   /// The picture of a version, by its content.
   void set_thumbnail(const std::string& version_id, const QImage& picture, bool with_field);
 
+  /// The picture's field is not the version's any more: the next one replaces it.
+  void outdate(const std::string& version_id) { plain_.insert(version_id); }
+
   /// Opens the fields for name and note of the chosen version.
   void edit_words();
 

@@ -14,30 +14,39 @@ history_tool::history_tool(window_context& in) : in_(in), strip_(new history_str
 
 void history_tool::add_commands() {
   const QString edit = command_groups::edit();
-  in_.all_commands.add(
-    {"edit.undo",
-     tr("Undo"),
-     edit,
-     "Ctrl+Z",
-     [this] { in_.part.edits().undo(); },
-     [this, idle = in_.is_idle()] { return idle() && in_.part.edits().can_undo(); },
-     {},
-     "undo"});
-  in_.all_commands.add(
-    {"edit.redo",
-     tr("Redo"),
-     edit,
-     "Ctrl+Y",
-     [this] { in_.part.edits().redo(); },
-     [this, idle = in_.is_idle()] { return idle() && in_.part.edits().can_redo(); },
-     {},
-     "redo"});
+  in_.all_commands.add({"edit.undo", tr("Undo"), edit, "Ctrl+Z", [this] { undo(); },
+                        [this, idle = in_.is_idle()] {
+                          return idle() &&
+                                 (in_.part.edits().can_undo() || in_.part.loads().can_undo());
+                        },
+                        tr("The last edit, or the last change of loads"), "undo"});
+  in_.all_commands.add({"edit.redo", tr("Redo"), edit, "Ctrl+Y", [this] { redo(); },
+                        [this, idle = in_.is_idle()] {
+                          return idle() &&
+                                 (in_.part.edits().can_redo() || in_.part.loads().can_redo());
+                        },
+                        tr("What was undone last"), "redo"});
   in_.all_commands.add({"history.words", tr("Name and note of a version"), edit, "Ctrl+F2",
                         [this] {
                           in_.panels.raise("history");
                           strip_->edit_words();
                         },
                         in_.has_part(), tr("Of the one that is chosen in the history")});
+}
+
+/// Changes of loads come after the edit that made their version.
+void history_tool::undo() {
+  if (in_.part.loads().can_undo())
+    in_.part.loads().undo();
+  else
+    in_.part.edits().undo();
+}
+
+void history_tool::redo() {
+  if (in_.part.loads().can_redo())
+    in_.part.loads().redo();
+  else
+    in_.part.edits().redo();
 }
 
 void history_tool::step_to(std::uint32_t version) {

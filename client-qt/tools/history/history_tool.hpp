@@ -22,6 +22,8 @@ public:
 
 private:
   void add_commands();
+  void undo();
+  void redo();
 
   window_context& in_;
   history_strip* strip_;

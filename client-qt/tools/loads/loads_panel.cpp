@@ -124,7 +124,7 @@ void loads_panel::wire() {
     refresh();
   });
   connect(&part_, &document::edited, this, &loads_panel::carry_drafts);
-  connect(&part_, &document::closed, this, [this] {
+  connect(&part_, &document::begun, this, [this] {
     drafts_.clear();
     close_editor();
     refresh();

@@ -2,6 +2,7 @@
 #include "client-qt/tools/pictures/kept_picture.hpp"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QThreadPool>
 
@@ -9,9 +10,22 @@ namespace tedit::desktop {
 
 static constexpr QSize kept_size(264, 168);
 
+static QString stem_of(const QString& state_folder, const QString& document) {
+  return state_folder + "/pictures/" + QString::fromLatin1(document.toUtf8().toPercentEncoding());
+}
+
 QString picture_file(const QString& state_folder, const QString& document) {
-  return state_folder + "/pictures/" + QString::fromLatin1(document.toUtf8().toPercentEncoding()) +
-         ".png";
+  return stem_of(state_folder, document) + ".png";
+}
+
+QString picture_file(const QString& state_folder, const QString& document,
+                     const std::string& version_id) {
+  return stem_of(state_folder, document) + "/" + QString::fromStdString(version_id) + ".png";
+}
+
+void remove_pictures(const QString& state_folder, const QString& document) {
+  QFile::remove(picture_file(state_folder, document));
+  QDir(stem_of(state_folder, document)).removeRecursively();
 }
 
 void keep_picture(const QImage& frame, const QString& to) {

@@ -4,11 +4,20 @@
 #include <QImage>
 #include <QString>
 
+#include <string>
+
 namespace tedit::desktop {
 
 /// Where the picture of a document's head is kept for the start page; `state_folder`: the local
 /// server's.
 [[nodiscard]] QString picture_file(const QString& state_folder, const QString& document);
+
+/// Where the thumbnail of a version is kept, to be there again when the document is opened.
+[[nodiscard]] QString picture_file(const QString& state_folder, const QString& document,
+                                   const std::string& version_id);
+
+/// Takes the pictures of a document and of its versions away.
+void remove_pictures(const QString& state_folder, const QString& document);
 
 /// Cuts a frame to the size of the start page's pictures and writes it aside.
 void keep_picture(const QImage& frame, const QString& to);

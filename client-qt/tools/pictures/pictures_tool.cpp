@@ -20,6 +20,14 @@ pictures_tool::pictures_tool(window_context& in, history_tool& history)
                         tr("The view with its legend as a PNG"), "camera"});
   connect(&in_.view, &viewport::shown, this, &pictures_tool::shown);
   connect(&in_.view, &viewport::drawn, this, &pictures_tool::take);
+  connect(&in_.part, &document::begun, this, [this] { looked_for_.clear(); });
+  connect(&in_.part, &document::history_changed, this, &pictures_tool::find_kept);
+  connect(&in_.part, &document::field_changed, this, [this] {
+    if (const auto* head = in_.part.head(); head && head->fields.empty()) {
+      kept_.clear();  // Other loads: the next field gives another picture.
+      history_.strip().outdate(head->info.version_id);
+    }
+  });
 }
 
 void pictures_tool::ask_file() {
@@ -66,8 +74,23 @@ void pictures_tool::take() {
   const QImage frame = view.last_picture();
   if (fresh)
     keep_picture(frame, picture_file(in_.server.folder(), in_.part.name()));
-  if (!due.empty())
-    history_.strip().set_thumbnail(due, frame, coloured);
+  if (due.empty())
+    return;
+  history_.strip().set_thumbnail(due, frame, coloured);
+  if (coloured)
+    keep_picture(frame, picture_file(in_.server.folder(), in_.part.name(), due));
+}
+
+/// Of versions that were drawn when the document was open before.
+void pictures_tool::find_kept() {
+  for (const auto& [number, row] : in_.part.versions()) {
+    const auto& id = row.info.version_id;
+    if (!looked_for_.insert(id).second || history_.strip().has_thumbnail(id, true))
+      continue;
+    const QImage kept(picture_file(in_.server.folder(), in_.part.name(), id));
+    if (!kept.isNull())
+      history_.strip().set_thumbnail(id, kept, true);
+  }
 }
 
 }  // namespace tedit::desktop

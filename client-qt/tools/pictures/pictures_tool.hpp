@@ -3,6 +3,9 @@
 
 #include <QObject>
 
+#include <set>
+#include <string>
+
 #include "client-qt/context/window_context.hpp"
 
 namespace tedit::desktop {
@@ -21,11 +24,13 @@ private:
   void ask_file();
   void shown();
   void take();
+  void find_kept();
 
   window_context& in_;
   history_tool& history_;
-  std::string thumbnail_due_;  ///< The version whose picture the next frame gives.
-  QString kept_;               ///< Document, version and field of the picture that was kept.
+  std::string thumbnail_due_;         ///< The version whose picture the next frame gives.
+  QString kept_;                      ///< Document, version and field of the picture that was kept.
+  std::set<std::string> looked_for_;  ///< Versions of this document whose files were looked for.
 };
 
 }  // namespace tedit::desktop

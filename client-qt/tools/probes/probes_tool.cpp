@@ -2,6 +2,7 @@
 #include "client-qt/tools/probes/probes_tool.hpp"
 
 #include <QDockWidget>
+#include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
 
@@ -23,6 +24,38 @@ probes_tool::probes_tool(window_context& in, field_panel& fields, selection_tool
   in_.panels.add("probes", tr("Probes and plots"), both);
   add_pins();
   add_commands();
+  connect(&in_.part, &document::begun, this, [this] { looks_for_kept_ = in_.part.is_open(); });
+  connect(&in_.part, &document::surface_changed, this, &probes_tool::find_kept);
+  connect(&pins_, &probes::added, this, &probes_tool::keep_pins);
+  connect(&pins_, &probes::removed, this, &probes_tool::keep_pins);
+}
+
+/// With the document's name, among the settings: pins are how one person looks at a part.
+void probes_tool::keep_pins() {
+  if (looks_for_kept_ || !in_.part.head())
+    return;  // They go with their document, or come with it.
+  QVariantList all;
+  for (const auto& one : pins_.all())
+    all << QVariant(QVariantList{one.number, static_cast<qlonglong>(one.surface), one.place.at.x,
+                                 one.place.at.y, one.place.at.z});
+  const QString key = "pins/" + in_.part.name();
+  if (all.isEmpty())
+    in_.settings.remove(key);
+  else
+    in_.settings.setValue(key, all);
+}
+
+void probes_tool::find_kept() {
+  const auto* head = in_.part.head();
+  if (!looks_for_kept_ || !head || !head->surface)
+    return;
+  for (const auto& row : in_.settings.value("pins/" + in_.part.name()).toList()) {
+    const auto one = row.toList();
+    if (one.size() == 5)
+      pins_.put(one[0].toInt(), one[1].toLongLong(),
+                {one[2].toDouble(), one[3].toDouble(), one[4].toDouble()});
+  }
+  looks_for_kept_ = false;
 }
 
 void probes_tool::add_pins() {

@@ -25,13 +25,16 @@ public:
 private:
   void add_pins();
   void add_commands();
+  void keep_pins();
+  void find_kept();
   void set_probing(bool on);
 
   window_context& in_;
   selection_tool& selecting_;
   probes pins_;
   probe_panel* list_;
-  bool probing_ = false;  ///< A click sets a probe and picks nothing.
+  bool looks_for_kept_ = false;  ///< Until the surface is there on which they stand.
+  bool probing_ = false;         ///< A click sets a probe and picks nothing.
 };
 
 }  // namespace tedit::desktop

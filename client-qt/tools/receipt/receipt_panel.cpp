@@ -120,6 +120,7 @@ receipt_panel::receipt_panel(desktop::document& part, QWidget* parent)
   connect(this, &QTextBrowser::anchorClicked, this,
           [this](const QUrl& link) { emit surface_wanted(link.path().toLongLong()); });
   connect(&part_, &desktop::document::head_changed, this, &receipt_panel::refresh);
+  connect(&part_, &desktop::document::history_changed, this, &receipt_panel::refresh);
   connect(&part_, &desktop::document::closed, this, &receipt_panel::refresh);
   refresh();
 }

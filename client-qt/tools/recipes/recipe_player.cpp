@@ -72,6 +72,10 @@ bool recipe_player::is_ready() const {
 }
 
 void recipe_player::next() {
+  if (imports_ && !part_.foreground().current()) {
+    imports_ = false;
+    name_ = part_.name();
+  }
   if (part_.name() != name_)
     return stop();  // Somebody opened another one.
   if (wants_field_ && part_.solver().progress() == field_state::stopped)
@@ -98,7 +102,7 @@ void recipe_player::next() {
 expected<void> recipe_player::perform(const client::import_step& s) {
   part_.files().import(QString::fromStdString(s.mesh.string()), {},
                        QString::fromStdString(s.length_unit));
-  name_ = part_.name();
+  imports_ = true;
   return {};
 }
 

@@ -52,6 +52,7 @@ private:
   std::size_t at_ = 0;  ///< Steps that were begun.
   QString name_;        ///< The document that it works on.
   bool wants_field_ = false;
+  bool imports_ = false;  ///< The part that it works on is not there yet.
   int exports_ = 0;
   int job_ = 0;
   QTimer poll_;

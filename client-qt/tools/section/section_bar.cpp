@@ -58,7 +58,7 @@ section_bar::section_bar(document& part, viewport& view, const field_panel& fiel
     if (on_)
       ask();
   });
-  connect(&part_, &document::closed, this, [this] { set_on(false); });
+  connect(&part_, &document::begun, this, [this] { set_on(false); });
   hide();
 }
 

@@ -24,6 +24,7 @@ selection_tool::selection_tool(window_context& in) : in_(in) {
 }
 
 void selection_tool::wire() {
+  connect(&in_.part, &document::begun, this, [this] { set_hidden({}); });
   connect(&in_.picked, &selection::changed, this,
           [this] { in_.view.select(in_.picked.surfaces()); });
   connect(&in_.view, &viewport::clicked, this, &selection_tool::click);

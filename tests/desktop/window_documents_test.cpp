@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// One document after another in a window, wrong files between them, and loads that are changed and
+// taken back.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QDir>
+#include <QFile>
+
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/probes/probes_tool.hpp"
+#include "client-qt/tools/receipt/receipt_panel.hpp"
+#include "client-qt/tools/selection/selection_tool.hpp"
+#include "client-qt/widgets/truth_line.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+class Documents : public Window {
+protected:
+  [[nodiscard]] QStringList files() const {
+    return QDir(state.path() + "/documents").entryList({"*.tedit"}, QDir::Files);
+  }
+  [[nodiscard]] QString said() { return window->context().messages.text(); }
+  void run(const char* command) {
+    ASSERT_TRUE(window->context().all_commands.trigger(command)) << command;
+  }
+
+  /// A file that is no part: its first bytes tell what it claims to be.
+  [[nodiscard]] QString wrong_file(const QString& name) const {
+    const QString path = state.path() + "/" + name;
+    QFile out(path);
+    EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+    if (name.endsWith(".png"))
+      out.write("\x89PNG\r\n\x1a\n");
+    else if (name.endsWith(".step"))
+      out.write("ISO-10303-21;\nHEADER;\nENDSEC;\n");
+    else if (name.endsWith(".stl"))
+      out.write("solid part\nendsolid part\n");
+    else
+      out.write([] {
+        QFile whole(plate());
+        EXPECT_TRUE(whole.open(QIODevice::ReadOnly));
+        return whole.read(whole.size() / 2);
+      }());
+    return path;
+  }
+
+  /// A surface that is in sight and stays when bore 1, 2 is filled.
+  [[nodiscard]] surface_id seen_beside_the_bore() {
+    for (const auto& [id, row] : part().head()->surface->surfaces())
+      if (id > 2 && view().visible_point(id))
+        return id;
+    ADD_FAILURE() << "nothing is in sight";
+    return 0;
+  }
+
+  /// The plate's load case with other forces.
+  [[nodiscard]] fem::load_case times(double factor) {
+    auto one = part().loads().all().front();
+    for (auto& load : one.loads)
+      if (auto* force = std::get_if<fem::force>(&load.kind))
+        force->total_n = factor * force->total_n;
+    return one;
+  }
+};
+
+TEST_F(Documents, AWrongFileLeavesThePartOpenAndNothingElse) {
+  open_plate();
+  const auto name = part().name();
+  ASSERT_EQ(files(), QStringList{name + ".tedit"});
+
+  for (const auto* wrong : {"photo.png", "part.step", "part.stl", "half.msh"}) {
+    window->tools().documents.open_file(wrong_file(wrong), {});
+    ASSERT_TRUE(wait([&] { return said().contains(wrong); })) << wrong;
+    EXPECT_TRUE(said().contains("did not work")) << said().toStdString();
+    EXPECT_EQ(part().name(), name);
+    EXPECT_TRUE(is_final());
+    EXPECT_EQ(files(), QStringList{name + ".tedit"});
+  }
+  part().edits().apply("fill_hole", {1, 2}, {});  // It is open as before.
+  EXPECT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+}
+
+TEST_F(Documents, AWrongFileOnTheStartPageLeavesIt) {
+  window->tools().documents.open_file(wrong_file("half.msh"), {});
+  ASSERT_TRUE(wait([&] { return said().contains("did not work"); }));
+  EXPECT_TRUE(window->tools().documents.shows_start_page());
+  EXPECT_FALSE(part().is_open());
+  EXPECT_TRUE(files().isEmpty());
+}
+
+TEST_F(Documents, ADocumentThatIsGoneIsNotMadeAnew) {
+  open_plate(false);
+  const auto name = part().name();
+  window->tools().documents.open_document("gone");
+  ASSERT_TRUE(wait([&] { return said().contains("no document"); }));
+  EXPECT_EQ(part().name(), name);
+  EXPECT_EQ(files(), QStringList{name + ".tedit"});
+}
+
+TEST_F(Documents, AnotherPartIsMadeToFit) {
+  open_plate(false);
+  const auto before = view().view().get();
+  auto far = before;
+  far.position = before.position + 100.0 * (before.position - before.focus);
+  far.focus = before.focus + 100.0 * (before.position - before.focus);
+  view().view().set(far);
+
+  const auto name = part().name();
+  window->tools().documents.open_file(TEDIT_EXAMPLES "/heatsink_125/heatsink_125.coarse.msh", {});
+  ASSERT_TRUE(wait([&] { return part().name() != name && shows_head(); }));
+
+  std::size_t seen = 0;
+  for (const auto& [id, row] : part().head()->surface->surfaces())
+    seen += view().visible_point(id).has_value() ? 1 : 0;
+  EXPECT_GT(seen, 5U);
+}
+
+TEST_F(Documents, WhatWasSaidOfAPartGoesWithIt) {
+  open_plate(false);
+  part().edits().apply("fill_hole", {}, {});
+  ASSERT_TRUE(wait([&] { return said().contains("did not work"); }));
+  part().files().close();
+  EXPECT_EQ(said(), "");
+  EXPECT_EQ(window->windowTitle(), "TEdit");
+  EXPECT_FALSE(window->findChild<QLabel*>("title")->text().contains("plate"));
+}
+
+TEST_F(Documents, AChangeOfLoadsIsUndoneAndRedone) {
+  open_plate();
+  const auto original = part().loads().all();
+  EXPECT_FALSE(part().loads().can_undo());  // They came with the part.
+  const auto twice = times(2);
+  part().loads().set(twice);
+  ASSERT_TRUE(wait([&] { return part().loads().all() != original && is_final(); }));
+  const double stress = part().head()->outcome->cases.front().max_von_mises_pa;
+
+  run("edit.undo");
+  ASSERT_TRUE(wait([&] { return part().loads().all() == original && is_final(); }));
+  EXPECT_NEAR(part().head()->outcome->cases.front().max_von_mises_pa, stress / 2, 1e-4 * stress);
+  EXPECT_EQ(version(), 0U);
+  run("edit.redo");
+  ASSERT_TRUE(wait([&] { return part().loads().all().front() == twice && is_final(); }));
+
+  part().edits().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  run("edit.undo");  // The edit came last.
+  ASSERT_TRUE(wait([&] { return version() == 0 && is_final(); }));
+  EXPECT_EQ(part().loads().all().front(), twice);
+  run("edit.undo");
+  ASSERT_TRUE(wait([&] { return part().loads().all() == original && is_final(); }));
+}
+
+TEST_F(Documents, ARemovedLoadCaseComesBack) {
+  open_plate();
+  const auto original = part().loads().all();
+  part().loads().remove(original.front().name);
+  ASSERT_TRUE(wait([&] { return part().loads().all().empty() && shows_head(); }));
+  EXPECT_EQ(view().current().field, nullptr);
+  run("edit.undo");
+  ASSERT_TRUE(wait([&] { return part().loads().all() == original && is_final(); }));
+}
+
+TEST_F(Documents, LoadsThatCannotBeSolvedShowNoStress) {
+  open_plate();
+  auto free = part().loads().all().front();
+  free.constraints.clear();
+  part().loads().set(free);
+  ASSERT_TRUE(wait([&] { return part().solver().progress() == field_state::failed; }));
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+
+  EXPECT_EQ(view().current().field, nullptr);
+  EXPECT_FALSE(part().head()->outcome.has_value());
+  EXPECT_FALSE(window->context().truth.verdict().contains("final"));
+}
+
+TEST_F(Documents, ProbesAndThumbnailsAreThereAgain) {
+  open_plate();
+  auto& pins = window->tools().probing.pins();
+  const surface_id wall = seen_beside_the_bore();
+  ASSERT_TRUE(pins.put(3, wall, *view().visible_point(wall)));
+  const auto at = pins.all().front().place.at;
+  const auto first = part().head()->info.version_id;
+  part().edits().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  auto* strip = window->findChild<history_strip*>();
+  const auto second = part().head()->info.version_id;
+  ASSERT_TRUE(wait([&] { return strip->has_thumbnail(second, true); }));
+  const auto name = part().name();
+
+  window->tools().documents.open_file(plate(), {});
+  ASSERT_TRUE(wait([&] { return part().name() != name && shows_head(); }));
+  EXPECT_TRUE(pins.all().empty());  // They are of the other document.
+  window->close();
+  window = std::make_unique<main_window>(state.path());
+  window->show();
+  window->tools().documents.open_document(name);
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+
+  const auto& again = window->tools().probing.pins().all();
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again.front().number, 3);
+  EXPECT_NEAR(std::sqrt(dot(again.front().place.at - at, again.front().place.at - at)), 0, 1e-6);
+  strip = window->findChild<history_strip*>();
+  EXPECT_TRUE(strip->has_thumbnail(first, true));
+  EXPECT_TRUE(strip->has_thumbnail(second, true));
+}
+
+TEST_F(Documents, WhatWasHiddenAndPickedIsNotSoOnTheNextPart) {
+  open_plate(false);
+  window->tools().selecting.set_hidden({1, 2});
+  window->context().picked.set({7});
+  const auto name = part().name();
+  window->tools().documents.open_file(TEDIT_EXAMPLES "/heatsink_125/heatsink_125.coarse.msh", {});
+  ASSERT_TRUE(wait([&] { return part().name() != name && shows_head(); }));
+  EXPECT_TRUE(window->tools().selecting.hidden().empty());
+  EXPECT_TRUE(window->context().picked.surfaces().empty());
+}
+
+TEST_F(Documents, AReopenedPartSaysWhatItsEditDid) {
+  open_plate();
+  part().edits().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  const auto name = part().name();
+  const auto volume = part().head()->report->volume_change;
+  part().files().close();
+  window->tools().documents.open_document(name);
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final() && part().head()->report; }));
+
+  EXPECT_EQ(part().head()->report->volume_change, volume);
+  const auto text = window->findChild<receipt_panel*>()->toPlainText();
+  EXPECT_TRUE(text.contains("Volume")) << text.toStdString();
+}
+
+}  // namespace
+}  // namespace tedit::desktop
