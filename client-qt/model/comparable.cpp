@@ -42,7 +42,8 @@ const fem::load_case* loads_of(const version_record& version, const std::string&
 
 const solve_report* comparable_report(const solve_report& now, const version_record& version,
                                       const version_record* before) {
-  const auto* was = before && before->outcome ? report_of(*before->outcome, now.load_case) : nullptr;
+  const auto* was =
+    before && before->outcome ? report_of(*before->outcome, now.load_case) : nullptr;
   if (!was || was->interim || was->element_order != now.element_order ||
       was->preview != now.preview)
     return nullptr;
@@ -59,9 +60,8 @@ std::optional<solve_envelope> comparable_envelope(const solve_outcome& now,
   if (!before || !before->outcome || !before->outcome->envelope || !now.envelope ||
       before->outcome->envelope->load_cases != now.envelope->load_cases)
     return std::nullopt;
-  const bool all = std::ranges::all_of(now.cases, [&](const auto& one) {
-    return comparable_report(one, version, before) != nullptr;
-  });
+  const bool all = std::ranges::all_of(
+    now.cases, [&](const auto& one) { return comparable_report(one, version, before) != nullptr; });
   return all ? before->outcome->envelope : std::nullopt;
 }
 

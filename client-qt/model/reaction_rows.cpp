@@ -17,7 +17,7 @@ struct phrases {
   Q_DECLARE_TR_FUNCTIONS(reactions)
 };
 
-constexpr double noise = 1e-5;      // Of the largest force.
+constexpr double noise = 1e-5;       // Of the largest force.
 constexpr double unbalanced = 1e-2;  // Of the largest force: worth a warning.
 constexpr qsizetype most_named = 3;
 
@@ -47,7 +47,8 @@ std::vector<held> by_support(const solve_report& report, const fem::load_case* l
     for (const auto& support : loads->constraints) {
       held one{words(support), {}, {}};
       std::erase_if(left, [&](const auto& row) {
-        const bool mine = std::ranges::find(support.surfaces, row.surface) != support.surfaces.end();
+        const bool mine =
+          std::ranges::find(support.surfaces, row.surface) != support.surfaces.end();
         if (mine) {
           one.surfaces.push_back(row.surface);
           one.force_n += row.force_n;
@@ -73,7 +74,8 @@ result_row force_row(figure kind, const QString& title, const vec3& force_n) {
 
 /// Against the loads: what is left over of both together.
 result_row sum_row(const solve_report& report, double largest) {
-  auto row = force_row(figure::reaction_sum, phrases::tr("Sum of the reactions"), report.reaction_n);
+  auto row =
+    force_row(figure::reaction_sum, phrases::tr("Sum of the reactions"), report.reaction_n);
   const double left = norm(report.reaction_n + report.applied_n);
   if (left > unbalanced * largest)
     row.warning = phrases::tr("The loads are %1, %2: %3 are not balanced. Do not trust this solve.")

@@ -98,11 +98,10 @@ QString head_html(const report_facts& facts) {
   const QLocale locale;
   return "<h1>" + facts.title.toHtmlEscaped() + "</h1>\n<table cellspacing=\"0\">\n" +
          row(phrases::tr("Document"), facts.document) +
-         row(phrases::tr("Version"),
-             phrases::tr("%1 (%2 tets; %3)")
-               .arg(facts.version)
-               .arg(locale.toString(static_cast<qulonglong>(facts.tets)),
-                    QString::fromStdString(facts.version_id))) +
+         row(phrases::tr("Version"), phrases::tr("%1 (%2 tets; %3)")
+                                       .arg(facts.version)
+                                       .arg(locale.toString(static_cast<qulonglong>(facts.tets)),
+                                            QString::fromStdString(facts.version_id))) +
          row(phrases::tr("Date"), locale.toString(facts.when, QLocale::LongFormat)) +
          row(phrases::tr("Made by"), facts.program) + "</table>\n";
 }
@@ -114,10 +113,11 @@ QString pictures_html(const report_facts& facts,
     const auto& one = facts.pictures[i];
     if (one.width <= 0 || one.height <= 0)
       continue;
-    const double fit = std::min({1.0, double{widest_picture} / one.width,
-                                 double{tallest_picture} / one.height});
-    html += QString("<p><img src=\"%1\" width=\"%2\" height=\"%3\" alt=\"%4\"><br>"
-                    "<span class=\"faint\">%4</span></p>\n")
+    const double fit =
+      std::min({1.0, double{widest_picture} / one.width, double{tallest_picture} / one.height});
+    html += QString(
+              "<p><img src=\"%1\" width=\"%2\" height=\"%3\" alt=\"%4\"><br>"
+              "<span class=\"faint\">%4</span></p>\n")
               .arg(source(i))
               .arg(qRound(fit * one.width))
               .arg(qRound(fit * one.height))
@@ -164,8 +164,7 @@ std::vector<vec3> points_of(const report_facts& facts) {
   return result;
 }
 
-QString report_html(const report_facts& facts,
-                    const std::function<QString(std::size_t)>& source) {
+QString report_html(const report_facts& facts, const std::function<QString(std::size_t)>& source) {
   return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>" +
          facts.title.toHtmlEscaped() + "</title><style>" + style + "</style></head>\n<body>\n" +
          head_html(facts) + pictures_html(facts, source) + figures_html(facts) +

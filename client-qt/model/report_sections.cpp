@@ -65,10 +65,10 @@ QString materials_html(const fem::load_case& loads) {
                                          : phrases::tr("not given"),
                    given(one.yield_strength_pa, "Pa")});
   }
-  return table({phrases::tr("Material"), phrases::tr("Young's modulus"),
-                phrases::tr("Poisson's ratio"), phrases::tr("Density"),
-                phrases::tr("Yield strength")},
-               lines);
+  return table(
+    {phrases::tr("Material"), phrases::tr("Young's modulus"), phrases::tr("Poisson's ratio"),
+     phrases::tr("Density"), phrases::tr("Yield strength")},
+    lines);
 }
 
 QString acting_html(const report_facts& facts, const fem::load_case& loads) {
@@ -94,11 +94,13 @@ QString item(const QString& words) {
 
 QString order_words(const solve_report& report) {
   if (report.element_order == 1)
-    return phrases::tr("Linear tets: a preview. They are too stiff in bending, so displacements and "
-                       "stresses come out too small.");
+    return phrases::tr(
+      "Linear tets: a preview. They are too stiff in bending, so displacements and "
+      "stresses come out too small.");
   if (report.preview || report.interim)
-    return phrases::tr("Quadratic tets, but a preview: the solver had not converged to its usual "
-                       "tolerance.");
+    return phrases::tr(
+      "Quadratic tets, but a preview: the solver had not converged to its usual "
+      "tolerance.");
   return phrases::tr("Quadratic tets, converged: final for this mesh.");
 }
 
@@ -113,9 +115,8 @@ QString singular_words(const report_facts& facts, const solve_report& report) {
   for (std::size_t i = 0; i < std::min(most_places, report.singular_places.size()); ++i) {
     const auto& one = report.singular_places[i];
     const QString where = facts.place_words ? facts.place_words(one.at) : QString();
-    const QString kind = one.kind == fem::singularity::clamp_rim
-                           ? phrases::tr("rim of a clamp")
-                           : phrases::tr("sharp inner edge");
+    const QString kind = one.kind == fem::singularity::clamp_rim ? phrases::tr("rim of a clamp")
+                                                                 : phrases::tr("sharp inner edge");
     html += item(shown(one.von_mises_pa, "Pa").text() + ", " + kind +
                  (where.isEmpty() ? QString() : ": " + where));
   }
@@ -123,7 +124,8 @@ QString singular_words(const report_facts& facts, const solve_report& report) {
 }
 
 QString case_trust(const report_facts& facts, const solve_report& report) {
-  QString html = "<h3>" + QString::fromStdString(report.load_case).toHtmlEscaped() + "</h3>\n<ul>\n";
+  QString html =
+    "<h3>" + QString::fromStdString(report.load_case).toHtmlEscaped() + "</h3>\n<ul>\n";
   html += item(order_words(report));
   if (report.relative_error_estimate > 0)
     html += item(phrases::tr("Estimated error of the stresses in the energy norm: %1; %2.")
@@ -177,8 +179,9 @@ QString history_html(const report_facts& facts) {
 QString trust_html(const report_facts& facts) {
   QString html = heading(phrases::tr("What to trust"));
   html += "<p>" +
-          phrases::tr("Linear elasticity: small displacements, no yielding, no contact, no fatigue. "
-                      "A safety factor compares with the yield strength only.") +
+          phrases::tr(
+            "Linear elasticity: small displacements, no yielding, no contact, no fatigue. "
+            "A safety factor compares with the yield strength only.") +
           "</p>\n";
   if (facts.outcome)
     for (const auto& one : facts.outcome->cases)

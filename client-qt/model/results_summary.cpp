@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client-qt/model/compare.hpp"
 #include "client-qt/model/comparable.hpp"
+#include "client-qt/model/compare.hpp"
 #include "client-qt/model/load_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/reaction_rows.hpp"
@@ -23,7 +23,7 @@ struct phrases {
 constexpr double good = 0.05;
 constexpr double fair = 0.10;
 constexpr double rough = 0.20;
-constexpr double capped = 1e6;  // Safety factors end there: nothing stresses the part.
+constexpr double capped = 1e6;     // Safety factors end there: nothing stresses the part.
 constexpr double looked_at = 0.5;  // Of the largest stress: singular places are sought above.
 
 /// Rows about what may be compared with the version before.
@@ -50,13 +50,20 @@ struct row_maker {
   }
 };
 
-QString singular_words(fem::singularity kind) {
-  const QString where = kind == fem::singularity::clamp_rim
-                          ? phrases::tr("At the rim of a clamp: ")
-                          : phrases::tr("At a sharp inner edge: ");
-  return where +
-         phrases::tr("the value grows with every refinement of the mesh; it is no measure of "
-                     "strength.");
+QString where_words(fem::singularity kind) {
+  return kind == fem::singularity::clamp_rim ? phrases::tr("At the rim of a clamp: ")
+                                             : phrases::tr("At a sharp inner edge: ");
+}
+
+QString singular_stress_words(fem::singularity kind) {
+  return where_words(kind) +
+         phrases::tr(
+           "the value grows with every refinement of the mesh; it is no measure of strength.");
+}
+
+QString singular_safety_words(fem::singularity kind) {
+  return where_words(kind) +
+         phrases::tr("the value falls with every refinement of the mesh; it says nothing.");
 }
 
 std::optional<fem::singularity> singularity_at(const solve_report& report, const vec3& at) {
@@ -74,7 +81,7 @@ void add_stress(result_section& to, const row_maker& maker, const version_record
                         report.max_von_mises_pa, "Pa");
   row.at = report.max_von_mises_at;
   if (report.max_von_mises_singularity)
-    row.warning = singular_words(*report.max_von_mises_singularity);
+    row.warning = singular_stress_words(*report.max_von_mises_singularity);
   maker.compare(row, report.max_von_mises_pa,
                 before ? std::optional(before->max_von_mises_pa) : std::nullopt, "Pa");
   to.rows.push_back(std::move(row));
@@ -111,24 +118,27 @@ void add_safety(result_section& to, const row_maker& maker, double value, const 
   if (value < 1)
     row.warning = phrases::tr("Below 1: the material yields there.");
   if (singular)
-    row.warning = (row.warning + " " + singular_words(*singular)).trimmed();
+    row.warning = (row.warning + " " + singular_safety_words(*singular)).trimmed();
   to.rows.push_back(std::move(row));
 }
 
 /// What the materials of a load case do not say.
 void add_hints(result_section& to, const solve_report& report, const fem::load_case* loads) {
-  const bool some_yield =
-    loads && std::ranges::any_of(loads->materials,
-                                 [](const auto& one) { return one.yield_strength_pa == 0; });
+  const bool some_yield = loads && std::ranges::any_of(loads->materials, [](const auto& one) {
+                            return one.yield_strength_pa == 0;
+                          });
   if (!report.min_safety_factor)
-    to.hints << phrases::tr("No safety factor: no yield strength is known. Give the material one in "
-                            "\"Loads and supports\".");
+    to.hints << phrases::tr(
+      "No safety factor: no yield strength is known. Give the material one in "
+      "\"Loads and supports\".");
   else if (some_yield)
-    to.hints << phrases::tr("The safety factor is that of materials with a yield strength; others "
-                            "have none yet.");
+    to.hints << phrases::tr(
+      "The safety factor is that of materials with a yield strength; others "
+      "have none yet.");
   if (!report.mass_kg)
-    to.hints << phrases::tr("No mass: a density is missing. Give the material one in \"Loads and "
-                            "supports\".");
+    to.hints << phrases::tr(
+      "No mass: a density is missing. Give the material one in \"Loads and "
+      "supports\".");
 }
 
 result_row mass_row(const row_maker& maker, double kg, const std::optional<double>& before) {
@@ -184,7 +194,7 @@ result_section envelope_section(const summary_input& from, const solve_outcome& 
                   before ? std::optional(before->max_von_mises.value) : std::nullopt, "Pa");
     row.note = in(all.max_von_mises);
     if (worst && worst->max_von_mises_singularity)
-      row.warning = singular_words(*worst->max_von_mises_singularity);
+      row.warning = singular_stress_words(*worst->max_von_mises_singularity);
     result.rows.push_back(std::move(row));
   }
   add_displacement(result, maker, all.max_displacement.value, all.max_displacement.at,
@@ -216,8 +226,8 @@ QString state_words(const summary_input& from, const solve_outcome& now) {
   if (now.cases.front().element_order == 1)
     return version + phrases::tr("preview: linear tets are too stiff in bending");
   const bool preview = std::ranges::any_of(now.cases, &solve_report::preview);
-  return version + (preview ? phrases::tr("preview: stopped at a coarse tolerance")
-                            : phrases::tr("final"));
+  return version +
+         (preview ? phrases::tr("preview: stopped at a coarse tolerance") : phrases::tr("final"));
 }
 
 /// Why there is nothing to be seen, and what to do.
@@ -232,8 +242,9 @@ QString why_none(const summary_input& from) {
       return phrases::tr("The solver was stopped. Solve again (F5).");
     case field_state::none:
       return from.version->load_cases.empty()
-               ? phrases::tr("There are no loads yet. Add supports and loads in \"Loads and "
-                             "supports\".")
+               ? phrases::tr(
+                   "There are no loads yet. Add supports and loads in \"Loads and "
+                   "supports\".")
                : phrases::tr("The part is not solved yet. Solve it (F5).");
     default:
       return phrases::tr("The solver runs; first figures come as a preview.");
@@ -291,8 +302,9 @@ void name_places(results_summary& summary, const std::function<QString(const vec
         row.where = words(*row.at);
 }
 
-/// Singular places are listed by descending stress, and sought above a part of the largest one: what
-/// is above the last one of a list that was cut off, and not in it, is sound; below it nobody knows.
+/// Singular places are listed by descending stress, and sought above a part of the largest one:
+/// what is above the last one of a list that was cut off, and not in it, is sound; below it nobody
+/// knows.
 std::optional<sound_stress> sound_maximum(const version_record& version,
                                           const solve_report& report) {
   if (!report.max_von_mises_singularity || report.singular_places.empty() || !version.surface)
@@ -336,8 +348,8 @@ results_summary summarise(const summary_input& from) {
     return result;
   }
   result.state = state_words(from, *now);
-  result.final = std::ranges::none_of(now->cases, &solve_report::preview) &&
-                 !now->cases.front().interim;
+  result.final =
+    std::ranges::none_of(now->cases, &solve_report::preview) && !now->cases.front().interim;
   if (from.parent)
     result.before = from.parent->info.number;
   const auto mass = common_mass(*now);

@@ -28,14 +28,14 @@ enum class figure {
 
 struct result_row {
   figure kind = figure::stress;
-  QString title;         ///< "Largest von Mises stress".
-  shown_quantity value;  ///< Never empty: what is not known has no row.
-  QString where;         ///< "Bore wall"; of places only once `name_places` was there.
-  QString note;          ///< A few more words; may be empty.
-  QString warning;       ///< Why the value must not be taken for what it seems; mostly empty.
-  std::optional<vec3> at;            ///< Where to look, m, not deformed,
+  QString title;           ///< "Largest von Mises stress".
+  shown_quantity value;    ///< Never empty: what is not known has no row.
+  QString where;           ///< "Bore wall"; of places only once `name_places` was there.
+  QString note;            ///< A few more words; may be empty.
+  QString warning;         ///< Why the value must not be taken for what it seems; mostly empty.
+  std::optional<vec3> at;  ///< Where to look, m, not deformed,
   std::vector<surface_id> surfaces;  ///< or which surfaces.
-  bool compares = false;  ///< Whether the version before has such a value, known or not.
+  bool compares = false;             ///< Whether the version before has such a value, known or not.
   std::optional<shown_quantity> before;  ///< Of the version before, when it is known.
   QString change;                        ///< "+3.2 %"; empty when `before` is.
 

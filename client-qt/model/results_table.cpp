@@ -69,8 +69,8 @@ QString section_table(const results_summary& summary, const result_section& sect
   QStringList head{phrases::tr("Figure"), phrases::tr("Value"), phrases::tr("Where")};
   if (compares)
     head << before_title(summary) << phrases::tr("Change");
-  QString html = "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\">\n" +
-                 html_line(head, "th");
+  QString html =
+    "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\">\n" + html_line(head, "th");
   for (const auto& row : section.rows) {
     const QString value =
       row.value.text().toHtmlEscaped().replace(' ', "&nbsp;");  // Units stay by their numbers.
@@ -78,8 +78,8 @@ QString section_table(const results_summary& summary, const result_section& sect
     if (!row.note.isEmpty())
       where += (where.isEmpty() ? "" : "<br>") + row.note.toHtmlEscaped();
     if (!row.warning.isEmpty())
-      where += (where.isEmpty() ? "" : "<br>") + QString("<b class=\"warning\">%1</b>")
-                                                   .arg(row.warning.toHtmlEscaped());
+      where += (where.isEmpty() ? "" : "<br>") +
+               QString("<b class=\"warning\">%1</b>").arg(row.warning.toHtmlEscaped());
     html += "<tr><td>" + row.title.toHtmlEscaped() + "</td><td><b>" + value + "</b></td><td>" +
             where + "</td>";
     if (compares)

@@ -105,7 +105,11 @@ TEST_F(ResultsPanel, ShowsEachRowUnderItsLoadCaseWithWhatItWasBefore) {
   const auto* up = panel_.tree()->topLevelItem(0);
   EXPECT_EQ(up->text(0), QString("up"));
   ASSERT_EQ(up->childCount(), 1);
-  const QStringList expected{"Largest von Mises stress", "13.4 MPa", "-", "-", "Bore wall",
+  const QStringList expected{"Largest von Mises stress",
+                             "13.4 MPa",
+                             "-",
+                             "-",
+                             "Bore wall",
                              QString::fromUtf8("⚠ Do not trust it.")};
   for (int i = 0; i < expected.size(); ++i)
     EXPECT_EQ(up->child(0)->text(i), expected[i]) << i;

@@ -87,9 +87,7 @@ protected:
           return one;
     return {};
   }
-  static bool has(const results_summary& in, figure kind) {
-    return !row(in, kind).title.isEmpty();
-  }
+  static bool has(const results_summary& in, figure kind) { return !row(in, kind).title.isEmpty(); }
 
   /// A field on four vertices at x = 0, 0.5, 1, 1.5, in whose report the second is singular.
   void give_field(const std::vector<float>& stress) {

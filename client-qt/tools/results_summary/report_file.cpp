@@ -22,7 +22,8 @@ QString picture_name(std::size_t i) {
   return QString("picture:%1").arg(i);
 }
 
-void set_up(QTextDocument& text, QPdfWriter& writer, const report_facts& facts, const QSizeF& page) {
+void set_up(QTextDocument& text, QPdfWriter& writer, const report_facts& facts,
+            const QSizeF& page) {
   text.documentLayout()->setPaintDevice(&writer);
   text.setDocumentMargin(0);
   text.setDefaultFont(QFont("sans-serif", 10));
@@ -71,10 +72,9 @@ bool write_pdf(QIODevice& file, const report_facts& facts) {
     const QRectF line(0, whole.height() - foot, whole.width(), foot);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom,
                      QString("%1, %2").arg(facts.title, facts.program));
-    painter.drawText(line, Qt::AlignRight | Qt::AlignBottom,
-                     QCoreApplication::translate("report", "Page %1 of %2")
-                       .arg(i + 1)
-                       .arg(text.pageCount()));
+    painter.drawText(
+      line, Qt::AlignRight | Qt::AlignBottom,
+      QCoreApplication::translate("report", "Page %1 of %2").arg(i + 1).arg(text.pageCount()));
   }
   return painter.end();
 }

@@ -69,14 +69,15 @@ void report_pictures::list_steps() {
       steps_.push_back({tr("%1, worst of all load cases").arg(title(*field)), field, {}});
   for (const auto& field : what_.fields)
     if (!field->envelope)
-      steps_.push_back({tr("%1, load case %2")
-                          .arg(title(*field), QString::fromStdString(field->report.load_case)),
-                        field,
-                        {}});
+      steps_.push_back(
+        {tr("%1, load case %2").arg(title(*field), QString::fromStdString(field->report.load_case)),
+         field,
+         {}});
   for (const auto& loads : what_.load_cases)
-    steps_.push_back({tr("Supports and loads, load case %1").arg(QString::fromStdString(loads.name)),
-                      nullptr,
-                      {loads}});
+    steps_.push_back(
+      {tr("Supports and loads, load case %1").arg(QString::fromStdString(loads.name)),
+       nullptr,
+       {loads}});
   if (steps_.empty())
     steps_.push_back({tr("The part"), nullptr, {}});
 }

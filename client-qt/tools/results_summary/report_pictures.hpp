@@ -50,7 +50,7 @@ private:
   /// One picture: a field, or loads.
   struct step {
     QString caption;
-    shared_field field;            ///< Null: the bare part,
+    shared_field field;                 ///< Null: the bare part,
     std::vector<fem::load_case> loads;  ///< with these.
   };
   void list_steps();

@@ -80,8 +80,9 @@ void results_summary_panel::build_top() {
     return button;
   };
   copy_ = add(tr("Copy as table"), "results_copy", tr("For a spreadsheet or a text (Ctrl+C)"));
-  report_ = add(tr("Report"), "results_report", tr("Pictures, loads, figures and what to trust, as "
-                                                   "PDF or HTML"));
+  report_ = add(tr("Report"), "results_report",
+                tr("Pictures, loads, figures and what to trust, as "
+                   "PDF or HTML"));
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
@@ -102,9 +103,9 @@ void results_summary_panel::set_warning_ink(const QColor& ink) {
 
 void results_summary_panel::show_summary(const results_summary& what) {
   const auto* current = tree_->currentItem();
-  const auto at = current ? std::pair(current->data(0, section_role).toInt(),
-                                      current->data(0, row_role).toInt())
-                          : std::pair(-1, -1);
+  const auto at =
+    current ? std::pair(current->data(0, section_role).toInt(), current->data(0, row_role).toInt())
+            : std::pair(-1, -1);
   shown_ = what;
   const bool has_rows = !shown_.sections.empty();
   state_->setText(shown_.state);

@@ -95,7 +95,8 @@ void results_summary_tool::refresh() {
   auto summary = summarise(summary_input_of(in_.part));
   look_for(points_of(summary));
   name_places(summary, [this](const vec3& at) { return words_at(at); });
-  panel_->show_summary(summary);
+  if (summary != panel_->summary())
+    panel_->show_summary(summary);
 }
 
 /// Once they are found rows are shown again.
@@ -172,8 +173,8 @@ void results_summary_tool::fly_to(const vec3& at) {
   emit in_.view.view_changed();
 }
 
-/// Where the place is in the deformed picture; of a place that is no vertex of the surface, where it
-/// is in the part.
+/// Where the place is in the deformed picture; of a place that is no vertex of the surface, where
+/// it is in the part.
 vec3 results_summary_tool::drawn_at(const vec3& at) const {
   const auto& now = in_.view.current();
   const auto& field = now.field;
@@ -207,10 +208,9 @@ void results_summary_tool::ask_report() {
 /// First the words of all places, then the pictures, then the file.
 void results_summary_tool::write_report(const QString& path) {
   if (report_) {
-    emit in_.part.failed(tr("Report"), {ec::conflict,
-                                        "another report is being written",
-                                        "Wait for it: \"What runs\" (J) shows how far it is",
-                                        path.toStdString()});
+    emit in_.part.failed(
+      tr("Report"), {ec::conflict, "another report is being written",
+                     "Wait for it: \"What runs\" (J) shows how far it is", path.toStdString()});
     return;
   }
   report_.emplace();

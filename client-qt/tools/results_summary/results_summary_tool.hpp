@@ -35,6 +35,7 @@ public:
   /// Writes a report of the head as it is now, by the suffix of `path`; pictures take a moment. The
   /// document's `exported` or `failed` follows. One at a time: another call is refused meanwhile.
   void write_report(const QString& path);
+  [[nodiscard]] bool writes_report() const noexcept { return report_.has_value(); }
 
 private:
   using point = std::array<double, 3>;
