@@ -52,6 +52,10 @@ std::array<double, 3> nearest(const vec3& p, const std::array<vec3, 3>& c) {
 
 }  // namespace
 
+vec3 nearest_on(const std::array<vec3, 3>& corners, const vec3& to) {
+  return mixed(corners, nearest(to, corners));
+}
+
 probe make_probe(int number, surface_id surface, const std::array<std::uint32_t, 3>& vertices,
                  const std::array<double, 3>& weights, const client::surface_model& on) {
   probe result;

@@ -31,6 +31,9 @@ struct probe {
   std::array<vec3, 3> corners{};  ///< Of the triangle, m.
 };
 
+/// The point of a triangle that is nearest to another point.
+[[nodiscard]] vec3 nearest_on(const std::array<vec3, 3>& corners, const vec3& to);
+
 /// A probe on the surface of a version. Errors: none; vertices that are not held stay at 0.
 [[nodiscard]] probe make_probe(int number, surface_id surface,
                                const std::array<std::uint32_t, 3>& vertices,

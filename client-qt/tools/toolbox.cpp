@@ -17,6 +17,7 @@ toolbox::toolbox(window_context& in)
       section(in, results.panel()),
       selecting(in),
       loads(in, results.panel(), selecting),
+      summary(in, results.panel(), selecting),
       receipt(in, selecting),
       compare(in, results.panel(), history),
       settings(in, results.panel()),

@@ -15,6 +15,7 @@
 #include "client-qt/tools/recipes/recipes_tool.hpp"
 #include "client-qt/tools/recording/recording_tool.hpp"
 #include "client-qt/tools/results/results_tool.hpp"
+#include "client-qt/tools/results_summary/results_summary_tool.hpp"
 #include "client-qt/tools/section/section_tool.hpp"
 #include "client-qt/tools/selection/selection_tool.hpp"
 #include "client-qt/tools/settings/settings_tool.hpp"
@@ -38,6 +39,7 @@ struct toolbox {
   section_tool section;
   selection_tool selecting;
   loads_tool loads;
+  results_summary_tool summary;
   receipt_tool receipt;
   compare_tool compare;
   settings_tool settings;

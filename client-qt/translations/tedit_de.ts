@@ -653,6 +653,21 @@
     </message>
 </context>
 <context>
+    <name>places</name>
+    <message>
+        <source>inside, %1 from %2</source>
+        <translation>innen, %1 von %2</translation>
+    </message>
+    <message>
+        <source>where %1 surfaces meet, %2 among them</source>
+        <translation>wo %1 Flächen zusammenstoßen, darunter %2</translation>
+    </message>
+    <message>
+        <source>where %1 and %2 meet</source>
+        <translation>wo %1 und %2 zusammenstoßen</translation>
+    </message>
+</context>
+<context>
     <name>preview</name>
     <message>
         <source>Volume</source>
@@ -688,6 +703,37 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>reactions</name>
+    <message>
+        <source>%1 and %2 more surfaces</source>
+        <translation>%1 und %2 weitere Flächen</translation>
+    </message>
+    <message>
+        <source>Sum of the reactions</source>
+        <translation>Summe der Reaktionen</translation>
+    </message>
+    <message>
+        <source>The loads are %1, %2: %3 are not balanced. Do not trust this solve.</source>
+        <translation>Die Lasten sind %1, %2: %3 sind nicht im Gleichgewicht. Dieser Lösung ist nicht zu trauen.</translation>
+    </message>
+    <message>
+        <source>balances the loads</source>
+        <translation>im Gleichgewicht mit den Lasten</translation>
+    </message>
+    <message>
+        <source>along %1</source>
+        <translation>entlang %1</translation>
+    </message>
+    <message>
+        <source>Reaction of a support</source>
+        <translation>Reaktion eines Lagers</translation>
+    </message>
+    <message>
+        <source>Reaction: %1</source>
+        <translation>Reaktion: %1</translation>
     </message>
 </context>
 <context>
@@ -763,6 +809,343 @@
     <message>
         <source>Surfaces</source>
         <translation>Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Surface %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>%1 (%2 tets; %3)</source>
+        <translation>%1 (%2 Tetraeder; %3)</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Erstellt mit</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>the whole part</source>
+        <translation>das ganze Teil</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Yield strength</source>
+        <translation>Streckgrenze</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Linear tets: a preview. They are too stiff in bending, so displacements and stresses come out too small.</source>
+        <translation>Lineare Tetraeder: eine Vorschau. Sie sind zu biegesteif, Verschiebungen und Spannungen fallen zu klein aus.</translation>
+    </message>
+    <message>
+        <source>Quadratic tets, but a preview: the solver had not converged to its usual tolerance.</source>
+        <translation>Quadratische Tetraeder, aber eine Vorschau: Der Löser war noch nicht bis zu seiner üblichen Toleranz konvergiert.</translation>
+    </message>
+    <message>
+        <source>Quadratic tets, converged: final for this mesh.</source>
+        <translation>Quadratische Tetraeder, konvergiert: endgültig für dieses Netz.</translation>
+    </message>
+    <message>
+        <source>Places where the stress grows with every refinement of the mesh, so that it is no measure of strength (rims of clamps, sharp inner edges): %1.</source>
+        <translation>Stellen, an denen die Spannung mit jeder Verfeinerung des Netzes wächst, so dass sie kein Maß der Festigkeit ist (Ränder von Einspannungen, scharfe Innenkanten): %1.</translation>
+    </message>
+    <message>
+        <source>rim of a clamp</source>
+        <translation>Rand einer Einspannung</translation>
+    </message>
+    <message>
+        <source>sharp inner edge</source>
+        <translation>scharfe Innenkante</translation>
+    </message>
+    <message>
+        <source>Estimated error of the stresses in the energy norm: %1; %2.</source>
+        <translation>Geschätzter Fehler der Spannungen in der Energienorm: %1; %2.</translation>
+    </message>
+    <message>
+        <source>Residual of the equations: %1; unknowns: %2; computed on %3.</source>
+        <translation>Residuum der Gleichungen: %1; Unbekannte: %2; gerechnet auf %3.</translation>
+    </message>
+    <message>
+        <source>Load cases</source>
+        <translation>Lastfälle</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Volume change</source>
+        <translation>Volumenänderung</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Largest stress</source>
+        <translation>Größte Spannung</translation>
+    </message>
+    <message>
+        <source>What to trust</source>
+        <translation>Was davon zu halten ist</translation>
+    </message>
+    <message>
+        <source>Linear elasticity: small displacements, no yielding, no contact, no fatigue. A safety factor compares with the yield strength only.</source>
+        <translation>Lineare Elastizität: kleine Verschiebungen, kein Fließen, kein Kontakt, keine Ermüdung. Ein Sicherheitsfaktor vergleicht nur mit der Streckgrenze.</translation>
+    </message>
+    <message>
+        <source>Version %1: %2</source>
+        <translation>Version %1: %2</translation>
+    </message>
+    <message>
+        <source>What the edits said</source>
+        <translation>Was die Änderungen meldeten</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>results</name>
+    <message>
+        <source>At the rim of a clamp: </source>
+        <translation>Am Rand einer Einspannung: </translation>
+    </message>
+    <message>
+        <source>At a sharp inner edge: </source>
+        <translation>An einer scharfen Innenkante: </translation>
+    </message>
+    <message>
+        <source>the value grows with every refinement of the mesh; it is no measure of strength.</source>
+        <translation>Der Wert wächst mit jeder Verfeinerung des Netzes; er ist kein Maß der Festigkeit.</translation>
+    </message>
+    <message>
+        <source>the value falls with every refinement of the mesh; it says nothing.</source>
+        <translation>Der Wert fällt mit jeder Verfeinerung des Netzes; er sagt nichts aus.</translation>
+    </message>
+    <message>
+        <source>There is no stress: the supports take the loads whole.</source>
+        <translation>Es gibt keine Spannung: Die Lager nehmen die Lasten ganz auf.</translation>
+    </message>
+    <message>
+        <source>Largest von Mises stress</source>
+        <translation>Größte Vergleichsspannung (von Mises)</translation>
+    </message>
+    <message>
+        <source>Largest apart from such places</source>
+        <translation>Größte abseits solcher Stellen</translation>
+    </message>
+    <message>
+        <source>on the surface; right beside such a place it still leans on the mesh</source>
+        <translation>auf der Oberfläche; gleich neben einer solchen Stelle hängt sie noch vom Netz ab</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Größte Verschiebung</translation>
+    </message>
+    <message>
+        <source>Least safety factor</source>
+        <translation>Kleinster Sicherheitsfaktor</translation>
+    </message>
+    <message>
+        <source>Below 1: the material yields there.</source>
+        <translation>Unter 1: Der Werkstoff fließt dort.</translation>
+    </message>
+    <message>
+        <source>No safety factor: no yield strength is known. Give the material one in &quot;Loads and supports&quot;.</source>
+        <translation>Kein Sicherheitsfaktor: Keine Streckgrenze ist bekannt. Geben Sie dem Werkstoff eine in „Lasten und Lager“.</translation>
+    </message>
+    <message>
+        <source>The safety factor is that of materials with a yield strength; others have none yet.</source>
+        <translation>Der Sicherheitsfaktor gilt für Werkstoffe mit Streckgrenze; andere haben noch keine.</translation>
+    </message>
+    <message>
+        <source>No mass: a density is missing. Give the material one in &quot;Loads and supports&quot;.</source>
+        <translation>Keine Masse: Eine Dichte fehlt. Geben Sie dem Werkstoff eine in „Lasten und Lager“.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Estimated error of the stresses</source>
+        <translation>Geschätzter Fehler der Spannungen</translation>
+    </message>
+    <message>
+        <source>Worst of %1 load cases</source>
+        <translation>Schlimmstes aus %1 Lastfällen</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>Version %1: </source>
+        <translation>Version %1: </translation>
+    </message>
+    <message>
+        <source>preview, the solver still converges</source>
+        <translation>Vorschau, der Löser konvergiert noch</translation>
+    </message>
+    <message>
+        <source>preview: linear tets are too stiff in bending</source>
+        <translation>Vorschau: Lineare Tetraeder sind zu biegesteif</translation>
+    </message>
+    <message>
+        <source>preview: stopped at a coarse tolerance</source>
+        <translation>Vorschau: bei grober Toleranz beendet</translation>
+    </message>
+    <message>
+        <source>final</source>
+        <translation>endgültig</translation>
+    </message>
+    <message>
+        <source>Open a part: its figures stand here once it is solved.</source>
+        <translation>Öffnen Sie ein Teil: Seine Kennwerte stehen hier, sobald es gelöst ist.</translation>
+    </message>
+    <message>
+        <source>The solve failed. </source>
+        <translation>Die Lösung ist gescheitert. </translation>
+    </message>
+    <message>
+        <source>Change the loads or supports, or solve again (F5).</source>
+        <translation>Ändern Sie Lasten oder Lager, oder lösen Sie noch einmal (F5).</translation>
+    </message>
+    <message>
+        <source>The solver was stopped. Solve again (F5).</source>
+        <translation>Der Löser wurde angehalten. Lösen Sie noch einmal (F5).</translation>
+    </message>
+    <message>
+        <source>There are no loads yet. Add supports and loads in &quot;Loads and supports&quot;.</source>
+        <translation>Es gibt noch keine Lasten. Fügen Sie Lager und Lasten in „Lasten und Lager“ hinzu.</translation>
+    </message>
+    <message>
+        <source>The part is not solved yet. Solve it (F5).</source>
+        <translation>Das Teil ist noch nicht gelöst. Lösen Sie es (F5).</translation>
+    </message>
+    <message>
+        <source>The solver runs; first figures come as a preview.</source>
+        <translation>Der Löser läuft; erste Kennwerte kommen als Vorschau.</translation>
+    </message>
+    <message>
+        <source>good: on average stresses are within about %1 %</source>
+        <translation>gut: Im Mittel stimmen die Spannungen auf etwa %1 %</translation>
+    </message>
+    <message>
+        <source>fair: good enough to compare variants; peaks may be off by more</source>
+        <translation>mäßig: gut genug, um Varianten zu vergleichen; Spitzen können weiter daneben liegen</translation>
+    </message>
+    <message>
+        <source>rough: trust displacements, not single stresses</source>
+        <translation>grob: Verschiebungen sind brauchbar, einzelne Spannungen nicht</translation>
+    </message>
+    <message>
+        <source>poor: the mesh is too coarse for these stresses</source>
+        <translation>schlecht: Das Netz ist zu grob für diese Spannungen</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+</context>
+<context>
+    <name>results_table</name>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Load case</source>
+        <translation>Lastfall</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
     </message>
 </context>
 <context>
@@ -2178,6 +2561,115 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Steps (*.json)</source>
         <translation>Schritte (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::report_pictures</name>
+    <message>
+        <source>%1, worst of all load cases</source>
+        <translation>%1, Schlimmstes aller Lastfälle</translation>
+    </message>
+    <message>
+        <source>%1, load case %2</source>
+        <translation>%1, Lastfall %2</translation>
+    </message>
+    <message>
+        <source>Supports and loads, load case %1</source>
+        <translation>Lager und Lasten, Lastfall %1</translation>
+    </message>
+    <message>
+        <source>The part</source>
+        <translation>Das Teil</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::results_summary_panel</name>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Copy as table</source>
+        <translation>Als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>For a spreadsheet or a text (Ctrl+C)</source>
+        <translation>Für eine Tabellenkalkulation oder einen Text (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Pictures, loads, figures and what to trust, as PDF or HTML</source>
+        <translation>Bilder, Lasten, Kennwerte und was davon zu halten ist, als PDF oder HTML</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Not known: that version was not solved with these loads since the document was opened</source>
+        <translation>Nicht bekannt: Jene Version wurde seit dem Öffnen des Dokuments nicht mit diesen Lasten gelöst</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::results_summary_tool</name>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>How strong the part is: largest stress, safety, reactions</source>
+        <translation>Wie fest das Teil ist: größte Spannung, Sicherheit, Reaktionen</translation>
+    </message>
+    <message>
+        <source>Copy the results as a table</source>
+        <translation>Die Ergebnisse als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Pictures, loads, figures and what to trust, as PDF or HTML</source>
+        <translation>Bilder, Lasten, Kennwerte und was davon zu halten ist, als PDF oder HTML</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
     </message>
 </context>
 <context>

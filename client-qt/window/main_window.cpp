@@ -115,12 +115,13 @@ void main_window::lay_out_docks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   for (const auto* name : {"context", "field", "loads", "receipt"})
     addDockWidget(Qt::RightDockWidgetArea, &docks_.of(name));
-  for (const auto* name : {"history", "log", "probes"})
+  for (const auto* name : {"history", "results", "log", "probes"})
     addDockWidget(Qt::BottomDockWidgetArea, &docks_.of(name));
   addDockWidget(Qt::LeftDockWidgetArea, &docks_.of("help"));
   docks_.of("help").hide();
   tabifyDockWidget(&docks_.of("loads"), &docks_.of("receipt"));
-  tabifyDockWidget(&docks_.of("history"), &docks_.of("log"));
+  tabifyDockWidget(&docks_.of("history"), &docks_.of("results"));
+  tabifyDockWidget(&docks_.of("results"), &docks_.of("log"));
   tabifyDockWidget(&docks_.of("log"), &docks_.of("probes"));
   docks_.raise("loads");
   docks_.raise("history");

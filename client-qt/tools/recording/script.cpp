@@ -130,6 +130,8 @@ void script::next() {
   if (drags_left_ > 0)
     return drag_on();
   if (at_ == steps_.size()) {
+    if (tools_.summary.writes_report())
+      return;
     done_ = true;
     poll_.stop();
     emit finished();
@@ -165,8 +167,9 @@ bool script::ready_for(const QJsonObject& step) const {
   const auto wanted = preview.shown() ? preview.shown()->surface : head ? head->surface : nullptr;
   const bool shows_all =
     wanted && in_.view.is_settled() && !preview.is_busy() && in_.view.current().surface == wanted;
-  if (!shows_all || !is_all_seen() || tools_.recipes.is_running() || part.foreground().current() ||
-      part.loads().is_changing() || part.operations().operations.empty())
+  if (!shows_all || !is_all_seen() || tools_.recipes.is_running() ||
+      tools_.summary.writes_report() || part.foreground().current() || part.loads().is_changing() ||
+      part.operations().operations.empty())
     return false;
   if (step.contains("case") && part.solver().is_running())
     return false;  // It can be chosen once it has a field.
@@ -216,6 +219,8 @@ expected<void> script::perform(const QJsonObject& step) {
     return put_probe(step["probe"].toObject());
   } else if (step.contains("screenshot")) {
     return take_picture(step);
+  } else if (step.contains("report")) {
+    tools_.summary.write_report(step["report"].toString());
   } else if (!step.contains("wait")) {
     const QString id =
       step.contains("view") ? "view." + step["view"].toString() : step["command"].toString();

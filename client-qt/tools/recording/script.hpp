@@ -32,6 +32,7 @@ struct window_context;
 /// - "probe": {"number", "surface", "at"}, "remove_probe": number, "measure": [numbers] of the two
 ///   probes whose distance is said
 /// - "wait": "ready" | "final"; until nothing runs, until the field is converged
+/// - "report": file, .pdf or .html
 /// - "screenshot": file, "width", "height"; "window": true takes the whole window
 ///
 /// Every step first waits for what runs. The first that fails ends the script, and so does anything

@@ -231,6 +231,17 @@ TEST_F(Erode, TheMostThatWorksDependsOnTheWallAloneAndWorks) {
   expect_good(base, *result);
 }
 
+TEST_F(Erode, ARefusalOfAPreviewSearchesNothing) {
+  const auto base = test::box_mesh({4, 4, 2}, {1, 1, 0.25});
+  ctx_.search_s = 0;
+
+  const auto refused = lower(base, {6}, 0.3);
+
+  ASSERT_FALSE(refused);
+  EXPECT_FALSE(refused.error().most);
+  EXPECT_THAT(refused.error().remedy, HasSubstr("smaller depth"));
+}
+
 TEST_F(Erode, WithoutDepthAndLayersThereIsNothingToDo) {
   const auto refused = erode(*test::box_mesh({4, 4, 2}, {1, 1, 1}), {6}, {}, ctx_);
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The stories of the start page, done as they are written: by the words on cards and buttons.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QComboBox>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace tedit::desktop {
+namespace {
+
+class StartPageStory : public Window {
+protected:
+  /// Opens the part of the card that begins so, and gives the card's story.
+  QString open_card(const QString& title) {
+    for (auto* card : window->findChildren<QPushButton*>())
+      if (card->isVisible() && card->accessibleName().startsWith(title)) {
+        QString story;
+        for (const auto* words : card->findChildren<QLabel*>())
+          story += words->text() + "\n";
+        QTest::mouseClick(card, Qt::LeftButton);
+        EXPECT_TRUE(wait([&] { return is_final() && !part().operations().operations.empty(); }));
+        return story;
+      }
+    ADD_FAILURE() << "no card says " << title.toStdString();
+    return {};
+  }
+
+  /// Presses the tool with these words at the left, waits for the preview and applies it.
+  void choose_and_apply(const QString& words) {
+    QToolButton* tool = nullptr;
+    for (auto* one : window->findChildren<QToolButton*>())
+      if (one->isVisible() && one->text() == words)
+        tool = one;
+    ASSERT_NE(tool, nullptr) << words.toStdString();
+    QTest::mouseClick(tool, Qt::LeftButton);
+    const auto& preview = window->tools().operations.panel().preview();
+    ASSERT_TRUE(wait([&] { return preview.shown() || preview.refusal(); }));
+    ASSERT_FALSE(preview.refusal()) << render(*preview.refusal());
+    press("apply");
+    ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+    EXPECT_EQ(window->context().messages.text(), "");
+  }
+
+  [[nodiscard]] double displacement() {
+    return part().head()->outcome->cases.front().max_displacement_m;
+  }
+  [[nodiscard]] QString picked_words() {
+    return window->findChild<QLabel*>("selection_title")->text();
+  }
+  /// The largest visible surface among these, which a person would take.
+  [[nodiscard]] std::optional<surface_id> largest_seen(const std::function<bool(surface_id)>& of) {
+    std::optional<surface_id> best;
+    double most = 0;
+    for (const auto& [id, row] : part().head()->surface->surfaces())
+      if (of(id) && row.area_m2 > most && view().visible_point(id)) {
+        best = id;
+        most = row.area_m2;
+      }
+    return best;
+  }
+};
+
+TEST_F(StartPageStory, TheHeatSinksFinGetsSofterAndKeepsItsLoad) {
+  const auto story = open_card("Heat sink");
+  ASSERT_TRUE(story.contains("Click that fin, choose \"Erode\"")) << story.toStdString();
+  const auto load = part().loads().all().front().loads.front();
+  const auto pushed = load.surfaces;
+  const auto fin = largest_seen([&](surface_id id) { return std::ranges::count(pushed, id) > 0; });
+  ASSERT_TRUE(fin);
+  const double before = displacement();
+
+  click_surface(*fin);
+  choose_and_apply("Erode");
+
+  EXPECT_GT(displacement(), 1.5 * before);
+  EXPECT_LT(displacement(), 6 * before);
+  EXPECT_EQ(part().loads().all().front().loads.front().surfaces, pushed);
+}
+
+TEST_F(StartPageStory, TheBracketsWallGetsStiffer) {
+  const auto story = open_card("Printed bracket");
+  ASSERT_TRUE(story.contains("Look at principal stress 1")) << story.toStdString();
+  ASSERT_TRUE(story.contains("Thicken the wall there")) << story.toStdString();
+  auto* fields = window->findChild<QComboBox*>("field");
+  const int place = fields ? fields->findText("principal stress 1", Qt::MatchContains) : -1;
+  ASSERT_GE(place, 0);
+  fields->setCurrentIndex(place);
+  ASSERT_TRUE(wait([&] { return is_final() && view().painted().extremes.has_value(); }));
+  const double before = displacement();
+  const auto wall = largest_seen([](surface_id) { return true; });
+  ASSERT_TRUE(wall);
+
+  click_surface(*wall);
+  choose_and_apply("Thicken");
+
+  EXPECT_LT(displacement(), before);
+  EXPECT_GT(displacement(), before / 3);
+}
+
+TEST_F(StartPageStory, TheTestPlatesBoreIsClosed) {
+  const auto story = open_card("Test plate");
+  ASSERT_TRUE(story.contains("Click a bore, choose \"Fill hole\"")) << story.toStdString();
+  const double before = part().head()->outcome->cases.front().max_von_mises_pa;
+  for (const auto& [id, row] : part().head()->surface->surfaces()) {
+    if (!view().visible_point(id))
+      continue;
+    window->context().picked.clear();
+    click_surface(id);
+    if (picked_words().contains("bore", Qt::CaseInsensitive))
+      break;
+  }
+  ASSERT_TRUE(picked_words().contains("bore", Qt::CaseInsensitive)) << picked_words().toStdString();
+
+  choose_and_apply("Fill hole");
+
+  const double after = part().head()->outcome->cases.front().max_von_mises_pa;
+  EXPECT_GT(after, 0.3 * before);
+  EXPECT_LT(after, 3 * before);
+  EXPECT_GT(part().head()->report->volume_change, 0);
+}
+
+}  // namespace
+}  // namespace tedit::desktop
