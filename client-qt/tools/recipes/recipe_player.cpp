@@ -72,7 +72,9 @@ bool recipe_player::is_ready() const {
 }
 
 void recipe_player::next() {
-  if (imports_ && !part_.foreground().current()) {
+  if (imports_) {
+    if (part_.foreground().current())
+      return;
     imports_ = false;
     name_ = part_.name();
   }
