@@ -108,6 +108,7 @@ TEST_F(StartPageStory, TheTestPlatesBoreIsClosed) {
       continue;
     window->context().picked.clear();
     click_surface(id);
+    ASSERT_TRUE(wait([&] { return window->context().link.running() == 0; }));  // What it is.
     if (picked_words().contains("bore", Qt::CaseInsensitive))
       break;
   }
