@@ -17,7 +17,7 @@ struct shown_quantity {
 
 /// A value in SI units ("m", "Pa", "N", "kg", "m3", "ratio", or none) with the digits of `number`
 /// and a unit by its size: 1.2e-7 m is "120 nm", 4e4 Pa is "40 kPa", 3e5 N is "300 kN".
-[[nodiscard]] shown_quantity shown(double si_value, const QString& si_unit);
+[[nodiscard]] shown_quantity shown(double value, const QString& si_unit);
 
 /// Words with numbers that were written with a point, with the locale's decimal point instead;
 /// lists of such numbers are parted by semicolons where that point is a comma.

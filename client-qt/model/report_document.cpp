@@ -22,12 +22,12 @@ struct phrases {
 };
 
 constexpr int widest_picture = 640;  // Pixels of 1/96 inch: as wide as the text of an A4 page.
-constexpr int tallest_picture = 420;
+constexpr int tallest_picture = 370;
 
 // What browsers and Qt's rich text both know.
 constexpr const char* style = R"(
 body { font-family: sans-serif; color: #20262f; background-color: #ffffff; }
-h1 { font-size: 20pt; margin-bottom: 2px; } h2 { font-size: 14pt; margin-top: 22px; } h3 { font-size: 11pt; }
+h1 { font-size: 20pt; margin-bottom: 2px; } h2 { font-size: 14pt; margin-top: 22px; } h3 { font-size: 11pt; margin-top: 14px; }
 p, td, th, li { font-size: 9.5pt; } th { text-align: left; background-color: #eef1f5; }
 td { border-bottom: 1px solid #d5dae1; vertical-align: top; }
 .faint { color: #5c6673; } .warning { color: #9a4a00; }
@@ -106,10 +106,11 @@ QString head_html(const report_facts& facts) {
          row(phrases::tr("Made by"), facts.program) + "</table>\n";
 }
 
-QString pictures_html(const report_facts& facts,
-                      const std::function<QString(std::size_t)>& source) {
+/// Those from `first` on, before `end`.
+QString pictures_html(const report_facts& facts, const std::function<QString(std::size_t)>& source,
+                      std::size_t first, std::size_t end) {
   QString html;
-  for (std::size_t i = 0; i < facts.pictures.size(); ++i) {
+  for (std::size_t i = first; i < std::min(end, facts.pictures.size()); ++i) {
     const auto& one = facts.pictures[i];
     if (one.width <= 0 || one.height <= 0)
       continue;
@@ -167,8 +168,9 @@ std::vector<vec3> points_of(const report_facts& facts) {
 QString report_html(const report_facts& facts, const std::function<QString(std::size_t)>& source) {
   return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>" +
          facts.title.toHtmlEscaped() + "</title><style>" + style + "</style></head>\n<body>\n" +
-         head_html(facts) + pictures_html(facts, source) + figures_html(facts) +
-         load_cases_html(facts) + history_html(facts) + trust_html(facts) + "</body></html>\n";
+         head_html(facts) + pictures_html(facts, source, 0, 1) + figures_html(facts) +
+         pictures_html(facts, source, 1, facts.pictures.size()) + load_cases_html(facts) +
+         history_html(facts) + trust_html(facts) + "</body></html>\n";
 }
 
 QString self_contained_html(const report_facts& facts) {

@@ -129,7 +129,7 @@ QString case_trust(const report_facts& facts, const solve_report& report) {
   html += item(order_words(report));
   if (report.relative_error_estimate > 0)
     html += item(phrases::tr("Estimated error of the stresses in the energy norm: %1; %2.")
-                   .arg(shown(report.relative_error_estimate, "ratio").text(),
+                   .arg(percent_words(report.relative_error_estimate) + " %",
                         error_words(report.relative_error_estimate)));
   html += item(phrases::tr("Residual of the equations: %1; unknowns: %2; computed on %3.")
                  .arg(in_locale(QString::number(report.true_relative_residual, 'g', 2)))

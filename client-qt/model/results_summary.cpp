@@ -2,6 +2,7 @@
 #include "client-qt/model/results_summary.hpp"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,9 @@ struct row_maker {
       return;
     row.before = shown(*before, unit);
     row.change = in_locale(change(*before, now));
+    static const QRegularExpression nothing("^[+\\x{2212}]0[.,]0 %$");
+    if (nothing.match(row.change).hasMatch())
+      row.change.remove(0, 1);
   }
 };
 
@@ -164,8 +168,9 @@ result_section case_section(const summary_input& from, const solve_report& repor
   for (auto& row : reaction_rows(report, loads, from.surface_name))
     result.rows.push_back(std::move(row));
   if (report.relative_error_estimate > 0) {
-    auto row = maker.make(figure::error, phrases::tr("Estimated error of the stresses"),
-                          report.relative_error_estimate, "ratio");
+    auto row =
+      maker.make(figure::error, phrases::tr("Estimated error of the stresses"), 0, "ratio");
+    row.value.number = percent_words(report.relative_error_estimate);
     row.note = error_words(report.relative_error_estimate);
     result.rows.push_back(std::move(row));
   }
@@ -327,8 +332,12 @@ std::optional<sound_stress> sound_maximum(const version_record& version,
   return best && best->von_mises_pa >= known_above ? best : std::nullopt;
 }
 
+QString percent_words(double part) {
+  return in_locale(QString::number(100 * part, 'g', 2));
+}
+
 QString error_words(double relative_error) {
-  const QString percent = in_locale(QString::number(100 * relative_error, 'g', 2));
+  const QString percent = percent_words(relative_error);
   if (relative_error <= good)
     return phrases::tr("good: on average stresses are within about %1 %").arg(percent);
   if (relative_error <= fair)

@@ -89,6 +89,9 @@ struct summary_input {
 /// Gives rows the words of their places.
 void name_places(results_summary& summary, const std::function<QString(const vec3&)>& words);
 
+/// A part of a whole in percent with two digits, for what is only estimated: "12".
+[[nodiscard]] QString percent_words(double part);
+
 /// What an estimated relative error in the energy norm means: "good: ...". See
 /// docs/results.md for the limits.
 [[nodiscard]] QString error_words(double relative_error);

@@ -126,7 +126,7 @@ TEST_F(Report, SaysWhatToTrust) {
 }
 
 TEST_F(Report, HasItsPicturesInsideOrBesideIt) {
-  EXPECT_TRUE(html().contains("<img src=\"p0.png\" width=\"630\" height=\"420\""));
+  EXPECT_TRUE(html().contains("<img src=\"p0.png\" width=\"555\" height=\"370\""));
   const QString alone = self_contained_html(facts_);
   EXPECT_TRUE(alone.contains("data:image/png;base64," +
                              QString::fromLatin1(QByteArray("not a picture").toBase64())));
@@ -166,7 +166,7 @@ TEST(ReportFacts, OfADocumentWithoutAPartAreEmpty) {
 TEST(ReportFacts, FollowTheVersionsThatLedHereAndNoBranch) {
   remote link;
   document part(link);
-  part.open("part");
+  part.files().open("part");
   for (const auto& [number, parent] :
        std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>>{
          {0, {}}, {1, 0}, {2, 1}, {3, 1}}) {

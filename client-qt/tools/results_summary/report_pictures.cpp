@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QResizeEvent>
 
+#include <vtkPolyData.h>
+
 #include <algorithm>
 
 #include "client-qt/model/field_values.hpp"
@@ -115,7 +117,7 @@ void report_pictures::take() {
   view_->redraw();
   const auto& now = steps_[at_];
   // An envelope has no displacement: a picture without values would say nothing.
-  if (!now.field || view_->value_extremes())
+  if (!now.field || view_->painted().extremes)
     made_.push_back(encoded(now.caption, over_->picture()));
   emit progressed(static_cast<int>(++at_), static_cast<int>(steps_.size()));
   if (at_ < steps_.size())

@@ -189,10 +189,10 @@ void results_summary_panel::go_to(const QTreeWidgetItem* item) {
 }
 
 QMimeData* results_summary_panel::table() const {
-  auto* data = new QMimeData;
-  data->setText(as_text_table(shown_));
-  data->setHtml(as_html_table(shown_));
-  return data;
+  auto* result = new QMimeData;
+  result->setText(as_text_table(shown_));
+  result->setHtml(as_html_table(shown_));
+  return result;
 }
 
 void results_summary_panel::copy() const {

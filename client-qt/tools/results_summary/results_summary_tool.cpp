@@ -156,7 +156,7 @@ void results_summary_tool::go_to(const result_row& row, const QString& load_case
 /// Seen from where one looks now, or from outside where the part hides the place.
 void results_summary_tool::fly_to(const vec3& at) {
   const vec3 drawn = drawn_at(at);
-  in_.view.fly_to(drawn);
+  in_.view.framing().fly_to(drawn);
   const auto* place = place_of(at);
   const auto pose = in_.view.view().get();
   const double distance = norm(pose.position - drawn);
