@@ -41,8 +41,8 @@ TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {
   EXPECT_FALSE(has_rail());
 
   open_plate(false);
-  EXPECT_EQ(shown_docks(),
-            (QStringList{"context", "field", "history", "loads", "log", "probes", "receipt"}));
+  EXPECT_EQ(shown_docks(), (QStringList{"context", "field", "history", "loads", "log", "probes",
+                                        "receipt", "results"}));
   EXPECT_TRUE(has_rail());
   EXPECT_EQ(window->dockWidgetArea(dock("context")), Qt::RightDockWidgetArea);
   EXPECT_FALSE(dock("history")->visibleRegion().isEmpty());  // In front of its tabs.

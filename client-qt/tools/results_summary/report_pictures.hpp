@@ -30,9 +30,9 @@ struct pictured_part {
   QString note;  ///< Below the legend: "final".
 };
 
-/// Draws the pictures of a report one after the other in a view of its own that nobody sees, on
-/// white: the part with its field for each load case, then not deformed with its loads. The window
-/// goes on meanwhile.
+/// Draws the pictures of a report one after the other in a view of its own that nobody sees, in
+/// light colours: the part with its field for each load case, then not deformed with its loads. The
+/// window goes on meanwhile.
 class report_pictures : public QObject {
   Q_OBJECT
 
