@@ -244,11 +244,14 @@ int main(int argc, char** argv) {
   if (auto ok = check_opengl(); !ok)
     return complain(ok.error());
 
-  stall_watch watch;
+  std::optional<stall_watch> watch;  // It asks 200 times a second: only for who wants to know.
+  if (!wanted.report.isEmpty())
+    watch.emplace();
   main_window window(wanted.state_folder);
   const latencies waits(window.context(), window.tools().operations.panel().preview());
   // Before there is a window, none is frozen.
-  QObject::connect(&waits, &latencies::window_shown, &watch, &stall_watch::restart);
+  if (watch)
+    QObject::connect(&waits, &latencies::window_shown, &*watch, &stall_watch::restart);
   if (wanted.dark)
     window.context().look.set_dark(true);
   if (wanted.size.isValid())
@@ -275,7 +278,7 @@ int main(int argc, char** argv) {
   if (!steps->isEmpty())
     unattended.start();
   QApplication::exec();
-  if (!wanted.report.isEmpty())
-    write_report(wanted.report, watch, waits, window.context().view);
+  if (watch)
+    write_report(wanted.report, *watch, waits, window.context().view);
   return status;
 }
