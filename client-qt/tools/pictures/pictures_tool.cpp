@@ -63,11 +63,13 @@ void pictures_tool::take() {
   const auto due = std::exchange(thumbnail_due_, {});
   if (!fresh && due.empty())
     return;
-  const QImage frame = view.last_picture();
-  if (fresh)
-    keep_picture(frame, picture_file(in_.server.folder(), in_.part.name()));
-  if (!due.empty())
-    history_.strip().set_thumbnail(due, frame, coloured);
+  const QString file = fresh ? picture_file(in_.server.folder(), in_.part.name()) : QString();
+  in_.view.plain_picture([this, file, due, coloured](const QImage& frame) {
+    if (!file.isEmpty())
+      keep_picture(frame, file);
+    if (!due.empty())
+      history_.strip().set_thumbnail(due, frame, coloured);
+  });
 }
 
 }  // namespace tedit::desktop
