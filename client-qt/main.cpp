@@ -255,7 +255,7 @@ int main(int argc, char** argv) {
   if (wanted.dark)
     window.context().look.set_dark(true);
   if (wanted.size.isValid())
-    window.resize(wanted.size);
+    window.take_size(wanted.size);
   window.show();
   if (!wanted.server.url.isEmpty())
     window.tools().connection.connect_to(wanted.server);

@@ -48,7 +48,13 @@ QString language_name(const QString& code) {
 }
 
 QString speak(QCoreApplication& app, const QString& wish) {
+  // Words and numbers go together: the system's own ways only with its own language.
+  const auto set_numbers = [](const QString& language) {
+    const bool same = QLocale::system().language() == QLocale(language).language();
+    QLocale::setDefault(same ? QLocale::system() : QLocale(language));
+  };
   const QString code = languages().contains(wish) ? wish : wish.isEmpty() ? of_the_system() : "en";
+  set_numbers(code);
   if (code == "en")
     return code;
   // Qt's own words first (buttons of dialogs): ours, added later, are looked up before them.

@@ -17,17 +17,18 @@ using table = std::array<rgb, 11>;
 constexpr int smooth_levels = 10;  // Steps between isolines when the colours have none.
 
 // Eleven even steps each. Viridis: Smith and van der Walt 2015 (CC0); cividis: Nunez, Anderton and
-// Renslow 2018; coolwarm: Moreland 2009.
-constexpr table viridis{{{0.267F, 0.005F, 0.329F},
-                         {0.283F, 0.141F, 0.458F},
-                         {0.254F, 0.265F, 0.530F},
-                         {0.207F, 0.372F, 0.553F},
-                         {0.164F, 0.471F, 0.558F},
-                         {0.128F, 0.567F, 0.551F},
-                         {0.135F, 0.659F, 0.518F},
-                         {0.267F, 0.749F, 0.441F},
-                         {0.478F, 0.821F, 0.318F},
-                         {0.741F, 0.873F, 0.150F},
+// Renslow 2018; coolwarm: Moreland 2009. Viridis has its hues and CIE chroma, but a lightness L*
+// from 36 instead of 15 up to 91: on a face in the shade its low end was black.
+constexpr table viridis{{{0.480F, 0.228F, 0.537F},
+                         {0.474F, 0.314F, 0.651F},
+                         {0.423F, 0.418F, 0.702F},
+                         {0.361F, 0.511F, 0.703F},
+                         {0.309F, 0.595F, 0.685F},
+                         {0.268F, 0.673F, 0.656F},
+                         {0.256F, 0.747F, 0.601F},
+                         {0.341F, 0.815F, 0.502F},
+                         {0.523F, 0.866F, 0.360F},
+                         {0.764F, 0.895F, 0.180F},
                          {0.993F, 0.906F, 0.144F}}};
 constexpr table cividis{{{0.000F, 0.135F, 0.305F},
                          {0.000F, 0.199F, 0.432F},
@@ -151,6 +152,40 @@ const row& row_of(shown_field field) {
   return *std::ranges::find(rows, field, &row::field);
 }
 
+constexpr double share_in_range = 0.99;  // Of the area.
+constexpr double least_share = 1e-3;     // Of the full range, for what is left of it.
+
+struct sample {
+  float value;
+  float area;
+};
+
+/// The value that this share of the area is not above. Reorders them. Cost: O(all).
+float quantile(std::vector<sample>& all, double share) {
+  const auto area_of = [](auto first, auto last) {
+    double sum = 0;
+    for (; first != last; ++first)
+      sum += first->area;
+    return sum;
+  };
+  auto first = all.begin();
+  auto last = all.end();
+  double wanted = share * area_of(first, last);
+  while (last - first > 1) {
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last,
+                     [](const sample& a, const sample& b) { return a.value < b.value; });
+    const double left = area_of(first, middle);
+    if (wanted <= left) {
+      last = middle;
+    } else {
+      wanted -= left;
+      first = middle;
+    }
+  }
+  return first->value;
+}
+
 /// 1, 2 or 5 times a power of ten, at least `raw`.
 double round_step(double raw) {
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -223,9 +258,14 @@ rgb colour(colour_map map, double at) {
   return result;
 }
 
-void legend::fit(std::span<const float> values) {
-  if (mode != range_mode::automatic)
+bool legend::follows_values() const {
+  return mode == range_mode::automatic || mode == range_mode::full;
+}
+
+void legend::fit(std::span<const float> values, std::span<const float> areas) {
+  if (!follows_values())
     return;
+  beyond.reset();
   double lowest = INFINITY;
   double highest = -INFINITY;
   for (const float value : values)
@@ -244,12 +284,36 @@ void legend::fit(std::span<const float> values) {
   }
   low = lowest;
   high = highest;
-  if (map == colour_map::coolwarm) {
+  const bool both_ways = map == colour_map::coolwarm;
+  if (both_ways) {
     high = std::max(std::abs(low), std::abs(high));
     low = -high;
-  } else if (field == shown_field::safety_factor && high > safety_steps.back()) {
+  }
+  if (mode == range_mode::automatic && areas.size() == values.size() &&
+      kind_of(field) != field_kind::safety)
+    cap(values, areas, both_ways);
+  if (field == shown_field::safety_factor && high > safety_steps.back()) {
     high = std::max(safety_steps.back(), 2 * low);  // Places without stress have a million.
   }
+}
+
+/// Where nearly all of the part has no value worth the name, the range stays the full one.
+void legend::cap(std::span<const float> values, std::span<const float> areas, bool both_ways) {
+  std::vector<sample> all;
+  all.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isfinite(values[i]) && areas[i] > 0)
+      all.push_back({both_ways ? std::abs(values[i]) : values[i], areas[i]});
+  if (all.empty())
+    return;
+  const double end = quantile(all, share_in_range);
+  const double from = both_ways ? 0 : low;
+  if (end >= high - 1e-6 * (high - from) || end - from < least_share * (high - from))
+    return;
+  beyond = high;
+  high = end;
+  if (both_ways)
+    low = -end;
 }
 
 rgb legend::colour_at(double place) const {
@@ -327,11 +391,40 @@ std::vector<double> legend::ticks(int most) const {
   return result;
 }
 
+std::vector<double> legend::labels(int most) const {
+  auto result = ticks(most);
+  if (map == colour_map::safety)
+    return result;
+  const double room = 0.7 / std::max(1, most - 1);
+  const auto from_low = [this](double value) {
+    const double at = place(value);
+    return reversed ? 1 - at : at;
+  };
+  double last = 0;
+  std::erase_if(result, [&](double tick) {
+    const double at = from_low(tick);
+    const bool meets = at - last < room || 1 - at < room;
+    last = meets ? last : at;
+    return meets;
+  });
+  const bool open = logarithmic && high > 0 && low <= 0;  // The scale has no lower end of its own.
+  result.insert(result.begin(), open ? high * 1e-4 : low);
+  result.push_back(high);
+  return result;
+}
+
+QString legend::label(double value) const {
+  const double scale = shown_as(field_unit(field)).scale;
+  return logarithmic || map == colour_map::safety ? number(value * scale)
+                                                  : number_in(value * scale, (high - low) * scale);
+}
+
 bool legend::draws_like(const legend& other) const {
   legend same_range = other;
-  if (mode == range_mode::automatic) {
+  if (follows_values()) {
     same_range.low = low;
     same_range.high = high;
+    same_range.beyond = beyond;
   }
   return *this == same_range;
 }

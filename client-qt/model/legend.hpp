@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,7 +55,9 @@ enum class field_kind { magnitude, has_sign, safety };
 [[nodiscard]] shown_field field_from_id(const QString& id);
 
 enum class range_mode {
-  automatic,  ///< From the smallest to the largest value, anew with each field.
+  automatic,  ///< Up to what a hundredth of the area is above, anew with each field: one hot
+              ///< corner does not take the colours from all the rest.
+  full,       ///< From the smallest to the largest value, anew with each field.
   manual,     ///< As the user typed it.
   locked      ///< As it was when it was locked: versions can be compared.
 };
@@ -65,8 +68,8 @@ enum class colour_map { viridis, cividis, grey, coolwarm, safety };
 using rgb = std::array<float, 3>;
 
 /// The colour at `at` in [0,1]; outside that the ends. Viridis, cividis: perceptually even and
-/// readable with colour blindness; coolwarm: diverging, for what has a sign; safety: six steps from
-/// red (below 1) to blue.
+/// readable with colour blindness, viridis with a low end that is light enough for a shaded part;
+/// coolwarm: diverging, for what has a sign; safety: six steps from red (below 1) to blue.
 [[nodiscard]] rgb colour(colour_map map, double at);
 
 /// Where the steps of the safety map begin and end, from 0 on.
@@ -81,12 +84,16 @@ struct legend {
   bool logarithmic = false;
   colour_map map = colour_map::viridis;
   bool reversed = false;
-  QString title;  ///< Instead of the field's; may be empty.
-  int bands = 0;  ///< So many steps of one colour each; 0: smooth.
+  QString title;                 ///< Instead of the field's; may be empty.
+  int bands = 0;                 ///< So many steps of one colour each; 0: smooth.
+  std::optional<double> beyond;  ///< The largest value, when it is above the scale; its size when
+                                 ///< it has a sign.
 
-  /// Takes the range of new values when the mode is automatic; a uniform field gets a range around
-  /// its value; with the diverging map 0 is in its middle. Values that are not finite do not count.
-  void fit(std::span<const float> values);
+  /// Takes the range of new values when the mode is automatic or full; a uniform field gets a range
+  /// around its value; with the diverging map 0 is in its middle. Values that are not finite do not
+  /// count. `areas`: what each value stands for; without them the automatic range is the full one.
+  /// Cost: O(values).
+  void fit(std::span<const float> values, std::span<const float> areas = {});
 
   /// The colour at a place of the scale, by its bands.
   [[nodiscard]] rgb colour_at(double place) const;
@@ -105,10 +112,21 @@ struct legend {
   /// powers of ten and their halves.
   [[nodiscard]] std::vector<double> ticks(int most) const;
 
-  /// Whether both give any values the same colours: an automatic range is that of the values.
+  /// Where numbers stand beside the scale: both of its ends, and the ticks that are far enough from
+  /// them and from each other for so many numbers; ascending.
+  [[nodiscard]] std::vector<double> labels(int most) const;
+  /// Such a number in the unit that is shown, rounded by the size of the range.
+  [[nodiscard]] QString label(double value) const;
+
+  /// Whether both give any values the same colours: a range that follows them is that of the
+  /// values.
   [[nodiscard]] bool draws_like(const legend& other) const;
 
   friend bool operator==(const legend&, const legend&) = default;
+
+private:
+  [[nodiscard]] bool follows_values() const;
+  void cap(std::span<const float> values, std::span<const float> areas, bool both_ways);
 };
 
 }  // namespace tedit::desktop

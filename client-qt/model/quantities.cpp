@@ -2,12 +2,24 @@
 #include "client-qt/model/quantities.hpp"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace tedit::desktop {
+
+namespace {
+
+/// With the decimal point of the person's language; groups of digits are not parted, so that what
+/// is shown can be typed.
+QString digits(double value, char format, int precision) {
+  return QString::number(value, format, precision).replace('.', QLocale().decimalPoint());
+}
+
+}  // namespace
 
 display_unit shown_as(const QString& si_unit) {
   if (si_unit == "m")
@@ -32,8 +44,28 @@ QString number(double value) {
     return QCoreApplication::translate("quantities", "none");
   const double size = std::abs(value);
   if (size != 0 && (size < 1e-3 || size >= 1e6))
-    return QString::number(value, 'g', 3);
-  return QString::number(value, 'g', size >= 1000 ? 6 : 4);
+    return digits(value, 'g', 3);
+  return digits(value, 'g', size >= 1000 ? 6 : 4);
+}
+
+QString number_in(double value, double range) {
+  constexpr int most_decimals = 6;
+  if (std::abs(value) < 5e-4 * range)
+    return "0";
+  if (!std::isfinite(value) || !(range >= 1e-3 && range < 1e6))
+    return number(value);
+  const int decimals =
+    std::clamp(2 - static_cast<int>(std::floor(std::log10(range))), 0, most_decimals);
+  QString text = digits(value, 'f', decimals);
+  if (decimals == 0)
+    return text;
+  while (text.endsWith('0'))
+    text.chop(1);
+  return text.back().isDigit() ? text : text.chopped(1);
+}
+
+QString exact(double value) {
+  return digits(value, 'g', 10);
 }
 
 QString quantity(double si_value, const QString& si_unit) {
@@ -64,27 +96,26 @@ QString mass(double kg) {
 
 QString duration(double ms) {
   if (ms < 1000)
-    return QString::number(ms, 'f', ms < 10 ? 1 : 0) + " ms";
+    return digits(ms, 'f', ms < 10 ? 1 : 0) + " ms";
   if (ms < 60'000)
-    return QString::number(ms / 1000, 'f', 1) + " s";
+    return digits(ms / 1000, 'f', 1) + " s";
   const auto seconds = static_cast<long long>(ms / 1000);
   return QString("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
 }
 
 QString count(double items) {
   if (items >= 1e6)
-    return QString::number(items / 1e6, 'f', 2) + " M";
+    return digits(items / 1e6, 'f', 2) + " M";
   if (items >= 1e4)
-    return QString::number(items / 1e3, 'f', items < 1e5 ? 1 : 0) + " k";
-  return QString::number(items, 'f', 0);
+    return digits(items / 1e3, 'f', items < 1e5 ? 1 : 0) + " k";
+  return digits(items, 'f', 0);
 }
 
 QString change(double before, double after) {
   if (before == 0 || !std::isfinite(before) || !std::isfinite(after))
     return {};
   const double percent = 100 * (after - before) / std::abs(before);
-  const QString text =
-    QString::number(std::abs(percent), 'f', std::abs(percent) < 10 ? 1 : 0) + " %";
+  const QString text = digits(std::abs(percent), 'f', std::abs(percent) < 10 ? 1 : 0) + " %";
   return (percent < 0 ? QString::fromUtf8("−") : QString("+")) + text;
 }
 
@@ -93,6 +124,10 @@ QString words_of(const std::string& said) {
   QString text = QString::fromStdString(said);
   for (auto found = power.match(text); found.hasMatch(); found = power.match(text))
     text.replace(found.capturedStart(2), 1, QChar(found.captured(2) == "2" ? 0x00b2 : 0x00b3));
+  // Not in versions, addresses and names of files.
+  static const QRegularExpression point(
+    R"((?<![\w.])(\d+)\.(?=\d+(e[-+]?\d+)?([\s,;:)%]|\.?\s|\.?$)))");
+  text.replace(point, "\\1" + QLocale().decimalPoint());
   return text;
 }
 

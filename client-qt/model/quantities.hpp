@@ -8,7 +8,8 @@
 
 namespace tedit::desktop {
 
-/// How a number in SI units is shown and typed: engineers think in mm, MPa and N.
+/// How a number in SI units is shown and typed: engineers think in mm, MPa and N. All words below
+/// have the decimal point of QLocale's default.
 struct display_unit {
   QString name;      ///< "mm"; empty for numbers without one.
   double scale = 1;  ///< Shown = SI times scale.
@@ -20,6 +21,11 @@ struct display_unit {
 
 /// A value with four digits at most and a unit: "12.5 mm", "1.2e-05 mm".
 [[nodiscard]] QString number(double value);
+/// The same on a scale over `range`: to about a thousandth of it, without zeros at the end. What is
+/// less than half of that is "0".
+[[nodiscard]] QString number_in(double value, double range);
+/// All digits that matter, so that showing and reading again changes nothing.
+[[nodiscard]] QString exact(double value);
 [[nodiscard]] QString quantity(double si_value, const QString& si_unit);
 /// A length by its size: "0.35 µm", "12.5 mm", "1.2 m".
 [[nodiscard]] QString length(double metres);
@@ -33,7 +39,7 @@ struct display_unit {
 [[nodiscard]] QString change(double before, double after);
 
 /// What the server says, which writes no letters beyond ASCII, as the window writes it: "3 mm²" for
-/// "3 mm2".
+/// "3 mm2", and numbers with the decimal point of the language.
 [[nodiscard]] QString words_of(const std::string& said);
 
 }  // namespace tedit::desktop

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/solve_requests.hpp"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -136,7 +138,9 @@ void solve_requests::note_residual(const client::solve_status& status) {
   if (status.iterations > 0 && residual > 0 && residual < 1)
     part_.work().progress(
       job_, std::min(0.99, std::log(residual) / std::log(settings_.tolerance)),
-      tr("iteration %1, residual %2").arg(status.iterations).arg(residual, 0, 'g', 2));
+      tr("iteration %1, residual %2")
+        .arg(status.iterations)
+        .arg(QString::number(residual, 'g', 2).replace('.', QLocale().decimalPoint())));
 }
 
 void solve_requests::set_progress(field_state next) {

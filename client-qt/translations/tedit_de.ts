@@ -644,12 +644,16 @@
 <context>
     <name>overlay</name>
     <message>
-        <source> · locked</source>
-        <translation> · fest</translation>
+        <source>99 % of the area</source>
+        <translation>99 % der Fläche</translation>
     </message>
     <message>
-        <source> · log</source>
-        <translation> · log</translation>
+        <source>locked</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
     </message>
 </context>
 <context>
@@ -1358,6 +1362,18 @@ Inhalt %1</translation>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
+    <message>
+        <source>This takes %1 % of the part&apos;s volume away.</source>
+        <translation>Das nimmt %1 % des Teilevolumens weg.</translation>
+    </message>
+    <message>
+        <source>Applied as soon as it is clear what it takes away.</source>
+        <translation>Wird angewandt, sobald klar ist, was es wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Take %1 % of the part off</source>
+        <translation>%1 % des Teils abtragen</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::document</name>
@@ -1495,10 +1511,6 @@ Inhalt %1</translation>
         <translation>Linien gleichen Werts auf der Oberfläche, an den Grenzen der Stufen</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
         <source>As typed</source>
         <translation>Wie eingegeben</translation>
     </message>
@@ -1557,6 +1569,18 @@ Inhalt %1</translation>
     <message>
         <source>loading</source>
         <translation>wird geladen</translation>
+    </message>
+    <message>
+        <source>99 % of the area</source>
+        <translation>99 % der Fläche</translation>
+    </message>
+    <message>
+        <source>Full range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
+    <message>
+        <source>The hundredth of the surface with the largest values has the colour of the upper end: one hot corner leaves colours for the rest</source>
+        <translation>Das Hundertstel der Oberfläche mit den größten Werten hat die Farbe des oberen Endes: Eine heiße Ecke lässt Farben für den Rest übrig</translation>
     </message>
 </context>
 <context>
@@ -1804,10 +1828,6 @@ Inhalt %1</translation>
 <context>
     <name>tedit::desktop::load_editor</name>
     <message>
-        <source>Use the selection</source>
-        <translation>Auswahl übernehmen</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Anwenden</translation>
     </message>
@@ -1936,20 +1956,8 @@ Inhalt %1</translation>
         <translation>Betrag</translation>
     </message>
     <message>
-        <source>No surfaces yet</source>
-        <translation>Noch keine Flächen</translation>
-    </message>
-    <message>
         <source>Surfaces: %1</source>
         <translation>Flächen: %1</translation>
-    </message>
-    <message>
-        <source>Click surfaces of the part first</source>
-        <translation>Erst Flächen des Bauteils anklicken</translation>
-    </message>
-    <message>
-        <source>Surfaces picked: %1</source>
-        <translation>Ausgewählte Flächen: %1</translation>
     </message>
     <message>
         <source>Give numbers of regions, with commas between</source>
@@ -1958,6 +1966,14 @@ Inhalt %1</translation>
     <message>
         <source>%1 %2 in all</source>
         <translation>%1 %2 insgesamt</translation>
+    </message>
+    <message>
+        <source>No surfaces yet: click them, Shift adds</source>
+        <translation>Noch keine Flächen: anklicken, Umschalt fügt hinzu</translation>
+    </message>
+    <message>
+        <source>Click surfaces of the part; Shift adds. %1</source>
+        <translation>Flächen des Teils anklicken; Umschalt fügt hinzu. %1</translation>
     </message>
 </context>
 <context>
@@ -2246,6 +2262,10 @@ Inhalt %1</translation>
     <message>
         <source>max %1</source>
         <translation>max. %1</translation>
+    </message>
+    <message>
+        <source>max %1, above the scale</source>
+        <translation>max. %1, über der Skala</translation>
     </message>
 </context>
 <context>

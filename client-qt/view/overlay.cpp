@@ -21,6 +21,7 @@ constexpr double bar_width = 16;
 constexpr double legend_height = 240;
 constexpr double legend_width = 140;
 constexpr double title_size = 13;
+constexpr double words_size = 12;
 constexpr int most_ticks = 7;
 
 QFont sized(const QFont& font, double pixels, bool bold = false) {
@@ -38,6 +39,20 @@ QString title_of(const legend& by) {
   return by.title.isEmpty() ? field_title(by.field) : by.title;
 }
 
+/// Its unit, and how its range came about.
+QString unit_line(const legend& by) {
+  QStringList parts;
+  if (const auto unit = shown_as(field_unit(by.field)); !unit.name.isEmpty())
+    parts << unit.name;
+  if (by.beyond)
+    parts << QCoreApplication::translate("overlay", "99 % of the area");
+  if (by.mode == range_mode::locked)
+    parts << QCoreApplication::translate("overlay", "locked");
+  if (by.logarithmic)
+    parts << QCoreApplication::translate("overlay", "log");
+  return parts.join(QString::fromUtf8(" · "));
+}
+
 /// The part of [0,1] at which the legend puts a value, ascending with the value.
 double height_of(const legend& by, double value) {
   const double at = by.place(value);
@@ -48,20 +63,14 @@ double height_of(const legend& by, double value) {
 
 void paint_legend(QPainter& painter, const QRectF& where, const legend& by, const QString& note,
                   const QColor& ink, double scale) {
-  const auto unit = shown_as(field_unit(by.field));
   painter.setPen(ink);
   painter.setFont(sized(painter.font(), title_size * scale, true));
   const double line = 18 * scale;
   painter.drawText(QRectF(where.left(), where.top(), 4 * where.width(), line), Qt::AlignLeft,
                    title_of(by));
   painter.setFont(sized(painter.font(), 12 * scale));
-  QString second = unit.name;
-  if (by.mode == range_mode::locked)
-    second += QCoreApplication::translate("overlay", " · locked");
-  if (by.logarithmic)
-    second += QCoreApplication::translate("overlay", " · log");
   painter.drawText(QRectF(where.left(), where.top() + line, 4 * where.width(), line), Qt::AlignLeft,
-                   second.trimmed());
+                   unit_line(by));
   const QRectF bar(where.left(), where.top() + 2.4 * line, bar_width * scale,
                    where.height() - 3.6 * line);
   constexpr int bands = 240;  // A multiple of every number of steps but 16 and 9: near enough.
@@ -71,7 +80,7 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
                             bar.height() / bands + scale),
                      to_colour(by.colour_at(by.reversed ? 1 - at : at)));
   }
-  const auto ticks = by.ticks(most_ticks);
+  const auto ticks = by.labels(most_ticks);
   // Many bands: words at every second edge, that none covers another.
   const double room = bar.height() / std::max<double>(1, static_cast<double>(ticks.size()) - 1);
   const auto between = static_cast<std::size_t>(by.bands > 0 ? std::ceil(0.85 * line / room) : 1);
@@ -82,7 +91,7 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
     if (i % between != 0)
       continue;
     painter.drawText(QRectF(bar.right() + 8 * scale, y - line / 2, where.width(), line),
-                     Qt::AlignLeft | Qt::AlignVCenter, number(tick * unit.scale));
+                     Qt::AlignLeft | Qt::AlignVCenter, by.label(tick));
   }
   if (!note.isEmpty()) {
     painter.setFont(sized(painter.font(), 12 * scale, true));
@@ -148,7 +157,10 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
   const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
   add(ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), true);
   if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
-    add(ends->high_at, tr("max %1").arg(field_value(by.field, ends->high)), false);
+    add(ends->high_at,
+        (by.beyond ? tr("max %1, above the scale") : tr("max %1"))
+          .arg(field_value(by.field, ends->high)),
+        false);
   if (result.size() == 2)
     result[1].box = clear_of(result[0].box, result[1].box, 4 * scale);
   return result;
@@ -202,7 +214,10 @@ QRectF overlay::scale_box() const {
   const double height = std::min(legend_height, view_.height() - 2 * margin);
   const auto& by = view_.painted().by;
   const QFontMetricsF title(sized(font(), title_size, true));
-  const double width = std::max(legend_width, title.horizontalAdvance(title_of(by)) + margin);
+  const QFontMetricsF second(sized(font(), words_size));
+  const double words =
+    std::max(title.horizontalAdvance(title_of(by)), second.horizontalAdvance(unit_line(by)));
+  const double width = std::max(legend_width, words + margin);
   return {margin / 2, view_.height() - height - 1.5 * margin, width + margin / 2, height + margin};
 }
 

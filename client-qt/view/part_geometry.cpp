@@ -137,6 +137,20 @@ vtkSmartPointer<vtkPolyData> make_faces(const raw_part& raw) {
   return normals->GetOutput();
 }
 
+std::vector<float> areas_of(vtkPolyData& faces) {
+  std::vector<float> result(static_cast<std::size_t>(faces.GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < faces.GetNumberOfCells(); ++i) {
+    vtkIdType count = 0;
+    const vtkIdType* at = nullptr;
+    faces.GetCellPoints(i, count, at);
+    const vec3 a = point(faces.GetPoints(), at[0]);
+    const vec3 n = cross(point(faces.GetPoints(), at[1]) - a, point(faces.GetPoints(), at[2]) - a);
+    for (int k = 0; k < 3; ++k)
+      result[static_cast<std::size_t>(at[k])] += static_cast<float>(std::sqrt(dot(n, n)) / 6);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::shared_ptr<const part_geometry> build_part(const client::surface_model& surface,
@@ -163,6 +177,7 @@ std::shared_ptr<const part_geometry> build_part(const client::surface_model& sur
     part->cell_surface.push_back(c.surface);
   }
   part->faces->BuildCells();  // Else the first reader would, maybe on two threads.
+  part->areas = areas_of(*part->faces);
   part->faces->GetBounds(part->bounds.data());
   part->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
   part->locator->SetDataSet(part->faces);
@@ -219,6 +234,44 @@ vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,
   result->SetPoints(part.faces->GetPoints());
   result->SetPolys(triangles);
   result->GetPointData()->SetNormals(part.faces->GetPointData()->GetNormals());
+  return result;
+}
+
+/// Points are doubled at sharp edges: which edges are the same is told by their vertices.
+vtkSmartPointer<vtkPolyData> outline(const part_geometry& part,
+                                     const std::vector<surface_id>& wanted) {
+  struct edge {
+    std::uint64_t key;
+    std::array<vtkIdType, 2> ends;
+  };
+  std::vector<edge> all;
+  for (const auto id : wanted) {
+    const auto range = part.cells.find(id);
+    if (range == part.cells.end())
+      continue;
+    for (auto i = range->second.first; i < range->second.second; ++i) {
+      vtkIdType count = 0;
+      const vtkIdType* points = nullptr;
+      part.faces->GetCellPoints(i, count, points);
+      for (int k = 0; k < 3; ++k) {
+        const std::array<vtkIdType, 2> ends{points[k], points[(k + 1) % 3]};
+        const std::uint64_t a = part.vertices[static_cast<std::size_t>(ends[0])];
+        const std::uint64_t b = part.vertices[static_cast<std::size_t>(ends[1])];
+        all.push_back({std::min(a, b) << 32 | std::max(a, b), ends});
+      }
+    }
+  }
+  std::ranges::sort(all, {}, &edge::key);
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> lines;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool again = (i > 0 && all[i - 1].key == all[i].key) ||
+                       (i + 1 < all.size() && all[i + 1].key == all[i].key);
+    if (!again)
+      lines->InsertNextCell(2, all[i].ends.data());
+  }
+  result->SetPoints(part.faces->GetPoints());
+  result->SetLines(lines);
   return result;
 }
 

@@ -24,6 +24,7 @@ struct part_geometry {
   std::string version_id;
   vtkSmartPointer<vtkPolyData> faces;    ///< Points are doubled at sharp edges, for their normals.
   std::vector<std::uint32_t> vertices;   ///< The vertex slot of each point.
+  std::vector<float> areas;              ///< m^2 that each point stands for: a third of its faces.
   std::vector<surface_id> cell_surface;  ///< Ascending.
   std::map<surface_id, std::pair<std::int64_t, std::int64_t>> cells;  ///< First, past the last.
   vtkSmartPointer<vtkPolyData> edges;  ///< Between surfaces, and sharp ones inside.
@@ -56,6 +57,11 @@ struct picked_point {
 
 /// The triangles of some surfaces as a mesh of their own. Cost: O(those triangles).
 [[nodiscard]] vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,
+                                                   const std::vector<surface_id>& wanted);
+
+/// The lines around some surfaces: edges that only one of their triangles has. On the points of the
+/// part. Cost: O(those triangles).
+[[nodiscard]] vtkSmartPointer<vtkPolyData> outline(const part_geometry& part,
                                                    const std::vector<surface_id>& wanted);
 
 }  // namespace tedit::desktop

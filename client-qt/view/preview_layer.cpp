@@ -76,7 +76,12 @@ void preview_layer::show(const std::shared_ptr<const preview_geometry>& what) {
 }
 
 void preview_layer::mark(const part_geometry& part, const std::vector<surface_id>& surfaces) {
+  marked_ = !surfaces.empty();
   fault_.show(surfaces.empty() ? nullptr : extract(part, surfaces).Get());
+}
+
+void preview_layer::show_marks(bool on) {
+  fault_.actor->SetVisibility(on && marked_);
 }
 
 void preview_layer::clip(const std::optional<section_plane>& plane) {

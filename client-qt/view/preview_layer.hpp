@@ -26,6 +26,8 @@ public:
   void show(const std::shared_ptr<const preview_geometry>& what);
   /// These surfaces of the part in the colour of errors; none: nothing.
   void mark(const part_geometry& part, const std::vector<surface_id>& surfaces);
+  /// Leaves them out for a picture that is kept.
+  void show_marks(bool on);
   void clip(const std::optional<section_plane>& plane);
 
 private:
@@ -39,6 +41,7 @@ private:
   };
 
   vtkNew<vtkPlane> plane_;
+  bool marked_ = false;
   piece added_;
   piece added_edges_;
   piece ghost_;

@@ -2,6 +2,7 @@
 #include "client-qt/view/scene.hpp"
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
@@ -11,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -26,10 +28,20 @@ void set(vtkProperty* property, const rgb& c) {
   property->SetColor(c[0], c[1], c[2]);
 }
 
+constexpr double usual_dpi = 96;
+
 void matt(vtkProperty* property) {
   property->SetAmbient(0.28);
   property->SetDiffuse(0.8);
   property->SetSpecular(0.06);
+}
+
+/// For faces that carry values: their colour is to be compared with the legend's whichever way they
+/// look, so the light only hints at the shape. A face 60 degrees away has nine tenths of it.
+void even(vtkProperty* property) {
+  property->SetAmbient(0.87);
+  property->SetDiffuse(0.14);
+  property->SetSpecular(0);
 }
 
 /// Where each value stands on the legend's scale; NaN stays NaN.
@@ -70,7 +82,7 @@ std::array<unsigned char, 3> surface_colour(std::size_t place) {
 
 }  // namespace
 
-scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
+scene::scene(vtkRenderer* renderer) : renderer_(renderer), selected_(0.2, 3), hovered_(0.1, 1.5) {
   renderer_->GradientBackgroundOn();
   light(*renderer_);
   face_mapper_->SetInputData(faces_);
@@ -96,18 +108,6 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
     actor->VisibilityOff();
     renderer_->AddActor(actor);
   }
-  for (auto* highlight : {selected_actor_.Get(), hover_actor_.Get()}) {
-    matt(highlight->GetProperty());
-    highlight->PickableOff();
-  }
-  renderer_->AddActor(selected_actor_);
-  selected_actor_->SetMapper(selected_mapper_);
-  hover_actor_->SetMapper(hover_mapper_);
-  hover_actor_->GetProperty()->SetOpacity(0.75);
-  selected_mapper_->ScalarVisibilityOff();
-  hover_mapper_->ScalarVisibilityOff();
-  selected_mapper_->SetResolveCoincidentTopologyToPolygonOffset();
-  selected_mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.5, 0.5);
   cap_mapper_->SetInputData(cap_);
   cap_mapper_->SetLookupTable(table_);
   cap_mapper_->SetScalarRange(0, 1);
@@ -123,16 +123,28 @@ scene::scene(vtkRenderer* renderer) : renderer_(renderer) {
   for (auto* actor :
        {face_actor_.Get(), edge_actor_.Get(), load_actor_.Get(), support_actor_.Get()})
     renderer_->AddActor(actor);
-  // Drawn last, it needs no sorting of what can be seen through, which costs two passes more.
-  hover_actor_->ForceOpaqueOn();
-  renderer_->AddActor(hover_actor_);
-  for (auto* actor :
-       {selected_actor_.Get(), hover_actor_.Get(), load_actor_.Get(), support_actor_.Get()})
+  selected_.add_to(*renderer_);
+  hovered_.add_to(*renderer_);
+  for (auto* actor : {load_actor_.Get(), support_actor_.Get()})
     actor->VisibilityOff();
+  vtkNew<vtkCallbackCommand> begins;
+  begins->SetClientData(this);
+  begins->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<scene*>(self)->suit_pixels(); });
+  begins_frame_ = renderer_->AddObserver(vtkCommand::StartEvent, begins);
   set_colours({});
 }
 
-scene::~scene() = default;
+scene::~scene() {
+  renderer_->RemoveObserver(begins_frame_);
+}
+
+/// A frame may have more or fewer pixels than the widget: on a fine screen, or while it is quick.
+void scene::suit_pixels() {
+  const double ratio = renderer_->GetRenderWindow()->GetDPI() / usual_dpi;
+  for (auto* one : {&selected_, &hovered_})
+    one->set_pixel_ratio(ratio);
+}
 
 void scene::set_colours(const scene_colours& colours) {
   colours_ = colours;
@@ -143,8 +155,8 @@ void scene::set_colours(const scene_colours& colours) {
   set(edge_actor_->GetProperty(), colours.edges);
   for (auto* lines : {iso_actor_.Get(), cap_iso_actor_.Get()})
     set(lines->GetProperty(), colours.edges);
-  set(selected_actor_->GetProperty(), colours.accent);
-  set(hover_actor_->GetProperty(), colours.hover);
+  selected_.set_colour(colours.accent);
+  hovered_.set_colour(colours.hover);
   for (auto* marks : {load_actor_.Get(), support_actor_.Get()}) {
     marks->GetProperty()->SetAmbient(0.55);  // They are read by their colour, also in the shade.
     marks->GetProperty()->SetDiffuse(0.5);
@@ -157,8 +169,9 @@ void scene::set_colours(const scene_colours& colours) {
 void scene::set_part(std::shared_ptr<const part_geometry> part) {
   part_ = std::move(part);
   edge_mapper_->SetInputData(part_->edges);
-  selected_actor_->VisibilityOff();
-  hover_actor_->VisibilityOff();
+  picked_.clear();
+  under_pointer_.reset();
+  show_highlights(highlights_);
   iso_actor_->VisibilityOff();
   paint_faces();
   show_plain();
@@ -178,12 +191,18 @@ void scene::paint_faces() {
 }
 
 void scene::show_plain() {
+  light_evenly(false);
   face_mapper_->ScalarVisibilityOff();
+}
+
+void scene::light_evenly(bool on) {
+  on ? even(face_actor_->GetProperty()) : matt(face_actor_->GetProperty());
 }
 
 void scene::show_surfaces() {
   if (!part_)
     return;
+  light_evenly(false);
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
   std::size_t place = 0;
@@ -201,6 +220,7 @@ void scene::show_surfaces() {
 void scene::show_values(std::span<const float> values, const legend& by) {
   if (!part_ || values.size() != part_->vertices.size())
     return;
+  light_evenly(true);
   fill_table(by);
   faces_->GetPointData()->SetScalars(places_of(values, by));
   face_mapper_->SetScalarModeToUsePointData();
@@ -227,13 +247,14 @@ void scene::clip(const std::optional<section_plane>& plane) {
     plane_->SetOrigin(plane->at.x, plane->at.y, plane->at.z);
     plane_->SetNormal(-plane->normal.x, -plane->normal.y, -plane->normal.z);
   }
-  for (auto* mapper :
-       {face_mapper_.Get(), edge_mapper_.Get(), iso_mapper_.Get(), selected_mapper_.Get(),
-        hover_mapper_.Get(), load_mapper_.Get(), support_mapper_.Get()}) {
+  for (auto* mapper : {face_mapper_.Get(), edge_mapper_.Get(), iso_mapper_.Get(),
+                       load_mapper_.Get(), support_mapper_.Get()}) {
     mapper->RemoveAllClippingPlanes();
     if (plane)
       mapper->AddClippingPlane(plane_);
   }
+  for (auto* one : {&selected_, &hovered_})
+    one->clip(plane ? plane_.Get() : nullptr);
 }
 
 void scene::set_cap(vtkPolyData* cap, std::span<const float> values, const legend& by) {
@@ -251,15 +272,33 @@ void scene::set_cap(vtkPolyData* cap, std::span<const float> values, const legen
 }
 
 void scene::select(const std::vector<surface_id>& picked) {
-  selected_actor_->SetVisibility(part_ && !picked.empty());
-  if (part_ && !picked.empty())
-    selected_mapper_->SetInputData(extract(*part_, picked));
+  picked_ = picked;
+  show_selection();
 }
 
 void scene::hover(std::optional<surface_id> under_pointer) {
-  hover_actor_->SetVisibility(part_ && under_pointer);
-  if (part_ && under_pointer)
-    hover_mapper_->SetInputData(extract(*part_, {*under_pointer}));
+  under_pointer_ = under_pointer;
+  show_hovered();
+}
+
+void scene::show_highlights(bool on) {
+  highlights_ = on;
+  show_selection();
+  show_hovered();
+}
+
+void scene::show_selection() {
+  if (part_ && highlights_)
+    selected_.show(*part_, picked_);
+  else
+    selected_.hide();
+}
+
+void scene::show_hovered() {
+  if (part_ && highlights_ && under_pointer_)
+    hovered_.show(*part_, {*under_pointer_});
+  else
+    hovered_.hide();
 }
 
 void scene::hide(const std::set<surface_id>& hidden) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client-qt/model/legend.hpp"
+#include "client-qt/view/highlight.hpp"
 #include "client-qt/view/part_geometry.hpp"
 
 class vtkActor;
@@ -63,6 +64,8 @@ public:
 
   void select(const std::vector<surface_id>& picked);
   void hover(std::optional<surface_id> under_pointer);
+  /// Leaves out what is selected and under the pointer, for a picture that is kept.
+  void show_highlights(bool on);
   /// Surfaces that are not drawn (nor picked, see `is_hidden`).
   void hide(const std::set<surface_id>& hidden);
   [[nodiscard]] bool is_hidden(surface_id id) const { return hidden_.contains(id); }
@@ -87,6 +90,10 @@ public:
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
 
 private:
+  void suit_pixels();
+  void show_selection();
+  void show_hovered();
+  void light_evenly(bool on);
   void paint_faces();
   void fill_table(const legend& by);
 
@@ -94,7 +101,11 @@ private:
   scene_colours colours_;
   std::shared_ptr<const part_geometry> part_;
   std::set<surface_id> hidden_;
-  vtkNew<vtkPolyData> faces_;  ///< The part's, with our scalars and without what is hidden.
+  std::vector<surface_id> picked_;
+  std::optional<surface_id> under_pointer_;
+  bool highlights_ = true;
+  unsigned long begins_frame_ = 0;  ///< Our observer of the renderer.
+  vtkNew<vtkPolyData> faces_;       ///< The part's, with our scalars and without what is hidden.
   vtkNew<vtkLookupTable> table_;
   vtkNew<vtkPolyDataMapper> face_mapper_;
   vtkNew<vtkActor> face_actor_;
@@ -108,10 +119,8 @@ private:
   vtkNew<vtkActor> iso_actor_;
   vtkNew<vtkPolyDataMapper> cap_iso_mapper_;
   vtkNew<vtkActor> cap_iso_actor_;
-  vtkNew<vtkPolyDataMapper> selected_mapper_;
-  vtkNew<vtkActor> selected_actor_;
-  vtkNew<vtkPolyDataMapper> hover_mapper_;
-  vtkNew<vtkActor> hover_actor_;
+  highlight selected_;
+  highlight hovered_;
   vtkNew<vtkPolyDataMapper> load_mapper_;
   vtkNew<vtkActor> load_actor_;
   vtkNew<vtkPolyDataMapper> support_mapper_;

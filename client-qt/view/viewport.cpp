@@ -115,7 +115,7 @@ void viewport::paint_values() {
     change_stage([](stage& on) { on.part.show_plain(); });
   } else {
     painted_values_.values = values_of(*part, *shown_.field, painted_values_.by.field);
-    painted_values_.by.fit(painted_values_.values);
+    painted_values_.by.fit(painted_values_.values, part->areas);
     change_stage([values = painted_values_.values, by = painted_values_.by](stage& on) {
       on.part.show_values(values, by);
     });
@@ -232,6 +232,23 @@ void viewport::highlight() {
     on.part.select(picked);
     on.preview.mark(*part, faulty);
   });
+}
+
+/// Of a preview nothing is selected, but what is new has a colour of its own: it is no picture of
+/// the head at all.
+void viewport::plain_picture(std::function<void(const QImage&)> then) {
+  if (selected_.empty() && faulty_.empty() && !hovered_)
+    return then(last_picture());
+  draw_aside(
+    [this](vtkRenderer&) {
+      stage_->part.show_highlights(false);
+      stage_->preview.show_marks(false);
+    },
+    [this](vtkRenderer&) {
+      stage_->part.show_highlights(true);
+      stage_->preview.show_marks(true);
+    },
+    std::move(then));
 }
 
 void viewport::hide(const std::set<surface_id>& hidden) {

@@ -133,6 +133,21 @@ void vtk_view::wait() {
   collect();
 }
 
+void vtk_view::draw_aside(std::function<void(vtkRenderer&)> before,
+                          std::function<void(vtkRenderer&)> after,
+                          std::function<void(const QImage&)> then) {
+  if (!canvas_)
+    return;
+  const int dpi = qRound(96.0 * image_.width() / std::max(1, width()));
+  thread_->post([=, this, size = image_.size()] {
+    before(canvas_->renderer());
+    const auto image = canvas_->draw(size, dpi);
+    after(canvas_->renderer());
+    QMetaObject::invokeMethod(
+      this, [image, then] { then(image); }, Qt::QueuedConnection);
+  });
+}
+
 QImage vtk_view::picture() {
   wait();
   begin();

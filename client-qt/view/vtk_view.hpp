@@ -60,6 +60,10 @@ protected:
   /// Changes what is drawn: before the next frame, in the order of the calls, on the thread that
   /// draws. `redraw` is called apart.
   void change(std::function<void(vtkRenderer&)> what);
+  /// Draws the last frame once more, changed by `before`, for `then`; not on the screen. `after`
+  /// undoes the change.
+  void draw_aside(std::function<void(vtkRenderer&)> before, std::function<void(vtkRenderer&)> after,
+                  std::function<void(const QImage&)> then);
   /// A frame begins: the last moment for a change that shall be in it.
   virtual void about_to_draw() {}
   /// The frame that was begun last is there.

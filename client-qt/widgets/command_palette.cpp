@@ -75,6 +75,10 @@ void command_palette::run_current() {
 bool command_palette::eventFilter(QObject* watched, QEvent* event) {
   if (watched == letters_ && event->type() == QEvent::FocusOut) {
     hide();
+  } else if (watched == letters_ && event->type() == QEvent::ShortcutOverride &&
+             static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();  // Else it would be the window's shortcut, which ends something else.
+    return true;
   } else if (watched == letters_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     const int row = hits_->currentRow();

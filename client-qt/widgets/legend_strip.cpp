@@ -67,13 +67,12 @@ void legend_strip::paintEvent(QPaintEvent*) {
 
 /// As many values as there is room for.
 void legend_strip::paint_ticks(QPainter& painter, const QRectF& bar) const {
-  const double scale = shown_as(field_unit(by_.field)).scale;
   double free_from = -1e9;
-  for (const double tick : by_.ticks(most_ticks)) {
+  for (const double tick : by_.labels(most_ticks)) {
     const double at = by_.place(tick);
     const double x = bar.left() + (by_.reversed ? 1 - at : at) * bar.width();
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 4));
-    const QString text = number(tick * scale);
+    const QString text = by_.label(tick);
     const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0;
     if (x - half < free_from)
       continue;

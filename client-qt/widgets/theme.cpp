@@ -27,7 +27,8 @@ QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; font-weight
 QDockWidget::title { background: %PANEL%; padding: 6px 8px; border-bottom: 1px solid %LINE%; }
 QStatusBar { background: %PANEL%; border-top: 1px solid %LINE%; }
 QStatusBar::item { border: 0; }
-QPushButton { border: 1px solid %LINE%; border-radius: 5px; padding: 5px 14px; background: %BUTTON%; }
+QPushButton { border: 1px solid %LINE%; border-radius: 5px; padding: 5px 14px; background: %BUTTON%;
+  outline: 0; }
 QPushButton:hover { background: %HOVER%; }
 QPushButton:checked { background: %PRESSED%; border-color: %ACCENT%; }
 QPushButton:focus { border-color: %ACCENT%; }

@@ -2,6 +2,7 @@
 #include "client-qt/widgets/truth_line.hpp"
 
 #include <QLabel>
+#include <QLocale>
 #include <QToolButton>
 
 #include <algorithm>
@@ -12,6 +13,10 @@
 namespace tedit::desktop {
 
 namespace {
+
+QString two_digits(double value) {
+  return QString::number(value, 'g', 2).replace('.', QLocale().decimalPoint());
+}
 
 constexpr double slow_answer_ms = 1000;
 constexpr int beside_server = 3;  // After the verdict, its button and the facts.
@@ -114,8 +119,8 @@ QString truth_line::facts() const {
     const auto& first = outcome->cases.front();
     if (std::ranges::any_of(outcome->cases, [](const auto& one) { return !one.warnings.empty(); }))
       parts << tr("check the loads");
-    parts << tr("residual %1").arg(residual, 0, 'g', 2)
-          << tr("error est. %1 %").arg(100 * estimate, 0, 'g', 2)
+    parts << tr("residual %1").arg(two_digits(residual))
+          << tr("error est. %1 %").arg(two_digits(100 * estimate))
           << (first.element_order == 2 ? "T10" : "T4")
           << tr("%1 unknowns").arg(count(static_cast<double>(first.dofs)))
           << tr("solved in %1 on %2").arg(duration(ms), QString::fromStdString(first.device));
@@ -126,7 +131,7 @@ QString truth_line::facts() const {
     const auto& status = part_.solver().status();
     if (status.iterations > 0)
       parts << tr("iteration %1").arg(status.iterations)
-            << tr("residual %1").arg(status.true_relative_residual, 0, 'g', 2);
+            << tr("residual %1").arg(two_digits(status.true_relative_residual));
   }
   parts << tr("%1 tets").arg(count(static_cast<double>(head->info.tets)));
   if (head->report)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/window/main_window.hpp"
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
@@ -20,6 +22,7 @@
 #include "client-qt/tools/section/section_bar.hpp"
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/widgets/command_palette.hpp"
+#include "client-qt/widgets/wheel_guard.hpp"
 
 namespace tedit::desktop {
 
@@ -40,6 +43,7 @@ main_window::main_window(const QString& state_folder)
       docks_(*this),
       actions_(commands_, settings_, look_, *this) {
   setAcceptDrops(true);
+  qApp->installEventFilter(new wheel_guard(this));
   resize(1440, 900);
   make_view();
   wire_look();
@@ -105,6 +109,14 @@ void main_window::add_commands() {
                  tr("All commands and operations"),
                  "search"});
   actions_.make_all();
+  // In a list Esc leaves the list: what is selected on the part is another matter.
+  escapes_.add(ends::list, [this] {
+    const auto* focus = QApplication::focusWidget();
+    const bool in_list = qobject_cast<const QAbstractItemView*>(focus) && isAncestorOf(focus);
+    if (in_list)
+      pages_->currentWidget()->setFocus(Qt::OtherFocusReason);
+    return in_list;
+  });
 }
 
 // -- layout --------------------------------------------------------------------------
@@ -166,23 +178,23 @@ void main_window::place_overlays() {
   banner_->raise();
 }
 
-/// A form with its preview needs more than a list of operations: the docks below give it, as far as
-/// they can. A dock never gets smaller by this.
+/// A form needs more than a list of operations: the docks below give it, as far as they can, when
+/// it opens and not again: what comes into it later scrolls, so nothing moves away from under the
+/// pointer.
 void main_window::make_room() {
   const auto& panel = tools_->operations.panel();
   auto& dock = docks_.of("context");
   if (panel.chosen().isEmpty() || dock.isFloating())
     return;
   constexpr int title_height = 40;
-  constexpr int least_below = 120;  // Of the loads and the receipt.
+  constexpr int least_below = 120;  // Of each; all of them scroll.
   auto& field = docks_.of("field");
   auto& loads = docks_.of("loads");
   auto& below =
     loads.isVisible() && !loads.visibleRegion().isEmpty() ? loads : docks_.of("receipt");
   const int all = dock.height() + field.height() + below.height();
-  const int shown =
-    std::min(field.height(), tools_->results.panel().sizeHint().height() + title_height);
-  const int wanted = std::min(panel.sizeHint().height() + title_height, all - shown - least_below);
+  const int wanted = std::min(panel.sizeHint().height() + title_height, all - 2 * least_below);
+  const int shown = std::min(field.height(), all - wanted - least_below);
   // All three are given: Qt would take part of the room from the field.
   if (dock.height() < wanted)
     resizeDocks({&dock, &field, &below}, {wanted, shown, all - wanted - shown}, Qt::Vertical);
@@ -208,6 +220,11 @@ void main_window::show_docks(bool on) {
   setContextMenuPolicy(on ? Qt::DefaultContextMenu : Qt::NoContextMenu);
 }
 
+void main_window::take_size(const QSize& size) {
+  setWindowState(windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
+  resize(size);
+}
+
 void main_window::show_title() {
   const auto* head = part_.head();
   const QString version = head ? QString("  v%1").arg(head->info.number) : QString();
@@ -227,7 +244,7 @@ void main_window::wire() {
   });
   connect(banner_, &banner::changed, this, &main_window::place_overlays);
   // Once the form has taken it up and its layout with it.
-  connect(&tools_->operations.panel().preview(), &live_preview::changed, this,
+  connect(&tools_->operations.panel(), &context_panel::form_opened, this,
           [this] { QTimer::singleShot(0, this, &main_window::make_room); });
   for (auto signal : {&document::opened, &document::closed, &document::head_changed})
     connect(&part_, signal, this, &main_window::show_title);

@@ -28,6 +28,8 @@ public:
 
   [[nodiscard]] window_context& context() { return *context_; }
   [[nodiscard]] toolbox& tools() { return *tools_; }
+  /// Of the window alone, also where it was as large as the screen when it was closed last.
+  void take_size(const QSize& size);
 
 protected:
   void closeEvent(QCloseEvent* event) override;

@@ -14,7 +14,7 @@ namespace {
 class FieldPanel : public testing::Test {
 protected:
   FieldPanel() {
-    part_.files().open("part");
+    part_.begin("part");
     client::committed import;
     import.head.version_id = "v";
     import.head.load_cases = {"a"};

@@ -61,6 +61,36 @@ TEST(Spread, GivesOnePlaceToASmallSurfaceAndNoneToNone) {
   EXPECT_TRUE(spread(plate(2), {5}, 24, 0.1).empty());
 }
 
+TEST(Glyphs, ALoadThatHasNoSizeYetHasNoMarkWhileItsSupportHas) {
+  fem::load_case draft;
+  draft.loads = {{{1}, fem::force{}}};
+  draft.constraints = {{{1}, fem::fixed{}}};
+
+  const auto made = make_glyphs(plate(4), {draft});
+
+  EXPECT_FALSE(made.loads);
+  EXPECT_TRUE(made.supports);
+}
+
+TEST(Areas, OfPointsAddUpToThatOfThePart) {
+  const auto part = plate(7);
+  const auto made = build_part(*part.surface, {}, {}, 0);
+
+  double sum = 0;
+  for (const float one : made->areas)
+    sum += one;
+  EXPECT_EQ(made->areas.size(), made->vertices.size());
+  EXPECT_NEAR(sum, 1, 1e-5);
+}
+
+TEST(Outline, GoesAroundSurfacesAndNotThroughThem) {
+  const auto made = build_part(*plate(5).surface, {}, {}, 0);
+
+  EXPECT_EQ(outline(*made, {1})->GetNumberOfLines(), 4 * 5);
+  EXPECT_EQ(outline(*made, {})->GetNumberOfLines(), 0);
+  EXPECT_EQ(outline(*made, {77})->GetNumberOfLines(), 0);
+}
+
 TEST(Glyphs, WhatPushesEndsOnThePartAndWhatPullsBeginsThere) {
   fem::load_case loads;
   loads.loads = {{{1}, fem::force{{0, 0, -5}}}};

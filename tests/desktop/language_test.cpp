@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTranslator>
 
 #include "client-qt/model/legend.hpp"
@@ -14,7 +15,12 @@ namespace {
 
 class Language : public testing::Test {
 protected:
-  ~Language() override { qDeleteAll(qApp->findChildren<QTranslator*>()); }
+  ~Language() override {
+    qDeleteAll(qApp->findChildren<QTranslator*>());
+    QLocale::setDefault(before_);
+  }
+
+  const QLocale before_;
 };
 
 TEST_F(Language, EnglishIsAlwaysThereAndTakenForWhatIsNot) {
@@ -32,6 +38,7 @@ TEST_F(Language, GermanIsSpokenAlsoOfOperationsThatTheServerDescribes) {
   EXPECT_EQ(field_title(shown_field::safety_factor), QString("Sicherheitsfaktor"));
   EXPECT_EQ(in_users_language("Fill hole"), "Loch schließen");
   EXPECT_EQ(in_users_language("What a plugin says"), "What a plugin says");
+  EXPECT_EQ(field_value(shown_field::von_mises, 3.347e6), QString("3,347 MPa"));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/desktop/colours.hpp"
+
 namespace tedit::desktop {
 namespace {
 
@@ -102,6 +104,83 @@ TEST(Colours, PerceptualMapsGrowLighterAllTheWay) {
       before = lightness;
     }
   }
+}
+
+TEST(Colours, TheDefaultMapGrowsLighterInEveryStepAndBeginsWhereAShadeCanBeRead) {
+  double before = 35;
+  for (int i = 0; i < 256; ++i) {
+    const auto c = colour(legend{}.map, i / 255.0);
+    const double lightness = lab_of({c[0], c[1], c[2]})[0];
+    EXPECT_GT(lightness, before) << i;
+    before = lightness;
+  }
+  EXPECT_GT(before, 90);
+}
+
+TEST(Legend, OneHotCornerDoesNotTakeTheColoursFromAllTheRest) {
+  legend by;
+  std::vector<float> values(1000);
+  std::vector<float> areas(1000, 2e-6F);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>(i) * 1e3F;
+  values[999] = 50e6F;
+
+  by.fit(values, areas);
+  EXPECT_NEAR(by.high, 990e3, 2e3);
+  EXPECT_EQ(by.beyond, 50e6);
+
+  // By area, not by the number of points: a fine mesh around the corner changes nothing.
+  for (std::size_t i = 500; i < 1000; ++i)
+    areas[i] = 1e-9F;
+  by.fit(values, areas);
+  EXPECT_NEAR(by.high, 495e3, 2e3);
+
+  by.mode = range_mode::full;
+  by.fit(values, areas);
+  EXPECT_DOUBLE_EQ(by.high, 50e6);
+  EXPECT_FALSE(by.beyond);
+}
+
+TEST(Legend, TheCapOfWhatHasASignIsTheSameBothWays) {
+  legend by;
+  by.field = shown_field::principal_1;
+  by.map = colour_map::coolwarm;
+  std::vector<float> values(200, -2e6F);
+  values[0] = 80e6F;
+  const std::vector<float> areas(200, 1);
+
+  by.fit(values, areas);
+
+  EXPECT_DOUBLE_EQ(by.high, 2e6);
+  EXPECT_DOUBLE_EQ(by.low, -2e6);
+  EXPECT_EQ(by.beyond, 80e6);
+}
+
+TEST(Legend, AnUnloadedPartKeepsTheRangeOfThePlaceThatIsLoaded) {
+  legend by;
+  std::vector<float> values(1000, 0);
+  values[7] = 3e6F;
+
+  by.fit(values, std::vector<float>(1000, 1));
+
+  EXPECT_DOUBLE_EQ(by.high, 3e6);
+  EXPECT_FALSE(by.beyond);
+}
+
+TEST(Legend, BothEndsHaveTheirNumberRoundedByTheRange) {
+  legend by;  // von Mises: MPa.
+  by.low = 0.054;
+  by.high = 7.1174e6;
+
+  const auto labels = by.labels(7);
+
+  ASSERT_GE(labels.size(), 4U);
+  EXPECT_DOUBLE_EQ(labels.front(), by.low);
+  EXPECT_DOUBLE_EQ(labels.back(), by.high);
+  EXPECT_EQ(by.label(labels.front()), "0");
+  EXPECT_EQ(by.label(labels.back()), "7.12");
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    EXPECT_GT(by.place(labels[i]) - by.place(labels[i - 1]), 0.1) << "words that touch";
 }
 
 TEST(Legend, WithTheDivergingMapZeroIsInTheMiddle) {

@@ -23,10 +23,9 @@ T* field(const load_editor& editor, const char* name) {
 TEST(LoadEditor, ReadsAForceInNewtonOnTheSelection) {
   load_editor editor(library);
   editor.edit("New load", fem::load{{}, fem::force{}});
-  editor.set_selection({4, 9});
   EXPECT_FALSE(editor.value());
 
-  field<QPushButton>(editor, "use_selection")->click();
+  editor.set_selection({4, 9});
   field(editor, "component_z")->setText("-2,5e3");
 
   const auto item = editor.value();
@@ -35,6 +34,33 @@ TEST(LoadEditor, ReadsAForceInNewtonOnTheSelection) {
   EXPECT_EQ(load.surfaces, (std::vector<surface_id>{4, 9}));
   EXPECT_EQ(std::get<fem::force>(load.kind).total_n, (vec3{0, 0, -2500}));
   EXPECT_EQ(field<QLabel>(editor, "size")->text(), "2500 N in all");
+}
+
+TEST(LoadEditor, ActsOnWhatIsPickedWhileItIsOpen) {
+  load_editor editor(library);
+  editor.edit("New load", fem::load{{1}, fem::force{{0, 0, -5}}});
+
+  editor.set_selection({7});
+
+  ASSERT_TRUE(editor.value());
+  EXPECT_EQ(std::get<fem::load>(*editor.value()).surfaces, (std::vector<surface_id>{7}));
+  EXPECT_EQ(field<QLabel>(editor, "picked")->text(), "Surfaces: 7");
+  editor.set_selection({});
+  EXPECT_FALSE(editor.value());
+}
+
+TEST(LoadEditor, GravityLeavesTheSelectionToTheLoadsAfterIt) {
+  load_editor editor(library);
+  editor.edit("New load", fem::load{{}, fem::gravity{{0, 0, -9.81}}});
+  editor.set_selection({7});
+  ASSERT_TRUE(editor.value());
+  EXPECT_TRUE(std::get<fem::load>(*editor.value()).surfaces.empty());
+
+  field<QComboBox>(editor, "load_kind")->setCurrentIndex(2);
+  field(editor, "pressure")->setText("1");
+
+  ASSERT_TRUE(editor.value());
+  EXPECT_EQ(std::get<fem::load>(*editor.value()).surfaces, (std::vector<surface_id>{7}));
 }
 
 TEST(LoadEditor, APressureIsTypedInMegapascal) {

@@ -16,7 +16,7 @@ namespace {
 class LoadsPanel : public testing::Test {
 protected:
   LoadsPanel() {
-    part_.files().open("part");
+    part_.begin("part");
     client::committed import;
     import.head.version_id = "0";
     import.head.load_cases = {"braking"};
@@ -101,6 +101,39 @@ TEST_F(LoadsPanel, ANewMaterialForThePartReplacesTheOneItHas) {
 
   ASSERT_EQ(load_case()->childCount(), 1);
   EXPECT_TRUE(load_case()->child(0)->text(0).startsWith("second"));
+}
+
+TEST_F(LoadsPanel, SurfacesThatAreClickedBecomeThoseOfTheOpenForm) {
+  picked_.set({3});
+  panel_.add_item(item_kind::support);
+  picked_.set({8, 9});
+  apply();
+  ASSERT_EQ(load_case()->childCount(), 1);
+  const auto surfaces = [&] {
+    return load_case()->child(0)->data(0, Qt::UserRole).value<QList<qint64>>();
+  };
+  EXPECT_EQ(surfaces(), (QList<qint64>{8, 9}));
+
+  picked_.set({4});
+  EXPECT_EQ(surfaces(), (QList<qint64>{8, 9})) << "no form is open";
+  panel_.tree()->setCurrentItem(panel_.tree()->topLevelItem(0)->child(0));
+  emit panel_.tree()->itemDoubleClicked(panel_.tree()->currentItem(), 0);
+  EXPECT_EQ(picked_.surfaces(), (std::vector<surface_id>{8, 9})) << "Shift adds to what it has";
+  picked_.set({8, 9, 11});
+  apply();
+  EXPECT_EQ(surfaces(), (QList<qint64>{8, 9, 11}));
+}
+
+TEST_F(LoadsPanel, TellsWhatIsNotSolvedYetSoThatItCanBeDrawn) {
+  int told = 0;
+  QObject::connect(&panel_, &loads_panel::drafts_changed, &panel_, [&] { ++told; });
+  picked_.set({3});
+  panel_.add_item(item_kind::support);
+  apply();
+
+  EXPECT_GT(told, 0);
+  ASSERT_EQ(panel_.drafts().size(), 1U);
+  EXPECT_EQ(panel_.drafts()[0].constraints.size(), 1U);
 }
 
 TEST_F(LoadsPanel, CancelClosesTheEditorOnce) {

@@ -41,7 +41,7 @@ client::version_info version(std::uint32_t number, std::optional<std::uint32_t> 
 class History : public testing::Test {
 protected:
   History() {
-    part_.files().open("part");
+    part_.begin("part");
     // 0 - 1 - 2 and a branch 3 of 0, which is the head.
     for (const auto& [number, parent] :
          std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>>{
@@ -211,7 +211,7 @@ TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
 TEST(TruthLine, SaysThatTheLoadsWantALook) {
   remote link;
   document part(link);
-  part.files().open("part");
+  part.begin("part");
   truth_line line(part, link);
   client::committed made;
   made.head = version(0, {});

@@ -82,8 +82,7 @@ TEST_F(PreviewWindow, FollowsTheLastValueAndApplyMakesTheVeryThing) {
   EXPECT_EQ(preview().shown(), nullptr);
   EXPECT_FALSE(preview().is_busy()) << "not the same once more on what was made";
   EXPECT_EQ(label("preview_state"), "");
-  EXPECT_EQ(label("form_hint"), "") << "nothing runs any more";
-  EXPECT_TRUE(window->findChild<QPushButton*>("apply")->isEnabled());
+  EXPECT_TRUE(label("form_hint").startsWith("Select")) << "nothing runs any more";
 }
 
 TEST_F(PreviewWindow, WhatIsRefusedIsExplainedWhileTheHeadStays) {
@@ -97,6 +96,7 @@ TEST_F(PreviewWindow, WhatIsRefusedIsExplainedWhileTheHeadStays) {
   EXPECT_TRUE(label("preview_fault").contains("flat")) << label("preview_fault").toStdString();
   EXPECT_TRUE(label("preview_fault").contains("Select the walls of a hole"));
   EXPECT_EQ(label("preview_figures"), "");
+  EXPECT_FALSE(window->findChild<QPushButton*>("apply")->isEnabled());
   EXPECT_TRUE(window->context().messages.text().isEmpty());
   EXPECT_EQ(view().current().before, nullptr);
 }

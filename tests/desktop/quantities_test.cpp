@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/quantities.hpp"
 
+#include <QLocale>
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -31,6 +33,31 @@ TEST(Quantities, NumbersKeepTheirSizeReadable) {
   EXPECT_EQ(text(number(NAN)), "none");
   EXPECT_EQ(text(quantity(2.19921e-5, "m3")), "21992.1 mm³");
   EXPECT_EQ(text(quantity(-3.8e-3, "m3")), "-3800 cm³");
+}
+
+TEST(Quantities, NumbersOnAScaleAreRoundedByItsRange) {
+  EXPECT_EQ(text(number_in(5.4e-8, 7.117)), "0");
+  EXPECT_EQ(text(number_in(7.117, 7.117)), "7.12");
+  EXPECT_EQ(text(number_in(5, 13.4)), "5");
+  EXPECT_EQ(text(number_in(1000.003, 0.004)), "1000.003");
+  EXPECT_EQ(text(number_in(2.5e-7, 5e-7)), "2.5e-07");
+  EXPECT_EQ(text(number_in(-120, 240)), "-120");
+}
+
+TEST(Quantities, NumbersHaveTheDecimalPointOfTheLanguage) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::German));
+
+  EXPECT_EQ(text(quantity(3.347e6, "Pa")), "3,347 MPa");
+  EXPECT_EQ(text(number(21992.1)), "21992,1");
+  EXPECT_EQ(text(number_in(7.117, 7.117)), "7,12");
+  EXPECT_EQ(text(duration(1300)), "1,3 s");
+  EXPECT_EQ(text(change(100, 103.2)), "+3,2 %");
+  EXPECT_EQ(text(exact(-2500.25)), "-2500,25");
+  EXPECT_EQ(text(words_of("Area 12.5 mm2 (-3.1 %), 0.5.")), "Area 12,5 mm² (-3,1 %), 0,5.");
+  EXPECT_EQ(text(words_of("part-0.5.msh of 127.0.0.1:88, v0.1")),
+            "part-0.5.msh of 127.0.0.1:88, v0.1");
+  QLocale::setDefault(before);
 }
 
 TEST(Quantities, LengthsChooseTheirUnit) {

@@ -166,7 +166,7 @@ TEST(ReportFacts, OfADocumentWithoutAPartAreEmpty) {
 TEST(ReportFacts, FollowTheVersionsThatLedHereAndNoBranch) {
   remote link;
   document part(link);
-  part.files().open("part");
+  part.begin("part");
   for (const auto& [number, parent] :
        std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>>{
          {0, {}}, {1, 0}, {2, 1}, {3, 1}}) {

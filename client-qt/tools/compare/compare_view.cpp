@@ -249,7 +249,7 @@ void compare_view::show_both(const version_record& before, const version_record&
   const auto a = field_of(before, what_->load_case);
   const auto b = field_of(after, what_->load_case);
   legend by = what_->by;
-  if (by.mode == range_mode::automatic)
+  if (by.mode == range_mode::automatic || by.mode == range_mode::full)
     if (const auto range = common_range(*a, *b, by.field); range && range->second > range->first) {
       by.low = range->first;
       by.high = range->second;

@@ -8,7 +8,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -29,8 +31,25 @@ QString examples_folder() {
   return {};
 }
 
+/// Enter does what a click does.
+class card_button : public QPushButton {
+protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+      click();
+    else
+      QPushButton::keyPressEvent(event);
+  }
+};
+
+/// In the window's language where the example has it.
+QString words_of(const QJsonObject& about, const QString& what) {
+  const auto translated = about[what + "_" + QLocale().name().section('_', 0, 0)].toString();
+  return translated.isEmpty() ? about[what].toString() : translated;
+}
+
 QPushButton* card(const QString& title, const QString& text) {
-  auto* button = new QPushButton;
+  auto* button = new card_button;
   auto* column = new QVBoxLayout(button);
   auto* first = new QLabel(title);
   first->setProperty("role", "section");
@@ -60,8 +79,8 @@ std::vector<example> shipped_examples() {
     if (!about.open(QIODevice::ReadOnly))
       continue;
     const auto json = QJsonDocument::fromJson(about.readAll()).object();
-    example one{json["title"].toString(),
-                json["story"].toString(),
+    example one{words_of(json, "title"),
+                words_of(json, "story"),
                 part.absoluteFilePath(json["mesh"].toString()),
                 {}};
     for (const auto& file : json["load_cases"].toArray())

@@ -28,11 +28,6 @@ double typed(const QLineEdit* field) {
   return read_number(field->text()).value_or(NAN);
 }
 
-/// All digits that matter, so that showing and reading again changes nothing.
-QString plain(double value) {
-  return QString::number(value, 'g', 10);
-}
-
 vec3 typed(const std::array<QLineEdit*, 3>& fields, double scale) {
   return {scale * typed(fields[0]), scale * typed(fields[1]), scale * typed(fields[2])};
 }
@@ -40,7 +35,7 @@ vec3 typed(const std::array<QLineEdit*, 3>& fields, double scale) {
 void fill(const std::array<QLineEdit*, 3>& fields, const vec3& value, double scale) {
   const std::array<double, 3> parts{value.x, value.y, value.z};
   for (std::size_t i = 0; i < 3; ++i)
-    fields[i]->setText(plain(parts[i] / scale));
+    fields[i]->setText(exact(parts[i] / scale));
 }
 
 /// Words that get the height that they need at their width: a form in a form does not give it.
@@ -78,14 +73,7 @@ load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
   picked_ = new QLabel;
   picked_->setObjectName("picked");
   picked_->setWordWrap(true);
-  use_ = new QPushButton(tr("Use the selection"));
-  use_->setObjectName("use_selection");
-  connect(use_, &QPushButton::clicked, this, [this] {
-    surfaces_ = selection_;
-    show_surfaces();
-    check();
-  });
-  picking_ = row_of({picked_, use_});
+  picking_ = row_of({picked_});
   column->addWidget(picking_);
   column->addWidget(fault_label("surfaces"));
 
@@ -274,10 +262,10 @@ void load_editor::show_material(const fem::material& material) {
   library_box_->setCurrentIndex(
     same == library_.end() ? 0 : 1 + static_cast<int>(same - library_.begin()));
   name_->setText(QString::fromStdString(material.name));
-  young_->setText(plain(material.young_modulus_pa / mega));
-  poisson_->setText(plain(material.poisson_ratio));
-  density_->setText(plain(material.density_kg_m3));
-  yield_->setText(plain(material.yield_strength_pa / mega));
+  young_->setText(exact(material.young_modulus_pa / mega));
+  poisson_->setText(exact(material.poisson_ratio));
+  density_->setText(exact(material.density_kg_m3));
+  yield_->setText(exact(material.yield_strength_pa / mega));
   QStringList regions;
   for (const auto region : material.regions)
     regions << QString::number(region);
@@ -306,7 +294,7 @@ void load_editor::show_support(const fem::constraint& support) {
   for (std::size_t i = 0; i < 3; ++i) {
     held_[i]->setChecked(parts[i].has_value());
     moved_[i]->setEnabled(parts[i].has_value());
-    moved_[i]->setText(plain(parts[i].value_or(0) / milli));
+    moved_[i]->setText(exact(parts[i].value_or(0) / milli));
   }
 }
 
@@ -320,7 +308,7 @@ void load_editor::show_load(const fem::load& load) {
   else if (const auto* gravity = std::get_if<fem::gravity>(&load.kind))
     fill(components_, gravity->m_s2, 1);
   const auto* pressure = std::get_if<fem::pressure>(&load.kind);
-  pressure_->setText(plain(pressure ? pressure->pa / mega : 0));
+  pressure_->setText(exact(pressure ? pressure->pa / mega : 0));
   load_kind_changed();
 }
 
@@ -334,28 +322,36 @@ void load_editor::load_kind_changed() {
   const bool untouched = typed(components_, 1) == vec3{};
   if (!filling_ && row == gravity_row && untouched)
     fill(components_, {0, 0, -9.81}, 1);
+  if (!filling_ && surfaces_.empty() && takes_surfaces())
+    surfaces_ = selection_;
   show_surfaces();
   check();
 }
 
 void load_editor::set_selection(const std::vector<surface_id>& picked) {
   selection_ = picked;
+  if (takes_surfaces())
+    surfaces_ = picked;
   show_surfaces();
+  check();
+}
+
+bool load_editor::takes_surfaces() const {
+  const bool all =
+    kind_ == item_kind::load && load_kind_->currentIndex() == static_cast<int>(gravity_row);
+  return kind_ != item_kind::material && !all;
 }
 
 void load_editor::show_surfaces() {
-  const bool all =
-    kind_ == item_kind::load && load_kind_->currentIndex() == static_cast<int>(gravity_row);
-  picking_->setVisible(kind_ != item_kind::material && !all);
+  picking_->setVisible(takes_surfaces());
   QStringList ids;
   for (const auto id : surfaces_)
     ids << QString::number(id);
   const QString shown = ids.mid(0, 6).join(", ") + (ids.size() > 6 ? ", ..." : "");
-  picked_->setText(ids.isEmpty() ? tr("No surfaces yet") : tr("Surfaces: %1").arg(shown));
-  picked_->setToolTip(ids.join(", "));
-  use_->setEnabled(!selection_.empty() && selection_ != surfaces_);
-  use_->setToolTip(selection_.empty() ? tr("Click surfaces of the part first")
-                                      : tr("Surfaces picked: %1").arg(selection_.size()));
+  picked_->setText(ids.isEmpty() ? tr("No surfaces yet: click them, Shift adds")
+                                 : tr("Surfaces: %1").arg(shown));
+  picked_->setToolTip(
+    tr("Click surfaces of the part; Shift adds. %1").arg(ids.join(", ")).trimmed());
 }
 
 // -- reading -------------------------------------------------------------------------

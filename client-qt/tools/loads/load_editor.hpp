@@ -30,7 +30,7 @@ public:
 
   /// Shows an item, also one that is not complete yet.
   void edit(const QString& title, const load_item& item);
-  /// What "Use the selection" takes.
+  /// What is picked on the part: while the form is open, that is what its item acts on.
   void set_selection(const std::vector<surface_id>& picked);
   /// As it is typed; nothing while a field is at fault.
   [[nodiscard]] std::optional<load_item> value() const;
@@ -55,6 +55,7 @@ private:
   void show_load(const fem::load& load);
   void load_kind_changed();
   void take_library(int row);
+  [[nodiscard]] bool takes_surfaces() const;
   void show_surfaces();
   void touched();
   void check();
@@ -92,7 +93,6 @@ private:
   QLineEdit* pressure_;
   QWidget* picking_;
   QLabel* picked_ = nullptr;
-  QPushButton* use_;
   QPushButton* apply_;
 };
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/load_editing.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 
 namespace tedit::desktop {
@@ -209,7 +210,10 @@ struct drawing {
       loads.arrow(place.at, place.at + length * along);
   }
 
+  /// Of a draft it may have no size yet, so no direction.
   void same_way(const fem::load& load, const vec3& way) {
+    if (way == vec3{})
+      return;
     for (const auto& place : places(load.surfaces, 0.05))
       arrow_at(place, unit(way));
   }
@@ -319,13 +323,24 @@ void load_glyph_layer::show(bool on) {
   refresh();
 }
 
+void load_glyph_layer::set_drafts(std::vector<fem::load_case> drafts) {
+  drafts_ = std::move(drafts);
+  refresh();
+}
+
 void load_glyph_layer::refresh() {
   const int mine = ++generation_;
   makers_.clear();
   const auto* head = part_.head();
   const auto field = fields_.field();
   std::vector<fem::load_case> shown;
-  for (const auto& one : part_.loads().all())
+  auto all = part_.loads().all();
+  for (const auto& draft : drafts_)
+    if (std::ranges::find(all, draft.name, &fem::load_case::name) == all.end())
+      shown.push_back(draft);
+    else
+      put(all, draft);
+  for (const auto& one : all)
     if (!field || field->envelope || field->report.load_case == one.name)
       shown.push_back(one);
   if (!on_ || !head || !head->surface || shown.empty()) {

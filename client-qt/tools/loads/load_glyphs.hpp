@@ -52,6 +52,9 @@ public:
   ~load_glyph_layer() override;
 
   void show(bool on);
+  /// Load cases that cannot be solved yet: they stand for the ones of their names, others are shown
+  /// beside those whose field is shown.
+  void set_drafts(std::vector<fem::load_case> drafts);
   [[nodiscard]] bool is_shown() const noexcept { return on_; }
 
 private:
@@ -61,6 +64,7 @@ private:
   field_panel& fields_;
   viewport& view_;
   QThreadPool makers_;
+  std::vector<fem::load_case> drafts_;
   int generation_ = 0;
   bool on_ = true;
 };

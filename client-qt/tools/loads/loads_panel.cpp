@@ -111,8 +111,10 @@ void loads_panel::build_buttons() {
 void loads_panel::wire() {
   connect(editor_, &load_editor::applied, this, &loads_panel::apply_editor);
   connect(editor_, &load_editor::closed, this, &loads_panel::close_editor);
-  connect(&picked_, &selection::changed, this,
-          [this] { editor_->set_selection(picked_.surfaces()); });
+  connect(&picked_, &selection::changed, this, [this] {
+    if (editing_)
+      editor_->set_selection(picked_.surfaces());
+  });
   for (auto signal : {&document::head_changed, &document::opened})
     connect(&part_, signal, this, &loads_panel::refresh);
   connect(&part_.loads(), &load_requests::changed, this, [this] {
@@ -131,7 +133,7 @@ void loads_panel::wire() {
   });
   connect(tree_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
     const auto list = item->data(0, surfaces_role).value<QList<qint64>>();
-    if (!list.isEmpty())
+    if (!list.isEmpty() && !editing_)  // Else the open form would take them.
       emit surfaces_wanted(list);
   });
   connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this] {
@@ -197,6 +199,7 @@ void loads_panel::refresh() {
         (*at)->data(0, at_role).toULongLong() == before->at)
       tree_->setCurrentItem(*at);
   filling_ = false;
+  emit drafts_changed();
 }
 
 void loads_panel::add_case(const fem::load_case& loads) {
@@ -337,8 +340,11 @@ void loads_panel::edit_row(const row_place& place) {
   const auto* loads = find(place.load_case, cases);
   if (!loads || !place.kind || place.at >= count_of(*loads, *place.kind))
     return;
-  editing_ = place;
+  editing_.reset();
   const auto item = item_at(*loads, *place.kind, place.at);
+  if (const auto ids = surfaces_of(item); !ids.isEmpty())  // Shift adds to what it has.
+    picked_.set({ids.begin(), ids.end()});
+  editing_ = place;
   open_editor(words_of(item), item);
 }
 

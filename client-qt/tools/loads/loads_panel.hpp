@@ -36,9 +36,12 @@ public:
   bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
+  /// Load cases that cannot be solved yet, or are on their way.
+  [[nodiscard]] const std::vector<fem::load_case>& drafts() const noexcept { return drafts_; }
 
 signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
+  void drafts_changed();
 
 protected:
   void changeEvent(QEvent* event) override;  ///< Icons follow the colours of the text.

@@ -17,6 +17,9 @@ loads_tool::loads_tool(window_context& in, field_panel& fields, selection_tool& 
   in_.panels.add("loads", tr("Loads and supports"), panel_);
   glyphs_->show(in_.settings.value("show_loads", true).toBool());
   connect(panel_, &loads_panel::surfaces_wanted, &selecting, &selection_tool::highlight);
+  connect(panel_, &loads_panel::drafts_changed, glyphs_,
+          [this] { glyphs_->set_drafts(panel_->drafts()); });
+  in_.esc.add(ends::load_form, [this] { return panel_->cancel(); });
   add_commands();
 }
 

@@ -6,19 +6,23 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <map>
 
+#include "client-qt/model/part_volume.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/widgets/tall_scroll.hpp"
 #include "client-qt/widgets/theme.hpp"
 
 namespace tedit::desktop {
 
 namespace {
+
+constexpr double much = 0.1;  // Of the part's volume.
 
 QLabel* make_label(const char* role, bool wraps = true) {
   auto* label = new QLabel;
@@ -44,7 +48,11 @@ int likelihood(const found_feature* feature, const std::string& operation) {
 
 context_panel::context_panel(document& part, selection& picked, QWidget* parent)
     : QWidget(parent), part_(part), picked_(picked), preview_(part) {
-  auto* column = new QVBoxLayout(this);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
   column->setContentsMargins(12, 10, 12, 10);
   title_ = make_label("title");
   title_->setObjectName("selection_title");
@@ -90,6 +98,13 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   activity->addWidget(cancel_, 0, Qt::AlignLeft);
   column->addWidget(running_);
   column->addStretch();
+  scroll_ = new tall_scroll(content);
+  all->addWidget(scroll_, 1);
+  foot_ = new QWidget;
+  auto* foot = new QVBoxLayout(foot_);
+  foot->setContentsMargins(12, 4, 12, 10);
+  foot_->hide();
+  all->addWidget(foot_);
 
   connect(&picked_, &selection::changed, this, &context_panel::show_selection);
   connect(&picked_, &selection::changed, this, &context_panel::follow);
@@ -97,6 +112,9 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   connect(&part_.loads(), &load_requests::changed, this, &context_panel::show_selection);
   connect(&part_, &document::surface_changed, this, &context_panel::show_selection);
   connect(&part_.foreground(), &foreground_work::changed, this, &context_panel::show_activity);
+  connect(&preview_, &live_preview::changed, this, &context_panel::preview_changed);
+  connect(&part_, &document::edited, this, &context_panel::edited);
+  connect(&part_, &document::failed, this, [this] { applies_ = false; });
   show_selection();
   show_activity();
 }
@@ -155,10 +173,27 @@ void context_panel::choose(const QString& operation) {
   else
     show_form();
   follow();
+  if (operation_.isEmpty())
+    return;
+  // What is typed next is meant for it, not for the view.
+  QWidget* first = form_->focusProxy() ? form_->focusProxy() : apply_.data();
+  first->setFocus(Qt::TabFocusReason);
+  emit form_opened();
+  QTimer::singleShot(0, this, [this] {  // Once it has its room.
+    if (form_)
+      scroll_->ensureWidgetVisible(form_, 0, 4);
+  });
+}
+
+QSize context_panel::sizeHint() const {
+  const QSize fields = scroll_->sizeHint();
+  const QSize foot = foot_->isVisibleTo(this) ? foot_->sizeHint() : QSize(0, 0);
+  return {std::max(fields.width(), foot.width()), fields.height() + foot.height()};
 }
 
 /// What the form would do is shown while its values move.
 void context_panel::follow() {
+  waits_ = asks_ = false;
   if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
     preview_.leave();
   else
@@ -182,6 +217,8 @@ void context_panel::changeEvent(QEvent* event) {
 
 void context_panel::show_offers() {
   clear(body_layout_);
+  clear(foot_->layout());
+  foot_->hide();
   if (picked_.surfaces().empty())
     return;
   constexpr std::size_t most_offers = 4;  // All are in the bar at the left.
@@ -218,6 +255,7 @@ void context_panel::show_form() {
   if (!offered)
     return;
   clear(body_layout_);
+  clear(foot_->layout());
   auto* name = make_label("section");
   name->setText(QString::fromStdString(offered->about.name));
   auto* summary = make_label("faint");
@@ -228,36 +266,103 @@ void context_panel::show_form() {
   connect(seen, &preview_box::place_wanted, this, &context_panel::place_wanted);
   hint_ = make_label("faint");
   hint_->setObjectName("form_hint");
+  for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, seen})
+    body_layout_->addWidget(one);
+  for (QWidget* one : std::initializer_list<QWidget*>{&seen->verdict(), hint_, make_buttons()})
+    foot_->layout()->addWidget(one);
+  foot_->show();
+  show_readiness();
+}
+
+QWidget* context_panel::make_buttons() {
   apply_ = new QPushButton(tr("Apply"));
   apply_->setObjectName("apply");
   apply_->setProperty("role", "primary");
   apply_->setToolTip(tr("Ctrl+Enter"));
-  connect(apply_, &QPushButton::clicked, this, &context_panel::apply);
+  connect(apply_, &QPushButton::clicked, this, [this] { apply(); });
+  sure_ = new QPushButton;
+  sure_->setObjectName("apply_sure");
+  connect(sure_, &QPushButton::clicked, this, [this] { apply(true); });
   auto* back = new QPushButton(tr("Close"));
   connect(back, &QPushButton::clicked, this, [this] { choose({}); });
   auto* row = new QWidget;
   auto* buttons = new QHBoxLayout(row);
   buttons->setContentsMargins(0, 4, 0, 0);
-  buttons->addWidget(apply_);
-  buttons->addWidget(back);
+  for (auto* one : {apply_.data(), sure_.data(), back})
+    buttons->addWidget(one);
   buttons->addStretch();
-  for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, hint_, row, seen})
-    body_layout_->addWidget(one);
+  return row;
+}
+
+/// What keeps the form from being applied, if anything. Why its preview was refused stands above.
+void context_panel::show_readiness() {
+  const QString why_not = not_ready();
+  const int percent = qRound(100 * share_taken());
+  hint_->setText(!why_not.isEmpty() ? why_not
+                 : asks_            ? tr("This takes %1 % of the part's volume away.").arg(percent)
+                 : waits_           ? tr("Applied as soon as it is clear what it takes away.")
+                                    : QString());
+  hint_->setVisible(!hint_->text().isEmpty());
+  apply_->setVisible(!asks_);
+  apply_->setEnabled(why_not.isEmpty() && !preview_.refusal() && !waits_);
+  sure_->setVisible(asks_);
+  sure_->setText(tr("Take %1 % of the part off").arg(percent));
+  sure_->setEnabled(why_not.isEmpty());
+}
+
+double context_panel::share_taken() {
+  const auto& shown = preview_.shown();
+  const auto* head = part_.head();
+  if (!shown || !head || !head->surface)
+    return 0;
+  if (volume_of_ != head->surface->version_id()) {
+    volume_of_ = head->surface->version_id();
+    volume_ = enclosed_volume(*head->surface);
+  }
+  return volume_ > 0 ? std::max(0.0, -shown->made.report.volume_change / volume_) : 0;
+}
+
+/// A preview that was refused or fell away says nothing: the server's answer will.
+void context_panel::preview_changed() {
+  if (!hint_ || !apply_)
+    return;
+  if (waits_ && !preview_.is_busy()) {
+    waits_ = false;
+    asks_ = share_taken() > much;
+    if (!asks_)
+      apply(true);
+  }
   show_readiness();
 }
 
-/// What keeps the form from being applied, if anything.
-void context_panel::show_readiness() {
-  const QString why_not = not_ready();
-  hint_->setText(why_not);
-  hint_->setVisible(!why_not.isEmpty());
-  apply_->setEnabled(why_not.isEmpty());
-}
-
-void context_panel::apply() {
+void context_panel::apply(bool sure) {
   if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
     return;
+  if (!sure && !preview_.is_busy() && preview_.refusal())
+    return;  // It says why beside the button.
+  const bool known = preview_.shown() && !preview_.is_busy();
+  if (!sure && !known) {
+    waits_ = true;
+    if (!preview_.is_busy())
+      preview_.ask_now();
+    if (preview_.is_busy())
+      return show_readiness();
+  }
+  waits_ = false;
+  asks_ = !sure && share_taken() > much;
+  if (asks_)
+    return show_readiness();
+  applies_ = true;
   part_.edits().apply(operation_, picked_.surfaces(), form_->values());
+}
+
+/// The form stays with its values, for the next bore or wall; what it was applied to is done with,
+/// and its field is to be seen.
+void context_panel::edited(const client::committed& what) {
+  if (applies_ && what.cause == "edit" && what.head.operation == operation_.toStdString()) {
+    applies_ = false;
+    picked_.clear();
+  }
 }
 
 void context_panel::show_activity() {

@@ -16,6 +16,8 @@ class QVBoxLayout;
 
 namespace tedit::desktop {
 
+class tall_scroll;
+
 /// What is selected, what can be done with it, and the form of the operation that was chosen.
 class context_panel : public QWidget {
   Q_OBJECT
@@ -28,10 +30,14 @@ public:
   [[nodiscard]] const QString& chosen() const noexcept { return operation_; }
   [[nodiscard]] operation_form* form() const { return form_; }
   [[nodiscard]] live_preview& preview() noexcept { return preview_; }
-  /// Applies the chosen operation to the selection, if both fit.
-  void apply();
+  /// Applies the chosen operation to the selection, if both fit. What takes much of the part away
+  /// is asked for in the form first, unless one is `sure`; so without a preview it waits for one.
+  void apply(bool sure = false);
+
+  [[nodiscard]] QSize sizeHint() const override;
 
 signals:
+  void form_opened();
   /// A person wants to see these surfaces.
   void place_wanted(const std::vector<tedit::surface_id>& surfaces);
 
@@ -43,8 +49,13 @@ private:
   void show_selection();
   void show_offers();
   void show_form();
+  [[nodiscard]] QWidget* make_buttons();
+  void preview_changed();
+  /// The part of the part that the preview takes away; nothing where there is none.
+  [[nodiscard]] double share_taken();
   void show_activity();
   void show_readiness();
+  void edited(const client::committed& what);
   [[nodiscard]] QString not_ready() const;
   [[nodiscard]] std::vector<const offered_operation*> offers() const;
 
@@ -52,6 +63,11 @@ private:
   selection& picked_;
   live_preview preview_;
   QString operation_;
+  bool applies_ = false;   ///< Ours is on its way.
+  bool waits_ = false;     ///< To be applied once its preview is there.
+  bool asks_ = false;      ///< Whether so much shall be taken off.
+  std::string volume_of_;  ///< The version that `volume_` was found for.
+  double volume_ = 0;      ///< m^3.
   QLabel* title_;
   QLabel* details_;
   QLabel* loads_;
@@ -60,7 +76,10 @@ private:
   QVBoxLayout* body_layout_ = nullptr;
   QPointer<operation_form> form_;
   QPointer<QPushButton> apply_;
+  QPointer<QPushButton> sure_;
   QPointer<QLabel> hint_;
+  tall_scroll* scroll_;
+  QWidget* foot_;  ///< Stays in sight while the fields above it scroll.
   QWidget* running_;
   QLabel* stage_;
   QProgressBar* fraction_;

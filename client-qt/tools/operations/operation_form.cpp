@@ -25,12 +25,20 @@ struct phrases {
   Q_DECLARE_TR_FUNCTIONS(operation_form)
 };
 
-/// A spin box for numbers of any size: as many decimals as the value needs.
+/// A spin box for numbers of any size: as many decimals as the value needs. A point and a comma are
+/// both taken for the decimal point.
 class number_box : public QDoubleSpinBox {
 public:
   using QDoubleSpinBox::QDoubleSpinBox;
   [[nodiscard]] QString textFromValue(double value) const override {
-    return locale().toString(value, 'g', 8);
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(value, 'g', 8);
+  }
+  [[nodiscard]] QValidator::State validate(QString& typed, int& at) const override {
+    const QString point = locale().decimalPoint();
+    typed.replace(point == "," ? "." : ",", point);
+    return QDoubleSpinBox::validate(typed, at);
   }
 };
 
@@ -78,6 +86,8 @@ operation_form::operation_form(const ops::operation_description& about, QWidget*
       form->addRow(label, widget);
     }
   }
+  if (!about_.parameters.empty())
+    setFocusProxy(findChild<QWidget*>(text(about_.parameters.front().id)));
   reset();
 }
 

@@ -2,7 +2,6 @@
 #include "client-qt/tools/operations/operations_tool.hpp"
 
 #include <QAction>
-#include <QScrollArea>
 #include <QToolBar>
 
 #include "client-qt/context/command_groups.hpp"
@@ -10,21 +9,9 @@
 
 namespace tedit::desktop {
 
-namespace {
-
-QWidget* scrolled(QWidget* content) {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidget(content);
-  return area;
-}
-
-}  // namespace
-
 operations_tool::operations_tool(window_context& in)
     : in_(in), panel_(new context_panel(in.part, in.picked)) {
-  in_.panels.add("context", tr("Selection"), scrolled(panel_));
+  in_.panels.add("context", tr("Selection"), panel_);
   connect(&in_.part, &document::operations_changed, this, &operations_tool::offer);
   connect(panel_, &context_panel::place_wanted, &in_.view.framing(), &part_framing::fit);
   add_commands();

@@ -103,8 +103,12 @@ preview_box::preview_box(live_preview& preview, QWidget* parent)
   fault_->setObjectName("preview_fault");
   place_ = new QPushButton(tr("Show the place"));
   place_->setProperty("role", "link");
-  for (QWidget* one : std::initializer_list<QWidget*>{state_, fault_, place_, figures_})
-    column->addWidget(one);
+  column->addWidget(figures_);
+  verdict_ = new QWidget(this);
+  auto* lines = new QVBoxLayout(verdict_);
+  lines->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* one : std::initializer_list<QWidget*>{state_, fault_, place_})
+    lines->addWidget(one);
   connect(follows_, &QCheckBox::toggled, this, [this](bool on) {
     QSettings("tedit", "tedit-qt").setValue(setting, on);
     preview_.set_on(on);

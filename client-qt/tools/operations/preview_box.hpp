@@ -19,6 +19,10 @@ class preview_box : public QWidget {
 public:
   explicit preview_box(live_preview& preview, QWidget* parent = nullptr);
 
+  /// What has to be seen beside the button that applies: how far the preview is, or why it cannot
+  /// be. To be put anywhere.
+  [[nodiscard]] QWidget& verdict() const { return *verdict_; }
+
 signals:
   /// The surfaces of a fault were clicked.
   void place_wanted(const std::vector<tedit::surface_id>& surfaces);
@@ -28,6 +32,7 @@ private:
   [[nodiscard]] QString state() const;
 
   live_preview& preview_;
+  QWidget* verdict_;
   QCheckBox* follows_;
   QPushButton* now_;
   QLabel* state_;

@@ -71,14 +71,17 @@ void pictures_tool::take() {
   const auto due = std::exchange(thumbnail_due_, {});
   if (!fresh && due.empty())
     return;
-  const QImage frame = view.last_picture();
-  if (fresh)
-    keep_picture(frame, picture_file(in_.server.folder(), in_.part.name()));
-  if (due.empty())
-    return;
-  history_.strip().set_thumbnail(due, frame, coloured);
-  if (coloured)
-    keep_picture(frame, picture_file(in_.server.folder(), in_.part.name(), due));
+  const QString folder = in_.server.folder();
+  const QString file = fresh ? picture_file(folder, in_.part.name()) : QString();
+  const QString thumbnail =
+    coloured && !due.empty() ? picture_file(folder, in_.part.name(), due) : QString();
+  in_.view.plain_picture([this, file, thumbnail, due, coloured](const QImage& frame) {
+    for (const auto& to : {file, thumbnail})
+      if (!to.isEmpty())
+        keep_picture(frame, to);
+    if (!due.empty())
+      history_.strip().set_thumbnail(due, frame, coloured);
+  });
 }
 
 /// Of versions that were drawn when the document was open before.

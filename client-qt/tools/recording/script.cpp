@@ -308,7 +308,7 @@ expected<void> script::apply(const QJsonObject& step) {
   tools_.operations.panel().choose(id);
   if (auto* form = tools_.operations.panel().form())
     form->set_values(parameters_from(step["parameters"].toObject(), offered->about));
-  tools_.operations.panel().apply();
+  tools_.operations.panel().apply(true);
   return {};
 }
 

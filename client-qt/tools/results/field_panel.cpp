@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QDoubleValidator>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,9 +12,11 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "client-qt/model/field_values.hpp"
+#include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
@@ -60,11 +61,16 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
   missing_->hide();
   mode_ = new QComboBox;
   mode_->setObjectName("range_mode");
-  mode_->addItems({tr("Automatic"), tr("As typed"), tr("Locked across versions")});
+  mode_->addItems(
+    {tr("99 % of the area"), tr("Full range"), tr("As typed"), tr("Locked across versions")});
+  mode_->setItemData(
+    0,
+    tr("The hundredth of the surface with the largest values has the colour of the upper "
+       "end: one hot corner leaves colours for the rest"),
+    Qt::ToolTipRole);
   low_ = new QLineEdit;
   high_ = new QLineEdit;
   for (auto* edit : {low_, high_}) {
-    edit->setValidator(new QDoubleValidator(edit));
     edit->setMinimumWidth(60);
   }
   low_->setAccessibleName(tr("Lowest value"));
@@ -244,7 +250,7 @@ void field_panel::set_look(colour_map map, bool locked, bool logarithmic) {
   log_->setChecked(logarithmic);
   if (std::exchange(locks_, locked) != locked)
     mode_->setCurrentIndex(static_cast<int>(range_mode::automatic));
-  to_lock_ = locked && legend_.mode == range_mode::automatic;
+  to_lock_ = locked && follows_values();
 }
 
 void field_panel::read_form() {
@@ -262,14 +268,14 @@ void field_panel::read_form() {
   const bool typed = legend_.mode == range_mode::manual && !fixed;
   low_->setEnabled(typed);
   high_->setEnabled(typed);
-  if (legend_.field != before && legend_.mode != range_mode::automatic) {
+  if (legend_.field != before && !follows_values()) {
     mode_->setCurrentIndex(0);  // Another quantity: the old range means nothing. Comes back here.
     return;
   }
   if (typed) {
     const double scale = shown_as(field_unit(legend_.field)).scale;
-    const double low = low_->text().toDouble() / scale;
-    const double high = high_->text().toDouble() / scale;
+    const double low = read_number(low_->text()).value_or(NAN) / scale;
+    const double high = read_number(high_->text()).value_or(NAN) / scale;
     if (high > low) {
       legend_.low = low;
       legend_.high = high;
@@ -279,10 +285,14 @@ void field_panel::read_form() {
   emit changed();
 }
 
+bool field_panel::follows_values() const {
+  return legend_.mode == range_mode::automatic || legend_.mode == range_mode::full;
+}
+
 void field_panel::take_range(const legend& shown, bool has_values) {
   for (auto* edit : {low_, high_})
     edit->setPlaceholderText(!has_values && is_on_its_way() ? tr("loading") : QString());
-  if (legend_.mode != range_mode::automatic)
+  if (!follows_values())
     return;
   if (!has_values) {
     low_->clear();
@@ -292,8 +302,9 @@ void field_panel::take_range(const legend& shown, bool has_values) {
   legend_.low = shown.low;
   legend_.high = shown.high;
   const double scale = shown_as(field_unit(shown.field)).scale;
-  low_->setText(number(shown.low * scale));
-  high_->setText(number(shown.high * scale));
+  const double range = (shown.high - shown.low) * scale;
+  low_->setText(number_in(shown.low * scale, range));
+  high_->setText(number_in(shown.high * scale, range));
   const auto now = field();
   if (to_lock_ && now && !now->interim()) {
     to_lock_ = false;  // Later: the view is in the middle of painting.

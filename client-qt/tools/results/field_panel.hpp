@@ -55,6 +55,8 @@ private:
   void say_what_is_missing();
   [[nodiscard]] bool lacks_yield() const;
   [[nodiscard]] bool is_on_its_way() const;
+  /// Whether the range is that of the values.
+  [[nodiscard]] bool follows_values() const;
   void read_form();
 
   document& part_;

@@ -6,12 +6,13 @@
 #include "client-qt/model/live_preview.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
+#include "client-qt/widgets/tall_scroll.hpp"
 
 namespace tedit::desktop {
 
 results_tool::results_tool(window_context& in, live_preview& preview)
     : in_(in), preview_(preview), panel_(new field_panel(in.part)) {
-  in_.panels.add("field", tr("Field"), panel_);
+  in_.panels.add("field", tr("Field"), new tall_scroll(panel_));
   wire();
   add_commands();
 }

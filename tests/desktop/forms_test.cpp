@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// How forms take the wheel, the keyboard, numbers and too little room.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <QtTest/QtTest>
+
+#include "client-qt/model/part_volume.hpp"
+#include "client-qt/tools/documents/welcome_page.hpp"
+#include "client-qt/tools/operations/operation_form.hpp"
+#include "client-qt/widgets/tall_scroll.hpp"
+#include "client-qt/widgets/wheel_guard.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+/// A long form that scrolls, in a program whose wheel is guarded.
+class GuardedForm : public testing::Test {
+protected:
+  GuardedForm() {
+    auto* content = new QWidget;
+    auto* column = new QFormLayout(content);
+    choice_->addItems({"a", "b", "c"});
+    column->addRow("Number", number_);
+    column->addRow("Choice", choice_);
+    for (int i = 0; i < 40; ++i)
+      column->addRow("Row", new QLineEdit);
+    area_ = std::make_unique<tall_scroll>(content);
+    area_->resize(300, 200);
+    qApp->installEventFilter(&guard_);
+    number_->setValue(5);
+    choice_->setCurrentIndex(1);
+  }
+  void SetUp() override {
+    area_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(area_.get()));
+    QApplication::setActiveWindow(area_.get());
+    ASSERT_GT(area_->verticalScrollBar()->maximum(), 0);
+  }
+  ~GuardedForm() override { qApp->removeEventFilter(&guard_); }
+
+  static void turn_wheel_over(QWidget& field) {
+    const QPointF at(field.rect().center());
+    QWheelEvent event(at, field.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&field, &event);
+  }
+
+  [[nodiscard]] int scrolled() const { return area_->verticalScrollBar()->value(); }
+
+  wheel_guard guard_;
+  QSpinBox* number_ = new QSpinBox;
+  QComboBox* choice_ = new QComboBox;
+  std::unique_ptr<tall_scroll> area_;
+};
+
+TEST_F(GuardedForm, TheWheelOverAFieldThatWasNotClickedScrollsTheForm) {
+  number_->setFocus(Qt::TabFocusReason);  // As the first field of a form that opens.
+
+  turn_wheel_over(*number_);
+  EXPECT_EQ(number_->value(), 5);
+  EXPECT_GT(scrolled(), 0);
+
+  const int before = scrolled();
+  turn_wheel_over(*choice_);
+  EXPECT_EQ(choice_->currentIndex(), 1);
+  EXPECT_GT(scrolled(), before);
+}
+
+TEST_F(GuardedForm, AFieldThatWasClickedTakesTheWheelUntilItLosesTheFocus) {
+  QTest::mouseClick(number_->findChild<QLineEdit*>(), Qt::LeftButton);
+  ASSERT_TRUE(number_->hasFocus());
+  turn_wheel_over(*number_);
+  EXPECT_EQ(number_->value(), 4);
+
+  choice_->setFocus(Qt::TabFocusReason);
+  number_->setFocus(Qt::TabFocusReason);
+  turn_wheel_over(*number_);
+  EXPECT_EQ(number_->value(), 4);
+}
+
+TEST(TallScroll, FieldsBelowLongWordsKeepTheirHeight) {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  auto* words = new QLabel(QString("These words need several lines. ").repeated(12));
+  words->setWordWrap(true);
+  column->addWidget(words);
+  std::vector<QDoubleSpinBox*> fields;
+  for (int i = 0; i < 4; ++i) {
+    fields.push_back(new QDoubleSpinBox);
+    column->addWidget(fields.back());
+  }
+  tall_scroll area(content);
+  area.resize(220, 90);
+  area.show();
+  QApplication::processEvents();
+
+  for (const auto* one : fields)
+    EXPECT_GE(one->height(), one->minimumSizeHint().height());
+  EXPECT_GE(words->height(), words->heightForWidth(words->width()));
+}
+
+ops::operation_description one_length() {
+  ops::operation_description about;
+  about.id = "thicken";
+  about.parameters = {
+    {"depth", "Depth", "", ops::parameter_type::real, "m", 0.0, 100.0, {}, 0.001}};
+  return about;
+}
+
+TEST(OperationForm, APointAndACommaAreBothDecimal) {
+  const QLocale before;
+  for (const auto language : {QLocale::German, QLocale::English}) {
+    QLocale::setDefault(QLocale(language));
+    operation_form form(one_length());
+    auto* field = form.findChild<QDoubleSpinBox*>("depth");
+    for (const auto* typed : {"3.5", "3,5"}) {
+      field->clear();
+      QTest::keyClicks(field, typed);
+      field->interpretText();
+      EXPECT_DOUBLE_EQ(std::get<double>(form.values().at("depth")), 0.0035)
+        << typed << " in " << QLocale::languageToString(language).toStdString();
+    }
+    form.set_values({{"depth", 12.3456}});
+    EXPECT_DOUBLE_EQ(std::get<double>(form.values().at("depth")), 12.3456);
+    EXPECT_EQ(field->text(), language == QLocale::German ? "12345,6 mm" : "12345.6 mm");
+  }
+  QLocale::setDefault(before);
+}
+
+TEST(OperationForm, TheFirstFieldHasTheFocusOfTheForm) {
+  operation_form form(one_length());
+
+  EXPECT_EQ(form.focusProxy(), form.findChild<QWidget*>("depth"));
+}
+
+TEST(PartVolume, IsThatOfACubeWhereverItStands) {
+  client::surface_update update;
+  update.version_id = "v";
+  update.surfaces = {{1, "cube", 12, 24.0}};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    update.vertices.push_back(i);
+    for (int axis = 0; axis < 3; ++axis)
+      update.positions.push_back(1000 + ((i >> axis & 1U) != 0 ? 2.0 : 0.0));
+  }
+  for (const std::uint32_t v : {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5})
+    update.facet_vertices.push_back(v);
+  for (std::uint32_t f = 0; f < 12; ++f) {
+    update.facets.push_back(f);
+    update.facet_surfaces.push_back(1);
+  }
+  client::surface_model surface;
+  ASSERT_TRUE(surface.apply(update));
+
+  EXPECT_NEAR(enclosed_volume(surface), 8, 1e-9);
+}
+
+TEST(StartPage, ACardIsChosenByEnterAsByAClick) {
+  welcome_page page;
+  page.show();
+  QApplication::setActiveWindow(&page);
+  auto* card = page.findChild<QPushButton*>("example");
+  ASSERT_NE(card, nullptr);
+  int chosen = 0;
+  QObject::connect(&page, &welcome_page::example_wanted, &page, [&] { ++chosen; });
+
+  QTest::keyClick(card, Qt::Key_Return);
+  QTest::keyClick(card, Qt::Key_Enter);
+  QTest::keyClick(card, Qt::Key_A);
+
+  EXPECT_EQ(chosen, 2);
+}
+
+TEST(StartPage, ExamplesAreToldInTheLanguageOfTheWindow) {
+  const QLocale before;
+  std::map<QLocale::Language, QStringList> titles;
+  for (const auto language : {QLocale::English, QLocale::German}) {
+    QLocale::setDefault(QLocale(language));
+    for (const auto& one : shipped_examples())
+      titles[language] << one.title + one.story;
+  }
+  QLocale::setDefault(before);
+
+  ASSERT_EQ(titles[QLocale::German].size(), 3);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NE(titles[QLocale::German][i], titles[QLocale::English][i]);
+  EXPECT_TRUE(titles[QLocale::German].join("").contains("Bohrung"));
+}
+
+}  // namespace
+}  // namespace tedit::desktop

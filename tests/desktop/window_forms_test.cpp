@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Forms and the selection in the real window: what Esc ends, where keys go, what stays in sight.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QSpinBox>
+
+#include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/loads/load_editor.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
+
+namespace tedit::desktop {
+namespace {
+
+class Forms : public Window {
+protected:
+  [[nodiscard]] context_panel& panel() { return window->tools().operations.panel(); }
+  [[nodiscard]] loads_panel& loads_list() { return *window->findChild<loads_panel*>(); }
+  [[nodiscard]] const std::vector<surface_id>& picked() {
+    return window->context().picked.surfaces();
+  }
+  void press_esc() {
+    auto* focus = QApplication::focusWidget();
+    QTest::keyClick(focus ? focus : window.get(), Qt::Key_Escape);
+  }
+  void open_heat_sink() {
+    window->tools().documents.open_file(TEDIT_EXAMPLES "/heatsink_125/heatsink_125.coarse.msh", {});
+    ASSERT_TRUE(wait([&] { return shows_head() && !part().operations().operations.empty(); }));
+  }
+};
+
+TEST_F(Forms, AfterAnApplyNothingIsSelectedAndTheFormWaitsForTheNextSurface) {
+  open_plate(false);
+  window->context().picked.set({7});
+  panel().choose("thicken");
+  ASSERT_TRUE(wait([&] { return panel().preview().shown() && !panel().preview().is_busy(); }));
+  press("apply");
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+
+  EXPECT_TRUE(picked().empty());
+  EXPECT_EQ(panel().chosen(), "thicken");
+  EXPECT_FALSE(window->findChild<QPushButton*>("apply")->isEnabled());
+}
+
+TEST_F(Forms, AnEditOfSomebodyElseLeavesTheSelection) {
+  open_plate(false);
+  window->context().picked.set({7});
+  panel().choose("thicken");
+  part().edits().apply("fill_hole", {1, 2}, {});
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+
+  EXPECT_EQ(picked(), (std::vector<surface_id>{7}));
+}
+
+TEST_F(Forms, WhatTakesMuchOfThePartIsAskedForInTheForm) {
+  open_heat_sink();
+  window->context().picked.set({1});
+  panel().choose("erode");
+  panel().form()->set_values({{"layers", std::int64_t{1}}, {"depth", 0.0}});
+  panel().apply();  // Before its preview: what it takes away is not known yet.
+  auto* sure = window->findChild<QPushButton*>("apply_sure");
+  ASSERT_TRUE(wait([&] { return sure->isVisible(); }));
+
+  EXPECT_EQ(version(), 0U);
+  EXPECT_TRUE(sure->text().startsWith("Take ") && sure->text().endsWith(" % of the part off"))
+    << sure->text().toStdString();
+  EXPECT_FALSE(window->findChild<QPushButton*>("apply")->isVisible());
+  QTest::mouseClick(sure, Qt::LeftButton);
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+}
+
+TEST_F(Forms, KeysGoToTheFirstFieldOfAnOperationThatWasChosen) {
+  open_plate(false);
+  window->context().picked.set({7});
+  view().setFocus();
+
+  ASSERT_TRUE(window->context().all_commands.trigger("op.erode"));
+
+  EXPECT_EQ(QApplication::focusWidget(), panel().form()->findChild<QWidget*>("layers"));
+}
+
+TEST_F(Forms, ApplyStaysInSightOnASmallScreenAndNoFieldIsSquashed) {
+  window->resize(1280, 720);
+  open_plate(false);
+  window->context().picked.set({7});
+  panel().choose("erode");
+  ASSERT_TRUE(wait([&] { return !panel().preview().is_busy(); }));
+  QApplication::processEvents();
+
+  const auto* apply = window->findChild<QPushButton*>("apply");
+  EXPECT_EQ(apply->visibleRegion().boundingRect(), apply->rect());
+  for (const auto* field : panel().form()->findChildren<QSpinBox*>())
+    EXPECT_GE(field->height(), field->minimumSizeHint().height());
+  for (const auto* dock : {"context", "field"}) {
+    const auto& there = window->context().panels.of(dock);
+    EXPECT_LE(there.geometry().bottom(), window->height()) << dock;
+  }
+}
+
+TEST_F(Forms, SurfacesThatAreClickedBecomeThoseOfTheLoadAndEscClosesItsFormFirst) {
+  open_plate(false);
+  click_surface(98);
+  ASSERT_TRUE(window->context().all_commands.trigger("loads.add_support"));
+  ASSERT_TRUE(loads_list().editor()->isVisible());
+  click_surface(7);
+  ASSERT_TRUE(wait([&] { return window->context().link.running() == 0; }));
+
+  const auto item = loads_list().editor()->value();
+  ASSERT_TRUE(item);
+  EXPECT_EQ(std::get<fem::constraint>(*item).surfaces, picked());
+  EXPECT_TRUE(window->context().picked.contains(7));
+  EXPECT_FALSE(window->context().picked.contains(98));
+
+  press_esc();
+  EXPECT_FALSE(loads_list().editor()->isVisible());
+  EXPECT_FALSE(picked().empty());
+  press_esc();
+  EXPECT_TRUE(picked().empty());
+}
+
+TEST_F(Forms, EscClosesThePaletteAndLeavesAListBeforeItDropsTheSelection) {
+  open_plate(false);
+  window->context().picked.set({7});
+  ASSERT_TRUE(window->context().all_commands.trigger("help.palette"));
+  auto* letters = window->findChild<QLineEdit*>("palette_letters");
+  ASSERT_TRUE(letters->isVisible());
+  QTest::keyClick(letters, Qt::Key_Escape);
+  EXPECT_FALSE(letters->isVisible());
+  EXPECT_EQ(picked().size(), 1U);
+
+  auto* history = window->findChild<history_strip*>();
+  history->setFocus();
+  ASSERT_TRUE(history->hasFocus());
+  QTest::keyClick(history, Qt::Key_Escape);
+  EXPECT_EQ(picked().size(), 1U);
+  EXPECT_TRUE(view().hasFocus());
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_TRUE(picked().empty());
+}
+
+TEST_F(Forms, ASizeIsTakenAlsoAfterAMaximisedSession) {
+  window->setWindowState(Qt::WindowMaximized);
+
+  window->take_size({1000, 700});
+
+  EXPECT_FALSE(window->isMaximized());
+  EXPECT_EQ(window->size(), QSize(1000, 700));
+}
+
+}  // namespace
+}  // namespace tedit::desktop
