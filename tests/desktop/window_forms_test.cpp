@@ -2,6 +2,7 @@
 // Forms and the selection in the real window: what Esc ends, where keys go, what stays in sight.
 #include "tests/desktop/window_fixture.hpp"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -92,6 +93,8 @@ TEST_F(Forms, ApplyStaysInSightOnASmallScreenAndNoFieldIsSquashed) {
   EXPECT_EQ(apply->visibleRegion().boundingRect(), apply->rect());
   for (const auto* field : panel().form()->findChildren<QSpinBox*>())
     EXPECT_GE(field->height(), field->minimumSizeHint().height());
+  for (const auto* field : window->tools().results.panel().findChildren<QComboBox*>())
+    EXPECT_GE(field->height(), field->minimumSizeHint().height());
   for (const auto* dock : {"context", "field"}) {
     const auto& there = window->context().panels.of(dock);
     EXPECT_LE(there.geometry().bottom(), window->height()) << dock;
@@ -140,12 +143,14 @@ TEST_F(Forms, EscClosesThePaletteAndLeavesAListBeforeItDropsTheSelection) {
 }
 
 TEST_F(Forms, ASizeIsTakenAlsoAfterAMaximisedSession) {
-  window->setWindowState(Qt::WindowMaximized);
+  window.reset();
+  main_window next(state.path());
+  next.setWindowState(Qt::WindowMaximized);  // As its kept geometry says.
 
-  window->take_size({1000, 700});
+  next.take_size({1000, 700});
 
-  EXPECT_FALSE(window->isMaximized());
-  EXPECT_EQ(window->size(), QSize(1000, 700));
+  EXPECT_FALSE(next.isMaximized());
+  EXPECT_EQ(next.size(), QSize(1000, 700));
 }
 
 }  // namespace
