@@ -40,6 +40,8 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   });
   facts_ = new QLabel;
   facts_->setObjectName("facts");
+  // However much there is to say, it does not make the window wider than the screen.
+  facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   server_ = new QLabel;
   server_->setObjectName("server");
   addWidget(verdict_);
@@ -180,6 +182,7 @@ void truth_line::refresh() {
   stop_->setToolTip(stopped ? tr("Solves the part as it is now (F5)")
                             : tr("Stops the solver; the next edit is solved again"));
   facts_->setText(facts());
+  facts_->setToolTip(facts_->text());  // All of it, where the room is not enough.
   server_->setText(server());
 }
 

@@ -147,6 +147,17 @@ TEST_F(Forms, EscClosesThePaletteAndLeavesAListBeforeItDropsTheSelection) {
   EXPECT_TRUE(picked().empty());
 }
 
+TEST_F(Forms, WhatTheTruthLineSaysDoesNotMakeTheWindowWider) {
+  open_plate(false);
+  const int before = window->minimumSizeHint().width();
+  auto* facts = window->findChild<QLabel*>("facts");
+  facts->setText(QString(400, 'm'));
+  QApplication::processEvents();
+
+  EXPECT_EQ(window->minimumSizeHint().width(), before);
+  EXPECT_LE(before, 1280);
+}
+
 TEST_F(Forms, ASizeIsTakenAlsoAfterAMaximisedSession) {
   window.reset();
   main_window next(state.path());
