@@ -87,7 +87,10 @@ expected<edit_result> lowered(const mesh_version& mesh, const std::vector<surfac
     [&](mesh_builder& to, erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
     mesh, surfaces, policy);
   const auto sound = result ? passes_if_doubtful(mesh, *result, ctx.run) : fail(result.error());
-  if (sound || !flat || sound.error().code == ec::cancelled)
+  // A wall that is too thin stays so, whichever way is taken.
+  const bool limit = !sound && (sound.error().code == ec::invalid_argument ||
+                                sound.error().code == ec::empty_selection);
+  if (sound || !flat || limit || sound.error().code == ec::cancelled)
     return result;
   auto moved = eroded_by(
     [&](mesh_builder& to, erosion_sum& sum) { return shift_in(to, surfaces, depth, ctx, sum); },

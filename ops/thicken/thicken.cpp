@@ -181,7 +181,10 @@ expected<edit_result> raised(const mesh_version& mesh, const std::vector<surface
     return raised_by(raise_walls, mesh, surfaces, height, ctx);
   auto slab = raised_by(raise_planes, mesh, surfaces, height, ctx);
   const auto sound = slab ? passes_if_doubtful(mesh, *slab, ctx.run) : fail(slab.error());
-  if (sound || sound.error().code == ec::cancelled)
+  // What is in the way stays there, whichever way is taken.
+  const bool limit =
+    !sound && (sound.error().code == ec::cap_intersects || sound.error().code == ec::not_a_hole);
+  if (sound || limit || sound.error().code == ec::cancelled)
     return slab;
   auto moved = raised_by(raise_walls, mesh, surfaces, height, ctx);
   if (moved && passes_if_doubtful(mesh, *moved, ctx.run))
