@@ -22,7 +22,8 @@ packages=(
   # translations of the window and the HTML manual (the build works without)
   qt6-l10n-tools python3-markdown
   # tests (the last two for the example of a client in Python)
-  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx python3-protobuf python3-websockets
+  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx poppler-utils python3-protobuf
+  python3-websockets
 )
 
 missing=()

@@ -24,7 +24,7 @@ QString direction(const vec3& v) {
     if (size > 0 && std::abs(component) > (1 - 1e-9) * size)
       return phrases::tr("along ") + (component < 0 ? QString::fromUtf8("\u2212") : QString("+")) +
              name;
-  return QString("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
+  return "(" + side_by_side({number(v.x), number(v.y), number(v.z)}) + ")";
 }
 
 double size_of(const vec3& v) {
@@ -44,7 +44,7 @@ struct describe {
       parts << "y " + length(*d.y_m);
     if (d.z_m)
       parts << "z " + length(*d.z_m);
-    return phrases::tr("Displaced by ") + parts.join(", ");
+    return phrases::tr("Displaced by ") + side_by_side(parts);
   }
   QString operator()(const fem::force& f) const {
     return phrases::tr("Force ") + quantity(size_of(f.total_n), "N") + " " + direction(f.total_n);

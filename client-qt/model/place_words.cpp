@@ -8,8 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "client-qt/model/local_numbers.hpp"
 #include "client-qt/model/probes.hpp"
+#include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 

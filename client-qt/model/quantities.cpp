@@ -19,6 +19,43 @@ QString digits(double value, char format, int precision) {
   return QString::number(value, format, precision).replace('.', QLocale().decimalPoint());
 }
 
+/// From `from` on in SI, the unit and what an SI value is multiplied by.
+struct step {
+  double from;
+  const char* unit;
+  double scale;
+};
+
+constexpr step lengths[] = {{1, "m", 1}, {1e-4, "mm", 1e3}, {1e-6, "µm", 1e6}, {0, "nm", 1e9}};
+constexpr step stresses[] = {{1e5, "MPa", 1e-6}, {1e2, "kPa", 1e-3}, {0, "Pa", 1}};
+constexpr step forces[] = {{1e5, "kN", 1e-3}, {0.1, "N", 1}, {0, "mN", 1e3}};
+constexpr step masses[] = {{1, "kg", 1}, {0, "g", 1e3}};
+constexpr step volumes[] = {{1e-3, "cm³", 1e6}, {0, "mm³", 1e9}};
+
+template <std::size_t N>
+display_unit by_size(const step (&steps)[N], double si_value) {
+  for (const auto& one : steps)
+    if (std::abs(si_value) >= one.from)
+      return {QString::fromUtf8(one.unit), one.scale};
+  return {QString::fromUtf8(steps[N - 1].unit), steps[N - 1].scale};  // Of what is not a number.
+}
+
+display_unit unit_for(double si_value, const QString& si_unit) {
+  if (si_value == 0)
+    return shown_as(si_unit);
+  if (si_unit == "m")
+    return by_size(lengths, si_value);
+  if (si_unit == "Pa")
+    return by_size(stresses, si_value);
+  if (si_unit == "N")
+    return by_size(forces, si_value);
+  if (si_unit == "kg")
+    return by_size(masses, si_value);
+  if (si_unit == "m3")
+    return by_size(volumes, si_value);
+  return shown_as(si_unit);
+}
+
 }  // namespace
 
 display_unit shown_as(const QString& si_unit) {
@@ -68,30 +105,33 @@ QString exact(double value) {
   return digits(value, 'g', 10);
 }
 
+QString two_digits(double value) {
+  return digits(value, 'g', 2);
+}
+
+QString side_by_side(const QStringList& numbers) {
+  return numbers.join(QLocale().decimalPoint() == "," ? "; " : ", ");
+}
+
 QString quantity(double si_value, const QString& si_unit) {
-  auto unit = shown_as(si_unit);
-  constexpr double large_volume = 1e-3;  // m3; in mm3 it would be written with an exponent.
-  if (si_unit == "m3" && std::abs(si_value) >= large_volume)
-    unit = {QString::fromUtf8("cm³"), 1e6};
+  const auto unit = si_unit == "m3" ? by_size(volumes, si_value) : shown_as(si_unit);
   const QString text = number(si_value * unit.scale);
   if (unit.name.isEmpty())
     return text;
   return unit.name == QString::fromUtf8("°") ? text + unit.name : text + " " + unit.name;
 }
 
+shown_quantity shown(double si_value, const QString& si_unit) {
+  const auto unit = unit_for(si_value, si_unit);
+  return {number(si_value * unit.scale), unit.name};
+}
+
 QString length(double metres) {
-  const double size = std::abs(metres);
-  if (size >= 1)
-    return number(metres) + " m";
-  if (size < 1e-6 && size > 0)
-    return number(metres * 1e9) + " nm";
-  if (size < 1e-4 && size > 0)
-    return number(metres * 1e6) + QString::fromUtf8(" µm");
-  return number(metres * 1e3) + " mm";
+  return shown(metres, "m").text();
 }
 
 QString mass(double kg) {
-  return kg < 1 ? quantity(kg, "kg") : number(kg) + " kg";
+  return shown(kg, "kg").text();
 }
 
 QString duration(double ms) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
-#include <optional>
 #include <string>
 
 namespace tedit::desktop {
@@ -26,7 +26,25 @@ struct display_unit {
 [[nodiscard]] QString number_in(double value, double range);
 /// All digits that matter, so that showing and reading again changes nothing.
 [[nodiscard]] QString exact(double value);
+/// Two digits, for what is known no better: "0.13", "6.9e-07".
+[[nodiscard]] QString two_digits(double value);
+/// Numbers side by side: "0.5, -1.25"; where a comma is the decimal point "0,5; -1,25".
+[[nodiscard]] QString side_by_side(const QStringList& numbers);
 [[nodiscard]] QString quantity(double si_value, const QString& si_unit);
+
+/// A number and its unit apart, as cells of a table hold them.
+struct shown_quantity {
+  QString number;  ///< "13.4".
+  QString unit;    ///< "MPa"; empty for numbers without one.
+
+  [[nodiscard]] QString text() const { return unit.isEmpty() ? number : number + " " + unit; }
+  friend bool operator==(const shown_quantity&, const shown_quantity&) = default;
+};
+
+/// A value in SI units ("m", "Pa", "N", "kg", "m3", "ratio", or none) with the digits of `number`
+/// and a unit by its size: 1.2e-7 m is "120 nm", 4e4 Pa is "40 kPa", 3e5 N is "300 kN". Zero has
+/// the usual unit.
+[[nodiscard]] shown_quantity shown(double si_value, const QString& si_unit);
 /// A length by its size: "0.35 µm", "12.5 mm", "1.2 m".
 [[nodiscard]] QString length(double metres);
 /// A mass by its size: "120 g", "39.7 kg".

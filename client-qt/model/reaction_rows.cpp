@@ -120,7 +120,7 @@ std::vector<result_row> reaction_rows(const solve_report& report, const fem::loa
       continue;
     auto row = force_row(figure::reaction,
                          one.kind.isEmpty() ? phrases::tr("Reaction of a support")
-                                            : phrases::tr("Reaction: %1").arg(in_locale(one.kind)),
+                                            : phrases::tr("Reaction: %1").arg(one.kind),
                          one.force_n);
     row.where = named(one.surfaces, surface_name);
     row.surfaces = one.surfaces;

@@ -58,12 +58,11 @@ QString materials_html(const fem::load_case& loads) {
     const auto given = [](double value, const char* unit) {
       return value > 0 ? shown(value, unit).text() : phrases::tr("not given");
     };
-    lines += line({QString::fromStdString(one.name),
-                   in_locale(number(one.young_modulus_pa * 1e-9)) + " GPa",
-                   in_locale(number(one.poisson_ratio)),
-                   one.density_kg_m3 > 0 ? in_locale(number(one.density_kg_m3)) + " kg/m³"
-                                         : phrases::tr("not given"),
-                   given(one.yield_strength_pa, "Pa")});
+    lines +=
+      line({QString::fromStdString(one.name), number(one.young_modulus_pa * 1e-9) + " GPa",
+            number(one.poisson_ratio),
+            one.density_kg_m3 > 0 ? number(one.density_kg_m3) + " kg/m³" : phrases::tr("not given"),
+            given(one.yield_strength_pa, "Pa")});
   }
   return table(
     {phrases::tr("Material"), phrases::tr("Young's modulus"), phrases::tr("Poisson's ratio"),
@@ -74,7 +73,7 @@ QString materials_html(const fem::load_case& loads) {
 QString acting_html(const report_facts& facts, const fem::load_case& loads) {
   QString lines;
   const auto add = [&](const QString& kind, const auto& one) {
-    QString what = in_locale(words(one));
+    QString what = words(one);
     if (!one.warning.empty())
       what += ". " + words_of(one.warning);
     lines += line({kind, what, surfaces_of(facts, one.surfaces)});
@@ -132,7 +131,7 @@ QString case_trust(const report_facts& facts, const solve_report& report) {
                    .arg(percent_words(report.relative_error_estimate) + " %",
                         error_words(report.relative_error_estimate)));
   html += item(phrases::tr("Residual of the equations: %1; unknowns: %2; computed on %3.")
-                 .arg(in_locale(QString::number(report.true_relative_residual, 'g', 2)))
+                 .arg(two_digits(report.true_relative_residual))
                  .arg(static_cast<qulonglong>(report.dofs))
                  .arg(QString::fromStdString(report.device)));
   html += singular_words(facts, report);
@@ -164,7 +163,7 @@ QString history_html(const report_facts& facts) {
     QString mass = known(one.mass_kg, "kg");
     if (one.mass_kg && mass_before)
       if (const QString by = change(*mass_before, *one.mass_kg); !by.isEmpty())
-        mass += " (" + in_locale(by) + ")";
+        mass += " (" + by + ")";
     mass_before = one.mass_kg;
     lines += line({QString::number(one.number),
                    one.note.isEmpty() ? one.made : one.made + " (" + one.note + ")",

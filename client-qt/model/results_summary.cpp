@@ -47,7 +47,7 @@ struct row_maker {
     if (!from.parent || interim || !before)
       return;
     row.before = shown(*before, unit);
-    row.change = in_locale(change(*before, now));
+    row.change = change(*before, now);
     static const QRegularExpression nothing("^[+\\x{2212}]0[.,]0 %$");
     if (nothing.match(row.change).hasMatch())
       row.change.remove(0, 1);
@@ -333,7 +333,7 @@ std::optional<sound_stress> sound_maximum(const version_record& version,
 }
 
 QString percent_words(double part) {
-  return in_locale(QString::number(100 * part, 'g', 2));
+  return two_digits(100 * part);
 }
 
 QString error_words(double relative_error) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "client-qt/model/document.hpp"
-#include "client-qt/model/local_numbers.hpp"
+#include "client-qt/model/quantities.hpp"
 
 /// How strong the part is: the figures of a version's solve as rows for people.
 namespace tedit::desktop {

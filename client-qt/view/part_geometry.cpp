@@ -216,10 +216,10 @@ std::optional<picked_point> pick(const part_geometry& part, const vec3& from, co
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,
-                                     const std::vector<surface_id>& wanted) {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkCellArray> triangles;
+/// Calls `visit` with the three points of each triangle of these surfaces.
+template <class Visit>
+static void for_each_triangle(const part_geometry& part, const std::vector<surface_id>& wanted,
+                              const Visit& visit) {
   for (const auto id : wanted) {
     const auto range = part.cells.find(id);
     if (range == part.cells.end())
@@ -228,9 +228,17 @@ vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,
       vtkIdType count = 0;
       const vtkIdType* points = nullptr;
       part.faces->GetCellPoints(i, count, points);
-      triangles->InsertNextCell(count, points);
+      visit(points);
     }
   }
+}
+
+vtkSmartPointer<vtkPolyData> extract(const part_geometry& part,
+                                     const std::vector<surface_id>& wanted) {
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> triangles;
+  for_each_triangle(part, wanted,
+                    [&](const vtkIdType* points) { triangles->InsertNextCell(3, points); });
   result->SetPoints(part.faces->GetPoints());
   result->SetPolys(triangles);
   result->GetPointData()->SetNormals(part.faces->GetPointData()->GetNormals());
@@ -245,22 +253,14 @@ vtkSmartPointer<vtkPolyData> outline(const part_geometry& part,
     std::array<vtkIdType, 2> ends;
   };
   std::vector<edge> all;
-  for (const auto id : wanted) {
-    const auto range = part.cells.find(id);
-    if (range == part.cells.end())
-      continue;
-    for (auto i = range->second.first; i < range->second.second; ++i) {
-      vtkIdType count = 0;
-      const vtkIdType* points = nullptr;
-      part.faces->GetCellPoints(i, count, points);
-      for (int k = 0; k < 3; ++k) {
-        const std::array<vtkIdType, 2> ends{points[k], points[(k + 1) % 3]};
-        const std::uint64_t a = part.vertices[static_cast<std::size_t>(ends[0])];
-        const std::uint64_t b = part.vertices[static_cast<std::size_t>(ends[1])];
-        all.push_back({std::min(a, b) << 32 | std::max(a, b), ends});
-      }
+  for_each_triangle(part, wanted, [&](const vtkIdType* points) {
+    for (int k = 0; k < 3; ++k) {
+      const std::array<vtkIdType, 2> ends{points[k], points[(k + 1) % 3]};
+      const std::uint64_t a = part.vertices[static_cast<std::size_t>(ends[0])];
+      const std::uint64_t b = part.vertices[static_cast<std::size_t>(ends[1])];
+      all.push_back({std::min(a, b) << 32 | std::max(a, b), ends});
     }
-  }
+  });
   std::ranges::sort(all, {}, &edge::key);
   auto result = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkCellArray> lines;

@@ -2,7 +2,6 @@
 #include "client-qt/widgets/truth_line.hpp"
 
 #include <QLabel>
-#include <QLocale>
 #include <QToolButton>
 
 #include <algorithm>
@@ -13,10 +12,6 @@
 namespace tedit::desktop {
 
 namespace {
-
-QString two_digits(double value) {
-  return QString::number(value, 'g', 2).replace('.', QLocale().decimalPoint());
-}
 
 constexpr double slow_answer_ms = 1000;
 constexpr int beside_server = 3;  // After the verdict, its button and the facts.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/erode/erode.hpp"
 
+#include <functional>
+#include <optional>
+
 #include "ops/erode/depth.hpp"
 #include "ops/erode/layers.hpp"
 #include "ops/sdk/most_that_works.hpp"
@@ -39,16 +42,21 @@ void add_counts(const erosion_sum& sum, edit_result& result) {
   result.notices.push_back(gone(removal.crumbs, "crumb", removal.crumb_volume));
 }
 
-/// From the boundary alone: that is quicker than over all tets. m^3.
+/// From the boundary alone: that is quicker than over all tets. m^3. By cones from a vertex of the
+/// part, which keeps the sum exact far from the origin. Cost: O(facet slots).
 double enclosed_volume(const mesh_version& mesh) {
-  double volume = 0;
+  double six_times = 0;
+  std::optional<vec3> apex;
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f))
       continue;
     const auto& v = mesh.facet(f).v;
-    volume += dot(mesh.position(v[0]), cross(mesh.position(v[1]), mesh.position(v[2]))) / 6;
+    if (!apex)
+      apex = mesh.position(v[0]);
+    six_times += dot(mesh.position(v[0]) - *apex,
+                     cross(mesh.position(v[1]) - *apex, mesh.position(v[2]) - *apex));
   }
-  return volume;
+  return six_times / 6;
 }
 
 /// One way to take material off.
@@ -73,9 +81,6 @@ expected<edit_result> eroded_by(const erosion& way, const mesh_version& mesh,
   result.notices = std::move(sum.notices);
   result.bodies_added = sum.bodies_added;
   add_counts(sum, result);
-  result.figures.push_back({"volume_change_percent",
-                            100 * result.volume_change / enclosed_volume(mesh), "%",
-                            "of the part's volume"});
   return result;
 }
 
@@ -131,6 +136,9 @@ expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_
                       mesh, surfaces, settings.pieces);
   if (!result)
     return result;
+  result->figures.push_back({"volume_change_percent",
+                             100 * result->volume_change / enclosed_volume(mesh), "%",
+                             "of the part's volume"});
   if (settings.depth > 0 && settings.layers > 0)
     result->notices.push_back("the depth was taken off; layers count where the depth is 0");
   ctx.run.report(1, "eroded");

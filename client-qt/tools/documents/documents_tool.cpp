@@ -16,6 +16,7 @@
 #include "client-qt/tools/documents/recent_documents.hpp"
 #include "client-qt/tools/documents/welcome_page.hpp"
 #include "client-qt/tools/pictures/kept_picture.hpp"
+#include "client-qt/tools/probes/probes_tool.hpp"
 #include "client-qt/tools/recipes/recipes_tool.hpp"
 #include "client/recipe.hpp"
 
@@ -180,8 +181,10 @@ void documents_tool::remember(const QString& document) {
   auto recent = in_.settings.value("recent").toStringList();
   recent.removeAll(document);
   recent.prepend(document);
-  for (const auto& old : recent.mid(most_recent))
+  for (const auto& old : recent.mid(most_recent)) {  // What was kept to find it as it was left.
     remove_pictures(in_.server.folder(), old);
+    in_.settings.remove(pins_key(old));
+  }
   recent = recent.mid(0, most_recent);
   QVariantMap used = in_.settings.value("recent_used").toMap();
   used[document] = QDateTime::currentDateTime();

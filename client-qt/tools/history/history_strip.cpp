@@ -78,8 +78,7 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
   });
 }
 
-void history_strip::set_thumbnail(const std::string& version_id, const QImage& picture,
-                                  bool with_field) {
+void history_strip::keep(const std::string& version_id, const QImage& picture) {
   const QSize size = thumbnail * devicePixelRatioF();
   const QImage fitted =
     picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
@@ -88,6 +87,18 @@ void history_strip::set_thumbnail(const std::string& version_id, const QImage& p
   auto pixmap = QPixmap::fromImage(fitted.copy(middle));
   pixmap.setDevicePixelRatio(devicePixelRatioF());
   pictures_[version_id] = std::move(pixmap);
+}
+
+void history_strip::find_thumbnails(const std::map<std::string, QImage>& kept) {
+  for (const auto& [id, picture] : kept)
+    if (!pictures_.contains(id))
+      keep(id, picture);
+  refresh();
+}
+
+void history_strip::set_thumbnail(const std::string& version_id, const QImage& picture,
+                                  bool with_field) {
+  keep(version_id, picture);
   if (with_field)
     plain_.erase(version_id);
   else

@@ -29,6 +29,8 @@ public:
   /// The picture of a version, by its content.
   void set_thumbnail(const std::string& version_id, const QImage& picture, bool with_field);
 
+  /// Pictures with their fields from an earlier time, for versions that have none by now.
+  void find_thumbnails(const std::map<std::string, QImage>& kept);
   /// The picture's field is not the version's any more: the next one replaces it.
   void outdate(const std::string& version_id) { plain_.insert(version_id); }
 
@@ -46,6 +48,7 @@ protected:
 
 private:
   void refresh();
+  void keep(const std::string& version_id, const QImage& picture);
   void put_in_places();
   [[nodiscard]] QSize picture_size() const;
   [[nodiscard]] QSize cell() const;  ///< With words and the way to the next one.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/pictures/pictures_tool.hpp"
 
+#include <QApplication>
 #include <QFileDialog>
 #include <QMainWindow>
+#include <QPointer>
+#include <QThreadPool>
 
 #include <utility>
 
@@ -84,16 +87,26 @@ void pictures_tool::take() {
   });
 }
 
-/// Of versions that were drawn when the document was open before.
+/// Of versions that were drawn when the document was open before; read aside, as there may be many.
 void pictures_tool::find_kept() {
-  for (const auto& [number, row] : in_.part.versions()) {
-    const auto& id = row.info.version_id;
-    if (!looked_for_.insert(id).second || history_.strip().has_thumbnail(id, true))
-      continue;
-    const QImage kept(picture_file(in_.server.folder(), in_.part.name(), id));
-    if (!kept.isNull())
-      history_.strip().set_thumbnail(id, kept, true);
-  }
+  std::map<std::string, QString> files;
+  for (const auto& [number, row] : in_.part.versions())
+    if (const auto& id = row.info.version_id;
+        looked_for_.insert(id).second && !history_.strip().has_thumbnail(id, true))
+      files[id] = picture_file(in_.server.folder(), in_.part.name(), id);
+  if (files.empty())
+    return;
+  QThreadPool::globalInstance()->start([files, tool = QPointer(this)] {
+    std::map<std::string, QImage> found;
+    for (const auto& [id, file] : files)
+      if (QImage kept(file); !kept.isNull())
+        found.emplace(id, std::move(kept));
+    if (!found.empty())
+      QMetaObject::invokeMethod(qApp, [tool, found] {
+        if (tool)
+          tool->history_.strip().find_thumbnails(found);
+      });
+  });
 }
 
 }  // namespace tedit::desktop

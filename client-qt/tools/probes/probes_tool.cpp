@@ -38,7 +38,7 @@ void probes_tool::keep_pins() {
   for (const auto& one : pins_.all())
     all << QVariant(QVariantList{one.number, static_cast<qlonglong>(one.surface), one.place.at.x,
                                  one.place.at.y, one.place.at.z});
-  const QString key = "pins/" + in_.part.name();
+  const QString key = pins_key(in_.part.name());
   if (all.isEmpty())
     in_.settings.remove(key);
   else
@@ -49,7 +49,7 @@ void probes_tool::find_kept() {
   const auto* head = in_.part.head();
   if (!looks_for_kept_ || !head || !head->surface)
     return;
-  for (const auto& row : in_.settings.value("pins/" + in_.part.name()).toList()) {
+  for (const auto& row : in_.settings.value(pins_key(in_.part.name())).toList()) {
     const auto one = row.toList();
     if (one.size() == 5)
       pins_.put(one[0].toInt(), one[1].toLongLong(),

@@ -12,6 +12,11 @@ class field_panel;
 class probe_panel;
 class selection_tool;
 
+/// Where a document's pins are kept among the settings.
+[[nodiscard]] inline QString pins_key(const QString& document) {
+  return "pins/" + document;
+}
+
 /// Values at numbered places: pins on the part, their list, and plots.
 class probes_tool : public QObject {
   Q_OBJECT

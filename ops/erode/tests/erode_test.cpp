@@ -242,6 +242,19 @@ TEST_F(Erode, ARefusalOfAPreviewSearchesNothing) {
   EXPECT_THAT(refused.error().remedy, HasSubstr("smaller depth"));
 }
 
+TEST_F(Erode, AWallThatIsTooThinIsRefusedWithoutAnotherTry) {
+  const auto base = test::box_mesh({4, 4, 2}, {1, 1, 0.25});
+  ctx_.search_s = 0;
+  const auto polls_of = [&](double depth) {
+    ctx_.run.cancel = {};
+    const auto done = lower(base, {6}, depth);
+    EXPECT_EQ(done.has_value(), depth < 0.25);
+    return ctx_.run.cancel.polls();
+  };
+
+  EXPECT_LE(polls_of(0.3), polls_of(0.1));  // Each way that is tried asks again.
+}
+
 TEST_F(Erode, WithoutDepthAndLayersThereIsNothingToDo) {
   const auto refused = erode(*test::box_mesh({4, 4, 2}, {1, 1, 1}), {6}, {}, ctx_);
 
