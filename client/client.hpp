@@ -69,7 +69,9 @@ public:
                                                 const change_terms& terms = {});
 
   /// Replaces the load case of this name at the head, or adds it. A running solve of the old one
-  /// ends with `superseded`; the new one is solved by itself then.
+  /// ends with `superseded`; the new one is solved by itself then. Errors: also `protocol_error`
+  /// for moments, remote, bearing and normal forces and a pressure's gradient from a server with
+  /// protocol_minor below 8.
   [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads,
                                              const change_terms& terms = {});
 

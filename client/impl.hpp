@@ -15,6 +15,7 @@ using body = v1::ServerMessage;
 
 /// Servers that know `change_terms`.
 inline constexpr unsigned minor_of_change_terms = 7;
+inline constexpr unsigned minor_of_spread_loads = 8;
 
 template <class Request>
 void set_terms(const change_terms& terms, Request& request) {

@@ -1,13 +1,35 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Requests that make no new version.
+#include <algorithm>
+
 #include "client/impl.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/json.hpp"
 
 namespace tedit::client {
 
+namespace {
+
+/// What a server makes of a load that it does not know is another load: it leaves a gradient out.
+unsigned minor_that_knows(const fem::load_case& loads) {
+  const bool gradient = std::ranges::any_of(loads.loads, [](const fem::load& item) {
+    const auto* p = std::get_if<fem::pressure>(&item.kind);
+    return p && p->gradient_pa_m != vec3{};
+  });
+  const bool newer = std::ranges::any_of(loads.loads, [](const fem::load& item) {
+    return std::holds_alternative<fem::normal_force>(item.kind) ||
+           std::holds_alternative<fem::moment>(item.kind) ||
+           std::holds_alternative<fem::remote_force>(item.kind) ||
+           std::holds_alternative<fem::bearing_force>(item.kind);
+  });
+  return gradient || newer ? minor_of_spread_loads : 0;
+}
+
+}  // namespace
+
 expected<void> client::set_load_case(const fem::load_case& loads, const change_terms& terms) {
-  auto document = impl_->open_document(terms);
+  auto document =
+    impl_->open_document(minor_that_knows(loads), "know a load of this load case", terms);
   if (!document)
     return fail(std::move(document.error()));
   auto message = protocol::message_from_json<v1::LoadCase>(protocol::load_case_to_json(loads));

@@ -7,7 +7,6 @@
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/rollers.hpp"
-#include "mesh/quality.hpp"
 
 namespace tedit::fem {
 
@@ -84,17 +83,6 @@ expected<void> check_surfaces(const mesh_version& mesh, const load_case& loads) 
 // -- constraints ---------------------------------------------------------------------
 
 namespace {
-
-/// Each component by itself, with its letter.
-expected<void> check_vector(vec3 value, const char* unit, const std::string& of) {
-  const std::array<std::pair<const char*, double>, 3> components{
-    {{"x", value.x}, {"y", value.y}, {"z", value.z}}};
-  for (const auto& [letter, component] : components)
-    if (auto ok = check_number(component, any_number(unit), of + ": " + letter, ec::invalid_load);
-        !ok)
-      return ok;
-  return {};
-}
 
 /// Those components that are given.
 expected<void> check_displacement(const prescribed_displacement& given, const std::string& of) {
@@ -249,110 +237,6 @@ expected<void> add_constraints(const mesh_version& mesh, const surface_triangles
   add_rollers(mesh, triangles, std::move(rollers), p, held);
   write_filter(held, p);
   merge_holders(p.holders);
-  return {};
-}
-
-// -- loads -----------------------------------------------------------------------------
-
-namespace {
-
-class load_adder {
-public:
-  load_adder(const surface_triangles& triangles, problem& p) : triangles_(triangles), p_(p) {}
-
-  expected<void> add(const load& item, const std::string& name) {
-    double area = 0;
-    for (const auto id : item.surfaces)
-      for (const auto& t : triangles_.of(id))
-        area += norm(area_of(p_, t));
-    if (const auto* g = std::get_if<gravity>(&item.kind))
-      return add_gravity(g->m_s2, name);
-    if (item.surfaces.empty() || !(area > 0))
-      return fail(ec::invalid_load, name + " acts on no surface", "Name at least one surface");
-    if (const auto* f = std::get_if<force>(&item.kind)) {
-      if (auto ok = check_vector(f->total_n, "N", name); !ok)
-        return ok;
-      return add_traction(item, f->total_n / area, name + " on its area");
-    }
-    if (const auto* t = std::get_if<traction>(&item.kind))
-      return add_traction(item, t->pa, name);
-    return add_pressure(item, std::get<pressure>(item.kind).pa, name);
-  }
-
-private:
-  void add_to(std::uint32_t node, vec3 force_n) {
-    p_.loads[3 * node] += force_n.x;
-    p_.loads[3 * node + 1] += force_n.y;
-    p_.loads[3 * node + 2] += force_n.z;
-  }
-
-  expected<void> add_traction(const load& item, vec3 pa, const std::string& name) {
-    if (auto ok = check_vector(pa, "Pa", name); !ok)
-      return ok;
-    for (const auto id : item.surfaces)
-      for (const auto& t : triangles_.of(id)) {
-        const vec3 share = (norm(area_of(p_, t)) / 3) * pa;
-        for (const auto node : t.loaded())
-          add_to(node, share);
-      }
-    return {};
-  }
-
-  expected<void> add_pressure(const load& item, double pa, const std::string& name) {
-    if (auto ok = check_number(pa, any_number("Pa"), name, ec::invalid_load); !ok)
-      return ok;
-    for (const auto id : item.surfaces)
-      for (const auto& t : triangles_.of(id)) {
-        if (t.interface)
-          return fail(ec::invalid_load,
-                      name + " presses on surface " + std::to_string(id) +
-                        ", which lies between two regions and has no outer side",
-                      "Use a traction or a force there");
-        const vec3 share = (-pa / 3) * area_of(p_, t);
-        for (const auto node : t.loaded())
-          add_to(node, share);
-      }
-    return {};
-  }
-
-  expected<void> add_gravity(vec3 m_s2, const std::string& name) {
-    if (auto ok = check_vector(m_s2, "m/s2", name); !ok)
-      return ok;
-    bool known = true;
-    polled_for(p_.element_count(), [&](std::size_t e) {
-      const double density = p_.densities[p_.element_materials[e]];
-      known = known && density > 0;
-      const auto* n = &p_.element_nodes[static_cast<std::size_t>(p_.nodes_per_element) * e];
-      const double mass =
-        density * signed_volume(p_.nodes[n[0]], p_.nodes[n[1]], p_.nodes[n[2]], p_.nodes[n[3]]);
-      // Integrals of the shape functions over the volume: 1/4; -1/20 at corners, 1/5 at middles.
-      const double at_corner = p_.element_order == 2 ? -1.0 / 20 : 1.0 / 4;
-      for (int a = 0; a < p_.nodes_per_element; ++a)
-        add_to(n[a], ((a < 4 ? at_corner : 1.0 / 5) * mass) * m_s2);
-    });
-    if (!known)
-      return fail(ec::invalid_load, name + " (gravity) needs the density of every material",
-                  "Give density_kg_m3");
-    return {};
-  }
-
-  const surface_triangles& triangles_;
-  problem& p_;
-};
-
-}  // namespace
-
-expected<void> add_loads(const surface_triangles& triangles, const load_case& loads, problem& p) {
-  polled_assign(p.loads, p.dofs(), 0.0);
-  load_adder adder(triangles, p);
-  for (std::size_t i = 0; i < loads.loads.size(); ++i)
-    if (auto ok = adder.add(loads.loads[i], "load " + std::to_string(i)); !ok)
-      return ok;
-  const auto zero = [](double value) { return value == 0; };
-  if (std::ranges::all_of(p.loads, zero) && std::ranges::all_of(p.prescribed, zero))
-    return fail(ec::invalid_load,
-                "nothing acts on the part: no load and no prescribed displacement",
-                "Add a load to the load case");
   return {};
 }
 

@@ -66,9 +66,12 @@ struct traction {
   friend bool operator==(const traction&, const traction&) = default;
 };
 
-/// A force per area along the inward normal; positive pushes on the part.
+/// A force per area along the inward normal; positive pushes on the part. With a gradient it is
+/// pa + gradient_pa_m . (x - at_m): that of a liquid, say, which grows with the depth.
 struct pressure {
   double pa = 0;
+  vec3 gradient_pa_m = {};
+  vec3 at_m = {};  ///< Where it is `pa`; of no meaning without a gradient.
 
   friend bool operator==(const pressure&, const pressure&) = default;
 };
@@ -80,10 +83,47 @@ struct gravity {
   friend bool operator==(const gravity&, const gravity&) = default;
 };
 
+/// A pressure whose size is given as N on the area of all surfaces together: on a flat face a force
+/// along its inward normal; positive pushes on the part.
+struct normal_force {
+  double total_n = 0;
+
+  friend bool operator==(const normal_force&, const normal_force&) = default;
+};
+
+/// A couple, spread over the surfaces as over a rigid face that leaves the part free to deform:
+/// linear tractions, on a plane section Navier's of bending, on a circular one Saint-Venant's of
+/// torsion.
+struct moment {
+  vec3 total_nm;
+
+  friend bool operator==(const moment&, const moment&) = default;
+};
+
+/// A force at a place apart from its surfaces, and a moment, spread as `moment` is: what a lever or
+/// a mass that is not in the mesh does.
+struct remote_force {
+  vec3 total_n;
+  vec3 at_m;
+  vec3 moment_nm = {};
+
+  friend bool operator==(const remote_force&, const remote_force&) = default;
+};
+
+/// The force of a pin on its bore: a pressure on that half of the wall that faces it, which falls
+/// with the cosine of the angle to the force. It pulls nowhere.
+struct bearing_force {
+  vec3 total_n;
+
+  friend bool operator==(const bearing_force&, const bearing_force&) = default;
+};
+
 /// A Neumann condition on surfaces, or a body force.
 struct load {
   std::vector<surface_id> surfaces;
-  std::variant<force, traction, pressure, gravity> kind;
+  std::variant<force, traction, pressure, gravity, normal_force, moment, remote_force,
+               bearing_force>
+    kind;
   std::string warning = {};  ///< As of a constraint.
 
   friend bool operator==(const load&, const load&) = default;

@@ -100,7 +100,7 @@ struct region_materials {
                                              const surface_triangles& triangles,
                                              const load_case& loads, problem& p);
 
-/// Fills loads. Errors: `invalid_load`.
+/// Fills loads, as the nodal forces that do the same work. Errors: `invalid_load`.
 [[nodiscard]] expected<void> add_loads(const surface_triangles& triangles, const load_case& loads,
                                        problem& p);
 

@@ -60,10 +60,7 @@ public:
     auto line = begin_line(item);
     const auto now = follow(before.surfaces, line);
     const auto first = after.size();
-    if (const auto* total = std::get_if<force>(&before.kind))
-      share_force(*total, now, after);
-    else
-      share_pressure(before, now, after);
+    share(before, now, after);
     line.total_before = newtons(before, from_);
     std::vector<surface_id> surfaces;
     for (auto i = first; i < after.size(); ++i) {
@@ -71,7 +68,7 @@ public:
       for (const auto id : after[i].surfaces)
         add(surfaces, id);
     }
-    const auto total = total_of(line, std::holds_alternative<force>(before.kind));
+    const auto total = total_of(line, before);
     const auto& warning = finish_line(std::move(line), surfaces, total).warning;
     for (auto i = first; i < after.size(); ++i)
       after[i].warning = warning.empty() ? before.warning : warning;
@@ -93,11 +90,27 @@ private:
 
   /// N: see `receipt_line::total_before`.
   static double newtons(const load& l, const std::map<surface_id, double>& areas) {
-    if (const auto* total = std::get_if<force>(&l.kind))
-      return norm(total->total_n);
-    const auto* t = std::get_if<traction>(&l.kind);
-    return (t ? norm(t->pa) : std::get<pressure>(l.kind).pa) * area(areas, l.surfaces);
+    if (const auto* p = std::get_if<pressure>(&l.kind))
+      return changes_by_place(*p) ? 0 : p->pa * area(areas, l.surfaces);
+    if (const auto* t = std::get_if<traction>(&l.kind))
+      return norm(t->pa) * area(areas, l.surfaces);
+    if (const auto* total = std::get_if<normal_force>(&l.kind))
+      return total->total_n;
+    return norm(force_of(l));
   }
+
+  /// Of those kinds that have one; zero of a moment.
+  static vec3 force_of(const load& l) {
+    if (const auto* f = std::get_if<force>(&l.kind))
+      return f->total_n;
+    if (const auto* f = std::get_if<remote_force>(&l.kind))
+      return f->total_n;
+    if (const auto* f = std::get_if<bearing_force>(&l.kind))
+      return f->total_n;
+    return {};
+  }
+
+  static bool changes_by_place(const pressure& p) { return p.gradient_pa_m != vec3{}; }
 
   static void add(std::vector<surface_id>& list, surface_id id) {
     if (std::ranges::find(list, id) == list.end())
@@ -161,26 +174,61 @@ private:
     now.area_moved += area;
   }
 
+  void share(const load& before, const carried& now, std::vector<load>& after) const {
+    if (const auto* total = std::get_if<force>(&before.kind))
+      share_total(*total, now, after);
+    else if (const auto* along_normal = std::get_if<normal_force>(&before.kind))
+      share_total(*along_normal, now, after);
+    else if (const auto* pin = std::get_if<bearing_force>(&before.kind))
+      share_total(*pin, now, after);
+    else if (std::holds_alternative<moment>(before.kind) ||
+             std::holds_alternative<remote_force>(before.kind))
+      spread_anew(before, now, after);
+    else
+      share_pressure(before, now, after);
+  }
+
   /// The total goes to what is left and to successors, by the area that they stand for.
-  static void share_force(const force& total, const carried& now, std::vector<load>& after) {
+  template <class Total>
+  static void share_total(const Total& total, const carried& now, std::vector<load>& after) {
     const double all = now.area_left_before + now.area_moved;
     const auto part = [&](double area) {
-      return area == all ? total : force{(area / all) * total.total_n};
+      return area == all ? total : Total{(area / all) * total.total_n};
     };
     if (!now.left.empty())
       after.push_back({now.left, now.moved.empty() ? total : part(now.area_left_before)});
     for (const auto& [id, area] : now.moved)
-      after.push_back({{id}, part(area)});
+      after.push_back({{id}, on_successor(part(area))});
   }
 
-  /// What is left keeps its Pa; a successor gets the lost newtons on its own area.
+  template <class Total>
+  static Total on_successor(const Total& total) {
+    return total;
+  }
+
+  /// Where its bore is gone a pin finds no wall to press on; its force acts all the same.
+  static force on_successor(const bearing_force& pin) { return {pin.total_n}; }
+
+  /// A couple has no parts by area: it acts on all surfaces together.
+  static void spread_anew(const load& before, const carried& now, std::vector<load>& after) {
+    auto surfaces = now.left;
+    for (const auto& [id, area] : now.moved)
+      add(surfaces, id);
+    if (!surfaces.empty())
+      after.push_back({std::move(surfaces), before.kind});
+  }
+
+  /// What is left keeps its Pa; a successor gets the lost newtons on its own area. One that changes
+  /// by place, as a liquid's, is the same wherever its wall is.
   void share_pressure(const load& before, const carried& now, std::vector<load>& after) const {
     if (!now.left.empty())
       after.push_back({now.left, before.kind});
+    const auto* p = std::get_if<pressure>(&before.kind);
+    const bool keep = settings_.keep_traction || (p && changes_by_place(*p));
     for (const auto& [id, lost] : now.moved) {
-      const double factor = settings_.keep_traction ? 1 : lost / area(to_, id);
+      const double factor = keep ? 1 : lost / area(to_, id);
       // With its Pa kept, a surface that has the load already needs no second one.
-      if (settings_.keep_traction && std::ranges::find(now.left, id) != now.left.end())
+      if (keep && std::ranges::find(now.left, id) != now.left.end())
         continue;
       auto moved = before;
       moved.surfaces = {id};
@@ -192,7 +240,13 @@ private:
     }
   }
 
-  static std::string total_of(const receipt_line& line, bool is_force) {
+  static std::string total_of(const receipt_line& line, const load& before) {
+    if (const auto* p = std::get_if<pressure>(&before.kind); p && changes_by_place(*p))
+      return "its pressure by place kept";
+    if (const auto* m = std::get_if<moment>(&before.kind))
+      return "moment " + number(norm(m->total_nm)) + " N m kept";
+    const bool is_force = !std::holds_alternative<traction>(before.kind) &&
+                          !std::holds_alternative<pressure>(before.kind);
     const double change = std::abs(line.total_after - line.total_before);
     if (change > 1e-9 * std::abs(line.total_before))
       return "total changed from " + number(line.total_before) + " to " + number(line.total_after) +
@@ -278,7 +332,9 @@ std::string constraint_name(const constraint& item, std::size_t index) {
 }
 
 std::string load_name(const load& item, std::size_t index) {
-  constexpr std::array names{"force", "traction", "pressure", "gravity"};
+  constexpr std::array names{"force",        "traction", "pressure",     "gravity",
+                             "normal force", "moment",   "remote force", "bearing force"};
+  static_assert(names.size() == std::variant_size_v<decltype(item.kind)>);
   return "load " + std::to_string(index) + " (" + names[item.kind.index()] + ")";
 }
 

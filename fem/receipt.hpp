@@ -42,7 +42,7 @@ enum class receipt_fate {
 
 struct receipt_line {
   std::string load_case;
-  std::string item;  ///< "constraint 0 (fixed)" or "load 1 (force)".
+  std::string item;  ///< "constraint 0 (fixed)" or "load 1 (bearing force)".
   receipt_fate fate = receipt_fate::kept;
   std::vector<surface_id> surfaces_lost;
   double area_before = 0;  ///< m^2, all its surfaces together.
@@ -50,7 +50,8 @@ struct receipt_line {
   std::string text;                  ///< One sentence for a person.
   std::vector<surface_id> moved_to;  ///< Surfaces that carry the share of lost ones.
   double total_before = 0;  ///< N: of a force its length, of a traction or pressure times the area.
-  double total_after = 0;   ///< Both are 0 for constraints.
+  /// Both are 0 for constraints, moments and pressures that change by place.
+  double total_after = 0;
   std::string warning = {};  ///< It moved to an area `much_larger` than its own was.
 };
 
@@ -69,10 +70,11 @@ struct carried_load_case {
 /// surfaces are dropped. Under `move` the share of a removed surface (by area) goes to its
 /// successors instead, as loads of their own, weighted by the successors' new area; what has no
 /// successor is dropped. A force keeps its total as long as any of its surfaces or successors is
-/// left, tractions and pressures keep their Pa on the surfaces that are left. Every item gets a
-/// line; nothing changes silently: what moves to an area `much_larger` warns in its line, and keeps
-/// the warning from then on. `refuse` carries as `drop`: see `refuse_losses`.
-/// Cost: O(facets); under `move` once more for each surface lost.
+/// left, tractions and pressures keep their Pa on the surfaces that are left; moments and remote
+/// forces are spread over left and new surfaces together; where its bore is gone a bearing force
+/// goes on as a force. Every item gets a line; nothing changes silently: what moves to an area
+/// `much_larger` warns in its line, and keeps the warning from then on. `refuse` carries as `drop`:
+/// see `refuse_losses`. Cost: O(facets); under `move` once more for each surface lost.
 [[nodiscard]] carried_load_case carry_over(const load_case& before, const mesh_version& from,
                                            const mesh_version& to,
                                            const std::vector<surface_change>& map,

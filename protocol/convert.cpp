@@ -81,16 +81,33 @@ expected<fem::load> load_from(const v1::Load& l, int index) {
       result.kind = fem::traction{from_message(l.traction().pa())};
       return result;
     case v1::Load::kPressure:
-      result.kind = fem::pressure{l.pressure().pa()};
+      result.kind = fem::pressure{l.pressure().pa(), from_message(l.pressure().gradient_pa_m()),
+                                  from_message(l.pressure().at_m())};
       return result;
     case v1::Load::kGravity:
       result.kind = fem::gravity{from_message(l.gravity().m_s2())};
+      return result;
+    case v1::Load::kNormalForce:
+      result.kind = fem::normal_force{l.normal_force().total_n()};
+      return result;
+    case v1::Load::kMoment:
+      result.kind = fem::moment{from_message(l.moment().total_nm())};
+      return result;
+    case v1::Load::kRemoteForce: {
+      const auto& f = l.remote_force();
+      result.kind = fem::remote_force{from_message(f.total_n()), from_message(f.at_m()),
+                                      from_message(f.moment_nm())};
+      return result;
+    }
+    case v1::Load::kBearingForce:
+      result.kind = fem::bearing_force{from_message(l.bearing_force().total_n())};
       return result;
     case v1::Load::KIND_NOT_SET:
       break;
   }
   return fail(ec::bad_input, "load " + std::to_string(index) + " says no kind",
-              "Give it one of force, traction, pressure, gravity");
+              "Give it one of force, normal_force, traction, pressure, moment, remote_force, "
+              "bearing_force, gravity");
 }
 
 /// Names go into reports, receipts, files and every message about a version.
@@ -169,9 +186,32 @@ struct load_writer {
   void operator()(const fem::traction& t) const {
     to_message(t.pa, out->mutable_traction()->mutable_pa());
   }
-  void operator()(const fem::pressure& p) const { out->mutable_pressure()->set_pa(p.pa); }
+  void operator()(const fem::pressure& p) const {
+    auto* values = out->mutable_pressure();
+    values->set_pa(p.pa);
+    if (p.gradient_pa_m != vec3{})
+      to_message(p.gradient_pa_m, values->mutable_gradient_pa_m());
+    if (p.at_m != vec3{})
+      to_message(p.at_m, values->mutable_at_m());
+  }
   void operator()(const fem::gravity& g) const {
     to_message(g.m_s2, out->mutable_gravity()->mutable_m_s2());
+  }
+  void operator()(const fem::normal_force& f) const {
+    out->mutable_normal_force()->set_total_n(f.total_n);
+  }
+  void operator()(const fem::moment& m) const {
+    to_message(m.total_nm, out->mutable_moment()->mutable_total_nm());
+  }
+  void operator()(const fem::remote_force& f) const {
+    auto* values = out->mutable_remote_force();
+    to_message(f.total_n, values->mutable_total_n());
+    to_message(f.at_m, values->mutable_at_m());
+    if (f.moment_nm != vec3{})
+      to_message(f.moment_nm, values->mutable_moment_nm());
+  }
+  void operator()(const fem::bearing_force& f) const {
+    to_message(f.total_n, out->mutable_bearing_force()->mutable_total_n());
   }
 };
 

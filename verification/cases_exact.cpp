@@ -161,6 +161,28 @@ expected<void> pure_bending(case_context& c) {
   return {};
 }
 
+/// The same bar, bent by the load `moment` of its end face instead of the exact stress.
+expected<void> bending_moment(case_context& c) {
+  const auto shake = shaken_box({4, 1, 1});
+  const auto mesh = block_mesh({8, 2, 2}, [&](vec3 p) { return shake(p) - vec3{0, 0.5, 0.5}; });
+  if (!mesh)
+    return fail(mesh.error());
+  constexpr double second_moment = 1.0 / 12;
+  auto loads = with_material(bending_e, bending_nu);
+  loads.constraints = {{{s_low}, fem::fixed{}}};
+  loads.loads = {{{s_high}, fem::moment{{0, 0, -bending_e * curvature * second_moment}}}};
+  auto p = fem::make_problem(**mesh, loads, c.order());
+  if (!p)
+    return fail(p.error());
+  prescribe(*p, **mesh, std::array<surface_id, 1>{s_low}, bending_field);
+  const auto s = c.solve(*p, 1e-13);
+  if (!s)
+    return fail(s.error());
+  c.at_most("largest error of u / largest u", 1e-9,
+            largest_error(*p, s->displacement, bending_field));
+  return {};
+}
+
 constexpr double bar_e = 70e9;
 constexpr double bar_nu = 0.33;
 constexpr double bar_density = 2700;
@@ -259,6 +281,11 @@ std::vector<case_entry> exact_cases() {
            "a quadratic field: exact with quadratic tets, slow with linear ones.",
            {1, 2},
            pure_bending},
+          {"bar bent by a moment",
+           timoshenko,
+           "the same field from the load `moment`: Navier's stress on the end face.",
+           {2},
+           bending_moment},
           {"bar under its own weight",
            timoshenko,
            "a quadratic field under gravity: exact with quadratic tets.",

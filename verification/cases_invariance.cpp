@@ -115,6 +115,14 @@ expected<fem::load_case> turned(const fem::load_case& loads, const rotation& r) 
       t->pa = turned(r, t->pa);
     else if (auto* g = std::get_if<fem::gravity>(&item.kind))
       g->m_s2 = turned(r, g->m_s2);
+    else if (auto* p = std::get_if<fem::pressure>(&item.kind))
+      *p = {p->pa, turned(r, p->gradient_pa_m), turned(r, p->at_m)};
+    else if (auto* m = std::get_if<fem::moment>(&item.kind))
+      m->total_nm = turned(r, m->total_nm);
+    else if (auto* far = std::get_if<fem::remote_force>(&item.kind))
+      *far = {turned(r, far->total_n), turned(r, far->at_m), turned(r, far->moment_nm)};
+    else if (auto* pin = std::get_if<fem::bearing_force>(&item.kind))
+      pin->total_n = turned(r, pin->total_n);
   }
   return result;
 }

@@ -77,6 +77,12 @@ void refuse_loads(refusals& r) {
   });
   r.loads("an infinite pressure", ec::invalid_load,
           [infinite](auto& l) { l.loads[0].kind = fem::pressure{infinite}; });
+  r.loads("a moment that is no number", ec::invalid_load, [nan](auto& l) {
+    l.loads[0].kind = fem::moment{{0, nan, 0}};
+  });
+  r.loads("a pin that pulls", ec::invalid_load, [](auto& l) {
+    l.loads[0] = {{s_high}, fem::bearing_force{{1, 0, 0}}};
+  });
   r.loads("no load", ec::invalid_load, [](auto& l) { l.loads.clear(); });
   r.loads("gravity without a density", ec::invalid_load, [](auto& l) {
     l.materials[0].density_kg_m3 = 0;

@@ -19,7 +19,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 7;
+constexpr std::uint32_t protocol_minor = 8;
 
 /// Clients that know this one get arrays that begin at multiples of 8 bytes.
 constexpr std::uint32_t minor_of_aligned_arrays = 7;

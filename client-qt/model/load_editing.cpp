@@ -29,10 +29,20 @@ struct checker {
       found.push_back({field, phrases::tr(words)});
   }
 
+  void numbers(const vec3& v, const char* field) {
+    expect(
+      all_finite(v), field,
+      QT_TRANSLATE_NOOP("load_editing", "Give three numbers, alone or with a unit of their kind"));
+  }
+
+  void size(double value) {
+    expect(value != 0 && std::isfinite(value), "components",
+           QT_TRANSLATE_NOOP("load_editing", "Must be a number other than 0"));
+  }
+
   void direction(const vec3& v) {
-    if (!all_finite(v))
-      expect(false, "components", QT_TRANSLATE_NOOP("load_editing", "Give three numbers"));
-    else
+    numbers(v, "components");
+    if (all_finite(v))
       expect(dot(v, v) > 0, "components",
              QT_TRANSLATE_NOOP("load_editing", "Give at least one component that is not 0"));
   }
@@ -63,18 +73,30 @@ struct checker {
   }
 
   void operator()(const fem::load& l) {
-    const auto* gravity = std::get_if<fem::gravity>(&l.kind);
-    expect(gravity || !l.surfaces.empty(), "surfaces",
+    expect(std::holds_alternative<fem::gravity>(l.kind) || !l.surfaces.empty(), "surfaces",
            QT_TRANSLATE_NOOP("load_editing", "Pick surfaces and use the selection"));
-    if (gravity)
-      direction(gravity->m_s2);
-    else if (const auto* force = std::get_if<fem::force>(&l.kind))
-      direction(force->total_n);
-    else if (const auto* traction = std::get_if<fem::traction>(&l.kind))
-      direction(traction->pa);
-    else if (const auto* pressure = std::get_if<fem::pressure>(&l.kind))
-      expect(pressure->pa != 0 && std::isfinite(pressure->pa), "components",
-             QT_TRANSLATE_NOOP("load_editing", "Must be a number other than 0"));
+    std::visit(*this, l.kind);
+  }
+
+  void operator()(const fem::force& f) { direction(f.total_n); }
+  void operator()(const fem::traction& t) { direction(t.pa); }
+  void operator()(const fem::gravity& g) { direction(g.m_s2); }
+  void operator()(const fem::moment& m) { direction(m.total_nm); }
+  void operator()(const fem::bearing_force& f) { direction(f.total_n); }
+  void operator()(const fem::normal_force& f) { size(f.total_n); }
+
+  void operator()(const fem::remote_force& f) {
+    numbers(f.at_m, "place");
+    numbers(f.moment_nm, "second");
+    if (f.moment_nm == vec3{} || !all_finite(f.total_n))
+      direction(f.total_n);
+  }
+
+  void operator()(const fem::pressure& p) {
+    numbers(p.gradient_pa_m, "second");
+    numbers(p.at_m, "place");
+    if (p.gradient_pa_m == vec3{} || !std::isfinite(p.pa))
+      size(p.pa);
   }
 };
 
@@ -186,14 +208,6 @@ QString missing(const fem::load_case& loads) {
   if (loads.loads.empty())
     result << phrases::tr("a load");
   return result.join(", ");
-}
-
-std::optional<double> read_number(const QString& text) {
-  QString plain = text.trimmed();
-  plain.replace(',', '.').replace(QString::fromUtf8("−"), "-");
-  bool good = false;
-  const double value = plain.toDouble(&good);
-  return good && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<std::vector<region_id>> read_regions(const QString& text) {

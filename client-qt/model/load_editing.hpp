@@ -46,10 +46,6 @@ struct item_fault {
 /// What a load case lacks to be solved: "a material, a support"; empty when it is complete.
 [[nodiscard]] QString missing(const fem::load_case& loads);
 
-/// A number as people type it: with a point or a comma, "1e-3"; nothing when it is none or not
-/// finite.
-[[nodiscard]] std::optional<double> read_number(const QString& text);
-
 /// Ids of regions, with commas or spaces between; nothing when something else stands there.
 [[nodiscard]] std::optional<std::vector<region_id>> read_regions(const QString& text);
 

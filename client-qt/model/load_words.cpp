@@ -53,7 +53,29 @@ struct describe {
     return phrases::tr("Traction ") + quantity(size_of(t.pa), "Pa") + " " + direction(t.pa);
   }
   QString operator()(const fem::pressure& p) const {
-    return phrases::tr("Pressure ") + quantity(p.pa, "Pa");
+    const QString even = phrases::tr("Pressure ") + quantity(p.pa, "Pa");
+    if (p.gradient_pa_m == vec3{})
+      return even;
+    return even + ", " +
+           phrases::tr("grows by %1 %2")
+             .arg(quantity(norm(p.gradient_pa_m), "Pa/m"), direction(p.gradient_pa_m));
+  }
+  QString operator()(const fem::normal_force& f) const {
+    return phrases::tr("Force ") + quantity(f.total_n, "N") + " " + phrases::tr("along the normal");
+  }
+  QString operator()(const fem::moment& m) const {
+    return phrases::tr("Moment ") + quantity(norm(m.total_nm), "N m") + " " + direction(m.total_nm);
+  }
+  QString operator()(const fem::remote_force& f) const {
+    const double shown = shown_as("m").scale;
+    return phrases::tr("Force ") + quantity(norm(f.total_n), "N") + " " + direction(f.total_n) +
+           " " +
+           phrases::tr("at (%1, %2, %3) mm")
+             .arg(number(shown * f.at_m.x), number(shown * f.at_m.y), number(shown * f.at_m.z));
+  }
+  QString operator()(const fem::bearing_force& f) const {
+    return phrases::tr("Bearing force ") + quantity(norm(f.total_n), "N") + " " +
+           direction(f.total_n);
   }
   QString operator()(const fem::gravity& g) const {
     return phrases::tr("Gravity ") + number(size_of(g.m_s2)) + QString::fromUtf8(" m/s\u00b2 ") +

@@ -67,6 +67,12 @@ display_unit shown_as(const QString& si_unit) {
     return {QString::fromUtf8("mm³"), 1e9};
   if (si_unit == "Pa")
     return {"MPa", 1e-6};
+  if (si_unit == "Pa/m")
+    return {"MPa/m", 1e-6};
+  if (si_unit == "m/s2")
+    return {QString::fromUtf8("m/s²"), 1};
+  if (si_unit == "kg/m3")
+    return {QString::fromUtf8("kg/m³"), 1};
   if (si_unit == "rad")
     return {QString::fromUtf8("°"), 180 / std::numbers::pi};
   if (si_unit == "ratio")

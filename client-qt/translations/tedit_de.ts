@@ -341,10 +341,6 @@
 <context>
     <name>load_editing</name>
     <message>
-        <source>Give three numbers</source>
-        <translation>Drei Zahlen eingeben</translation>
-    </message>
-    <message>
         <source>Give at least one component that is not 0</source>
         <translation>Komponente ungleich 0 eingeben</translation>
     </message>
@@ -396,6 +392,10 @@
         <source>a load</source>
         <translation>eine Last</translation>
     </message>
+    <message>
+        <source>Give three numbers, alone or with a unit of their kind</source>
+        <translation>Drei Zahlen, allein oder mit einer passenden Einheit</translation>
+    </message>
 </context>
 <context>
     <name>load_words</name>
@@ -430,6 +430,26 @@
     <message>
         <source>Gravity </source>
         <translation>Schwerkraft </translation>
+    </message>
+    <message>
+        <source>grows by %1 %2</source>
+        <translation>wächst um %1 %2</translation>
+    </message>
+    <message>
+        <source>along the normal</source>
+        <translation>längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Moment </source>
+        <translation>Moment </translation>
+    </message>
+    <message>
+        <source>at (%1, %2, %3) mm</source>
+        <translation>bei (%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>Bearing force </source>
+        <translation>Lagerkraft </translation>
     </message>
 </context>
 <context>
@@ -1860,10 +1880,6 @@ Inhalt %1</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus in MPa</source>
-        <translation>Elastizitätsmodul in MPa</translation>
-    </message>
-    <message>
         <source>E</source>
         <translation>E</translation>
     </message>
@@ -1872,16 +1888,8 @@ Inhalt %1</translation>
         <translation>Querkontraktionszahl</translation>
     </message>
     <message>
-        <source>Density in kg/m³</source>
-        <translation>Dichte in kg/m³</translation>
-    </message>
-    <message>
         <source>Density</source>
         <translation>Dichte</translation>
-    </message>
-    <message>
-        <source>Yield strength in MPa</source>
-        <translation>Streckgrenze in MPa</translation>
     </message>
     <message>
         <source>Yield</source>
@@ -1920,42 +1928,6 @@ Inhalt %1</translation>
         <translation>Ohne Haken: in dieser Richtung frei</translation>
     </message>
     <message>
-        <source>Displacement %1 in mm</source>
-        <translation>Verschiebung %1 in mm</translation>
-    </message>
-    <message>
-        <source>Force, spread over the surfaces</source>
-        <translation>Kraft, über die Flächen verteilt</translation>
-    </message>
-    <message>
-        <source>Traction, per area</source>
-        <translation>Flächenlast, je Flächeneinheit</translation>
-    </message>
-    <message>
-        <source>Pressure, along the normal</source>
-        <translation>Druck, längs der Normalen</translation>
-    </message>
-    <message>
-        <source>Gravity, on all mass</source>
-        <translation>Schwerkraft, auf alle Massen</translation>
-    </message>
-    <message>
-        <source>Component %1</source>
-        <translation>Komponente %1</translation>
-    </message>
-    <message>
-        <source>Pressure in MPa</source>
-        <translation>Druck in MPa</translation>
-    </message>
-    <message>
-        <source>Positive pushes on the part, negative pulls</source>
-        <translation>Positiv drückt auf das Bauteil, negativ zieht</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Betrag</translation>
-    </message>
-    <message>
         <source>Surfaces: %1</source>
         <translation>Flächen: %1</translation>
     </message>
@@ -1964,16 +1936,103 @@ Inhalt %1</translation>
         <translation>Nummern von Bereichen eingeben, mit Kommas dazwischen</translation>
     </message>
     <message>
-        <source>%1 %2 in all</source>
-        <translation>%1 %2 insgesamt</translation>
-    </message>
-    <message>
         <source>No surfaces yet: click them, Shift adds</source>
         <translation>Noch keine Flächen: anklicken, Umschalt fügt hinzu</translation>
     </message>
     <message>
         <source>Click surfaces of the part; Shift adds. %1</source>
         <translation>Flächen des Teils anklicken; Umschalt fügt hinzu. %1</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>Yield strength</source>
+        <translation>Streckgrenze</translation>
+    </message>
+    <message>
+        <source>Displacement %1</source>
+        <translation>Verschiebung %1</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::load_form</name>
+    <message>
+        <source>Force, spread over the surfaces</source>
+        <translation>Kraft, über die Flächen verteilt</translation>
+    </message>
+    <message>
+        <source>Force along the normal</source>
+        <translation>Kraft längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Positive pushes on the part, negative pulls</source>
+        <translation>Positiv drückt auf das Bauteil, negativ zieht</translation>
+    </message>
+    <message>
+        <source>Pressure, along the normal</source>
+        <translation>Druck, längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Bearing: a pin presses on its bore</source>
+        <translation>Lager: Ein Bolzen drückt auf seine Bohrung</translation>
+    </message>
+    <message>
+        <source>The force of the pin, across the bore; only the half that it faces carries</source>
+        <translation>Die Kraft des Bolzens quer zur Bohrung; nur die Hälfte, auf die er drückt, trägt</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>Turns about this direction, right-handed</source>
+        <translation>Dreht um diese Richtung, rechtshändig</translation>
+    </message>
+    <message>
+        <source>Remote force, at a place apart</source>
+        <translation>Kraft an einem fernen Ort</translation>
+    </message>
+    <message>
+        <source>As if a rigid lever led from the place to the surfaces</source>
+        <translation>Als führte ein starrer Hebel von dem Ort zu den Flächen</translation>
+    </message>
+    <message>
+        <source>Traction, per area</source>
+        <translation>Flächenlast, je Flächeneinheit</translation>
+    </message>
+    <message>
+        <source>Gravity, on all mass</source>
+        <translation>Schwerkraft, auf alle Massen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Component %1</source>
+        <translation>Komponente %1</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>Changes by place, as under a liquid</source>
+        <translation>Ändert sich mit dem Ort, wie unter einer Flüssigkeit</translation>
+    </message>
+    <message>
+        <source>Grows by</source>
+        <translation>Wächst um</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Ort %1</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Ort</translation>
     </message>
 </context>
 <context>
@@ -2467,6 +2526,17 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>The field by area, along a line, and the quality of tets</source>
         <translation>Das Feld über dem Flächeninhalt, längs einer Linie, und die Güte der Tetraeder</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::quantity_field</name>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>In %1, or typed with %2</source>
+        <translation>In %1, oder eingegeben mit %2</translation>
     </message>
 </context>
 <context>
@@ -3208,6 +3278,13 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Stops the solver; the next edit is solved again</source>
         <translation>Hält den Löser an; nach der nächsten Änderung wird wieder gelöst</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::vector_field</name>
+    <message>
+        <source>%1 %2 in all</source>
+        <translation>%1 %2 insgesamt</translation>
     </message>
 </context>
 <context>

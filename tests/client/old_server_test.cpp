@@ -76,6 +76,12 @@ std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
   result.emplace(7, user.go_to(0, {"v", {}}).error());
   result.emplace(7, user.set_load_case({}, {"v", {}}).error());
   result.emplace(7, user.remove_load_case("bend", {"v", {}}).error());
+  result.emplace(0, user.set_load_case({}).error());
+  for (const fem::load& newer :
+       {fem::load{{1}, fem::normal_force{1}}, fem::load{{1}, fem::moment{}},
+        fem::load{{1}, fem::remote_force{}}, fem::load{{1}, fem::bearing_force{}},
+        fem::load{{1}, fem::pressure{1, {0, 0, 1}}}})
+    result.emplace(8, user.set_load_case({"n", {}, {}, {newer}}).error());
   result.emplace(0, user.undo({{}, "id"}).error());
   result.emplace(5, user.preview_edit("close", {1}, {}, {}).error());
   result.emplace(5, user.remove_load_case("bend").error());
@@ -97,7 +103,7 @@ TEST_P(OldServer, IsNotAskedForWhatItDoesNotKnow) {
 }
 
 TEST(NewerServer, LoadCasesThatCannotBeReadAreNamedAndNotPassedOver) {
-  const auto door = serve(8);
+  const auto door = serve(9);
   connect_options line;
   line.url = "ws://127.0.0.1:" + std::to_string(door->port()) + "/v1";
   const auto user = client::connect(line, {});
@@ -113,7 +119,7 @@ TEST(NewerServer, LoadCasesThatCannotBeReadAreNamedAndNotPassedOver) {
                                             "0 says no kind"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 8U));
+INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 9U));
 
 }  // namespace
 }  // namespace tedit::client

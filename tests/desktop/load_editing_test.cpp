@@ -54,15 +54,6 @@ TEST(Faults, APrescribedDisplacementNeedsAComponent) {
   EXPECT_TRUE(faults(fem::constraint{{1}, fem::prescribed_displacement{{}, 0.0, {}}}).empty());
 }
 
-TEST(ReadNumber, TakesPointAndCommaAndRefusesTheRest) {
-  EXPECT_EQ(read_number("12.5"), 12.5);
-  EXPECT_EQ(read_number(" 12,5 "), 12.5);
-  EXPECT_EQ(read_number("\u22123e-3"), -3e-3);
-  EXPECT_FALSE(read_number("12 mm"));
-  EXPECT_FALSE(read_number("inf"));
-  EXPECT_FALSE(read_number(""));
-}
-
 TEST(Items, ArePutReplacedAndRemovedAtTheirPlace) {
   auto loads = two_supports_and_gravity();
 

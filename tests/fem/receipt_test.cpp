@@ -188,6 +188,51 @@ TEST(MovedLoads, TractionAndPressureKeepTheirNewtonsOrTheirPascals) {
   EXPECT_THAT(pascals.lines[1].text, HasSubstr("total changed from 12 to 6 N"));
 }
 
+TEST(MovedLoads, ThoseThatAreGivenInAllKeepIt) {
+  const filled_bore bore;
+  const remote_force lever{{0, 0, 5}, {1, 2, 3}, {0, 4, 0}};
+  load_case loads;
+  loads.loads = {{{7}, normal_force{8}},
+                 {{7}, bearing_force{{8, 0, 0}}},
+                 {{7, 3}, moment{{0, 0, 6}}},
+                 {{7}, lever},
+                 {{7}, pressure{1, {0, 0, 2}, {0, 0, 3}}}};
+
+  const auto result = bore.carry(loads, move_them);
+
+  const auto& after = result.after.loads;
+  ASSERT_EQ(after.size(), 8u);
+  // By the successors' areas of 1.5 and 0.5 m2.
+  EXPECT_NEAR(std::get<normal_force>(after[0].kind).total_n, 6, 1e-12);
+  EXPECT_NEAR(std::get<normal_force>(after[1].kind).total_n, 2, 1e-12);
+  // No bore is left for the pin.
+  EXPECT_NEAR(std::get<force>(after[2].kind).total_n.x, 6, 1e-12);
+  EXPECT_NEAR(std::get<force>(after[3].kind).total_n.x, 2, 1e-12);
+  // A couple has no parts.
+  EXPECT_EQ(after[4], (load{{3, 25, 26}, moment{{0, 0, 6}}}));
+  EXPECT_EQ(after[5], (load{{25, 26}, lever}));
+  // A liquid's pressure is a matter of the place.
+  EXPECT_EQ(after[6].kind, loads.loads[4].kind);
+  EXPECT_EQ(after[7].kind, loads.loads[4].kind);
+  EXPECT_THAT(result.lines[0].text, HasSubstr("total force 8 N kept"));
+  EXPECT_THAT(result.lines[1].text, HasSubstr("load 1 (bearing force): surface 7 is gone"));
+  EXPECT_THAT(result.lines[1].text, HasSubstr("total force 8 N kept"));
+  EXPECT_THAT(result.lines[2].text, HasSubstr("moment 6 N m kept"));
+  EXPECT_THAT(result.lines[3].text, HasSubstr("total force 5 N kept"));
+  EXPECT_THAT(result.lines[4].text, HasSubstr("its pressure by place kept"));
+}
+
+TEST(CarriedLoads, APinStaysOnWhatIsLeftOfItsBore) {
+  const filled_bore bore;
+  load_case loads;
+  loads.loads = {{{1, 7}, bearing_force{{8, 0, 0}}}};
+
+  const auto result = bore.carry(loads, {});
+
+  ASSERT_EQ(result.after.loads.size(), 1u);
+  EXPECT_EQ(result.after.loads[0], (load{{1}, bearing_force{{8, 0, 0}}}));
+}
+
 TEST(MovedLoads, ASupportStaysOneOnTheSuccessors) {
   const filled_bore bore;
   load_case loads;

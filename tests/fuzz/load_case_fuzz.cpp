@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 #include "fem/fields.hpp"
 #include "fem/load_cases.hpp"
@@ -36,19 +37,30 @@ const mesh_version& part() {
 /// Fields are sent in single precision.
 constexpr double most = std::numeric_limits<float>::max();
 
+/// All numbers of a load.
+std::vector<vec3> vectors_of(const fem::load& item) {
+  struct collect {
+    std::vector<vec3> operator()(const fem::force& f) const { return {f.total_n}; }
+    std::vector<vec3> operator()(const fem::traction& t) const { return {t.pa}; }
+    std::vector<vec3> operator()(const fem::gravity& g) const { return {g.m_s2}; }
+    std::vector<vec3> operator()(const fem::moment& m) const { return {m.total_nm}; }
+    std::vector<vec3> operator()(const fem::bearing_force& f) const { return {f.total_n}; }
+    std::vector<vec3> operator()(const fem::normal_force& f) const { return {{f.total_n, 0, 0}}; }
+    std::vector<vec3> operator()(const fem::remote_force& f) const {
+      return {f.total_n, f.at_m, f.moment_nm};
+    }
+    std::vector<vec3> operator()(const fem::pressure& p) const {
+      return {{p.pa, 0, 0}, p.gradient_pa_m, p.at_m};
+    }
+  };
+  return std::visit(collect{}, item.kind);
+}
+
 /// Zero would be a wrong answer to a load that is no number, and look right.
 void check_accepted(const fem::load_case& loads) {
-  const auto vector_of = [](const fem::load& item) {
-    if (const auto* p = std::get_if<fem::pressure>(&item.kind))
-      return vec3{p->pa, 0, 0};
-    if (const auto* f = std::get_if<fem::force>(&item.kind))
-      return f->total_n;
-    if (const auto* t = std::get_if<fem::traction>(&item.kind))
-      return t->pa;
-    return std::get<fem::gravity>(item.kind).m_s2;
-  };
   for (const auto& item : loads.loads)
-    require(is_finite(vector_of(item)), "a load that is accepted is a number");
+    for (const auto& one : vectors_of(item))
+      require(is_finite(one), "a load that is accepted is a number");
   for (const auto& item : loads.constraints)
     if (const auto* d = std::get_if<fem::prescribed_displacement>(&item.kind))
       require(is_finite({d->x_m.value_or(0), d->y_m.value_or(0), d->z_m.value_or(0)}),

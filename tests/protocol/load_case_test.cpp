@@ -40,7 +40,11 @@ TEST(LoadCaseJson, EveryKindSurvivesTheRoundTrip) {
     "constraints": [{"surfaces": [1], "fixed": {}}, {"surfaces": [2], "roller": {}},
                     {"surfaces": [3], "displacement": {"y_m": 0}}],
     "loads": [{"surfaces": [4], "traction": {"pa": {"x": 1}}}, {"surfaces": [5], "pressure": {"pa": 2}},
-              {"surfaces": [6], "force": {"total_n": {"z": -3}}}, {"gravity": {"m_s2": {"z": -9.81}}}]
+              {"surfaces": [6], "force": {"total_n": {"z": -3}}}, {"gravity": {"m_s2": {"z": -9.81}}},
+              {"surfaces": [7], "normal_force": {"total_n": 4}}, {"surfaces": [8], "moment": {"total_nm": {"y": 5}}},
+              {"surfaces": [9], "remote_force": {"total_n": {"x": 6}, "at_m": {"z": 7}, "moment_nm": {"y": 8}}},
+              {"surfaces": [10], "bearing_force": {"total_n": {"x": 9}}},
+              {"surfaces": [11], "pressure": {"pa": 1, "gradient_pa_m": {"z": -2}, "at_m": {"z": 3}}}]
   })";
   const auto first = load_case_from_json(json, "");
   ASSERT_TRUE(first.has_value()) << render(first.error());
@@ -56,6 +60,13 @@ TEST(LoadCaseJson, EveryKindSurvivesTheRoundTrip) {
   EXPECT_EQ(std::get<fem::pressure>(second->loads[1].kind).pa, 2);
   EXPECT_EQ(std::get<fem::force>(second->loads[2].kind).total_n.z, -3);
   EXPECT_EQ(std::get<fem::gravity>(second->loads[3].kind).m_s2.z, -9.81);
+  EXPECT_EQ(std::get<fem::normal_force>(second->loads[4].kind).total_n, 4);
+  EXPECT_EQ(std::get<fem::moment>(second->loads[5].kind).total_nm, (vec3{0, 5, 0}));
+  EXPECT_EQ(std::get<fem::remote_force>(second->loads[6].kind),
+            (fem::remote_force{{6, 0, 0}, {0, 0, 7}, {0, 8, 0}}));
+  EXPECT_EQ(std::get<fem::bearing_force>(second->loads[7].kind).total_n, (vec3{9, 0, 0}));
+  EXPECT_EQ(std::get<fem::pressure>(second->loads[8].kind),
+            (fem::pressure{1, {0, 0, -2}, {0, 0, 3}}));
   EXPECT_EQ(load_case_to_json(*first), load_case_to_json(*second));
 }
 
@@ -65,7 +76,14 @@ constexpr const char* every_number = R"({
   "constraints": [{"surfaces": [1], "fixed": {}}, {"surfaces": [3], "displacement": {"x_m": 1, "y_m": 1, "z_m": 1}}],
   "loads": [{"surfaces": [4], "traction": {"pa": {"x": 1, "y": 1, "z": 1}}}, {"surfaces": [5], "pressure": {"pa": 1}},
             {"surfaces": [6], "force": {"total_n": {"x": 1, "y": 1, "z": 1}}},
-            {"gravity": {"m_s2": {"x": 1, "y": 1, "z": 1}}}]
+            {"gravity": {"m_s2": {"x": 1, "y": 1, "z": 1}}},
+            {"surfaces": [7], "normal_force": {"total_n": 1}},
+            {"surfaces": [8], "moment": {"total_nm": {"x": 1, "y": 1, "z": 1}}},
+            {"surfaces": [9], "remote_force": {"total_n": {"x": 1, "y": 1, "z": 1}, "at_m": {"x": 1, "y": 1, "z": 1},
+                                               "moment_nm": {"x": 1, "y": 1, "z": 1}}},
+            {"surfaces": [10], "bearing_force": {"total_n": {"x": 1, "y": 1, "z": 1}}},
+            {"surfaces": [11], "pressure": {"pa": 1, "gradient_pa_m": {"x": 1, "y": 1, "z": 1},
+                                            "at_m": {"x": 1, "y": 1, "z": 1}}}]
 })";
 
 using google::protobuf::FieldDescriptor;
@@ -111,7 +129,7 @@ TEST(LoadCaseJson, EveryNumberMustBeFiniteAndInRangeAndIsNamed) {
     at.GetReflection()->SetDouble(&at, field, before);
   });
 
-  EXPECT_EQ(numbers, 4 + 3 + 3 + 1 + 3 + 3);
+  EXPECT_EQ(numbers, 4 + 3 + 3 + 1 + 3 + 3 + 1 + 3 + 9 + 3 + 7);
   EXPECT_TRUE(load_case_from_json(message_to_json(message), "").has_value());
 }
 

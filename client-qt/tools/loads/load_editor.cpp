@@ -12,31 +12,13 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
-#include "client-qt/model/quantities.hpp"
+#include "client-qt/tools/loads/load_form.hpp"
+#include "client-qt/tools/loads/quantity_fields.hpp"
 
 namespace tedit::desktop {
 
 namespace {
-
-constexpr double mega = 1e6;
-constexpr double milli = 1e-3;
-enum load_row { force_row, traction_row, pressure_row, gravity_row };
-
-double typed(const QLineEdit* field) {
-  return read_number(field->text()).value_or(NAN);
-}
-
-vec3 typed(const std::array<QLineEdit*, 3>& fields, double scale) {
-  return {scale * typed(fields[0]), scale * typed(fields[1]), scale * typed(fields[2])};
-}
-
-void fill(const std::array<QLineEdit*, 3>& fields, const vec3& value, double scale) {
-  const std::array<double, 3> parts{value.x, value.y, value.z};
-  for (std::size_t i = 0; i < 3; ++i)
-    fields[i]->setText(exact(parts[i] / scale));
-}
 
 /// Words that get the height that they need at their width: a form in a form does not give it.
 class wrapped_label : public QLabel {
@@ -106,13 +88,18 @@ QLabel* load_editor::fault_label(const char* field) {
   return label;
 }
 
-QLineEdit* load_editor::number_field(const char* name, const QString& accessible) {
-  auto* field = new QLineEdit;
+QLineEdit* load_editor::watched(QLineEdit* field, const char* name, const QString& accessible) {
   field->setObjectName(name);
   field->setAccessibleName(accessible);
-  field->setMinimumSize(44, field->sizeHint().height());  // The form is cut off before they are.
   connect(field, &QLineEdit::textChanged, this, &load_editor::touched);
   connect(field, &QLineEdit::returnPressed, this, [this] { apply_->click(); });
+  return field;
+}
+
+quantity_field* load_editor::number_field(const char* name, const QString& accessible,
+                                          const char* unit) {
+  auto* field = new quantity_field(name, accessible, unit);
+  watched(field, name, field->accessibleName());
   return field;
 }
 
@@ -157,18 +144,17 @@ void load_editor::build_material() {
   library_box_->setToolTip(tr("Typical values; take those of your data sheet for a real design"));
   connect(library_box_, &QComboBox::currentIndexChanged, this, &load_editor::take_library);
   form->addRow(tr("From"), library_box_);
-  name_ = number_field("name", tr("Name of the material"));
+  name_ = watched(new QLineEdit, "name", tr("Name of the material"));
   add_row(form, tr("Name"), name_, "name");
-  young_ = number_field("young_modulus", tr("Young's modulus in MPa"));
-  add_row(form, tr("E"), row_of({young_, new QLabel("MPa")}), "young_modulus");
-  poisson_ = number_field("poisson_ratio", tr("Poisson's ratio"));
+  young_ = number_field("young_modulus", tr("Young's modulus"), "Pa");
+  add_row(form, tr("E"), with_unit(young_), "young_modulus");
+  poisson_ = number_field("poisson_ratio", tr("Poisson's ratio"), "");
   add_row(form, QString::fromUtf8("ν"), poisson_, "poisson_ratio");
-  density_ = number_field("density", tr("Density in kg/m³"));
-  add_row(form, tr("Density"), row_of({density_, new QLabel(QString::fromUtf8("kg/m³"))}),
-          "density");
-  yield_ = number_field("yield_strength", tr("Yield strength in MPa"));
-  add_row(form, tr("Yield"), row_of({yield_, new QLabel("MPa")}), "yield_strength");
-  regions_ = number_field("regions", tr("Regions of the mesh"));
+  density_ = number_field("density", tr("Density"), "kg/m3");
+  add_row(form, tr("Density"), with_unit(density_), "density");
+  yield_ = number_field("yield_strength", tr("Yield strength"), "Pa");
+  add_row(form, tr("Yield"), with_unit(yield_), "yield_strength");
+  regions_ = watched(new QLineEdit, "regions", tr("Regions of the mesh"));
   regions_->setPlaceholderText(tr("all that no other material names"));
   add_row(form, tr("Regions"), regions_, "regions");
 }
@@ -188,10 +174,10 @@ void load_editor::build_support() {
     held_[i]->setObjectName(QString("held_") + axes[i]);
     held_[i]->setToolTip(tr("Not ticked: free to move this way"));
     moved_[i] = number_field((std::string("moved_") + axes[i]).c_str(),
-                             tr("Displacement %1 in mm").arg(axes[i]));
+                             tr("Displacement %1").arg(axes[i]), "m");
     connect(held_[i], &QCheckBox::toggled, moved_[i], &QWidget::setEnabled);
     connect(held_[i], &QCheckBox::toggled, this, &load_editor::touched);
-    rows->addRow(held_[i], row_of({moved_[i], new QLabel("mm")}));
+    rows->addRow(held_[i], with_unit(moved_[i]));
   }
   add_row(form, QString(), displacements_, "components");
   connect(support_kind_, &QComboBox::currentIndexChanged, this, [this](int row) {
@@ -201,39 +187,18 @@ void load_editor::build_support() {
 }
 
 void load_editor::build_load() {
-  auto* form = new_page(item_kind::load);
-  load_kind_ = new QComboBox;
-  load_kind_->setObjectName("load_kind");
-  load_kind_->addItems({tr("Force, spread over the surfaces"), tr("Traction, per area"),
-                        tr("Pressure, along the normal"), tr("Gravity, on all mass")});
-  load_kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  form->addRow(tr("Kind"), load_kind_);
-  const char* axes[] = {"x", "y", "z"};
-  vector_ = new QWidget;
-  auto* row = new QHBoxLayout(vector_);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    components_[i] =
-      number_field((std::string("component_") + axes[i]).c_str(), tr("Component %1").arg(axes[i]));
-    row->addWidget(new QLabel(axes[i]));
-    row->addWidget(components_[i], 1);
-  }
-  vector_unit_ = new QLabel;
-  row->addWidget(vector_unit_);
-  pressure_ = number_field("pressure", tr("Pressure in MPa"));
-  pressure_row_ = row_of({pressure_, new QLabel("MPa")});
-  pressure_row_->setToolTip(tr("Positive pushes on the part, negative pulls"));
-  auto* both = new QWidget;
-  auto* column = new QVBoxLayout(both);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(vector_);
-  column->addWidget(pressure_row_);
-  size_ = new QLabel;
-  size_->setObjectName("size");
-  size_->setProperty("role", "faint");
-  column->addWidget(size_);
-  add_row(form, tr("Size"), both, "components");
-  connect(load_kind_, &QComboBox::currentIndexChanged, this, &load_editor::load_kind_changed);
+  load_ = new load_form;
+  pages_[static_cast<std::size_t>(item_kind::load)] = load_;
+  for (const auto* field : {"place", "second", "components"})
+    load_->add_line_below(field, fault_label(field));
+  connect(load_, &load_form::changed, this, &load_editor::touched);
+  connect(load_, &load_form::accepted, this, [this] { apply_->click(); });
+  connect(load_, &load_form::kind_changed, this, [this] {
+    if (surfaces_.empty() && takes_surfaces())
+      surfaces_ = selection_;
+    show_surfaces();
+    check();
+  });
 }
 
 // -- showing -------------------------------------------------------------------------
@@ -250,8 +215,10 @@ void load_editor::edit(const QString& title, const load_item& item) {
     show_material(*material);
   else if (const auto* support = std::get_if<fem::constraint>(&item))
     show_support(*support);
-  else
-    show_load(std::get<fem::load>(item));
+  else if (const auto* load = std::get_if<fem::load>(&item)) {
+    surfaces_ = load->surfaces;
+    load_->show_load(*load);
+  }
   show_surfaces();
   filling_ = false;
   check();
@@ -262,10 +229,10 @@ void load_editor::show_material(const fem::material& material) {
   library_box_->setCurrentIndex(
     same == library_.end() ? 0 : 1 + static_cast<int>(same - library_.begin()));
   name_->setText(QString::fromStdString(material.name));
-  young_->setText(exact(material.young_modulus_pa / mega));
-  poisson_->setText(exact(material.poisson_ratio));
-  density_->setText(exact(material.density_kg_m3));
-  yield_->setText(exact(material.yield_strength_pa / mega));
+  young_->set_value(material.young_modulus_pa);
+  poisson_->set_value(material.poisson_ratio);
+  density_->set_value(material.density_kg_m3);
+  yield_->set_value(material.yield_strength_pa);
   QStringList regions;
   for (const auto region : material.regions)
     regions << QString::number(region);
@@ -294,38 +261,8 @@ void load_editor::show_support(const fem::constraint& support) {
   for (std::size_t i = 0; i < 3; ++i) {
     held_[i]->setChecked(parts[i].has_value());
     moved_[i]->setEnabled(parts[i].has_value());
-    moved_[i]->setText(exact(parts[i].value_or(0) / milli));
+    moved_[i]->set_value(parts[i].value_or(0));
   }
-}
-
-void load_editor::show_load(const fem::load& load) {
-  surfaces_ = load.surfaces;
-  load_kind_->setCurrentIndex(static_cast<int>(load.kind.index()));
-  if (const auto* force = std::get_if<fem::force>(&load.kind))
-    fill(components_, force->total_n, 1);
-  else if (const auto* traction = std::get_if<fem::traction>(&load.kind))
-    fill(components_, traction->pa, mega);
-  else if (const auto* gravity = std::get_if<fem::gravity>(&load.kind))
-    fill(components_, gravity->m_s2, 1);
-  const auto* pressure = std::get_if<fem::pressure>(&load.kind);
-  pressure_->setText(exact(pressure ? pressure->pa / mega : 0));
-  load_kind_changed();
-}
-
-void load_editor::load_kind_changed() {
-  const int row = load_kind_->currentIndex();
-  vector_->setVisible(row != pressure_row);
-  pressure_row_->setVisible(row == pressure_row);
-  vector_unit_->setText(row == force_row      ? "N"
-                        : row == traction_row ? "MPa"
-                                              : QString::fromUtf8("m/s²"));
-  const bool untouched = typed(components_, 1) == vec3{};
-  if (!filling_ && row == gravity_row && untouched)
-    fill(components_, {0, 0, -9.81}, 1);
-  if (!filling_ && surfaces_.empty() && takes_surfaces())
-    surfaces_ = selection_;
-  show_surfaces();
-  check();
 }
 
 void load_editor::set_selection(const std::vector<surface_id>& picked) {
@@ -337,9 +274,7 @@ void load_editor::set_selection(const std::vector<surface_id>& picked) {
 }
 
 bool load_editor::takes_surfaces() const {
-  const bool all =
-    kind_ == item_kind::load && load_kind_->currentIndex() == static_cast<int>(gravity_row);
-  return kind_ != item_kind::material && !all;
+  return kind_ == item_kind::support || (kind_ == item_kind::load && load_->takes_surfaces());
 }
 
 void load_editor::show_surfaces() {
@@ -360,17 +295,17 @@ load_item load_editor::read() const {
   if (kind_ == item_kind::material) {
     fem::material result;
     result.name = name_->text().trimmed().toStdString();
-    result.young_modulus_pa = mega * typed(young_);
-    result.poisson_ratio = typed(poisson_);
-    result.density_kg_m3 = typed(density_);
-    result.yield_strength_pa = mega * typed(yield_);
+    result.young_modulus_pa = young_->value();
+    result.poisson_ratio = poisson_->value();
+    result.density_kg_m3 = density_->value();
+    result.yield_strength_pa = yield_->value();
     result.regions = read_regions(regions_->text()).value_or(std::vector<region_id>{});
     return result;
   }
   if (kind_ == item_kind::support) {
     fem::constraint result{surfaces_, fem::fixed{}};
     const auto part = [&](std::size_t i) {
-      return held_[i]->isChecked() ? std::optional(milli * typed(moved_[i])) : std::nullopt;
+      return held_[i]->isChecked() ? std::optional(moved_[i]->value()) : std::nullopt;
     };
     if (support_kind_->currentIndex() == 1)
       result.kind = fem::prescribed_displacement{part(0), part(1), part(2)};
@@ -378,16 +313,10 @@ load_item load_editor::read() const {
       result.kind = fem::roller{};
     return result;
   }
-  switch (load_kind_->currentIndex()) {
-    case traction_row:
-      return fem::load{surfaces_, fem::traction{typed(components_, mega)}};
-    case pressure_row:
-      return fem::load{surfaces_, fem::pressure{mega * typed(pressure_)}};
-    case gravity_row:
-      return fem::load{{}, fem::gravity{typed(components_, 1)}};
-    default:
-      return fem::load{surfaces_, fem::force{typed(components_, 1)}};
-  }
+  auto result = load_->read();
+  if (load_->takes_surfaces())
+    result.surfaces = surfaces_;
+  return result;
 }
 
 std::vector<item_fault> load_editor::faults_now() const {
@@ -424,11 +353,6 @@ void load_editor::check() {
     }
   }
   apply_->setEnabled(found.empty());
-  const vec3 size = typed(components_, 1);
-  const double length = std::sqrt(dot(size, size));
-  size_->setVisible(kind_ == item_kind::load && load_kind_->currentIndex() != pressure_row &&
-                    std::isfinite(length) && length > 0);
-  size_->setText(tr("%1 %2 in all").arg(number(length), vector_unit_->text()));
 }
 
 }  // namespace tedit::desktop

@@ -19,7 +19,11 @@ class QPushButton;
 
 namespace tedit::desktop {
 
-/// One material, support or load as a form, in mm, N and MPa. It is a panel, no dialog: the view
+class load_form;
+class quantity_field;
+
+/// One material, support or load as a form, in mm, N and MPa or
+/// any unit that is typed. It is a panel, no dialog: the view
 /// stays free to pick surfaces. What is wrong stands in words below its field.
 class load_editor : public QWidget {
   Q_OBJECT
@@ -40,20 +44,19 @@ signals:
   void closed();
 
 private:
-  using vector_form = std::array<QLineEdit*, 3>;
-
   void build_material();
   void build_support();
   void build_load();
-  [[nodiscard]] QLineEdit* number_field(const char* name, const QString& accessible);
+  /// A field whose changes and Enter the form hears.
+  QLineEdit* watched(QLineEdit* field, const char* name, const QString& accessible);
+  [[nodiscard]] quantity_field* number_field(const char* name, const QString& accessible,
+                                             const char* unit);
   [[nodiscard]] QLabel* fault_label(const char* field);
   [[nodiscard]] QFormLayout* new_page(item_kind kind);
   void add_row(QFormLayout* form, const QString& title, QWidget* field, const char* fault);
   [[nodiscard]] QWidget* row_of(const std::vector<QWidget*>& parts);
   void show_material(const fem::material& material);
   void show_support(const fem::constraint& support);
-  void show_load(const fem::load& load);
-  void load_kind_changed();
   void take_library(int row);
   [[nodiscard]] bool takes_surfaces() const;
   void show_surfaces();
@@ -75,22 +78,16 @@ private:
   std::array<QWidget*, 3> pages_{};  ///< By kind.
   QComboBox* library_box_;
   QLineEdit* name_;
-  QLineEdit* young_;
-  QLineEdit* poisson_;
-  QLineEdit* density_;
-  QLineEdit* yield_;
+  quantity_field* young_;
+  quantity_field* poisson_;
+  quantity_field* density_;
+  quantity_field* yield_;
   QLineEdit* regions_;
   QComboBox* support_kind_;
   QWidget* displacements_;
   std::array<QCheckBox*, 3> held_{};
-  vector_form moved_{};
-  QComboBox* load_kind_;
-  QWidget* vector_;
-  vector_form components_{};
-  QLabel* vector_unit_;
-  QLabel* size_;
-  QWidget* pressure_row_;
-  QLineEdit* pressure_;
+  std::array<quantity_field*, 3> moved_{};
+  load_form* load_;
   QWidget* picking_;
   QLabel* picked_ = nullptr;
   QPushButton* apply_;

@@ -23,6 +23,8 @@ constexpr std::size_t candidates_a_place = 12;
 constexpr double arrow_part = 0.075;   // Of the part's diagonal.
 constexpr double support_part = 0.02;  // Height of a pyramid.
 constexpr int arrow_sides = 14;
+// A pin presses hardly where its bore is seen almost along the force.
+constexpr double nearly_along = 0.05;
 
 vec3 unit(const vec3& v) {
   const double size = std::sqrt(dot(v, v));
@@ -224,11 +226,56 @@ struct drawing {
     } else if (const auto* traction = std::get_if<fem::traction>(&load.kind)) {
       same_way(load, traction->pa);
     } else if (const auto* pressure = std::get_if<fem::pressure>(&load.kind)) {
-      for (const auto& place : places(load.surfaces, 0.05))
-        arrow_at(place, (pressure->pa > 0 ? -1.0 : 1.0) * place.normal);
+      along_normals(load, [&](const surface_place& place) {
+        return pressure->pa + dot(pressure->gradient_pa_m, place.at - pressure->at_m);
+      });
+    } else if (const auto* push = std::get_if<fem::normal_force>(&load.kind)) {
+      along_normals(load, [&](const surface_place&) { return push->total_n; });
+    } else if (const auto* pin = std::get_if<fem::bearing_force>(&load.kind)) {
+      along_normals(load, [&](const surface_place& place) {
+        return std::max(0.0, -dot(unit(pin->total_n), place.normal) - nearly_along);
+      });
+    } else if (const auto* couple = std::get_if<fem::moment>(&load.kind)) {
+      turning(load, couple->total_nm);
+    } else if (const auto* far = std::get_if<fem::remote_force>(&load.kind)) {
+      lever(load, *far);
     } else if (const auto* gravity = std::get_if<fem::gravity>(&load.kind)) {
       draw_gravity(unit(gravity->m_s2));
     }
+  }
+
+  /// Where the size is positive it pushes on the part, where it is zero nothing acts.
+  template <class Size>
+  void along_normals(const fem::load& load, const Size& size) {
+    for (const auto& place : places(load.surfaces, 0.05))
+      if (const double pushes = size(place); pushes != 0)
+        arrow_at(place, (pushes > 0 ? -1.0 : 1.0) * place.normal);
+  }
+
+  /// Where the arrows of a moment stand they turn about its axis through their middle.
+  void turning(const fem::load& load, const vec3& about) {
+    if (about == vec3{})
+      return;
+    const auto all = places(load.surfaces, 0.05);
+    vec3 middle{};
+    for (const auto& place : all)
+      middle += (1.0 / static_cast<double>(all.size())) * place.at;
+    for (const auto& place : all)
+      if (const vec3 way = cross(about, place.at - middle);
+          norm(way) > 1e-9 * norm(about) * diagonal)
+        loads.arrow(place.at - 0.5 * arrow_part * diagonal * unit(way),
+                    place.at + 0.5 * arrow_part * diagonal * unit(way));
+  }
+
+  /// The force where it acts, and thin lines from there to the surfaces.
+  void lever(const fem::load& load, const fem::remote_force& far) {
+    const double length = arrow_part * diagonal;
+    if (far.total_n != vec3{})
+      loads.arrow(far.at_m - length * unit(far.total_n), far.at_m);
+    for (const auto& place : places(load.surfaces, 0.2))
+      if (const vec3 way = far.at_m - place.at; norm(way) > 1e-9 * diagonal)
+        loads.cone(far.at_m, place.at, 0.004 * diagonal, 6);
+    turning(load, far.moment_nm);
   }
 
   /// One long arrow that comes onto the part's box from outside.

@@ -18,6 +18,7 @@
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/typed_quantity.hpp"
 
 namespace tedit::desktop {
 
