@@ -87,6 +87,7 @@ struct edit_request {
 /// An edit that is only looked at.
 struct preview_request {
   edit_request edit;
+  bool find_most = false;  ///< Where it is refused, look for the most that works.
 };
 
 enum class move_kind { undo, redo, go_to };

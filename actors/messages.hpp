@@ -107,6 +107,7 @@ struct edit_order {
   std::vector<std::int64_t> surfaces;
   std::string parameters;  ///< JSON, see protocol/operation_message.hpp.
   bool preview = false;    ///< Gives way to all other work.
+  bool find_most = true;   ///< Where it is refused, look for the most that works.
   /// Whose edit this is, for the quarantine. They do not travel: workers need not know.
   std::string document;
   std::string client;
@@ -115,7 +116,7 @@ struct edit_order {
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
   return f(caf::meta::type_name("edit_order"), x.base.source, x.base.listener, x.version,
-           x.operation, x.surfaces, x.parameters, x.preview);
+           x.operation, x.surfaces, x.parameters, x.preview, x.find_most);
 }
 
 /// A number that only this operation has (`ops::figure`).

@@ -222,7 +222,10 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
                                             const std::vector<surface_id>& surfaces,
                                             const ops::parameters& values, const execution& run,
                                             const std::string& expected_version,
-                                            const fem::carry_settings& loads) {
+                                            const fem::carry_settings& loads, bool find_most) {
+  if (find_most && impl_->link.server_minor() < 8)
+    return fail(ec::protocol_error, "the server is too old to look for the most that works",
+                "Update the server, or try smaller values.");
   if (impl_->link.server_minor() < 5)
     return fail(ec::protocol_error, "the server is too old to preview an edit",
                 "Update the server, or apply the edit and undo it.");
@@ -231,6 +234,7 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
     return fail(std::move(edit.error()));
   v1::ClientMessage request;
   *request.mutable_preview_edit()->mutable_edit() = std::move(*edit);
+  request.mutable_preview_edit()->set_find_most(find_most);
   auto got = impl_->ask(std::move(request), body::kEditPreview, run);
   if (!got)
     return fail(std::move(got.error()));

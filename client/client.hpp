@@ -106,13 +106,12 @@ public:
   /// those of `edit`, which takes the result over at once when it follows with the same. Applied
   /// to a copy of `surface()`, the answer's difference gives the surface to show. Errors: those of
   /// `edit`, and `superseded` when the document is changed or another preview is asked for
-  /// meanwhile; `protocol_error` also from a server with protocol_minor below 5.
-  [[nodiscard]] expected<edit_preview> preview_edit(const std::string& operation,
-                                                    const std::vector<surface_id>& surfaces,
-                                                    const ops::parameters& values,
-                                                    const execution& run,
-                                                    const std::string& expected_version = {},
-                                                    const fem::carry_settings& loads = {});
+  /// meanwhile; `protocol_error` also from a server with protocol_minor below 5. With `find_most`
+  /// (protocol_minor 8) a refusal takes up to 3 s longer and may know the most that works.
+  [[nodiscard]] expected<edit_preview> preview_edit(
+    const std::string& operation, const std::vector<surface_id>& surfaces,
+    const ops::parameters& values, const execution& run, const std::string& expected_version = {},
+    const fem::carry_settings& loads = {}, bool find_most = false);
 
   [[nodiscard]] expected<committed> undo(const change_terms& terms = {});
   [[nodiscard]] expected<committed> redo(const change_terms& terms = {});

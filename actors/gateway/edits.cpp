@@ -87,7 +87,9 @@ void client_state::preview(std::uint64_t id, const v1::PreviewEdit& body) {
     const auto found = requests.find(id);
     return found != requests.end() && found->second.ticket == ticket;
   };
-  self->request(document->session, answer_limit, preview_request{std::move(*request)})
+  self
+    ->request(document->session, answer_limit,
+              preview_request{std::move(*request), body.find_most()})
     .then(
       [=, this](const previewed& made) {
         if (waits())

@@ -92,7 +92,7 @@ expected<job_output<edit_candidate>> apply_operation(const ops::catalogue& plugi
   ops::context ctx;
   ctx.host = &services;
   ctx.run = run;
-  ctx.search_s = order.preview ? 0 : ops::refusal_search_s;
+  ctx.search_s = order.find_most ? ops::refusal_search_s : 0;
   ctx.log =
     ops::operation_log(order.operation, [](const std::string& line) { spdlog::info("{}", line); });
   auto edit =

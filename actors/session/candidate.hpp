@@ -21,6 +21,7 @@ struct session_state::candidate_run {
   version_ptr base;
   std::vector<std::string> load_cases;  ///< Of the base, JSON each.
   bool preview = false;
+  bool find_most = true;  ///< Where it is refused, look for the most that works.
   std::function<void(const std::shared_ptr<const checked_edit>&)> done;
   std::function<void(const error&)> refuse;
   std::function<void()> cancel_job;

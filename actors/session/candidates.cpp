@@ -27,7 +27,8 @@ void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
   const auto job = new_job(request.ticket, request.client);
   edit_order order{
     base_order(request.client), make_ref(*run->base), request.operation, request.surfaces,
-    request.parameters,         run->preview,         parts.document,    request.terms.client};
+    request.parameters,         run->preview,         run->find_most,    parts.document,
+    request.terms.client};
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
@@ -139,6 +140,7 @@ caf::result<previewed> session_state::preview(const preview_request& wanted) {
   run->work->base = head->mesh;
   run->work->load_cases = head->load_cases;
   run->work->preview = true;
+  run->work->find_most = wanted.find_most;
   const auto ticket = request.ticket;
   run->work->done = [=, this,
                      clock = stopwatch()](const std::shared_ptr<const checked_edit>& made) {

@@ -57,6 +57,7 @@ ops::parameter_description parameter_from(const QJsonObject& row) {
     result.max = row["max"].toDouble();
   for (const auto& choice : row["choices"].toArray())
     result.choices.push_back(text(choice));
+  result.instead_of = text(row["instead_of"]);
   result.default_value = value_from(row["default_value"].toObject(), result.type);
   return result;
 }

@@ -73,16 +73,15 @@ void edit_requests::connection_changed() {
       emit part_.failed(left->title, left->why);
 }
 
-void edit_requests::apply(const QString& operation, const std::vector<surface_id>& surfaces,
-                          const ops::parameters& values, const fem::carry_settings& loads) {
-  const auto* offered = part_.operations().find(operation);
-  const QString title = offered ? QString::fromStdString(offered->about.name) : operation;
+void edit_requests::apply(const edit_wish& wish) {
+  const auto* offered = part_.operations().find(wish.operation);
+  const QString title = offered ? QString::fromStdString(offered->about.name) : wish.operation;
   const auto* now = part_.head();
   const std::string expected_version = now ? now->info.version_id : std::string();
-  emit applied(operation, surfaces, values);
-  ask(title, [=, id = operation.toStdString(), once = client::make_edit_id()](
+  emit applied(wish);
+  ask(title, [=, id = wish.operation.toStdString(), once = client::make_edit_id()](
                client::client& c, const execution& run) {
-    return c.edit(id, surfaces, values, run, expected_version, loads, once);
+    return c.edit(id, wish.surfaces, wish.values, run, expected_version, wish.loads, once);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "client-qt/model/head_questions.hpp"
 #include "client-qt/net/remote.hpp"
 
 namespace tedit::desktop {
@@ -23,9 +24,7 @@ public:
 
   [[nodiscard]] bool can_undo() const noexcept { return can_undo_; }
   [[nodiscard]] bool can_redo() const noexcept { return can_redo_; }
-  /// `loads`: what becomes of loads whose surface goes.
-  void apply(const QString& operation, const std::vector<surface_id>& surfaces,
-             const ops::parameters& values, const fem::carry_settings& loads = {});
+  void apply(const edit_wish& wish);
   void undo();
   void redo();
   /// Makes any version the head.
@@ -42,8 +41,7 @@ public:
 
 signals:
   /// An operation was asked for.
-  void applied(const QString& operation, const std::vector<tedit::surface_id>& surfaces,
-               const tedit::ops::parameters& values);
+  void applied(const tedit::desktop::edit_wish& wish);
 
 private:
   /// A change whose answer the connection took with it when it broke.

@@ -8,17 +8,17 @@
 namespace tedit::desktop {
 
 /// The surface is made aside, too: a copy of the head's with the difference.
-ticket head_questions::preview(const QString& operation, const std::vector<surface_id>& surfaces,
-                               const ops::parameters& values, remote::reply<shared_preview> done,
-                               remote::progress advanced) {
+ticket head_questions::preview(const edit_wish& wish, bool find_most,
+                               remote::reply<shared_preview> done, remote::progress advanced) {
   const auto* now = part_.head();
   const auto before = now ? now->surface : nullptr;
   return link_.run<shared_preview>(
-    [=, id = operation.toStdString()](client::client& c,
-                                      const execution& run) -> expected<shared_preview> {
+    [=, id = wish.operation.toStdString()](client::client& c,
+                                           const execution& run) -> expected<shared_preview> {
       if (!before)
         return fail(ec::superseded, "the part is not here yet");
-      auto got = c.preview_edit(id, surfaces, values, run, before->version_id());
+      auto got = c.preview_edit(id, wish.surfaces, wish.values, run, before->version_id(),
+                                wish.loads, find_most);
       if (!got)
         return fail(std::move(got.error()));
       auto surface = std::make_shared<client::surface_model>(*before);

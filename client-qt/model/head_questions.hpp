@@ -21,6 +21,16 @@ struct shown_preview {
 };
 using shared_preview = std::shared_ptr<const shown_preview>;
 
+/// An edit that may be made of the head.
+struct edit_wish {
+  QString operation;
+  std::vector<surface_id> surfaces;
+  ops::parameters values;
+  fem::carry_settings loads = {};  ///< What becomes of loads whose surface goes.
+
+  friend bool operator==(const edit_wish&, const edit_wish&) = default;
+};
+
 /// Questions about the head, which change nothing. Each is answered once, also by an error: that is
 /// no failure to be told.
 class head_questions {
@@ -29,9 +39,9 @@ class head_questions {
 public:
   head_questions(document& part, remote& link) : part_(part), link_(link) {}
 
-  /// What an edit would make of the head. A newer question makes an older one `superseded`.
-  ticket preview(const QString& operation, const std::vector<surface_id>& surfaces,
-                 const ops::parameters& values, remote::reply<shared_preview> done,
+  /// What an edit would make of the head. A newer question makes an older one `superseded`. With
+  /// `find_most` a refusal takes longer and may know the most that works.
+  ticket preview(const edit_wish& wish, bool find_most, remote::reply<shared_preview> done,
                  remote::progress advanced = {});
   /// Which surfaces belong together, or why none do.
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);

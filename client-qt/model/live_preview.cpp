@@ -28,7 +28,7 @@ bool live_preview::is_slow() const {
   return found != last_ms_.end() && found->second > slow_ms_;
 }
 
-void live_preview::want(const wish& what) {
+void live_preview::want(const edit_wish& what) {
   if (wish_ == what)
     return;
   stop();
@@ -40,18 +40,20 @@ void live_preview::want(const wish& what) {
   if (other || !follows)
     shown_.reset();  // Else the last one stays until the next comes.
   refusal_.reset();
+  has_looked_ = false;
   emit changed();
 }
 
-void live_preview::ask_now() {
+void live_preview::ask(bool find_most) {
   stop();
   if (!wish_ || part_.foreground().current())
     return;
+  looks_ = find_most;
   const int mine = question_;
   running_ = true;
   clock_.start();
   ticket_ = part_.questions().preview(
-    wish_->operation, wish_->surfaces, wish_->values,
+    *wish_, find_most,
     [this, mine](const expected<shared_preview>& result) {
       if (mine == question_)
         take(result);
@@ -75,10 +77,15 @@ void live_preview::take(const expected<shared_preview>& result) {
   }
   retries_ = 0;
   took_ms_ = static_cast<double>(clock_.elapsed());
-  last_ms_[wish_->operation] = took_ms_;
+  if (!looks_)  // What looks for long says nothing about the next preview.
+    last_ms_[wish_->operation] = took_ms_;
   shown_ = result ? *result : nullptr;
   refusal_ = result ? std::nullopt : std::optional(result.error());
+  has_looked_ = std::exchange(looks_, false);
+  const auto most = refusal_ && has_looked_ ? refusal_->most : std::nullopt;
   emit changed();
+  if (most)
+    emit found_most(*most);
 }
 
 /// Ends what is on its way.
@@ -89,7 +96,7 @@ void live_preview::stop() {
   if (!std::exchange(running_, false))
     return;
   ticket_.cancel();
-  if (wish_ && static_cast<double>(clock_.elapsed()) > slow_ms_)
+  if (!std::exchange(looks_, false) && wish_ && static_cast<double>(clock_.elapsed()) > slow_ms_)
     last_ms_[wish_->operation] = static_cast<double>(clock_.elapsed());
 }
 

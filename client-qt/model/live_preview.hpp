@@ -18,20 +18,14 @@ public:
   static constexpr int quiet_ms = 150;
   static constexpr double slow_ms = 3000;
 
-  struct wish {
-    QString operation;
-    std::vector<surface_id> surfaces;
-    ops::parameters values;
-
-    friend bool operator==(const wish&, const wish&) = default;
-  };
-
   explicit live_preview(document& part, QObject* parent = nullptr);
 
   /// The edit to show from now on. The same again asks nothing.
-  void want(const wish& what);
+  void want(const edit_wish& what);
   /// Asks at once, also when it is off or slow.
-  void ask_now();
+  void ask_now() { ask(false); }
+  /// Asks once more what was refused: `found_most` follows where there is a value that works.
+  void find_most() { ask(true); }
   /// Back to the head.
   void leave();
   void set_on(bool on);
@@ -40,6 +34,8 @@ public:
 
   [[nodiscard]] bool is_on() const noexcept { return on_; }
   [[nodiscard]] bool has_wish() const noexcept { return wish_.has_value(); }
+  /// Whether `find_most` was asked for what is refused now.
+  [[nodiscard]] bool has_looked() const noexcept { return looks_ || has_looked_; }
   /// The last preview of the wanted operation took too long to follow every move.
   [[nodiscard]] bool is_slow() const;
   /// A question is on its way, or will be in a moment.
@@ -54,8 +50,10 @@ public:
 
 signals:
   void changed();
+  void found_most(const tedit::most_that_works& value);
 
 private:
+  void ask(bool find_most);
   void stop();
   void take(const expected<shared_preview>& result);
   void activity_changed();
@@ -63,12 +61,14 @@ private:
   document& part_;
   bool on_ = true;
   double slow_ms_ = slow_ms;
-  std::optional<wish> wish_;
+  std::optional<edit_wish> wish_;
   QTimer quiet_;
   QElapsedTimer clock_;
   ticket ticket_;
   bool running_ = false;
-  int question_ = 0;  ///< Answers to earlier ones are not for us.
+  bool looks_ = false;       ///< What runs looks for the most that works.
+  bool has_looked_ = false;  ///< The refusal is of such a question.
+  int question_ = 0;         ///< Answers to earlier ones are not for us.
   int retries_ = 0;
   std::map<QString, double> last_ms_;  ///< By operation.
   shared_preview shown_;

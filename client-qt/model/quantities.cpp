@@ -33,26 +33,26 @@ constexpr step masses[] = {{1, "kg", 1}, {0, "g", 1e3}};
 constexpr step volumes[] = {{1e-3, "cm³", 1e6}, {0, "mm³", 1e9}};
 
 template <std::size_t N>
-display_unit by_size(const step (&steps)[N], double si_value) {
+display_unit by_size(const step (&steps)[N], double in_si) {
   for (const auto& one : steps)
-    if (std::abs(si_value) >= one.from)
+    if (std::abs(in_si) >= one.from)
       return {QString::fromUtf8(one.unit), one.scale};
   return {QString::fromUtf8(steps[N - 1].unit), steps[N - 1].scale};  // Of what is not a number.
 }
 
-display_unit unit_for(double si_value, const QString& si_unit) {
-  if (si_value == 0)
+display_unit unit_for(double in_si, const QString& si_unit) {
+  if (in_si == 0)
     return shown_as(si_unit);
   if (si_unit == "m")
-    return by_size(lengths, si_value);
+    return by_size(lengths, in_si);
   if (si_unit == "Pa")
-    return by_size(stresses, si_value);
+    return by_size(stresses, in_si);
   if (si_unit == "N")
-    return by_size(forces, si_value);
+    return by_size(forces, in_si);
   if (si_unit == "kg")
-    return by_size(masses, si_value);
+    return by_size(masses, in_si);
   if (si_unit == "m3")
-    return by_size(volumes, si_value);
+    return by_size(volumes, in_si);
   return shown_as(si_unit);
 }
 
@@ -119,17 +119,17 @@ QString side_by_side(const QStringList& numbers) {
   return numbers.join(QLocale().decimalPoint() == "," ? "; " : ", ");
 }
 
-QString quantity(double si_value, const QString& si_unit) {
-  const auto unit = si_unit == "m3" ? by_size(volumes, si_value) : shown_as(si_unit);
-  const QString text = number(si_value * unit.scale);
+QString quantity(double in_si, const QString& si_unit) {
+  const auto unit = si_unit == "m3" ? by_size(volumes, in_si) : shown_as(si_unit);
+  const QString text = number(in_si * unit.scale);
   if (unit.name.isEmpty())
     return text;
   return unit.name == QString::fromUtf8("°") ? text + unit.name : text + " " + unit.name;
 }
 
-shown_quantity shown(double si_value, const QString& si_unit) {
-  const auto unit = unit_for(si_value, si_unit);
-  return {number(si_value * unit.scale), unit.name};
+shown_quantity shown(double in_si, const QString& si_unit) {
+  const auto unit = unit_for(in_si, si_unit);
+  return {number(in_si * unit.scale), unit.name};
 }
 
 QString length(double metres) {

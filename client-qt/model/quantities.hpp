@@ -30,7 +30,7 @@ struct display_unit {
 [[nodiscard]] QString two_digits(double value);
 /// Numbers side by side: "0.5, -1.25"; where a comma is the decimal point "0,5; -1,25".
 [[nodiscard]] QString side_by_side(const QStringList& numbers);
-[[nodiscard]] QString quantity(double si_value, const QString& si_unit);
+[[nodiscard]] QString quantity(double in_si, const QString& si_unit);
 
 /// A number and its unit apart, as cells of a table hold them.
 struct shown_quantity {
@@ -44,7 +44,7 @@ struct shown_quantity {
 /// A value in SI units ("m", "Pa", "N", "kg", "m3", "ratio", or none) with the digits of `number`
 /// and a unit by its size: 1.2e-7 m is "120 nm", 4e4 Pa is "40 kPa", 3e5 N is "300 kN". Zero has
 /// the usual unit.
-[[nodiscard]] shown_quantity shown(double si_value, const QString& si_unit);
+[[nodiscard]] shown_quantity shown(double in_si, const QString& si_unit);
 /// A length by its size: "0.35 µm", "12.5 mm", "1.2 m".
 [[nodiscard]] QString length(double metres);
 /// A mass by its size: "120 g", "39.7 kg".

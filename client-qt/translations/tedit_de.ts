@@ -1232,14 +1232,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <source>Search commands and operations</source>
         <translation>Befehle und Operationen suchen</translation>
     </message>
-    <message>
-        <source>Search commands</source>
-        <translation>Befehle suchen</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>Befehle</translation>
-    </message>
 </context>
 <context>
     <name>tedit::desktop::compare_tool</name>
@@ -1616,6 +1608,13 @@ Inhalt %1</translation>
     <message>
         <source>Set the load cases</source>
         <translation>Lastfälle setzen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::finder_popup</name>
+    <message>
+        <source>What fits</source>
+        <translation>Was passt</translation>
     </message>
 </context>
 <context>
@@ -2412,6 +2411,25 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::policy_row</name>
+    <message>
+        <source>Loads and supports whose surface goes</source>
+        <translation>Lasten und Lager, deren Fläche verschwindet</translation>
+    </message>
+    <message>
+        <source>go with it</source>
+        <translation>verschwinden mit ihr</translation>
+    </message>
+    <message>
+        <source>move to what takes its place</source>
+        <translation>gehen auf das über, was an ihre Stelle tritt</translation>
+    </message>
+    <message>
+        <source>forbid the edit</source>
+        <translation>verbieten die Änderung</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::preview_box</name>
     <message>
         <source>Preview</source>
@@ -2452,6 +2470,14 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>The last preview took longer than %1: ask for it.</source>
         <translation>Die letzte Vorschau dauerte länger als %1: sie kommt nur auf Wunsch.</translation>
+    </message>
+    <message>
+        <source>Find the most that works</source>
+        <translation>Das Größte suchen, das geht</translation>
+    </message>
+    <message>
+        <source>Looks for the largest value that the part takes, for up to 3 s</source>
+        <translation>Sucht den größten Wert, der am Bauteil möglich ist, bis zu 3 s lang</translation>
     </message>
 </context>
 <context>
@@ -2900,6 +2926,14 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <source>area %1</source>
         <translation>Inhalt %1</translation>
     </message>
+    <message>
+        <source>Find surfaces</source>
+        <translation>Flächen suchen</translation>
+    </message>
+    <message>
+        <source>By a name, &quot;bores 8 to 12 mm&quot;, equal ones, smooth neighbours</source>
+        <translation>Nach Namen, „Bohrungen 8 bis 12 mm“, gleiche, glatte Nachbarn</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::settings_dialog</name>
@@ -3155,6 +3189,53 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>iteration %1, residual %2</source>
         <translation>Iteration %1, Residuum %2</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::surface_finder</name>
+    <message>
+        <source>Find surfaces: a name or number, &quot;bores 8 to 12 mm&quot;, &quot;equal&quot;, &quot;smooth&quot;, &quot;neighbours&quot;</source>
+        <translation>Flächen suchen: Name oder Nummer, „Bohrungen 8 bis 12 mm“, „gleiche“, „glatt“, „Nachbarn“</translation>
+    </message>
+    <message>
+        <source>Up and down show what a row is, Enter selects it</source>
+        <translation>Auf und ab zeigen, was eine Zeile ist, Eingabe wählt sie aus</translation>
+    </message>
+    <message>
+        <source>No surface has &quot;%1&quot; in its name</source>
+        <translation>Keine Fläche hat „%1“ im Namen</translation>
+    </message>
+    <message>
+        <source>All %1 surfaces</source>
+        <translation>Alle %1 Flächen</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Select a surface first</source>
+        <translation>Erst eine Fläche auswählen</translation>
+    </message>
+    <message>
+        <source>There is no such bore</source>
+        <translation>Eine solche Bohrung gibt es nicht</translation>
+    </message>
+    <message>
+        <source>All %1 bores</source>
+        <translation>Alle %1 Bohrungen</translation>
+    </message>
+    <message>
+        <source>Bore, Ø %1</source>
+        <translation>Bohrung, Ø %1</translation>
+    </message>
+    <message>
+        <source>at (%1, %2, %3) mm</source>
+        <translation>bei (%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>All %1 of the same area</source>
+        <translation>Alle %1 mit derselben Fläche</translation>
     </message>
 </context>
 <context>

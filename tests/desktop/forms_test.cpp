@@ -117,6 +117,25 @@ ops::operation_description one_length() {
   return about;
 }
 
+TEST(OperationForm, ALengthMayHaveAnyUnit) {
+  operation_form form(one_length());
+  auto* field = form.findChild<QDoubleSpinBox*>("depth");
+  for (const auto& [typed, metres] : {std::pair{"1/4 in", 0.00635},
+                                      {"2 cm", 0.02},
+                                      {"0,5 m", 0.5},
+                                      {"1e-3", 1e-6},
+                                      {"7", 0.007}}) {
+    field->selectAll();
+    QTest::keyClicks(field, typed);
+    field->interpretText();
+    EXPECT_DOUBLE_EQ(std::get<double>(form.values().at("depth")), metres) << typed;
+  }
+  field->selectAll();
+  QTest::keyClicks(field, "5 kN");  // Is no length: the value before it stays.
+  field->interpretText();
+  EXPECT_DOUBLE_EQ(std::get<double>(form.values().at("depth")), 0.005);
+}
+
 TEST(OperationForm, APointAndACommaAreBothDecimal) {
   const QLocale before;
   for (const auto language : {QLocale::German, QLocale::English}) {

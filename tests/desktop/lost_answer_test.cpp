@@ -77,7 +77,7 @@ protected:
 
 TEST_F(LostAnswer, AnEditThatNeverArrivedIsMadeOnTheNextConnection) {
   line->stall(true);
-  part.edits().apply("fill_hole", {1, 2}, {});
+  part.edits().apply({"fill_hole", {1, 2}, {}});
   EXPECT_TRUE(wait([&] { return link.running() > 0; }));
   line->cut(false);
   line->stall(false);
@@ -93,7 +93,7 @@ TEST_F(LostAnswer, AnEditWhoseAnswerWasLostIsNotMadeTwice) {
     if (part.foreground().current() && !part.foreground().current()->stage.isEmpty())
       line->cut(false);
   });
-  part.edits().apply("fill_hole", {1, 2}, {});
+  part.edits().apply({"fill_hole", {1, 2}, {}});
 
   ASSERT_TRUE(wait([&] { return is_at(1); })) << failures.toStdString();
   EXPECT_EQ(versions(), 2u);
@@ -104,7 +104,7 @@ TEST_F(LostAnswer, AnEditWhoseAnswerWasLostIsNotMadeTwice) {
 
 TEST_F(LostAnswer, WithoutAWayBackTheLossIsTold) {
   line->stall(true);
-  part.edits().apply("fill_hole", {1, 2}, {});
+  part.edits().apply({"fill_hole", {1, 2}, {}});
   EXPECT_TRUE(wait([&] { return link.running() > 0; }));
   line->cut(true);
   ASSERT_TRUE(wait([&] { return link.current() == remote::state::lost; }));

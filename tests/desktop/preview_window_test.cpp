@@ -3,6 +3,7 @@
 #include "tests/desktop/window_fixture.hpp"
 
 #include <QCheckBox>
+#include <QComboBox>
 
 namespace tedit::desktop {
 namespace {
@@ -99,6 +100,63 @@ TEST_F(PreviewWindow, WhatIsRefusedIsExplainedWhileTheHeadStays) {
   EXPECT_FALSE(window->findChild<QPushButton*>("apply")->isEnabled());
   EXPECT_TRUE(window->context().messages.text().isEmpty());
   EXPECT_EQ(view().current().before, nullptr);
+}
+
+TEST_F(PreviewWindow, TheMostThatWorksIsFoundAndBecomesTheValue) {
+  open_plate(false);
+  choose({7}, "erode");
+  auto* form = window->tools().operations.panel().form();
+  form->set_values({{"depth", 5.0}});
+  ASSERT_TRUE(wait([&] { return preview().refusal().has_value(); }));
+
+  press("find_most");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+
+  const double depth = std::get<double>(form->values().at("depth"));
+  EXPECT_GT(depth, 1e-3);
+  EXPECT_LT(depth, 0.5);
+  EXPECT_FALSE(window->findChild<QPushButton*>("find_most")->isVisible());
+  form->set_values({{"depth", 5.0}});
+  ASSERT_TRUE(wait([&] { return preview().refusal().has_value(); }));
+  EXPECT_TRUE(window->findChild<QPushButton*>("find_most")->isVisible()) << "another question";
+}
+
+TEST_F(PreviewWindow, WhatIsNoMatterOfSizeOffersNoSearch) {
+  open_plate(false);
+  choose({5}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return preview().refusal().has_value(); }));
+
+  EXPECT_FALSE(window->findChild<QPushButton*>("find_most")->isVisible());
+}
+
+/// The bore 72, 73 is one of the plate's supports.
+TEST_F(PreviewWindow, SupportsMoveOrForbidTheEditAsIsChosen) {
+  open_plate();
+  auto* row = [&] { return window->findChild<QWidget*>("policy_row"); }();
+  EXPECT_EQ(row, nullptr);
+  choose({1, 2}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  EXPECT_FALSE(window->findChild<QWidget*>("policy_row")->isVisible()) << "nothing acts there";
+
+  choose({72, 73}, "fill_hole");
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  auto* policy = window->findChild<QComboBox*>("load_policy");
+  ASSERT_TRUE(policy->isVisible());
+  const auto fate = [&] { return preview().shown()->made.report.receipt.at(0).fate; };
+  EXPECT_EQ(fate(), fem::receipt_fate::reduced);
+
+  policy->setCurrentIndex(policy->findText("forbid", Qt::MatchStartsWith));
+  ASSERT_TRUE(wait([&] { return preview().refusal().has_value(); }));
+  EXPECT_TRUE(label("preview_fault").contains("constraint 0 (fixed) acts on surfaces 72, 73"))
+    << label("preview_fault").toStdString();
+
+  policy->setCurrentIndex(policy->findText("move", Qt::MatchStartsWith));
+  ASSERT_TRUE(wait([&] { return shows_preview(); }));
+  EXPECT_EQ(fate(), fem::receipt_fate::moved);
+  press("apply");
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  ASSERT_TRUE(part().head()->report);
+  EXPECT_EQ(part().head()->report->receipt.at(0).fate, fem::receipt_fate::moved);
 }
 
 TEST_F(PreviewWindow, CanBeTurnedOffWhichIsRememberedAndAskedForOnce) {

@@ -70,7 +70,7 @@ protected:
 
 TEST_F(SlowLine, TheWindowNeverWaitsAndSaysWhatIsSlow) {
   open_plate(false);
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
 
   stall_watch watch;
@@ -95,7 +95,7 @@ TEST_F(SlowLine, TheWindowNeverWaitsAndSaysWhatIsSlow) {
 TEST_F(SlowLine, AnEditThatIsHeldUpCanBeCancelled) {
   open_plate(false);
   line->stall(true);
-  part().edits().apply("remove_surfaces", {3}, {});
+  part().edits().apply({"remove_surfaces", {3}, {}});
   ASSERT_TRUE(part().foreground().current().has_value());
 
   press("cancel");
@@ -155,7 +155,7 @@ TEST_F(SlowLine, ALineThatBreaksInTheMiddleOfAStreamLosesNothing) {
   expect_nothing_lost();
 
   // Once more while an edit is on its way: it is made, and once.
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   QTest::qWait(150);
   line->cut(false);
   ASSERT_TRUE(wait([&] {

@@ -35,7 +35,7 @@ protected:
     ASSERT_EQ(::kill(pid, SIGSTOP), 0);
     const auto next = static_cast<std::uint32_t>(part().versions().size());
     static const std::vector<std::vector<surface_id>> bores{{1, 2}, {51, 52}, {92, 93}};
-    part().edits().apply("fill_hole", bores.at(next - 1), {});
+    part().edits().apply({"fill_hole", bores.at(next - 1), {}});
     ASSERT_TRUE(
       wait([&] { return version() == next && shows_head() && part().solver().is_running(); }));
     means();
@@ -74,7 +74,7 @@ TEST_F(SolveStop, FromItsRowTheTruthLineAndTheKeyboardAndTheNextEditIsSolvedAgai
   ASSERT_TRUE(wait([&] { return is_final(); }));
   EXPECT_FALSE(stop->isVisible());
   ASSERT_FALSE(HasFatalFailure());
-  part().edits().apply("thicken", {7}, {{"depth", 0.001}});
+  part().edits().apply({"thicken", {7}, {{"depth", 0.001}}});
   const auto next = static_cast<std::uint32_t>(part().versions().size());
   ASSERT_TRUE(wait([&] { return version() == next && is_final(); }));
 }

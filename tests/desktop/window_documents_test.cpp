@@ -77,7 +77,7 @@ TEST_F(Documents, AWrongFileLeavesThePartOpenAndNothingElse) {
     EXPECT_TRUE(is_final());
     EXPECT_EQ(files(), QStringList{name + ".tedit"});
   }
-  part().edits().apply("fill_hole", {1, 2}, {});  // It is open as before.
+  part().edits().apply({"fill_hole", {1, 2}, {}});  // It is open as before.
   EXPECT_TRUE(wait([&] { return version() == 1 && is_final(); }));
 }
 
@@ -118,7 +118,7 @@ TEST_F(Documents, AnotherPartIsMadeToFit) {
 
 TEST_F(Documents, WhatWasSaidOfAPartGoesWithIt) {
   open_plate(false);
-  part().edits().apply("fill_hole", {}, {});
+  part().edits().apply({"fill_hole", {}, {}});
   ASSERT_TRUE(wait([&] { return said().contains("did not work"); }));
   part().files().close();
   EXPECT_EQ(said(), "");
@@ -142,7 +142,7 @@ TEST_F(Documents, AChangeOfLoadsIsUndoneAndRedone) {
   run("edit.redo");
   ASSERT_TRUE(wait([&] { return part().loads().all().front() == twice && is_final(); }));
 
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   run("edit.undo");  // The edit came last.
   ASSERT_TRUE(wait([&] { return version() == 0 && is_final(); }));
@@ -181,7 +181,7 @@ TEST_F(Documents, ProbesAndThumbnailsAreThereAgain) {
   ASSERT_TRUE(pins.put(3, wall, *view().visible_point(wall)));
   const auto at = pins.all().front().place.at;
   const auto first = part().head()->info.version_id;
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   auto* strip = window->findChild<history_strip*>();
   const auto second = part().head()->info.version_id;
@@ -219,7 +219,7 @@ TEST_F(Documents, WhatWasHiddenAndPickedIsNotSoOnTheNextPart) {
 
 TEST_F(Documents, AReopenedPartSaysWhatItsEditDid) {
   open_plate();
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   const auto name = part().name();
   const auto volume = part().head()->report->volume_change;

@@ -53,7 +53,7 @@ TEST_F(Forms, AnEditOfSomebodyElseLeavesTheSelection) {
   open_plate(false);
   window->context().picked.set({7});
   panel().choose("thicken");
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
 
   EXPECT_EQ(picked(), (std::vector<surface_id>{7}));

@@ -107,7 +107,7 @@ TEST_F(Results, AnEditIsSetBesideTheVersionBeforeAndWithoutLoadsNothingStays) {
   EXPECT_FALSE(row(figure::stress)->compares);
   const QString before = row(figure::mass)->value.text();
 
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final() && is_complete(); }));
   const auto mass = row(figure::mass);
   ASSERT_TRUE(mass->before);

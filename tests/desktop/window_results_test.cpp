@@ -67,7 +67,7 @@ TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
     ASSERT_GE(value_in(field, i, shown_field::principal_1),
               value_in(field, i, shown_field::stress_xx) - 1);
 
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   EXPECT_FALSE(view().current().field->stress.empty());
   window->tools().results.panel().set_field(shown_field::safety_factor);
@@ -188,7 +188,7 @@ TEST_F(Window, AHistoryThatWasAskedForBeforeItTakesNoNameAway) {
 TEST_F(Window, AnEditIsTakenOnceAndItsAnswerMovesNoNewerHeadBack) {
   open_plate();
   QSignalSpy edits(&part(), &document::edited);
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   EXPECT_EQ(edits.count(), 1);
 
@@ -232,14 +232,14 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   open_plate();
   window->tools().recording.recording().start();
   window->context().picked.set({1, 2});
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
   window->tools().results.panel().set_field(shown_field::max_shear);
   window->tools().results.panel().set_bands(8);
   ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
   record_loads_and_probes();
   const auto loads = part().loads().all();
-  part().edits().apply("erode", {98}, {{"depth", 0.5}});  // Refused: no step.
+  part().edits().apply({"erode", {98}, {{"depth", 0.5}}});  // Refused: no step.
   ASSERT_TRUE(wait([&] { return !part().foreground().current() && shows_head(); }));
   ASSERT_TRUE(window->context().all_commands.trigger("view.top"));
   window->tools().recording.recording().stop();

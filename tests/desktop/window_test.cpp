@@ -111,7 +111,7 @@ TEST_F(Window, AKilledServerComesBackWithAllThatWasDone) {
 
 TEST_F(Window, WhatWasOpenInACrashIsOpenedAgain) {
   open_plate(false);
-  part().edits().apply("fill_hole", {1, 2}, {});
+  part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
   const auto name = part().name();
   const auto id = part().head()->info.version_id;
@@ -135,7 +135,7 @@ TEST_F(Window, AnyVersionOfTheHistoryCanBeGoneTo) {
   open_plate(false);
   for (const auto& hole : {std::vector<surface_id>{1, 2}, std::vector<surface_id>{51, 52}}) {
     const auto next = version() + 1;
-    part().edits().apply("fill_hole", hole, {});
+    part().edits().apply({"fill_hole", hole, {}});
     ASSERT_TRUE(wait([&] { return version() == next && shows_head(); }));
   }
 

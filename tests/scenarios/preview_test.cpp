@@ -162,6 +162,22 @@ TEST_F(Preview, IsRefusedAsTheEditIs) {
   expect_untouched();
 }
 
+TEST_F(Preview, LooksForTheMostThatWorksWhereItIsAskedTo) {
+  begin(false);
+  const auto too_deep = [&](bool find_most) {
+    return user->preview_edit("erode", {7}, {{"depth", 5.0}}, {}, {}, {}, find_most).error();
+  };
+
+  const auto plain = too_deep(false);
+  const auto found = too_deep(true);
+
+  EXPECT_FALSE(plain.most);
+  ASSERT_TRUE(found.most) << render(found);
+  EXPECT_EQ(found.most->parameter, "depth");
+  value(user->preview_edit("erode", {7}, {{"depth", found.most->value}}, {}));
+  expect_untouched();
+}
+
 TEST_F(Preview, ANewerOneOfTheConnectionEndsIt) {
   begin(true);
   auto held = hold(*user, {});

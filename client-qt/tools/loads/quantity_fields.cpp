@@ -34,8 +34,8 @@ double quantity_field::value() const {
   return read_quantity(text(), si_unit_).value_or(NAN);
 }
 
-void quantity_field::set_value(double si_value) {
-  setText(exact(si_value * shown_as(si_unit_).scale));
+void quantity_field::set_value(double in_si) {
+  setText(exact(in_si * shown_as(si_unit_).scale));
 }
 
 QWidget* with_unit(quantity_field* field) {
@@ -73,10 +73,10 @@ vec3 vector_field::value() const {
   return {parts_[0]->value(), parts_[1]->value(), parts_[2]->value()};
 }
 
-void vector_field::set_value(const vec3& si_value) {
-  parts_[0]->set_value(si_value.x);
-  parts_[1]->set_value(si_value.y);
-  parts_[2]->set_value(si_value.z);
+void vector_field::set_value(const vec3& in_si) {
+  parts_[0]->set_value(in_si.x);
+  parts_[1]->set_value(in_si.y);
+  parts_[2]->set_value(in_si.z);
 }
 
 QString vector_field::size_in_words() const {

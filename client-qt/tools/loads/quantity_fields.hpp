@@ -25,7 +25,7 @@ public:
   [[nodiscard]] QString unit_name() const;  ///< The one that is shown: "MPa".
   /// In SI units; NaN while it is no number of its unit.
   [[nodiscard]] double value() const;
-  void set_value(double si_value);
+  void set_value(double in_si);
 
 private:
   QString what_;
@@ -45,7 +45,7 @@ public:
 
   void set_unit(const QString& si_unit);
   [[nodiscard]] vec3 value() const;  ///< In SI units; NaN where no number stands.
-  void set_value(const vec3& si_value);
+  void set_value(const vec3& in_si);
   /// "2500 N in all"; empty for zero and for what is no number.
   [[nodiscard]] QString size_in_words() const;
 

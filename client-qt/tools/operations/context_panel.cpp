@@ -14,6 +14,7 @@
 
 #include "client-qt/model/part_volume.hpp"
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/tools/operations/policy_row.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
 #include "client-qt/widgets/tall_scroll.hpp"
 #include "client-qt/widgets/theme.hpp"
@@ -113,6 +114,7 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   connect(&part_, &document::surface_changed, this, &context_panel::show_selection);
   connect(&part_.foreground(), &foreground_work::changed, this, &context_panel::show_activity);
   connect(&preview_, &live_preview::changed, this, &context_panel::preview_changed);
+  connect(&preview_, &live_preview::found_most, this, &context_panel::take_most);
   connect(&part_, &document::edited, this, &context_panel::edited);
   connect(&part_, &document::failed, this, [this] { applies_ = false; });
   show_selection();
@@ -197,7 +199,49 @@ void context_panel::follow() {
   if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
     preview_.leave();
   else
-    preview_.want({operation_, picked_.surfaces(), form_->values()});
+    preview_.want(wish());
+  show_policy();
+}
+
+edit_wish context_panel::wish() const {
+  return {operation_, picked_.surfaces(), form_->values(), {policy_}};
+}
+
+// -- loads whose surface goes ----------------------------------------------------------
+
+void context_panel::set_policy(fem::load_policy policy) {
+  policy_ = policy;
+  if (form_)
+    show_form();
+}
+
+QWidget* context_panel::make_policy() {
+  auto* row = new policy_row(policy_);
+  connect(row, &policy_row::changed, this, [this, row] {
+    policy_ = row->policy();
+    follow();
+  });
+  policy_row_ = row;
+  return row;
+}
+
+/// Only where it matters: something acts on what is selected, the edit takes away what carries
+/// something, or something else than usual was chosen.
+void context_panel::show_policy() {
+  if (!policy_row_)
+    return;
+  const auto& shown = preview_.shown();
+  const bool loses = shown && std::ranges::any_of(shown->made.report.receipt, [](const auto& line) {
+                       return !line.surfaces_lost.empty();
+                     });
+  policy_row_->setVisible(loses || policy_ != fem::load_policy::drop ||
+                          !part_.loads().acting_on(picked_.surfaces()).isEmpty());
+}
+
+/// The refusal knows what works: it becomes the form's value and is previewed.
+void context_panel::take_most(const most_that_works& most) {
+  if (form_)
+    form_->set_values({{most.parameter, most.value}});
 }
 
 static void clear(QLayout* layout) {
@@ -266,11 +310,12 @@ void context_panel::show_form() {
   connect(seen, &preview_box::place_wanted, this, &context_panel::place_wanted);
   hint_ = make_label("faint");
   hint_->setObjectName("form_hint");
-  for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, seen})
+  for (QWidget* one : std::initializer_list<QWidget*>{name, summary, form_, make_policy(), seen})
     body_layout_->addWidget(one);
   for (QWidget* one : std::initializer_list<QWidget*>{&seen->verdict(), hint_, make_buttons()})
     foot_->layout()->addWidget(one);
   foot_->show();
+  show_policy();
   show_readiness();
 }
 
@@ -332,6 +377,7 @@ void context_panel::preview_changed() {
     if (!asks_)
       apply(true);
   }
+  show_policy();
   show_readiness();
 }
 
@@ -353,7 +399,7 @@ void context_panel::apply(bool sure) {
   if (asks_)
     return show_readiness();
   applies_ = true;
-  part_.edits().apply(operation_, picked_.surfaces(), form_->values());
+  part_.edits().apply(wish());
 }
 
 /// The form stays with its values, for the next bore or wall; what it was applied to is done with,

@@ -30,6 +30,8 @@ public:
   [[nodiscard]] const QString& chosen() const noexcept { return operation_; }
   [[nodiscard]] operation_form* form() const { return form_; }
   [[nodiscard]] live_preview& preview() noexcept { return preview_; }
+  /// What becomes of loads whose surface an edit takes away.
+  void set_policy(fem::load_policy policy);
   /// Applies the chosen operation to the selection, if both fit. What takes much of the part away
   /// is asked for in the form first, unless one is `sure`; so without a preview it waits for one.
   void apply(bool sure = false);
@@ -46,6 +48,10 @@ protected:
 
 private:
   void follow();
+  [[nodiscard]] edit_wish wish() const;
+  void take_most(const most_that_works& most);
+  [[nodiscard]] QWidget* make_policy();
+  void show_policy();
   void show_selection();
   void show_offers();
   void show_form();
@@ -63,6 +69,7 @@ private:
   selection& picked_;
   live_preview preview_;
   QString operation_;
+  fem::load_policy policy_ = fem::load_policy::drop;
   bool applies_ = false;   ///< Ours is on its way.
   bool waits_ = false;     ///< To be applied once its preview is there.
   bool asks_ = false;      ///< Whether so much shall be taken off.
@@ -75,6 +82,7 @@ private:
   QWidget* body_;
   QVBoxLayout* body_layout_ = nullptr;
   QPointer<operation_form> form_;
+  QPointer<QWidget> policy_row_;
   QPointer<QPushButton> apply_;
   QPointer<QPushButton> sure_;
   QPointer<QLabel> hint_;

@@ -9,13 +9,16 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QWhatsThis>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/typed_quantity.hpp"
 
 namespace tedit::desktop {
 
@@ -26,20 +29,47 @@ struct phrases {
 };
 
 /// A spin box for numbers of any size: as many decimals as the value needs. A point and a comma are
-/// both taken for the decimal point.
+/// both taken for the decimal point, and any unit of the quantity: "1/4 in".
 class number_box : public QDoubleSpinBox {
 public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  explicit number_box(QString si_unit) : si_unit_(std::move(si_unit)) {
+    const auto unit = shown_as(si_unit_).name;
+    if (!unit.isEmpty())
+      setSuffix(" " + unit);
+  }
+
   [[nodiscard]] QString textFromValue(double value) const override {
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     return plain.toString(value, 'g', 8);
   }
-  [[nodiscard]] QValidator::State validate(QString& typed, int& at) const override {
-    const QString point = locale().decimalPoint();
-    typed.replace(point == "," ? "." : ",", point);
-    return QDoubleSpinBox::validate(typed, at);
+
+  [[nodiscard]] double valueFromText(const QString& typed) const override {
+    return shown(typed).value_or(value());
   }
+
+  /// What is no number yet may become one; what is out of range is put right when it is left.
+  [[nodiscard]] QValidator::State validate(QString& typed, int&) const override {
+    const auto number = shown(typed);
+    if (number)
+      return *number >= minimum() && *number <= maximum() ? QValidator::Acceptable
+                                                          : QValidator::Intermediate;
+    static const QRegularExpression possible(
+      QString::fromUtf8(R"(^[-+−\d\s.,/eE]*[\p{L}µ°%"²³·/\d\s]*$)"));
+    return possible.match(typed).hasMatch() ? QValidator::Intermediate : QValidator::Invalid;
+  }
+
+private:
+  /// In the unit that is shown.
+  [[nodiscard]] std::optional<double> shown(QString typed) const {
+    // Behind a typed unit the own one may still stand.
+    if (!suffix().isEmpty() && typed.endsWith(suffix()))
+      typed.chop(suffix().size());
+    const auto si = read_quantity(typed, si_unit_);
+    return si ? std::optional(*si * shown_as(si_unit_).scale) : std::nullopt;
+  }
+
+  QString si_unit_;
 };
 
 QString text(const std::string& words) {
@@ -151,13 +181,11 @@ QWidget* operation_form::make_integer(const ops::parameter_description& paramete
 
 QWidget* operation_form::make_real(const ops::parameter_description& parameter) {
   const auto unit = shown_as(text(parameter.unit));
-  auto* box = new number_box;
+  auto* box = new number_box(text(parameter.unit));
   box->setDecimals(9);
   box->setRange(parameter.min ? *parameter.min * unit.scale : -1e12,
                 parameter.max ? *parameter.max * unit.scale : 1e12);
   box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  if (!unit.name.isEmpty())
-    box->setSuffix(" " + unit.name);
   connect(box, &QDoubleSpinBox::valueChanged, this, &operation_form::changed);
   fields_[parameter.id] = {
     [box, scale = unit.scale] { return ops::parameter_value(box->value() / scale); },
@@ -200,6 +228,12 @@ ops::parameters operation_form::values() const {
 }
 
 void operation_form::set_values(const ops::parameters& values) {
+  // As the server reads a request: what a given number stands in for is 0, not its default.
+  for (const auto& parameter : about_.parameters)
+    if (values.contains(parameter.id) && !parameter.instead_of.empty() &&
+        !values.contains(parameter.instead_of))
+      if (const auto other = fields_.find(parameter.instead_of); other != fields_.end())
+        other->second.set(0.0);
   for (const auto& [id, value] : values)
     if (const auto found = fields_.find(id); found != fields_.end())
       found->second.set(value);

@@ -9,6 +9,8 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include <string_view>
+
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/tools/receipt/receipt_panel.hpp"
 #include "client-qt/widgets/banner.hpp"
@@ -44,6 +46,13 @@ QString escaped(const std::string& text) {
 std::vector<surface_id> places_of(const error& reason) {
   const auto ids = surfaces_in(QString::fromStdString(reason.message + " " + reason.where));
   return {ids.begin(), ids.end()};
+}
+
+/// So says `ops::at_most` where nobody looked for the most that works; the host's checks and the
+/// mesher say it by their codes.
+static bool asked_too_much(const error& reason) {
+  return reason.remedy.starts_with("Take a smaller") || reason.code == ec::postcondition_failed ||
+         reason.code == ec::mesher_failed;
 }
 
 QString preview_html(const client::edit_preview& made) {
@@ -103,11 +112,15 @@ preview_box::preview_box(live_preview& preview, QWidget* parent)
   fault_->setObjectName("preview_fault");
   place_ = new QPushButton(tr("Show the place"));
   place_->setProperty("role", "link");
+  most_ = new QPushButton(tr("Find the most that works"));
+  most_->setObjectName("find_most");
+  most_->setProperty("role", "link");
+  most_->setToolTip(tr("Looks for the largest value that the part takes, for up to 3 s"));
   column->addWidget(figures_);
   verdict_ = new QWidget(this);
   auto* lines = new QVBoxLayout(verdict_);
   lines->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* one : std::initializer_list<QWidget*>{state_, fault_, place_})
+  for (QWidget* one : std::initializer_list<QWidget*>{state_, fault_, place_, most_})
     lines->addWidget(one);
   connect(follows_, &QCheckBox::toggled, this, [this](bool on) {
     QSettings("tedit", "tedit-qt").setValue(setting, on);
@@ -118,6 +131,7 @@ preview_box::preview_box(live_preview& preview, QWidget* parent)
     if (preview_.refusal())
       emit place_wanted(places_of(*preview_.refusal()));
   });
+  connect(most_, &QPushButton::clicked, &preview_, &live_preview::find_most);
   connect(&preview_, &live_preview::changed, this, &preview_box::refresh);
   if (preview_.is_on() != follows_->isChecked())
     preview_.set_on(follows_->isChecked());
@@ -153,6 +167,7 @@ void preview_box::refresh() {
   const auto& refusal = preview_.refusal();
   fault_->setVisible(refusal.has_value());
   place_->setVisible(refusal && !places_of(*refusal).empty());
+  most_->setVisible(refusal && !preview_.has_looked() && asked_too_much(*refusal));
   if (refusal)
     fault_->setText(explained(*refusal));
 }

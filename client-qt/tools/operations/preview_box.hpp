@@ -39,6 +39,7 @@ private:
   QLabel* figures_;
   QLabel* fault_;
   QPushButton* place_;
+  QPushButton* most_;
 };
 
 /// What an edit would make, as a few rows.

@@ -137,8 +137,8 @@ expected<void> recipe_player::perform(const client::edit_step& s) {
     if (!part_.head()->surface->surfaces().contains(id))
       return fail(ec::surface_not_found, "the part has no surface " + std::to_string(id),
                   "Open the part that the recipe was made for, or change the step's \"surfaces\"");
-  part_.edits().apply(QString::fromStdString(wanted.operation), wanted.surfaces, wanted.parameters,
-                      wanted.loads);
+  part_.edits().apply(
+    {QString::fromStdString(wanted.operation), wanted.surfaces, wanted.parameters, wanted.loads});
   return {};
 }
 

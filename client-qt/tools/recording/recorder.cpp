@@ -33,6 +33,19 @@ QJsonValue to_json(const ops::parameter_value& value) {
   return QString::fromStdString(std::get<std::string>(value));
 }
 
+/// Its surfaces are the selection.
+QJsonObject to_json(const edit_wish& wish) {
+  QJsonObject parameters;
+  for (const auto& [id, value] : wish.values)
+    parameters[QString::fromStdString(id)] = to_json(value);
+  QJsonObject step{{"apply", wish.operation}, {"parameters", parameters}};
+  if (wish.loads.policy != fem::load_policy::drop) {
+    const auto policy = fem::policy_name(wish.loads.policy);
+    step["loads"] = QString::fromUtf8(policy.data(), static_cast<qsizetype>(policy.size()));
+  }
+  return step;
+}
+
 QJsonArray to_json(const std::vector<surface_id>& ids) {
   QJsonArray result;
   for (const auto id : ids)
@@ -94,13 +107,7 @@ void recorder::wire() {
   connect(&in_.part, &document::edited, this, &recorder::committed);
   connect(&in_.part, &document::failed, this, [this] { pending_.reset(); });
   connect(&in_.part.edits(), &edit_requests::applied, this,
-          [this](const QString& operation, const std::vector<surface_id>&,
-                 const ops::parameters& values) {
-            QJsonObject parameters;
-            for (const auto& [id, value] : values)
-              parameters[QString::fromStdString(id)] = to_json(value);
-            pending_ = QJsonObject{{"apply", operation}, {"parameters", parameters}};
-          });
+          [this](const edit_wish& wish) { pending_ = to_json(wish); });
   connect(&tools_.selecting, &selection_tool::hidden_changed, this, &recorder::add_hidden);
   wire_loads();
   wire_probes();

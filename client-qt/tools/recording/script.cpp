@@ -305,6 +305,10 @@ expected<void> script::apply(const QJsonObject& step) {
   const auto* offered = in_.part.operations().find(id);
   if (!offered)
     return fail(ec::operation_not_found, "there is no operation \"" + id.toStdString() + "\"");
+  const auto policy = fem::policy_from_name(step["loads"].toString("drop").toStdString());
+  if (!policy)
+    return fail(policy.error());
+  tools_.operations.panel().set_policy(*policy);
   tools_.operations.panel().choose(id);
   if (auto* form = tools_.operations.panel().form())
     form->set_values(parameters_from(step["parameters"].toObject(), offered->about));

@@ -8,6 +8,7 @@
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/tools/selection/surface_finder.hpp"
 
 namespace tedit::desktop {
 
@@ -15,6 +16,7 @@ selection_tool::selection_tool(window_context& in) : in_(in) {
   wire();
   add_hiding();
   add_box();
+  add_finding();
   in_.esc.add(ends::selection, [this] {
     const bool any = !in_.picked.surfaces().empty();
     if (any)
@@ -128,6 +130,16 @@ void selection_tool::take_box(const std::vector<surface_id>& found, bool add) {
   if (add)
     all.insert(all.end(), in_.picked.surfaces().begin(), in_.picked.surfaces().end());
   in_.picked.set(all);
+}
+
+// -- words ---------------------------------------------------------------------------
+
+void selection_tool::add_finding() {
+  finder_ = new surface_finder(in_.part, in_.picked, &in_.window);
+  connect(finder_, &surface_finder::found, this, &selection_tool::highlight);
+  in_.all_commands.add({"edit.find_surfaces", tr("Find surfaces"), command_groups::edit(), "Ctrl+F",
+                        [this] { finder_->open(); }, in_.has_part(),
+                        tr("By a name, \"bores 8 to 12 mm\", equal ones, smooth neighbours")});
 }
 
 // -- at the pointer ------------------------------------------------------------------

@@ -12,8 +12,10 @@
 
 namespace tedit::desktop {
 
-/// Surfaces under the pointer: picking them by clicks and boxes, what they are, their menu, and
-/// hiding them.
+class surface_finder;
+
+/// Surfaces under the pointer: picking them by clicks, boxes and words, what they are, their menu,
+/// and hiding them.
 class selection_tool : public QObject {
   Q_OBJECT
 
@@ -35,6 +37,7 @@ private:
   void wire();
   void add_hiding();
   void add_box();
+  void add_finding();
   void set_boxing(bool on);
   void click(const std::optional<picked_point>& at, Qt::KeyboardModifiers modifiers);
   void take_box(const std::vector<surface_id>& found, bool add);
@@ -44,6 +47,7 @@ private:
   void show_menu(const std::optional<picked_point>& at, QPoint global);
 
   window_context& in_;
+  surface_finder* finder_ = nullptr;  ///< Of the window.
   std::set<surface_id> hidden_;
   bool picks_ = true;
   bool boxing_ = false;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Surfaces by words and keys in the real window.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QLineEdit>
+#include <QListWidget>
+
+namespace tedit::desktop {
+namespace {
+
+class Finder : public Window {
+protected:
+  [[nodiscard]] QLineEdit* letters() { return window->findChild<QLineEdit*>("finder_letters"); }
+  [[nodiscard]] QListWidget* hits() { return window->findChild<QListWidget*>("finder_hits"); }
+  [[nodiscard]] const std::vector<surface_id>& picked() {
+    return window->context().picked.surfaces();
+  }
+  void open_finder() {
+    QTest::keyClick(window.get(), Qt::Key_F, Qt::ControlModifier);
+    ASSERT_TRUE(letters()->isVisible());
+    ASSERT_TRUE(letters()->hasFocus());
+  }
+  [[nodiscard]] testing::AssertionResult finds(const QString& words, const QString& first_row) {
+    letters()->clear();
+    QTest::keyClicks(letters(), words);
+    return wait([=, this] { return hits()->count() > 0 && hits()->item(0)->text() == first_row; });
+  }
+};
+
+TEST_F(Finder, BoresAreSelectedByTheirDiameter) {
+  open_plate(false);
+  open_finder();
+
+  // Twenty bores of the plate have 25 mm or less.
+  ASSERT_TRUE(finds("bores 19 to 21 mm", "All 2 bores"));
+  EXPECT_EQ(hits()->count(), 3);
+  QTest::keyClick(letters(), Qt::Key_Return);
+
+  EXPECT_FALSE(letters()->isVisible());
+  EXPECT_EQ(picked(), (std::vector<surface_id>{13, 17}));
+}
+
+TEST_F(Finder, KeysWalkThroughSurfacesAndEscLeavesTheSelectionAsItWas) {
+  open_plate(false);
+  window->context().picked.set({7});
+  open_finder();
+  EXPECT_EQ(hits()->count(), 117);
+  EXPECT_EQ(picked(), (std::vector<surface_id>{7})) << "nothing is shown before it is walked to";
+
+  QTest::keyClick(letters(), Qt::Key_Down);
+  EXPECT_EQ(picked(), (std::vector<surface_id>{1}));
+  QTest::keyClick(letters(), Qt::Key_Down);
+  EXPECT_EQ(picked(), (std::vector<surface_id>{2}));
+  QTest::keyClick(letters(), Qt::Key_Escape);
+
+  EXPECT_EQ(picked(), (std::vector<surface_id>{7}));
+  EXPECT_FALSE(letters()->isVisible());
+}
+
+TEST_F(Finder, EqualBoresAndNeighboursBelongToTheSelection) {
+  open_plate(false);
+  open_finder();
+  EXPECT_TRUE(finds("equal", "Select a surface first"));
+  QTest::keyClick(letters(), Qt::Key_Escape);
+
+  window->context().picked.click(1, false);
+  ASSERT_TRUE(wait([&] { return window->context().picked.feature().has_value(); }));
+  const auto bore = picked();
+  open_finder();
+  ASSERT_TRUE(wait([&] { return hits()->count() > 0; }));
+  letters()->clear();
+  QTest::keyClicks(letters(), "equal");
+  ASSERT_TRUE(wait([&] { return hits()->item(0)->text().startsWith("All "); }));
+  EXPECT_GT(picked().size(), bore.size());
+  for (const auto id : bore)
+    EXPECT_TRUE(window->context().picked.contains(id));
+}
+
+TEST_F(Finder, WhatIsNotThereIsSaidAndTakesNothing) {
+  open_plate(false);
+  window->context().picked.set({7});
+  open_finder();
+  ASSERT_TRUE(finds("bores 900 mm", "There is no such bore"));
+  QTest::keyClick(letters(), Qt::Key_Return);
+  EXPECT_EQ(picked(), (std::vector<surface_id>{7}));
+  open_finder();
+  EXPECT_TRUE(finds("lid", "No surface has \"lid\" in its name"));
+}
+
+}  // namespace
+}  // namespace tedit::desktop
