@@ -9,7 +9,7 @@
 namespace tedit::desktop {
 
 edit_requests::edit_requests(document& part, const version_store& versions, remote& link)
-    : part_(part), versions_(versions), link_(link) {
+    : part_(part), versions_(versions), link_(link), queue_(part) {
   connect(&link_, &remote::state_changed, this, &edit_requests::connection_changed);
 }
 
@@ -43,8 +43,13 @@ void edit_requests::ask(const QString& title, const remote::work<client::committ
       else if (*broke)
         unanswered_ = unanswered_change{title, call, got.error()};
       else
-        emit part_.failed(title, got.error());
+        fail_with(title, got.error());
     });
+}
+
+void edit_requests::fail_with(const QString& title, const error& why) {
+  emit part_.failed(title, why);
+  queue_.abandon();
 }
 
 /// Who asks hears of it twice: as an event, then as the answer. Events of others' commits may lie
@@ -70,7 +75,7 @@ void edit_requests::ask_again() {
 void edit_requests::connection_changed() {
   if (link_.current() == remote::state::offline)  // It does not come back by itself.
     if (const auto left = std::exchange(unanswered_, std::nullopt))
-      emit part_.failed(left->title, left->why);
+      fail_with(left->title, left->why);
 }
 
 void edit_requests::apply(const edit_wish& wish) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "client-qt/model/edit_queue.hpp"
 #include "client-qt/model/head_questions.hpp"
 #include "client-qt/net/remote.hpp"
 
@@ -25,6 +26,10 @@ public:
   [[nodiscard]] bool can_undo() const noexcept { return can_undo_; }
   [[nodiscard]] bool can_redo() const noexcept { return can_redo_; }
   void apply(const edit_wish& wish);
+  /// For what is wanted while another change is on its way.
+  [[nodiscard]] edit_queue& queue() noexcept { return queue_; }
+  /// The connection broke before the answer to a change: it will be asked for again.
+  [[nodiscard]] bool awaits_answer() const noexcept { return unanswered_.has_value(); }
   void undo();
   void redo();
   /// Makes any version the head.
@@ -52,6 +57,7 @@ private:
   };
 
   void ask(const QString& title, const remote::work<client::committed>& call);
+  void fail_with(const QString& title, const error& why);
   void answered(const client::committed& what, int asked);
   void connection_changed();
 
@@ -61,6 +67,7 @@ private:
   bool can_undo_ = false;
   bool can_redo_ = false;
   std::optional<unanswered_change> unanswered_;
+  edit_queue queue_;
 };
 
 }  // namespace tedit::desktop

@@ -1359,10 +1359,6 @@ Inhalt %1</translation>
         <translation>Auswählen: %1</translation>
     </message>
     <message>
-        <source>%1 is running.</source>
-        <translation>%1 läuft.</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Anwenden</translation>
     </message>
@@ -1385,6 +1381,22 @@ Inhalt %1</translation>
     <message>
         <source>Take %1 % of the part off</source>
         <translation>%1 % des Teils abtragen</translation>
+    </message>
+    <message>
+        <source>Apply after this</source>
+        <translation>Danach anwenden</translation>
+    </message>
+    <message>
+        <source>Empty the queue</source>
+        <translation>Warteschlange leeren</translation>
+    </message>
+    <message>
+        <source>What runs goes on, what waits behind it is not made</source>
+        <translation>Was läuft, geht weiter; was dahinter wartet, entfällt</translation>
+    </message>
+    <message>
+        <source>Then: %1</source>
+        <translation>Danach: %1</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1782,10 @@ Inhalt %1</translation>
     <message>
         <source>What was undone last</source>
         <translation>Was zuletzt rückgängig gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Go to version %1</source>
+        <translation>Gehe zu Version %1</translation>
     </message>
 </context>
 <context>
@@ -2309,6 +2325,10 @@ Inhalt %1</translation>
     <message>
         <source>Apply the operation</source>
         <translation>Operation anwenden</translation>
+    </message>
+    <message>
+        <source>Waited behind it, so not made: %1</source>
+        <translation>Wartete dahinter, also nicht ausgeführt: %1</translation>
     </message>
 </context>
 <context>

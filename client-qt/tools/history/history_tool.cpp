@@ -14,18 +14,14 @@ history_tool::history_tool(window_context& in) : in_(in), strip_(new history_str
 
 void history_tool::add_commands() {
   const QString edit = command_groups::edit();
-  in_.all_commands.add({"edit.undo", tr("Undo"), edit, "Ctrl+Z", [this] { undo(); },
-                        [this, idle = in_.is_idle()] {
-                          return idle() &&
-                                 (in_.part.edits().can_undo() || in_.part.loads().can_undo());
-                        },
-                        tr("The last edit, or the last change of loads"), "undo"});
-  in_.all_commands.add({"edit.redo", tr("Redo"), edit, "Ctrl+Y", [this] { redo(); },
-                        [this, idle = in_.is_idle()] {
-                          return idle() &&
-                                 (in_.part.edits().can_redo() || in_.part.loads().can_redo());
-                        },
-                        tr("What was undone last"), "redo"});
+  in_.all_commands.add(
+    {"edit.undo", tr("Undo"), edit, "Ctrl+Z", [this] { undo(); },
+     [this] { return is_busy() || in_.part.edits().can_undo() || in_.part.loads().can_undo(); },
+     tr("The last edit, or the last change of loads"), "undo"});
+  in_.all_commands.add(
+    {"edit.redo", tr("Redo"), edit, "Ctrl+Y", [this] { redo(); },
+     [this] { return is_busy() || in_.part.edits().can_redo() || in_.part.loads().can_redo(); },
+     tr("What was undone last"), "redo"});
   in_.all_commands.add({"history.words", tr("Name and note of a version"), edit, "Ctrl+F2",
                         [this] {
                           in_.panels.raise("history");
@@ -34,25 +30,36 @@ void history_tool::add_commands() {
                         in_.has_part(), tr("Of the one that is chosen in the history")});
 }
 
-/// Changes of loads come after the edit that made their version.
+bool history_tool::is_busy() const {
+  return in_.part.head() && in_.part.foreground().current();
+}
+
+/// Changes of loads come after the edit that made their version. Behind a change that runs it is
+/// that one that is taken back.
 void history_tool::undo() {
-  if (in_.part.loads().can_undo())
-    in_.part.loads().undo();
-  else
-    in_.part.edits().undo();
+  in_.part.edits().queue().add(tr("Undo"), [&part = in_.part] {
+    if (part.loads().can_undo())
+      part.loads().undo();
+    else if (part.edits().can_undo())
+      part.edits().undo();
+  });
 }
 
 void history_tool::redo() {
-  if (in_.part.loads().can_redo())
-    in_.part.loads().redo();
-  else
-    in_.part.edits().redo();
+  in_.part.edits().queue().add(tr("Redo"), [&part = in_.part] {
+    if (part.loads().can_redo())
+      part.loads().redo();
+    else if (part.edits().can_redo())
+      part.edits().redo();
+  });
 }
 
 void history_tool::step_to(std::uint32_t version) {
-  const auto* head = in_.part.head();
-  if (head && head->info.number != version && !in_.part.foreground().current())
-    in_.part.edits().go_to(version);
+  in_.part.edits().queue().add(tr("Go to version %1").arg(version), [version, &part = in_.part] {
+    const auto* head = part.head();
+    if (head && head->info.number != version)
+      part.edits().go_to(version);
+  });
 }
 
 }  // namespace tedit::desktop

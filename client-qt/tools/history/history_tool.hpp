@@ -17,11 +17,12 @@ public:
   explicit history_tool(window_context& in);
 
   [[nodiscard]] history_strip& strip() { return *strip_; }
-  /// Makes a version the head, unless it is or something runs.
+  /// Makes a version the head, behind what runs.
   void step_to(std::uint32_t version);
 
 private:
   void add_commands();
+  [[nodiscard]] bool is_busy() const;
   void undo();
   void redo();
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "client-qt/model/part_volume.hpp"
 #include "client-qt/model/quantities.hpp"
@@ -84,20 +85,7 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   body_layout_->setContentsMargins(0, 8, 0, 0);
   column->addWidget(body_);
 
-  running_ = new QWidget;
-  auto* activity = new QVBoxLayout(running_);
-  activity->setContentsMargins(0, 8, 0, 0);
-  stage_ = make_label("faint");
-  fraction_ = new QProgressBar;
-  fraction_->setRange(0, 1000);
-  fraction_->setTextVisible(false);
-  cancel_ = new QPushButton(tr("Cancel"));
-  cancel_->setObjectName("cancel");
-  connect(cancel_, &QPushButton::clicked, &part_.foreground(), &foreground_work::cancel);
-  activity->addWidget(stage_);
-  activity->addWidget(fraction_);
-  activity->addWidget(cancel_, 0, Qt::AlignLeft);
-  column->addWidget(running_);
+  column->addWidget(make_activity());
   column->addStretch();
   scroll_ = new tall_scroll(content);
   all->addWidget(scroll_, 1);
@@ -113,6 +101,7 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   connect(&part_.loads(), &load_requests::changed, this, &context_panel::show_selection);
   connect(&part_, &document::surface_changed, this, &context_panel::show_selection);
   connect(&part_.foreground(), &foreground_work::changed, this, &context_panel::show_activity);
+  connect(&part_.edits().queue(), &edit_queue::changed, this, &context_panel::show_activity);
   connect(&preview_, &live_preview::changed, this, &context_panel::preview_changed);
   connect(&preview_, &live_preview::found_most, this, &context_panel::take_most);
   connect(&part_, &document::edited, this, &context_panel::edited);
@@ -196,6 +185,7 @@ QSize context_panel::sizeHint() const {
 /// What the form would do is shown while its values move.
 void context_panel::follow() {
   waits_ = asks_ = false;
+  follows_later_ = part_.foreground().current().has_value();
   if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
     preview_.leave();
   else
@@ -289,8 +279,6 @@ QString context_panel::not_ready() const {
   const auto& wanted = offered->about.selection;
   if (count < wanted.minimum || (wanted.maximum > 0 && count > wanted.maximum))
     return tr("Select: %1").arg(QString::fromStdString(wanted.help));
-  if (part_.foreground().current())
-    return tr("%1 is running.").arg(part_.foreground().current()->title);
   return {};
 }
 
@@ -348,6 +336,7 @@ void context_panel::show_readiness() {
                  : waits_           ? tr("Applied as soon as it is clear what it takes away.")
                                     : QString());
   hint_->setVisible(!hint_->text().isEmpty());
+  apply_->setText(part_.foreground().current() ? tr("Apply after this") : tr("Apply"));
   apply_->setVisible(!asks_);
   apply_->setEnabled(why_not.isEmpty() && !preview_.refusal() && !waits_);
   sure_->setVisible(asks_);
@@ -384,6 +373,8 @@ void context_panel::preview_changed() {
 void context_panel::apply(bool sure) {
   if (operation_.isEmpty() || !form_ || !not_ready().isEmpty())
     return;
+  if (part_.foreground().current())
+    return queue();
   if (!sure && !preview_.is_busy() && preview_.refusal())
     return;  // It says why beside the button.
   const bool known = preview_.shown() && !preview_.is_busy();
@@ -402,6 +393,14 @@ void context_panel::apply(bool sure) {
   part_.edits().apply(wish());
 }
 
+/// What is selected now was meant; the next one may be selected while it waits.
+void context_panel::queue() {
+  const auto* offered = part_.operations().find(operation_);
+  const auto name = offered ? QString::fromStdString(offered->about.name) : operation_;
+  if (part_.edits().queue().add(name, [this, wanted = wish()] { part_.edits().apply(wanted); }))
+    picked_.clear();
+}
+
 /// The form stays with its values, for the next bore or wall; what it was applied to is done with,
 /// and its field is to be seen.
 void context_panel::edited(const client::committed& what) {
@@ -409,6 +408,31 @@ void context_panel::edited(const client::committed& what) {
     applies_ = false;
     picked_.clear();
   }
+}
+
+QWidget* context_panel::make_activity() {
+  running_ = new QWidget;
+  auto* activity = new QVBoxLayout(running_);
+  activity->setContentsMargins(0, 8, 0, 0);
+  stage_ = make_label("faint");
+  fraction_ = new QProgressBar;
+  fraction_->setRange(0, 1000);
+  fraction_->setTextVisible(false);
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("cancel");
+  connect(cancel_, &QPushButton::clicked, &part_.foreground(), &foreground_work::cancel);
+  activity->addWidget(stage_);
+  activity->addWidget(fraction_);
+  then_ = make_label("faint");
+  then_->setObjectName("queue");
+  empty_ = new QPushButton(tr("Empty the queue"));
+  empty_->setObjectName("empty_queue");
+  empty_->setToolTip(tr("What runs goes on, what waits behind it is not made"));
+  connect(empty_, &QPushButton::clicked, &part_.edits().queue(), &edit_queue::clear);
+  activity->addWidget(cancel_, 0, Qt::AlignLeft);
+  activity->addWidget(then_);
+  activity->addWidget(empty_, 0, Qt::AlignLeft);
+  return running_;
 }
 
 void context_panel::show_activity() {
@@ -419,6 +443,12 @@ void context_panel::show_activity() {
     fraction_->setValue(qRound(1000 * now->fraction));
     cancel_->setEnabled(now->can_cancel);
   }
+  if (!now && std::exchange(follows_later_, false))
+    QTimer::singleShot(0, this, &context_panel::follow);  // The head has moved by then.
+  const auto waiting = part_.edits().queue().waiting();
+  then_->setText(tr("Then: %1").arg(waiting.join(", ")));
+  then_->setVisible(!waiting.isEmpty());
+  empty_->setVisible(!waiting.isEmpty());
   if (hint_ && apply_)
     show_readiness();
 }

@@ -49,6 +49,7 @@ protected:
 private:
   void follow();
   [[nodiscard]] edit_wish wish() const;
+  void queue();
   void take_most(const most_that_works& most);
   [[nodiscard]] QWidget* make_policy();
   void show_policy();
@@ -59,6 +60,7 @@ private:
   void preview_changed();
   /// The part of the part that the preview takes away; nothing where there is none.
   [[nodiscard]] double share_taken();
+  [[nodiscard]] QWidget* make_activity();
   void show_activity();
   void show_readiness();
   void edited(const client::committed& what);
@@ -70,11 +72,12 @@ private:
   live_preview preview_;
   QString operation_;
   fem::load_policy policy_ = fem::load_policy::drop;
-  bool applies_ = false;   ///< Ours is on its way.
-  bool waits_ = false;     ///< To be applied once its preview is there.
-  bool asks_ = false;      ///< Whether so much shall be taken off.
-  std::string volume_of_;  ///< The version that `volume_` was found for.
-  double volume_ = 0;      ///< m^3.
+  bool follows_later_ = false;  ///< A preview is wanted once nothing runs.
+  bool applies_ = false;        ///< Ours is on its way.
+  bool waits_ = false;          ///< To be applied once its preview is there.
+  bool asks_ = false;           ///< Whether so much shall be taken off.
+  std::string volume_of_;       ///< The version that `volume_` was found for.
+  double volume_ = 0;           ///< m^3.
   QLabel* title_;
   QLabel* details_;
   QLabel* loads_;
@@ -92,6 +95,8 @@ private:
   QLabel* stage_;
   QProgressBar* fraction_;
   QPushButton* cancel_;
+  QLabel* then_;  ///< What waits behind what runs.
+  QPushButton* empty_;
 };
 
 }  // namespace tedit::desktop
