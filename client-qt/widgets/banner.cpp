@@ -132,6 +132,12 @@ void banner::show_error(const QString& what, const error& reason) {
   present(tr("%1 did not work").arg(what), explained(reason), look_.error);
 }
 
+void banner::add_to_error(const QString& text) {
+  if (isHidden() || away_.isActive() || !has_message())
+    return show_news(text);
+  present(title_->text(), body_->text() + "\n" + text, look_.error);
+}
+
 void banner::show_news(const QString& text) {
   if (!isHidden() && (stands_ || (has_message() && !away_.isActive())))
     return;  // An error or a lost connection says more.

@@ -23,6 +23,8 @@ public:
   void set_theme(const theme& look);
   /// What was tried and why it failed; surfaces that the error names can be shown.
   void show_error(const QString& what, const error& reason);
+  /// A line more to the error that is shown; news where there is none.
+  void add_to_error(const QString& text);
   void show_news(const QString& text);
   /// Stays until `clear_standing`, also beside an error: a connection that is lost.
   void show_standing(const QString& text);

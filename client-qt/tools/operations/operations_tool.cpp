@@ -22,7 +22,7 @@ void operations_tool::add_commands() {
                         "Ctrl+Return", [this] { panel_->apply(); }, in_.has_part()});
   connect(&in_.part.edits().queue(), &edit_queue::abandoned, this,
           [this](const QStringList& changes) {
-            in_.messages.show_news(tr("Waited behind it, so not made: %1").arg(changes.join(", ")));
+            in_.messages.add_to_error(tr("Waited behind it, so not made: %1").arg(changes.join(", ")));
           });
   in_.esc.add(ends::form, [this] {
     const bool open = !panel_->chosen().isEmpty();
