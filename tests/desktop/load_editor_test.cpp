@@ -152,8 +152,9 @@ TEST(LoadEditor, APressureMayGrowWithTheDepth) {
   field(editor, "second_z")->setText("-9,81 kPa/m");
   field(editor, "place_z")->setText("100");
 
-  ASSERT_TRUE(editor.value());
-  const auto& read = std::get<fem::pressure>(std::get<fem::load>(*editor.value()).kind);
+  const auto item = editor.value();
+  ASSERT_TRUE(item);
+  const auto& read = std::get<fem::pressure>(std::get<fem::load>(*item).kind);
   EXPECT_DOUBLE_EQ(read.gradient_pa_m.z, -9810);
   EXPECT_DOUBLE_EQ(read.at_m.z, 0.1);
 }
