@@ -134,6 +134,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<select_request>::with<selected>,
   // All versions.
   caf::replies_to<history_request>::with<session_history>,
+  // One of them.
+  caf::replies_to<version_request>::with<session_version>,
   // Ends a request early; it is then answered with `cancelled`.
   caf::reacts_to<cancel_atom, std::uint64_t>>;
 

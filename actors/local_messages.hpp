@@ -139,6 +139,10 @@ struct history_request {
   bool reports = false;  ///< Also those of the edits.
 };
 
+struct version_request {
+  std::uint32_t number = 0;
+};
+
 struct select_request {
   std::uint64_t ticket = 0;
   caf::actor client;
@@ -234,6 +238,13 @@ struct selected {
   std::string features;  ///< JSON of SurfacesSelected.
 };
 
+/// A version as it is, whether it is the head or not.
+struct session_version {
+  std::string document;
+  std::uint32_t number = 0;
+  version_ptr mesh;
+};
+
 struct session_history {
   std::string document;
   std::vector<version_info> versions;
@@ -299,6 +310,8 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::annotate_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::history_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::version_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_version)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::select_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)

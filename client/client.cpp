@@ -241,6 +241,22 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
   return read_preview(got->message.edit_preview(), *got->bulk);
 }
 
+expected<surface_model> client::surface_of(std::uint32_t number, const execution& run) {
+  auto document = impl_->open_document(8, "show a version that is not the head");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  request.mutable_get_surface()->set_document(*document);
+  request.mutable_get_surface()->set_number(number);
+  auto got = impl_->ask(std::move(request), body::kVersionSurface, run);
+  if (!got)
+    return fail(std::move(got.error()));
+  const auto update = read_surface(got->message.version_surface().surface(), *got->bulk);
+  surface_model result;
+  auto taken = update ? result.apply(*update) : fail(update.error());
+  return taken ? expected<surface_model>(std::move(result)) : fail(std::move(taken.error()));
+}
+
 expected<committed> client::undo(const change_terms& terms) {
   auto document = impl_->open_document(terms);
   if (!document)

@@ -113,6 +113,10 @@ public:
     const ops::parameters& values, const execution& run, const std::string& expected_version = {},
     const fem::carry_settings& loads = {}, bool find_most = false);
 
+  /// The surface of any version, by its number; head and `surface()` stay as they are. Errors: also
+  /// `not_found`, `protocol_error` from a server with protocol_minor below 8.
+  [[nodiscard]] expected<surface_model> surface_of(std::uint32_t number, const execution& run = {});
+
   [[nodiscard]] expected<committed> undo(const change_terms& terms = {});
   [[nodiscard]] expected<committed> redo(const change_terms& terms = {});
 

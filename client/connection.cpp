@@ -143,7 +143,8 @@ expected<void> connection::wait(std::uint64_t id, pending& request, std::chrono:
                         : too_slow(limit);
     }
     if (!cancelling && run.cancel.cancelled()) {
-      if (request.result.message.has_file_ready() || request.result.message.has_edit_preview())
+      const auto& begun = request.result.message;
+      if (begun.has_file_ready() || begun.has_edit_preview() || begun.has_version_surface())
         return fail(ec::cancelled, "the transfer was cancelled");
       cancelling = true;
       deadline = std::min(deadline, now + cancel_patience);
@@ -241,6 +242,8 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
       return dispatch_bulk(message, message.file_ready().stream(), bytes);
     case body::kSectionReady:
       return dispatch_bulk(message, message.section_ready().stream(), bytes);
+    case body::kVersionSurface:
+      return dispatch_bulk(message, message.version_surface().surface().stream(), bytes);
     case body::kEditPreview:
       return dispatch_bulk(message, message.edit_preview().surface().stream(), bytes);
     case body::kCommitted:

@@ -121,6 +121,7 @@ struct client_state {
 
   void edit(std::uint64_t id, const v1::ApplyEdit& body);
   void preview(std::uint64_t id, const v1::PreviewEdit& body);
+  void surface_of(std::uint64_t id, const v1::GetSurface& body);
   void send_preview(std::uint64_t id, const actors::previewed& made);
   /// Ends the preview that is asked for, if there is one.
   void end_preview(const error& why);

@@ -185,6 +185,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
       return select(id, message.select_surfaces());
     case body::kGetHistory:
       return history(id, message.get_history());
+    case body::kGetSurface:
+      return surface_of(id, message.get_surface());
     case body::kHello:
       return refuse(id, {ec::protocol_error, "Hello was said already", {}, {}});
     case body::BODY_NOT_SET:
@@ -356,6 +358,28 @@ void client_state::history(std::uint64_t id, const v1::GetHistory& body) {
         answer(id, std::move(message));
       },
       [=, this](const caf::error& e) { refuse(id, e, "asking for the history"); });
+}
+
+/// Whole surfaces wait for their turn among what is written, as differences do.
+void client_state::surface_of(std::uint64_t id, const v1::GetSurface& body) {
+  const auto* document = find(id, body.document());
+  if (!document)
+    return;
+  begin(id, {});
+  self->request(document->session, short_limit, version_request{body.number()})
+    .then(
+      [=, this](const session_version& version) {
+        bulk_out->add([=, this]() -> std::optional<bulk> {
+          if (!requests.contains(id))
+            return std::nullopt;
+          end(id);
+          auto result = surface_stream::of_version(version);
+          result.header.set_request_id(id);
+          return result;
+        });
+        bulk_out->pump();
+      },
+      [=, this](const caf::error& e) { refuse(id, e, "asking for a surface"); });
 }
 
 }  // namespace tedit::gateway

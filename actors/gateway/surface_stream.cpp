@@ -186,6 +186,24 @@ std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_v
   return arrays.vertices;
 }
 
+/// Answers the vertices that were written.
+std::vector<vertex_id> write_whole(const mesh_version& mesh, bulk& result,
+                                   v1::SurfaceUpdate* update) {
+  update->set_version_id(to_hex(mesh.id()));
+  const auto sizes = surface_sizes(mesh);
+  for (const auto& surface : mesh.surfaces())
+    if (const auto found = sizes.find(surface.id); found != sizes.end())
+      describe(mesh, surface.id, found->second, update->add_surfaces());
+  surface_arrays arrays;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f))
+      arrays.add_facet(f, mesh.facet(f));
+  arrays.vertices = boundary_vertices(mesh);
+  arrays.add_positions(mesh);
+  arrays.write(result, update);
+  return arrays.vertices;
+}
+
 }  // namespace
 
 std::optional<bulk> surface_stream::update_to(const std::string& document,
@@ -212,19 +230,18 @@ bulk surface_stream::whole(const std::string& document, const mesh_version& mesh
   bulk result;
   auto* update = result.header.mutable_surface_update();
   update->set_document(document);
-  update->set_version_id(to_hex(mesh.id()));
-  const auto sizes = surface_sizes(mesh);
-  for (const auto& surface : mesh.surfaces())
-    if (const auto found = sizes.find(surface.id); found != sizes.end())
-      describe(mesh, surface.id, found->second, update->add_surfaces());
-  surface_arrays arrays;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
-    if (mesh.is_live_facet(f))
-      arrays.add_facet(f, mesh.facet(f));
-  arrays.vertices = boundary_vertices(mesh);
-  arrays.add_positions(mesh);
-  vertices_ = {arrays.vertices.begin(), arrays.vertices.end()};
-  arrays.write(result, update);
+  const auto sent = write_whole(mesh, result, update);
+  vertices_ = {sent.begin(), sent.end()};
+  return result;
+}
+
+bulk surface_stream::of_version(const actors::session_version& version) {
+  bulk result;
+  auto* out = result.header.mutable_version_surface();
+  out->set_document(version.document);
+  out->set_number(version.number);
+  out->mutable_surface()->set_document(version.document);
+  write_whole(*version.mesh, result, out->mutable_surface());
   return result;
 }
 

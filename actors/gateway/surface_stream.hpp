@@ -35,6 +35,9 @@ public:
   [[nodiscard]] static std::optional<bulk> fields_of(const actors::solved& event, unsigned index,
                                                      const watched_quantities& watched);
 
+  /// The answer VersionSurface; what the client holds stays. Cost: O(boundary).
+  [[nodiscard]] static bulk of_version(const actors::session_version& version);
+
 private:
   bulk whole(const std::string& document, const mesh_version& mesh);
 

@@ -53,6 +53,15 @@ session_history session_state::history(const history_request& request) const {
   return result;
 }
 
+caf::result<session_version> session_state::version(const version_request& request) const {
+  if (request.number >= graph.nodes().size())
+    return to_caf({ec::not_found,
+                   "there is no version " + std::to_string(request.number),
+                   "The history lists those that there are",
+                   {}});
+  return session_version{parts.document, request.number, graph.nodes()[request.number].mesh};
+}
+
 // -- the order of commands ---------------------------------------------------------------------
 
 void session_state::enqueue(command c) {
@@ -176,6 +185,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const export_request& request) { return state.write_file(request); },
           [&state](const select_request& request) { return state.select(request); },
           [&state](const history_request& request) { return state.history(request); },
+          [&state](const version_request& request) { return state.version(request); },
           [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); }};
 }
 

@@ -98,6 +98,7 @@ struct session_state {
   session_snapshot attach(const attach_request& request);
   void detach(const caf::actor& subscriber);
   [[nodiscard]] session_history history(const history_request& request) const;
+  [[nodiscard]] caf::result<session_version> version(const version_request& request) const;
   void cancel(std::uint64_t ticket);
   void cancel_jobs_of(std::uint64_t ticket);
   void enqueue(command c);

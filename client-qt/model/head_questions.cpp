@@ -38,6 +38,17 @@ void head_questions::select(const selection_query& query,
     std::move(done));
 }
 
+void head_questions::surface_of(std::uint32_t number, remote::reply<shared_surface> done) {
+  link_.run<shared_surface>(
+    [number](client::client& c, const execution& run) -> expected<shared_surface> {
+      auto got = c.surface_of(number, run);
+      if (!got)
+        return fail(std::move(got.error()));
+      return std::make_shared<const client::surface_model>(std::move(*got));
+    },
+    std::move(done));
+}
+
 void head_questions::cut(const vec3& at, const vec3& normal, const std::string& load_case,
                          remote::reply<client::section> done) {
   // The server cuts in one go: an answer that comes after a cancel is dropped.

@@ -31,8 +31,8 @@ struct edit_wish {
   friend bool operator==(const edit_wish&, const edit_wish&) = default;
 };
 
-/// Questions about the head, which change nothing. Each is answered once, also by an error: that is
-/// no failure to be told.
+/// Questions about the head and other versions, which change nothing. Each is answered once, also
+/// by an error: that is no failure to be told.
 class head_questions {
   Q_DECLARE_TR_FUNCTIONS(head_questions)
 
@@ -45,6 +45,8 @@ public:
                  remote::progress advanced = {});
   /// Which surfaces belong together, or why none do.
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
+  /// The surface of any version.
+  void surface_of(std::uint32_t number, remote::reply<shared_surface> done);
   /// A plane through the head, with the field of a load case as `client::cut` says. A newer
   /// question makes an older one `superseded`; one that is cancelled among what runs is `cancelled`
   /// at once.

@@ -1278,6 +1278,14 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <source> (no difference)</source>
         <translation> (kein Unterschied)</translation>
     </message>
+    <message>
+        <source>  (not solved here)</source>
+        <translation>  (hier nicht gelöst)</translation>
+    </message>
+    <message>
+        <source>Version %1 is being fetched.</source>
+        <translation>Version %1 wird geholt.</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::connection_tool</name>

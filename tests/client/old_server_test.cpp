@@ -86,6 +86,7 @@ std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
   result.emplace(5, user.preview_edit("close", {1}, {}, {}).error());
   result.emplace(8, user.preview_edit("close", {1}, {}, {}, {}, {}, true).error());
   result.emplace(5, user.remove_load_case("bend").error());
+  result.emplace(8, user.surface_of(0).error());
   result.emplace(5, user.annotate(0, "first", {}).error());
   result.emplace(5, user.watch_fields({}).error());
   return result;

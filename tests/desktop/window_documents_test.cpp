@@ -126,6 +126,36 @@ TEST_F(Documents, WhatWasSaidOfAPartGoesWithIt) {
   EXPECT_FALSE(window->findChild<QLabel*>("title")->text().contains("plate"));
 }
 
+TEST_F(Documents, AVersionThatWasNotSeenIsComparedWithoutMovingTheHead) {
+  open_plate();
+  part().edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  const auto name = part().name();
+  part().files().close();
+  window->tools().documents.open_document(name);
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  ASSERT_FALSE(part().versions().at(0).surface);
+
+  ASSERT_TRUE(window->context().all_commands.trigger("view.compare"));
+  auto* before = window->findChild<viewport*>("compare_before");
+  ASSERT_TRUE(
+    wait([&] { return before->isVisible() && before->is_settled() && before->geometry(); }));
+
+  EXPECT_EQ(version(), 1U);
+  ASSERT_TRUE(before->current().surface);
+  EXPECT_TRUE(before->current().surface->surfaces().contains(1)) << "the bore is still open there";
+  QStringList titles;
+  for (const auto* one : window->findChildren<QLabel*>())
+    if (one->isVisible() && one->text().startsWith("v0"))
+      titles << one->text();
+  ASSERT_EQ(titles.size(), 1) << titles.join("; ").toStdString();
+  EXPECT_TRUE(titles.front().contains("not solved here")) << titles.front().toStdString();
+  // Their difference needs both fields: it says so, and who wants it goes there.
+  window->findChild<QPushButton*>("compare_difference")->click();
+  EXPECT_TRUE(window->findChild<QPushButton*>("compare_go")->isVisible());
+  EXPECT_EQ(version(), 1U);
+}
+
 TEST_F(Documents, AChangeOfLoadsIsUndoneAndRedone) {
   open_plate();
   const auto original = part().loads().all();

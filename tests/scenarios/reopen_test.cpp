@@ -48,6 +48,51 @@ void expect_same(const std::optional<edit_report>& got, const std::optional<edit
   EXPECT_EQ(got->surface_map.size(), wanted->surface_map.size());
 }
 
+TEST(Reopen, TheSurfaceOfAnyVersionIsThereWithoutMovingTheHead) {
+  const scratch_folder folder;
+  auto host = start(options_for(folder, false));
+  std::vector<client::surface_model> as_heads;
+  std::string head;
+  {
+    auto user = connect(host->url());
+    value(user->open("cube", true, false));
+    const auto imported = value(user->import_file(cube_mesh, "mm", {}));
+    value(user->wait_surface(imported.head.version_id, patience));
+    as_heads.push_back(user->surface());
+    const auto edited = value(user->edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
+    value(user->wait_surface(edited.head.version_id, patience));
+    as_heads.push_back(user->surface());
+    head = edited.head.version_id;
+  }
+  host.reset();
+  host = start(options_for(folder, false));
+  auto user = connect(host->url());
+  value(user->open("cube", true, false));
+  value(user->wait_surface(head, patience));
+
+  for (std::uint32_t number = 0; number < as_heads.size(); ++number) {
+    const auto got = value(user->surface_of(number));
+    const auto& wanted = as_heads[number];
+    EXPECT_EQ(got.version_id(), wanted.version_id());
+    ASSERT_EQ(got.total_facets(), wanted.total_facets());
+    wanted.facets().for_each([&](std::uint32_t slot, const client::surface_facet& facet) {
+      const auto* other = got.facets().find(slot);
+      ASSERT_NE(other, nullptr);
+      EXPECT_EQ(*other, facet);
+      for (const auto v : facet.v)
+        EXPECT_EQ(*got.positions().find(v), *wanted.positions().find(v));
+    });
+  }
+  EXPECT_EQ(user->surface().version_id(), head);
+  const auto none = user->surface_of(2);
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, ec::not_found);
+  EXPECT_THAT(none.error().message, HasSubstr("there is no version 2"));
+  // What the connection holds of the head is what its next difference builds on.
+  const auto next = value(user->edit("thicken", {6}, {{"depth", 0.5e-3}}, {}));
+  value(user->wait_surface(next.head.version_id, patience));
+}
+
 TEST(Reopen, EveryVersionSaysWhatItsEditReported) {
   const scratch_folder folder;
   auto host = start(options_for(folder, false));

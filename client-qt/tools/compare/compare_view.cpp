@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "client-qt/model/field_values.hpp"
+#include "client-qt/model/quantities.hpp"
 #include "client-qt/view/overlay.hpp"
 #include "client-qt/widgets/legend_strip.hpp"
 
@@ -74,6 +75,10 @@ compare_view::compare_view(document& part, QWidget* parent) : QWidget(parent), p
   middle->addStretch();
   column->addWidget(missing_, 1);
 
+  connect(&part_, &document::begun, this, [this] {
+    fetched_.clear();
+    what_.reset();
+  });
   const auto follow = [this] {
     if (isVisible())
       refresh();
@@ -167,6 +172,8 @@ void compare_view::set_theme(const theme& look) {
 void compare_view::open(const comparison& what) {
   what_ = what;
   posed_ = false;
+  refused_.clear();
+  asked_.clear();
   change_.reset();
   refresh();
 }
@@ -217,31 +224,73 @@ void compare_view::refresh() {
   const auto after = all.find(what_->after);
   if (before == all.end() || after == all.end())
     return;
+  if (!fetch_missing())
+    return;
+  auto one = before->second;
+  auto other = after->second;
+  for (auto* row : {&one, &other})
+    if (!row->surface)
+      row->surface = fetched_.at(row->info.number);
   QString why;
-  for (const auto* one : {&before->second, &after->second})
-    if (why.isEmpty() && !(why = not_held(*one, what_->load_case, what_->by.field)).isEmpty())
-      wanted_ = one->info.number;
+  for (const auto* row : {&one, &other})
+    if (why.isEmpty() && !(why = not_held(*row, what_->load_case, what_->by.field)).isEmpty())
+      wanted_ = row->info.number;
+  // Beside each other the shapes say something without their fields, too.
+  if (!why.isEmpty() && difference_)
+    return show_missing(why, true);
+  show_missing({}, false);
+  before_.box->setVisible(!difference_);
+  const auto state = [&](const version_record& row) {
+    const auto field = field_of(row, what_->load_case);
+    if (!not_held(row, what_->load_case, what_->by.field).isEmpty())
+      return tr("  (not solved here)");
+    return field && field->interim() ? tr("  (preview)") : QString();
+  };
+  before_.title->setText(title_of(one, nullptr) + state(one));
+  after_.title->setText(difference_
+                          ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")
+                              .arg(what_->after)
+                              .arg(what_->before)
+                          : title_of(other, &one) + state(other));
+  show_both(one, other);
+}
+
+/// Asks for the surfaces that are not at hand; true when all are.
+bool compare_view::fetch_missing() {
+  for (const auto number : {what_->before, what_->after}) {
+    const auto& row = part_.versions().at(number);
+    if (row.surface || fetched_.contains(number))
+      continue;
+    wanted_ = number;
+    show_missing(refused_.isEmpty() ? tr("Version %1 is being fetched.").arg(number) : refused_,
+                 !refused_.isEmpty());
+    if (asked_.insert(number).second)
+      part_.questions().surface_of(
+        number, [this, number, mine = part_.opening()](const expected<shared_surface>& got) {
+          if (mine == part_.opening())
+            fetched(number, got);
+        });
+    return false;
+  }
+  return true;
+}
+
+void compare_view::fetched(std::uint32_t number, const expected<shared_surface>& got) {
+  if (got)
+    fetched_[number] = *got;
+  else
+    refused_ = words_of(got.error().message);
+  refresh();
+}
+
+void compare_view::show_missing(const QString& why, bool may_go) {
   missing_->setVisible(!why.isEmpty());
   panes_->setVisible(why.isEmpty());
   legend_->setVisible(why.isEmpty());
   why_->setText(why);
   go_->setText(tr("Go to version %1").arg(wanted_));
   const auto* head = part_.head();
-  go_->setVisible(!head || head->info.number != wanted_);
-  if (!why.isEmpty())
-    return;
-  before_.box->setVisible(!difference_);
-  const auto state = [&](const version_record& one) {
-    const auto field = field_of(one, what_->load_case);
-    return field && field->interim() ? tr("  (preview)") : QString();
-  };
-  before_.title->setText(title_of(before->second, nullptr) + state(before->second));
-  after_.title->setText(difference_
-                          ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")
-                              .arg(what_->after)
-                              .arg(what_->before)
-                          : title_of(after->second, &before->second) + state(after->second));
-  show_both(before->second, after->second);
+  go_->setVisible(may_go && (!head || head->info.number != wanted_));
 }
 
 /// The one before is always there: it gives the camera.
@@ -249,7 +298,7 @@ void compare_view::show_both(const version_record& before, const version_record&
   const auto a = field_of(before, what_->load_case);
   const auto b = field_of(after, what_->load_case);
   legend by = what_->by;
-  if (by.mode == range_mode::automatic || by.mode == range_mode::full)
+  if (a && b && (by.mode == range_mode::automatic || by.mode == range_mode::full))
     if (const auto range = common_range(*a, *b, by.field); range && range->second > range->first) {
       by.low = range->first;
       by.high = range->second;

@@ -3,7 +3,9 @@
 
 #include <QWidget>
 
+#include <map>
 #include <optional>
+#include <set>
 
 #include "client-qt/model/compare.hpp"
 #include "client-qt/view/viewport.hpp"
@@ -45,7 +47,7 @@ public:
 
 signals:
   void closed();
-  /// One of the versions is not at hand; it is, once it was the head.
+  /// One of the versions was not solved here; it is, once it was the head.
   void version_wanted(quint32 number);
 
 protected:
@@ -63,6 +65,9 @@ private:
   [[nodiscard]] pane make_pane(const char* name);
   void link(const pane& from, const pane& to);
   void refresh();
+  [[nodiscard]] bool fetch_missing();
+  void fetched(std::uint32_t number, const expected<shared_surface>& got);
+  void show_missing(const QString& why, bool may_go);
   void show_both(const version_record& before, const version_record& after);
   void show_change(const version_record& before, const version_record& after);
   void take_start_pose();
@@ -79,6 +84,9 @@ private:
   bool posed_ = false;
   shared_field change_;  ///< Kept, so that a refresh shows the same one.
   std::pair<shared_field, shared_field> change_of_;
+  std::map<std::uint32_t, shared_surface> fetched_;  ///< Of versions that were not at hand.
+  std::set<std::uint32_t> asked_;
+  QString refused_;  ///< Why one of them does not come.
   QPushButton* both_;
   QPushButton* change_button_;
   QWidget* panes_;
