@@ -20,10 +20,10 @@ operations_tool::operations_tool(window_context& in)
 void operations_tool::add_commands() {
   in_.all_commands.add({"edit.apply", tr("Apply the operation"), command_groups::edit(),
                         "Ctrl+Return", [this] { panel_->apply(); }, in_.has_part()});
-  connect(&in_.part.edits().queue(), &edit_queue::abandoned, this,
-          [this](const QStringList& changes) {
-            in_.messages.add_to_error(tr("Waited behind it, so not made: %1").arg(changes.join(", ")));
-          });
+  connect(
+    &in_.part.edits().queue(), &edit_queue::abandoned, this, [this](const QStringList& changes) {
+      in_.messages.add_to_error(tr("Waited behind it, so not made: %1").arg(changes.join(", ")));
+    });
   in_.esc.add(ends::form, [this] {
     const bool open = !panel_->chosen().isEmpty();
     if (open)
