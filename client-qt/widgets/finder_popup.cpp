@@ -35,6 +35,13 @@ finder_popup::finder_popup(const QString& name, const QString& placeholder, QWid
   hide();
 }
 
+/// Its children go later than what they would tell.
+finder_popup::~finder_popup() {
+  letters_->removeEventFilter(this);
+  letters_->disconnect(this);
+  hits_->disconnect(this);
+}
+
 void finder_popup::open() {
   const QSize room = parentWidget()->size();
   resize(std::min(560, room.width() - 40), std::min(420, room.height() - 80));

@@ -17,6 +17,8 @@ public:
   /// Its fields are named `name`_letters and `name`_hits.
   finder_popup(const QString& name, const QString& placeholder, QWidget* parent);
 
+  ~finder_popup() override;
+
   virtual void open();
 
 protected:
