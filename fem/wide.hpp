@@ -11,7 +11,6 @@ namespace tedit::fem {
 
 // Vectors wider than 16 bytes only live inside one function: all that takes or returns them is
 // inlined into a body that exists once for AVX2 and once for any machine.
-#pragma GCC diagnostic ignored "-Wpsabi"
 #define TEDIT_INLINE [[gnu::always_inline]] inline
 /// Behind the parameters of a lambda.
 #define TEDIT_INLINED __attribute__((always_inline))

@@ -30,14 +30,13 @@ void file_requests::open(const QString& name) {
     if (!state->head)
       return fail(ec::not_found, "the server has no document \"" + name + "\" any more",
                   "Open the part's mesh, or look for the document where it was moved to");
-    return ready{};
+    return ready{name, {}, {}};
   };
-  switch_to(tr("Open %1").arg(title_of(name).words), name, look);
+  switch_to(tr("Open %1").arg(title_of(name).words), look);
 }
 
 /// `prepare` works on a connection of its own. What was wanted last counts.
-void file_requests::switch_to(const QString& title, const QString& name,
-                              remote::work<ready> prepare) {
+void file_requests::switch_to(const QString& title, remote::work<ready> prepare) {
   part_.foreground().ask<ready>(
     title,
     [options = link_.options(), prepare = std::move(prepare)](
@@ -45,12 +44,12 @@ void file_requests::switch_to(const QString& title, const QString& name,
       const auto aside = client::client::connect(options, {});
       return aside ? prepare(**aside, run) : expected<ready>(fail(aside.error()));
     },
-    [this, title, name, mine = ++wanted_](const expected<ready>& got) {
+    [this, title, mine = ++wanted_](const expected<ready>& got) {
       if (mine != wanted_)
         return;
       if (!got)
         return emit part_.failed(title, got.error());
-      part_.begin(name);
+      part_.begin(QString::fromStdString(got->name));
       reopen();
       part_.say(got->warnings);
       if (got->refused_loads)
@@ -87,35 +86,46 @@ void file_requests::reopen() {
 
 void file_requests::import(const QString& mesh, const QStringList& load_cases,
                            const QString& unit) {
-  std::vector<fem::load_case> loads;
+  new_part from{mesh, unit.toStdString(), {}};
   for (const auto& file : load_cases) {
     auto read = protocol::load_case_from_file(file.toStdString());
     if (!read) {
       emit part_.failed(tr("Open %1").arg(file), read.error());
       return;
     }
-    loads.push_back(std::move(*read));
+    from.loads.push_back(std::move(*read));
   }
-  const QString name = new_document_name(mesh, QDateTime::currentDateTime());
-  switch_to(
-    tr("Open %1").arg(QFileInfo(mesh).fileName()), name,
-    [mesh = mesh.toStdString(), unit = unit.toStdString(), name = name.toStdString(),
-     loads = std::move(loads)](client::client& server, const execution& run) -> expected<ready> {
-      if (const auto state = server.open(name, false, false); !state)
-        return fail(state.error());
-      return make(server, run, mesh, unit, loads);
-    });
+  switch_to(tr("Open %1").arg(QFileInfo(mesh).fileName()),
+            [from = std::move(from)](client::client& server, const execution& run) {
+              return make(server, run, from);
+            });
+}
+
+/// Named after the mesh and the time, a second later for each that has been taken: a part opened
+/// twice within a second must not go into the document of the first.
+expected<std::string> file_requests::open_empty(client::client& server, const QString& mesh) {
+  const auto now = QDateTime::currentDateTime();
+  for (int later = 0;; ++later) {
+    const auto name = new_document_name(mesh, now.addSecs(later)).toStdString();
+    const auto state = server.open(name, false, false);
+    if (!state)
+      return fail(state.error());
+    if (!state->head)
+      return name;
+  }
 }
 
 /// A part whose loads are refused is opened all the same.
 expected<file_requests::ready> file_requests::make(client::client& server, const execution& run,
-                                                   const std::string& mesh, const std::string& unit,
-                                                   const std::vector<fem::load_case>& loads) {
-  auto made = server.import_file(mesh, unit, run);
+                                                   const new_part& from) {
+  const auto name = open_empty(server, from.mesh);
+  if (!name)
+    return fail(name.error());
+  auto made = server.import_file(from.mesh.toStdString(), from.unit, run);
   if (!made)
     return fail(made.error());
-  ready result{std::move(made->warnings), {}};
-  for (const auto& one : loads)
+  ready result{*name, std::move(made->warnings), {}};
+  for (const auto& one : from.loads)
     if (const auto ok = server.set_load_case(one); !ok && !result.refused_loads)
       result.refused_loads = ok.error();
   return result;

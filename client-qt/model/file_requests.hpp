@@ -37,14 +37,22 @@ signals:
 private:
   /// What a person should know of a document that was made ready.
   struct ready {
+    std::string name;
     std::vector<std::string> warnings;
     std::optional<error> refused_loads;
   };
+  /// What an import needs, whatever becomes of the window meanwhile.
+  struct new_part {
+    QString mesh;
+    std::string unit;
+    std::vector<fem::load_case> loads;
+  };
   void reopen();
-  void switch_to(const QString& title, const QString& name, remote::work<ready> prepare);
+  void switch_to(const QString& title, remote::work<ready> prepare);
+  [[nodiscard]] static expected<std::string> open_empty(client::client& server,
+                                                        const QString& mesh);
   [[nodiscard]] static expected<ready> make(client::client& server, const execution& run,
-                                            const std::string& mesh, const std::string& unit,
-                                            const std::vector<fem::load_case>& loads);
+                                            const new_part& from);
 
   document& part_;
   remote& link_;

@@ -3222,10 +3222,6 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
 <context>
     <name>tedit::desktop::surface_finder</name>
     <message>
-        <source>Find surfaces: a name or number, &quot;bores 8 to 12 mm&quot;, &quot;equal&quot;, &quot;smooth&quot;, &quot;neighbours&quot;</source>
-        <translation>Flächen suchen: Name oder Nummer, „Bohrungen 8 bis 12 mm“, „gleiche“, „glatt“, „Nachbarn“</translation>
-    </message>
-    <message>
         <source>Up and down show what a row is, Enter selects it</source>
         <translation>Auf und ab zeigen, was eine Zeile ist, Eingabe wählt sie aus</translation>
     </message>
@@ -3254,16 +3250,20 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Alle %1 Bohrungen</translation>
     </message>
     <message>
-        <source>Bore, Ø %1</source>
-        <translation>Bohrung, Ø %1</translation>
-    </message>
-    <message>
         <source>at (%1, %2, %3) mm</source>
         <translation>bei (%1, %2, %3) mm</translation>
     </message>
     <message>
         <source>All %1 of the same area</source>
         <translation>Alle %1 mit derselben Fläche</translation>
+    </message>
+    <message>
+        <source>A name, &quot;bores 8 to 12 mm&quot;, &quot;equal&quot;, &quot;smooth&quot;</source>
+        <translation>Name, „Bohrungen 8 bis 12 mm“, „gleiche“, „glatt“</translation>
+    </message>
+    <message>
+        <source>Ø %1</source>
+        <translation>Ø %1</translation>
     </message>
 </context>
 <context>

@@ -67,7 +67,10 @@ main_window::main_window(const QString& state_folder)
   show_title();
 }
 
-main_window::~main_window() = default;
+/// Hidden while all of it lives: children that lose the keyboard's focus tell it to what they show.
+main_window::~main_window() {
+  hide();
+}
 
 /// What stands there whatever the tools add.
 void main_window::make_view() {

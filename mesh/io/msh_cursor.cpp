@@ -15,7 +15,7 @@ bool is_space(char c) {
 
 }  // namespace
 
-std::string quoted(std::string_view word) {
+std::string plain(std::string_view word) {
   std::string text;
   for (const char c : word.substr(0, 24))
     text += c >= 32 && c < 127 ? c : '?';
@@ -59,9 +59,9 @@ T msh_cursor::parse(std::string_view word, const char* what) const {
   T value{};
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (code == std::errc::result_out_of_range)
-    fail_here(ec::bad_input, std::string(what) + " " + quoted(word) + " is out of range");
+    fail_here(ec::bad_input, std::string(what) + " " + plain(word) + " is out of range");
   if (code != std::errc{} || end != word.data() + word.size())
-    fail_here(ec::bad_input, std::string(what) + " \"" + quoted(word) + "\" is not a whole number");
+    fail_here(ec::bad_input, std::string(what) + " \"" + plain(word) + "\" is not a whole number");
   return value;
 }
 
@@ -108,7 +108,7 @@ double msh_cursor::real(const std::string& what) {
   if (code == std::errc::result_out_of_range && whole && word.find("e-") != word.npos)
     return 0;
   if (code != std::errc{} || !whole || !std::isfinite(value))
-    fail_here(ec::bad_input, what + " is \"" + quoted(word) + "\", which is not a finite number");
+    fail_here(ec::bad_input, what + " is \"" + plain(word) + "\", which is not a finite number");
   return value;
 }
 

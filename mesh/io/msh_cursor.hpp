@@ -93,6 +93,6 @@ private:
 };
 
 /// A token as it may stand in a message: printable and short.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string plain(std::string_view word);
 
 }  // namespace tedit

@@ -64,11 +64,11 @@ private:
     const auto name = in_.token();
     if (name != "$MeshFormat")
       in_.fail_here(ec::bad_input,
-                    "the file starts with " + quoted(name) + " instead of $MeshFormat");
+                    "the file starts with " + plain(name) + " instead of $MeshFormat");
     in_.section = "$MeshFormat";
     const auto version = std::string(in_.token());
     if (version != "2.2" && version != "2" && version != "4.1")
-      in_.fail_here(ec::unsupported_format, "MSH version " + quoted(version) + " is not supported",
+      in_.fail_here(ec::unsupported_format, "MSH version " + plain(version) + " is not supported",
                     "Save the mesh as MSH 4.1 or 2.2");
     four_ = version == "4.1";
     const auto type = in_.integer("file type");
@@ -99,7 +99,7 @@ private:
     if (word.empty())
       in_.fail_truncated();
     if (word != "$End" + name.substr(1))
-      in_.fail_here(ec::bad_input, "section " + name + " should end here, but \"" + quoted(word) +
+      in_.fail_here(ec::bad_input, "section " + name + " should end here, but \"" + plain(word) +
                                      "\" follows: its counts and its content disagree");
   }
 
@@ -108,9 +108,8 @@ private:
     if (name.empty())
       return false;
     if (name.front() != '$' || name.starts_with("$End"))
-      in_.fail_here(ec::bad_input,
-                    "a section name was expected here, not \"" + quoted(name) + "\"");
-    in_.section = quoted(name);
+      in_.fail_here(ec::bad_input, "a section name was expected here, not \"" + plain(name) + "\"");
+    in_.section = plain(name);
     if (name == "$PhysicalNames") {
       read_physical_names();
     } else if (name == "$Entities" && four_) {
@@ -134,7 +133,7 @@ private:
     const auto end = "$End" + name.substr(1);
     const auto found = in_.text().find("\n" + end, in_.offset());
     if (found == std::string_view::npos)
-      in_.fail_here(ec::bad_input, "section " + quoted(name) + " is not closed",
+      in_.fail_here(ec::bad_input, "section " + plain(name) + " is not closed",
                     "The file is cut off or damaged: write it again");
     in_.seek(found + 1 + end.size());
   }

@@ -204,6 +204,17 @@ TEST_F(Documents, LoadsThatCannotBeSolvedShowNoStress) {
   EXPECT_FALSE(window->context().truth.verdict().contains("final"));
 }
 
+TEST_F(Documents, APartThatIsOpenedAgainAtOnceIsAnotherDocument) {
+  QStringList names;
+  for (int i = 0; i < 3; ++i) {
+    window->tools().documents.open_file(plate(), {});
+    ASSERT_TRUE(wait([&] { return part().is_open() && !names.contains(part().name()); }));
+    ASSERT_TRUE(wait([&] { return shows_head(); }));
+    EXPECT_EQ(version(), 0U);
+    names << part().name();
+  }
+}
+
 TEST_F(Documents, ProbesAndThumbnailsAreThereAgain) {
   open_plate();
   auto& pins = window->tools().probing.pins();
@@ -211,9 +222,10 @@ TEST_F(Documents, ProbesAndThumbnailsAreThereAgain) {
   ASSERT_TRUE(pins.put(3, wall, *view().visible_point(wall)));
   const auto at = pins.all().front().place.at;
   const auto first = part().head()->info.version_id;
+  auto* strip = window->findChild<history_strip*>();
+  ASSERT_TRUE(wait([&] { return strip->has_thumbnail(first, true); }));
   part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
-  auto* strip = window->findChild<history_strip*>();
   const auto second = part().head()->info.version_id;
   ASSERT_TRUE(wait([&] { return strip->has_thumbnail(second, true); }));
   const auto name = part().name();
@@ -232,8 +244,8 @@ TEST_F(Documents, ProbesAndThumbnailsAreThereAgain) {
   EXPECT_EQ(again.front().number, 3);
   EXPECT_NEAR(std::sqrt(dot(again.front().place.at - at, again.front().place.at - at)), 0, 1e-6);
   strip = window->findChild<history_strip*>();
-  EXPECT_TRUE(strip->has_thumbnail(first, true));
-  EXPECT_TRUE(strip->has_thumbnail(second, true));
+  EXPECT_TRUE(wait([&] { return strip->has_thumbnail(first, true); }));
+  EXPECT_TRUE(wait([&] { return strip->has_thumbnail(second, true); }));
 }
 
 TEST_F(Documents, WhatWasHiddenAndPickedIsNotSoOnTheNextPart) {

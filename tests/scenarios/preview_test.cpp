@@ -165,7 +165,7 @@ TEST_F(Preview, IsRefusedAsTheEditIs) {
 TEST_F(Preview, LooksForTheMostThatWorksWhereItIsAskedTo) {
   begin(false);
   const auto too_deep = [&](bool find_most) {
-    return user->preview_edit("erode", {7}, {{"depth", 5.0}}, {}, {}, {}, find_most).error();
+    return user->preview_edit("erode", {7}, {{"depth", 0.5}}, {}, {}, {}, find_most).error();
   };
 
   const auto plain = too_deep(false);

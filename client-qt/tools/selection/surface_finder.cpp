@@ -3,6 +3,8 @@
 
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
+#include <QRect>
 
 #include <algorithm>
 
@@ -13,14 +15,17 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int most_rows = 200;
+constexpr QRect beside_the_part{12, 52, 340, 300};  ///< Rows are walked through: the part is seen.
+
+QString place_in_words(const vec3& at) {
+  return surface_finder::tr("at (%1, %2, %3) mm")
+    .arg(number(1e3 * at.x), number(1e3 * at.y), number(1e3 * at.z));
+}
 
 }  // namespace
 
 surface_finder::surface_finder(document& part, selection& picked, QWidget* parent)
-    : finder_popup("finder",
-                   tr("Find surfaces: a name or number, \"bores 8 to 12 mm\", \"equal\", "
-                      "\"smooth\", \"neighbours\""),
-                   parent),
+    : finder_popup("finder", tr("A name, \"bores 8 to 12 mm\", \"equal\", \"smooth\""), parent),
       part_(part),
       picked_(picked) {
   hits_->setToolTip(tr("Up and down show what a row is, Enter selects it"));
@@ -30,6 +35,7 @@ void surface_finder::open() {
   before_ = picked_.surfaces();
   feature_before_ = picked_.feature();
   finder_popup::open();
+  setGeometry(beside_the_part);
 }
 
 void surface_finder::add(const QString& title, std::vector<surface_id> surfaces) {
@@ -98,8 +104,9 @@ void surface_finder::ask(feature_kind kind, const surface_search& wanted) {
     query.surfaces = before_;
   }
   const int mine = question_;
-  const auto take = [=, this](const expected<std::vector<found_feature>>& got) {
-    if (mine != question_)
+  const auto take = [=, this,
+                     here = QPointer(this)](const expected<std::vector<found_feature>>& got) {
+    if (!here || mine != question_)
       return;
     if (!got)
       say(words_of(got.error().message));
@@ -121,11 +128,8 @@ void surface_finder::list_bores(std::vector<found_feature> found) {
   if (found.size() > 1)
     add(tr("All %1 bores").arg(found.size()), all);
   for (const auto& one : found)
-    add(
-      tr("Bore, \u00d8 %1").arg(length(one.diameter)) + "   " +
-        tr("at (%1, %2, %3) mm")
-          .arg(number(1e3 * one.centre.x), number(1e3 * one.centre.y), number(1e3 * one.centre.z)),
-      one.surfaces);
+    add(tr("\u00d8 %1").arg(length(one.diameter)) + "   " + place_in_words(one.centre),
+        one.surfaces);
   hits_->setCurrentRow(0);
 }
 
