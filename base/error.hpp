@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -76,6 +77,18 @@ struct most_that_works {
   friend bool operator==(const most_that_works&, const most_that_works&) = default;
 };
 
+/// Whose change a request did not know of (`ec::conflict`): what made the version that is the head.
+struct rival_change {
+  std::string version_id;
+  std::uint32_t number = 0;
+  std::string client;     ///< Who made it, as that program named itself; empty: not known.
+  std::string cause;      ///< "import", "edit", "undo", "redo", "goto"; empty: not known.
+  std::string operation;  ///< Of an edit.
+  std::string made_at;    ///< UTC: "2026-11-23T08:45:00Z".
+
+  friend bool operator==(const rival_change&, const rival_change&) = default;
+};
+
 /// A failure that a person can act on.
 struct error {
   ec code = ec::internal;
@@ -83,6 +96,7 @@ struct error {
   std::string remedy;   ///< What the person can do about it; may be empty.
   std::string where;    ///< File:line, byte offset, element or surface; may be empty.
   std::optional<most_that_works> most = {};  ///< Where it is known.
+  std::optional<rival_change> rival = {};    ///< Of a conflict, where it is known.
 };
 
 /// One line for a person: message, place and remedy.

@@ -79,6 +79,10 @@ error from_message(const v1::Error& message) {
   error e{code_from_name(message.code()), message.message(), message.remedy(), message.where(), {}};
   if (message.has_most_that_works())
     e.most = {message.most_that_works().parameter(), message.most_that_works().value()};
+  if (message.has_conflict()) {
+    const auto& by = message.conflict();
+    e.rival = {by.version_id(), by.number(), by.client(), by.cause(), by.operation(), by.made_at()};
+  }
   return e;
 }
 

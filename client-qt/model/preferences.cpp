@@ -10,6 +10,7 @@ namespace tedit::desktop {
 namespace {
 
 const QStringList looks{"system", "light", "dark"};
+const QStringList turnings{"turntable", "orbit"};
 const QStringList maps{"viridis", "cividis", "grey", "coolwarm"};
 const QStringList levels{"errors", "notices", "everything"};
 
@@ -29,6 +30,7 @@ QString shortcut_key(const QString& id) {
 preferences load_preferences(const QSettings& settings) {
   preferences result;
   result.look = read(settings, "look", looks, result.look);
+  result.turning = read(settings, "view/turning", turnings, result.turning);
   result.language = settings.value("language").toString();
   result.device = settings.value("solve/device").toString();
   const int order = settings.value("solve/element_order", result.element_order).toInt();
@@ -44,6 +46,7 @@ preferences load_preferences(const QSettings& settings) {
 
 void save(const preferences& wanted, QSettings& settings) {
   settings.setValue("look", looks[static_cast<int>(wanted.look)]);
+  settings.setValue("view/turning", turnings[static_cast<int>(wanted.turning)]);
   settings.setValue("language", wanted.language);
   settings.setValue("solve/device", wanted.device);
   settings.setValue("solve/element_order", wanted.element_order);

@@ -14,6 +14,9 @@ namespace tedit::desktop {
 
 enum class look_wish { system, light, dark };
 
+/// How a drag turns the part: as a turntable does, upright, or freely.
+enum class turning_wish { turntable, orbit };
+
 /// What the log shows: each takes in those before it.
 enum class log_level { errors, notices, everything };
 
@@ -21,6 +24,7 @@ enum class log_level { errors, notices, everything };
 struct preferences {
   QString language;  ///< "de", ...; empty: the system's.
   look_wish look = look_wish::system;
+  turning_wish turning = turning_wish::turntable;
   QString device;  ///< "cpu", "gpu", ...; empty: the server's default.
   int element_order = 2;
   double energy_tolerance = 0;  ///< A preview at this estimated relative error; 0: none.

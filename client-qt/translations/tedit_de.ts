@@ -1408,6 +1408,33 @@ Inhalt %1</translation>
     </message>
 </context>
 <context>
+    <name>tedit::desktop::deformation_row</name>
+    <message>
+        <source>not deformed</source>
+        <translation>unverformt</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>So large that the deformation is seen, for each load case</source>
+        <translation>So groß, dass die Verformung zu sehen ist, für jeden Lastfall</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Swings between the part without load and the deformed one</source>
+        <translation>Schwingt zwischen dem Teil ohne Last und dem verformten</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::document</name>
     <message>
         <source>Surface %1</source>
@@ -1561,10 +1588,6 @@ Inhalt %1</translation>
     <message>
         <source>Logarithmic</source>
         <translation>Logarithmisch</translation>
-    </message>
-    <message>
-        <source>not deformed</source>
-        <translation>unverformt</translation>
     </message>
     <message>
         <source>Field</source>
@@ -2846,6 +2869,14 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <source>Show: %1</source>
         <translation>Zeigen: %1</translation>
     </message>
+    <message>
+        <source>Animate the deformation</source>
+        <translation>Verformung bewegen</translation>
+    </message>
+    <message>
+        <source>Swings between the part without load and the deformed one</source>
+        <translation>Schwingt zwischen dem Teil ohne Last und dem verformten</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::section_bar</name>
@@ -3128,6 +3159,22 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Equal factors get equal room on the scale</source>
         <translation>Gleiche Faktoren bekommen gleich viel Platz auf der Skala</translation>
+    </message>
+    <message>
+        <source>As a turntable: upright</source>
+        <translation>Wie ein Drehteller: aufrecht</translation>
+    </message>
+    <message>
+        <source>As a ball: any way</source>
+        <translation>Wie eine Kugel: beliebig</translation>
+    </message>
+    <message>
+        <source>A drag turns the part</source>
+        <translation>Ziehen dreht das Teil</translation>
+    </message>
+    <message>
+        <source>Upright the z axis never tilts; any way the part can also be turned head over heels</source>
+        <translation>Aufrecht kippt die z-Achse nie; beliebig lässt sich das Teil auch über Kopf drehen</translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3526,14 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Dark or light</source>
         <translation>Dunkel oder hell</translation>
+    </message>
+    <message>
+        <source>Show or hide axes and scale</source>
+        <translation>Achsen und Maßstab zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>At the lower right, also in pictures</source>
+        <translation>Unten rechts, auch in Bildern</translation>
     </message>
 </context>
 <context>

@@ -49,10 +49,36 @@ vtkSmartPointer<vtkCamera> camera::copy() const {
 }
 
 void camera::rotate(double dx, double dy) {
+  if (turning_ == turning::turntable)
+    return turn(dx, dy);
   camera_->Azimuth(-180 * dx);
   camera_->Elevation(180 * dy);
   camera_->OrthogonalizeViewUp();
   adjust_depth();
+}
+
+/// By angles around and above the horizon, which no drag tilts; a pose that is tilted, as an orbit
+/// leaves one, is set upright.
+void camera::turn(double dx, double dy) {
+  auto now = get();
+  const vec3 away = now.position - now.focus;
+  const double distance = std::sqrt(dot(away, away));
+  const vec3 back = unit(away);
+  vec3 right = cross(now.up, back);
+  right.z = 0;
+  // Head over heels what is right on the screen is left of who stands upright.
+  right = dot(right, right) > 1e-18 ? unit(now.up.z < 0 ? -right : right) : vec3{1, 0, 0};
+  const double around = -std::numbers::pi * dx;
+  right = {std::cos(around) * right.x - std::sin(around) * right.y,
+           std::sin(around) * right.x + std::cos(around) * right.y, 0};
+  const double pole = std::numbers::pi / 2;
+  const double above =
+    std::clamp(std::asin(std::clamp(back.z, -1.0, 1.0)) + std::numbers::pi * dy, -pole, pole);
+  const vec3 ahead = cross(vec3{0, 0, 1}, right);
+  const vec3 to_eye = std::sin(above) * vec3{0, 0, 1} - std::cos(above) * ahead;
+  now.position = now.focus + distance * to_eye;
+  now.up = cross(to_eye, right);
+  set(now);
 }
 
 /// The focus stays in its plane.
@@ -214,6 +240,13 @@ std::array<double, 2> camera::to_pixel(const vec3& at) const {
 
 camera::projection camera::to_pixels() const {
   return {matrix(), width_, height_};
+}
+
+double camera::metres_per_pixel() const {
+  const auto now = get();
+  const vec3 away = now.position - now.focus;
+  const double slope = std::tan(camera_->GetViewAngle() * std::numbers::pi / 360);
+  return 2 * (is_parallel() ? now.parallel_scale : slope * std::sqrt(dot(away, away))) / height_;
 }
 
 std::array<double, 2> camera::projection::apply(const vec3& at) const {

@@ -19,6 +19,10 @@ class camera {
 public:
   enum class direction { front, back, left, right, top, bottom, isometric };
 
+  /// How a drag turns the part: `turntable` about the z axis, which stays upright, and up and down
+  /// between the poles; `orbit` any way, also head over heels.
+  enum class turning { turntable, orbit };
+
   /// Position, focus and up vector, m; and the size of what a parallel view shows.
   struct pose {
     vec3 position;
@@ -49,7 +53,9 @@ public:
   /// For a renderer.
   [[nodiscard]] vtkSmartPointer<vtkCamera> copy() const;
 
-  /// By parts of the view's height: a full height turns by 180 degrees.
+  void set_turning(turning how) noexcept { turning_ = how; }
+  [[nodiscard]] turning turns() const noexcept { return turning_; }
+  /// By parts of the view's height: a full height turns by 180 degrees. To the right and down.
   void rotate(double dx, double dy);
   /// By pixels, to the right and up.
   void pan(double dx, double dy);
@@ -74,11 +80,14 @@ public:
   [[nodiscard]] std::array<double, 2> to_pixel(const vec3& at) const;
 
   [[nodiscard]] projection to_pixels() const;
+  /// How long a pixel is at the focus, m; everywhere with parallel rays.
+  [[nodiscard]] double metres_per_pixel() const;
 
   /// Whether the viewer stands in a box: x low, x high, y low, ...; never with parallel rays.
   [[nodiscard]] bool is_within(const std::array<double, 6>& box) const;
 
 private:
+  void turn(double dx, double dy);
   void adjust_depth();
   [[nodiscard]] std::array<double, 16> matrix() const;
 
@@ -87,6 +96,7 @@ private:
   double width_ = 1;
   double height_ = 1;
   double left_margin_ = 0;
+  turning turning_ = turning::turntable;
 };
 
 }  // namespace tedit::desktop

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/view/orientation_marks.hpp"
 #include "client-qt/view/viewport.hpp"
 
 namespace tedit::desktop {
@@ -23,6 +25,10 @@ constexpr double legend_width = 140;
 constexpr double title_size = 13;
 constexpr double words_size = 12;
 constexpr int most_ticks = 7;
+constexpr double triad_length = 30;
+constexpr double triad_room = 48;  // Half a side, with the letters.
+constexpr double bar_room = 130;
+constexpr int least_width = 480;  // A narrower view has no room for marks beside the legend.
 
 QFont sized(const QFont& font, double pixels, bool bold = false) {
   QFont result = font;
@@ -104,6 +110,7 @@ overlay::overlay(viewport& view) : QWidget(&view), view_(view) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
   connect(&view, &viewport::shown, this, qOverload<>(&QWidget::update));
+  connect(&view, &viewport::view_changed, this, [this] { update(orientation_box()); });
   show_legend(true);
 }
 
@@ -126,6 +133,16 @@ void overlay::show_legend(bool on) {
   legend_ = on;
   view_.framing().set_left_margin(on ? qRound(legend_width + margin) : 0);
   update();
+}
+
+void overlay::show_orientation(bool on) {
+  orientation_ = on;
+  update();
+}
+
+void overlay::keep_free(int below) {
+  if (std::exchange(below_, below) != below)
+    update();
 }
 
 QRectF clear_of(const QRectF& other, QRectF box, double gap) {
@@ -197,6 +214,8 @@ void overlay::paint_note(QPainter& painter, double scale) {
 
 void overlay::paint(QPainter& painter, double scale, const QRect& within) {
   painter.setRenderHint(QPainter::Antialiasing);
+  if (orientation_box().intersects(within))
+    paint_orientation(painter, scale);
   const auto& ends = view_.painted().extremes;
   if (!ends && view_.current().before)
     paint_note(painter, scale);
@@ -207,6 +226,25 @@ void overlay::paint(QPainter& painter, double scale, const QRect& within) {
     paint_scale(painter, scale);
   for (const auto& one : tags(scale))
     paint_tag(painter, one, scale);
+}
+
+/// Around axes and length, pixels of the screen; empty where they are not shown.
+QRect overlay::orientation_box() const {
+  if (!orientation_ || !view_.geometry() || view_.width() < least_width)
+    return {};
+  const int width = qRound(bar_room + 2 * triad_room + margin);
+  const int height = qRound(2 * triad_room);
+  return {view_.width() - width, view_.height() - below_ - height, width, height};
+}
+
+void overlay::paint_orientation(QPainter& painter, double scale) {
+  const QRectF box = orientation_box();
+  const QPointF middle(box.right() - triad_room, box.bottom() - triad_room);
+  paint_triad(painter, scale * middle, scale * triad_length, view_.view().get(), ink_, scale);
+  const auto bar = scale_bar_of(view_.view().metres_per_pixel(), bar_room);
+  const QPointF end(box.right() - 2 * triad_room, box.bottom() - margin);
+  if (bar)
+    paint_scale_bar(painter, scale * end, *bar, ink_, scale);
 }
 
 /// Around the legend, pixels of the screen.

@@ -36,6 +36,10 @@ public:
   /// The legend's room is kept free when something is made to fit.
   void show_legend(bool on);
   [[nodiscard]] bool shows_extremes() const noexcept { return extremes_; }
+  /// Axes and a length at the lower right, above `below` pixels that something else covers.
+  void show_orientation(bool on);
+  [[nodiscard]] bool shows_orientation() const noexcept { return orientation_; }
+  void keep_free(int below);
 
   /// The view with all that lies over it, `factor` times as many pixels as on the screen.
   [[nodiscard]] QImage picture(int width = 0, int height = 0);
@@ -56,6 +60,8 @@ private:
   [[nodiscard]] QRectF scale_box() const;
   void paint_scale(QPainter& painter, double scale);
   void paint_note(QPainter& painter, double scale);
+  [[nodiscard]] QRect orientation_box() const;
+  void paint_orientation(QPainter& painter, double scale);
   void paint_tag(QPainter& painter, const tag& what, double scale) const;
 
   viewport& view_;
@@ -63,6 +69,8 @@ private:
   QColor ink_{32, 38, 48};
   bool extremes_ = true;
   bool legend_ = true;
+  bool orientation_ = true;
+  int below_ = 0;  ///< Pixels at the lower edge that are not free.
 };
 
 }  // namespace tedit::desktop

@@ -171,6 +171,7 @@ void main_window::place_overlays() {
   section.adjustSize();
   section.move(view_->width() - section.width() - cube_margin,
                view_->height() - section.height() - cube_margin);
+  overlay_->keep_free(section.isVisible() ? section.height() + cube_margin : 0);
   const int room = pages_->width() - 2 * (cube_->width() + 2 * cube_margin);
   const int width = std::clamp(room, 320, widest_banner);
   const int height =
@@ -246,6 +247,7 @@ void main_window::wire() {
     place_overlays();  // What has to be said stays in front.
   });
   connect(banner_, &banner::changed, this, &main_window::place_overlays);
+  connect(&tools_->section.bar(), &section_bar::moved, this, &main_window::place_overlays);
   // Once the form has taken it up and its layout with it.
   connect(&tools_->operations.panel(), &context_panel::form_opened, this,
           [this] { QTimer::singleShot(0, this, &main_window::make_room); });

@@ -5,6 +5,8 @@
 
 #include <vtkCamera.h>
 
+#include <cmath>
+
 namespace tedit::desktop {
 namespace {
 
@@ -113,6 +115,55 @@ TEST_F(Camera, ACopyIsACameraOfItsOwn) {
 
   EXPECT_EQ(copy->GetFocalPoint()[0], 0);
   EXPECT_EQ(copy->GetParallelScale(), 1);
+}
+
+TEST_F(Camera, ATurntableKeepsTheHorizonLevelWhateverIsDragged) {
+  eye.look_from(camera::direction::isometric);
+  for (int i = 0; i < 200; ++i) {
+    eye.rotate(0.37 * std::sin(3.1 * i), 0.41 * std::cos(1.7 * i));
+    const auto now = eye.get();
+    EXPECT_NEAR(cross(now.up, now.position - now.focus).z, 0, 1e-9);
+    EXPECT_GE(now.up.z, -1e-9);
+    EXPECT_NEAR(std::sqrt(dot(now.position, now.position)), 10, 1e-9);
+  }
+}
+
+TEST_F(Camera, ATurntableGoesAroundAndStopsAtThePoles) {
+  eye.look_from(camera::direction::front);
+  eye.rotate(0.5, 0);  // A quarter to the right: the left side comes to the front.
+  expect_near(eye.get().position, {-10, 0, 0});
+  expect_near(eye.get().up, {0, 0, 1});
+  eye.rotate(1.5, 0);
+  expect_near(eye.get().position, {0, -10, 0});
+
+  eye.rotate(0, 0.25);  // Down: seen from above.
+  expect_near(eye.get().position, {0, -10 * std::sqrt(0.5), 10 * std::sqrt(0.5)});
+  eye.rotate(0, 3);
+  expect_near(eye.get().position, {0, 0, 10});
+  expect_near(eye.get().up, {0, 1, 0});
+  eye.rotate(0, -0.5);
+  expect_near(eye.get().position, {0, -10, 0});
+}
+
+TEST_F(Camera, AnOrbitGoesOverThePole) {
+  eye.set_turning(camera::turning::orbit);
+  eye.look_from(camera::direction::front);
+  for (int i = 0; i < 3; ++i)
+    eye.rotate(0, 0.25);
+  EXPECT_GT(eye.get().position.y, 0);
+  EXPECT_LT(eye.get().up.z, 0);
+
+  eye.set_turning(camera::turning::turntable);
+  eye.rotate(0, 0);  // Upright again, from the same side.
+  expect_near(eye.get().position, {0, 10 * std::sqrt(0.5), 10 * std::sqrt(0.5)});
+  EXPECT_GT(eye.get().up.z, 0);
+}
+
+TEST_F(Camera, APixelsLengthIsThatOfTheGround) {
+  EXPECT_NEAR(eye.metres_per_pixel(), 0.02, 1e-12);
+  eye.set_parallel(false);
+  const auto step = ground(101, 50) - ground(100, 50);
+  EXPECT_NEAR(eye.metres_per_pixel(), std::sqrt(dot(step, step)), 1e-9);
 }
 
 }  // namespace

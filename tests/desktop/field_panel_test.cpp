@@ -7,6 +7,12 @@
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
+#include <QtTest/QtTest>
+
+#include <algorithm>
+
+#include "client-qt/tools/results/deformation_row.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -133,6 +139,49 @@ TEST_F(FieldPanel, SaysWhyThereIsNoSafetyFactor) {
   EXPECT_TRUE(missing->text().contains("yield strength")) << missing->text().toStdString();
   panel_.set_field(shown_field::von_mises);
   EXPECT_TRUE(missing->text().isEmpty());
+}
+
+TEST(Deformation, IsReadableWhereTheLargestIsATwentiethOfThePart) {
+  EXPECT_DOUBLE_EQ(readable_deformation(1e-3, 0.1), 5);      // .05 * .1 / .001
+  EXPECT_DOUBLE_EQ(readable_deformation(1.01e-3, 0.1), 2);   // 4.95
+  EXPECT_DOUBLE_EQ(readable_deformation(2e-6, 0.16), 2000);  // 4000
+  EXPECT_DOUBLE_EQ(readable_deformation(0.2, 0.1), 1);       // Is seen as it is.
+  EXPECT_DOUBLE_EQ(readable_deformation(0, 0.1), 0);
+  EXPECT_DOUBLE_EQ(readable_deformation(1e-320, 0.1), 0);  // The factor has no number.
+}
+
+TEST(Deformation, AnAutomaticFactorFollowsWhatIsShownUntilOneIsTyped) {
+  deformation_row row;
+  row.take(1e-3, 0.1);
+  EXPECT_EQ(row.factor(), 0) << "nobody asked for it";
+  row.findChild<QToolButton*>("deform_automatic")->setChecked(true);
+  EXPECT_EQ(row.factor(), 5);
+  row.take(1e-4, 0.1);
+  EXPECT_EQ(row.factor(), 50);
+
+  row.set_factor(7);
+  EXPECT_FALSE(row.is_automatic());
+  row.take(1e-3, 0.1);
+  EXPECT_EQ(row.factor(), 7);
+}
+
+TEST(Deformation, SwingsBetweenThePartWithoutLoadAndTheFactor) {
+  deformation_row row;
+  row.take(1e-3, 0.1);
+  row.set_swinging(true);  // Of a part that is not deformed: as far as it is readable.
+  EXPECT_EQ(row.factor(), 5);
+  double low = 1e9;
+  double high = -1;
+  const auto look = [&] {
+    low = std::min(low, row.shown_factor());
+    high = std::max(high, row.shown_factor());
+  };
+  QObject::connect(&row, &deformation_row::swung, look);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return low < 0.1 && high > 4.9; }, 60'000));
+  EXPECT_EQ(row.factor(), 5);
+
+  row.set_swinging(false);
+  EXPECT_EQ(row.shown_factor(), 5);
 }
 
 }  // namespace

@@ -151,6 +151,14 @@ TEST_F(EditIds, AConflictSaysWhoseChangeItIs) {
     EXPECT_THAT(refused.error().message,
                 AllOf(HasSubstr(made.head.version_id), HasSubstr("number 1"),
                       HasSubstr("\"anna's bench\" made it the head with fill_hole at 20")));
+    const auto& rival = refused.error().rival;
+    ASSERT_TRUE(rival);
+    EXPECT_EQ(rival->version_id, made.head.version_id);
+    EXPECT_EQ(rival->number, 1u);
+    EXPECT_EQ(rival->client, "anna's bench");
+    EXPECT_EQ(rival->cause, "edit");
+    EXPECT_EQ(rival->operation, "fill_hole");
+    EXPECT_THAT(rival->made_at, MatchesRegex("20[0-9-]+T[0-9:]+Z"));
     if (!again)
       value(anna->set_load_case(value(protocol::load_case_from_file(plate_loads))));
   }

@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,6 +18,7 @@
 #include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/typed_quantity.hpp"
+#include "client-qt/tools/results/deformation_row.hpp"
 
 namespace tedit::desktop {
 
@@ -77,13 +77,7 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
   low_->setAccessibleName(tr("Lowest value"));
   high_->setAccessibleName(tr("Highest value"));
   log_ = new QCheckBox(tr("Logarithmic"));
-  deform_ = new QDoubleSpinBox;
-  deform_->setObjectName("deform");
-  deform_->setRange(0, 1e6);
-  deform_->setDecimals(0);
-  deform_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  deform_->setPrefix(QString::fromUtf8("\u00d7 "));
-  deform_->setSpecialValueText(tr("not deformed"));
+  deform_ = new deformation_row;
   form->addRow(tr("Field"), field_);
   form->addRow(missing_);
   form->addRow(tr("Load case"), case_);
@@ -101,7 +95,7 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
     connect(edit, &QLineEdit::editingFinished, this, &field_panel::read_form);
   for (auto* box : {log_, isolines_})
     connect(box, &QCheckBox::toggled, this, &field_panel::read_form);
-  connect(deform_, &QDoubleSpinBox::valueChanged, this, &field_panel::read_form);
+  connect(deform_, &deformation_row::changed, this, &field_panel::read_form);
   connect(&part_, &document::field_changed, this, &field_panel::list_cases);
   connect(&part_, &document::head_changed, this, &field_panel::list_cases);
   connect(&part_, &document::opened, this, [this] {
@@ -210,7 +204,7 @@ shared_field field_panel::field() const {
 }
 
 double field_panel::deform() const {
-  return deform_->value();
+  return deform_->factor();
 }
 
 void field_panel::set_field(shown_field field) {
@@ -241,7 +235,7 @@ void field_panel::set_bands(int bands) {
 }
 
 void field_panel::set_deform(double factor) {
-  deform_->setValue(factor);
+  deform_->set_factor(factor);
 }
 
 void field_panel::set_look(colour_map map, bool locked, bool logarithmic) {

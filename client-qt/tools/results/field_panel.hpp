@@ -10,11 +10,12 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 
 namespace tedit::desktop {
+
+class deformation_row;
 
 /// Which field of which load case is drawn, and how: range, colours, deformation.
 class field_panel : public QWidget {
@@ -28,6 +29,7 @@ public:
   [[nodiscard]] shared_field field() const;
   /// Factor on the displacement; 0: not deformed.
   [[nodiscard]] double deform() const;
+  [[nodiscard]] deformation_row& deformation() { return *deform_; }
   [[nodiscard]] bool isolines() const;
   void set_isolines(bool on);
   /// Steps of one colour each; 0: smooth.
@@ -75,7 +77,7 @@ private:
   QLineEdit* low_;
   QLineEdit* high_;
   QCheckBox* log_;
-  QDoubleSpinBox* deform_;
+  deformation_row* deform_;
 };
 
 }  // namespace tedit::desktop

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/results/results_tool.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/live_preview.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/tools/results/deformation_row.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/widgets/tall_scroll.hpp"
 
@@ -20,6 +24,8 @@ results_tool::results_tool(window_context& in, live_preview& preview)
 void results_tool::wire() {
   connect(&in_.part, &document::surface_changed, this, &results_tool::show);
   connect(panel_, &field_panel::changed, this, &results_tool::show);
+  connect(&panel_->deformation(), &deformation_row::swung, this, &results_tool::swing);
+  connect(&in_.part, &document::begun, this, [this] { panel_->deformation().set_swinging(false); });
   connect(&preview_, &live_preview::changed, this, &results_tool::show);
   connect(&in_.view, &viewport::legend_changed, this, [this] {
     panel_->take_range(in_.view.painted().by, in_.view.painted().extremes.has_value());
@@ -49,6 +55,14 @@ void results_tool::add_commands() {
   in_.all_commands.add({"view.isolines", tr("Show or hide isolines"), view, "N",
                         [this] { panel_->set_isolines(!panel_->isolines()); }, has_part,
                         tr("Lines of equal value on the surface and on a section")});
+  in_.all_commands.add(
+    {"view.animate",
+     tr("Animate the deformation"),
+     view,
+     {},
+     [this] { panel_->deformation().set_swinging(!panel_->deformation().swings()); },
+     has_part,
+     tr("Swings between the part without load and the deformed one")});
   for (const auto& group : field_groups())
     for (const auto field : group)
       in_.all_commands.add({"view.field_" + field_id(field),
@@ -72,7 +86,33 @@ void results_tool::show() {
   in_.view.show_isolines(panel_->isolines() && !preview_.shown());
   if (const auto& shown = preview_.shown())
     return in_.view.show_part({shown->surface, nullptr, 0, shown->before});
-  in_.view.show_part({head->surface, panel_->field(), panel_->deform()});
+  measure();
+  in_.view.show_part({head->surface, panel_->field(), panel_->deformation().shown_factor()});
+}
+
+/// What an automatic deformation goes by: of the shown field and of the part.
+void results_tool::measure() {
+  const auto* head = in_.part.head();
+  const auto field = panel_->field();
+  if (!field || field->envelope || field == measured_)
+    return;
+  measured_ = field;
+  vec3 low{INFINITY, INFINITY, INFINITY};
+  vec3 high = -low;
+  head->surface->positions().for_each([&](std::uint32_t, const vec3& at) {
+    low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+  });
+  panel_->deformation().take(field->report.max_displacement_m,
+                             std::sqrt(dot(high - low, high - low)));
+}
+
+/// A beat of an animation is left out while the one before it is not seen yet. Nothing else in the
+/// window changes with it.
+void results_tool::swing() {
+  const auto* head = in_.part.head();
+  if (head && head->surface && !preview_.shown() && in_.view.is_shape_seen())
+    in_.view.show_part({head->surface, panel_->field(), panel_->deformation().shown_factor()});
 }
 
 void results_tool::say_verdict() {

@@ -24,11 +24,14 @@ private:
   void wire();
   void add_commands();
   void show();
+  void measure();
+  void swing();
   void say_verdict();
 
   window_context& in_;
   live_preview& preview_;
   field_panel* panel_;
+  shared_field measured_;  ///< By which the deformation row knows what there is to show.
 };
 
 }  // namespace tedit::desktop

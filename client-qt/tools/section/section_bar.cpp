@@ -45,7 +45,11 @@ section_bar::section_bar(document& part, viewport& view, const field_panel& fiel
        {static_cast<QWidget*>(axis_), static_cast<QWidget*>(place_), static_cast<QWidget*>(shown_),
         static_cast<QWidget*>(flip), static_cast<QWidget*>(close)})
     row->addWidget(one);
-  connect(axis_, &QComboBox::currentIndexChanged, this, &section_bar::read_form);
+  connect(axis_, &QComboBox::currentIndexChanged, this, [this] {
+    flipped_ = false;
+    face_viewer();
+    read_form();
+  });
   connect(place_, &QSlider::valueChanged, this, &section_bar::read_form);
   connect(flip, &QPushButton::clicked, this, [this] {
     flipped_ = !flipped_;
@@ -63,6 +67,8 @@ section_bar::section_bar(document& part, viewport& view, const field_panel& fiel
 }
 
 void section_bar::set_on(bool on) {
+  if (on && !on_)
+    face_viewer();
   on_ = on;
   setVisible(on);
   if (on)
@@ -109,11 +115,23 @@ std::optional<section_plane> section_bar::plane() const {
   return section_plane{along * normal, flipped_ ? -normal : normal};
 }
 
+/// What stays is the half that shows the cut. A plane of one's own has its side.
+void section_bar::face_viewer() {
+  const auto from = view_.view().get();
+  const auto wanted = plane();
+  if (wanted && axis_->currentIndex() != own && dot(wanted->normal, from.position - from.focus) < 0)
+    flipped_ = !flipped_;
+}
+
 void section_bar::read_form() {
   const auto wanted = plane();
   if (!on_ || !wanted)
     return;
-  shown_->setText(length(dot(wanted->at, flipped_ ? -wanted->normal : wanted->normal)));
+  const vec3 along = flipped_ ? -wanted->normal : wanted->normal;
+  const auto ends = reach(along);
+  const auto unit = shown_as("m");  // Of one size everywhere: a slider's number must not jump.
+  shown_->setText(number_in(unit.scale * dot(wanted->at, along), unit.scale * (ends[1] - ends[0])) +
+                  " " + unit.name);
   view_.set_section(wanted);
   emit moved();
   ask();

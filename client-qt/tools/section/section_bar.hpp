@@ -39,6 +39,7 @@ signals:
   void moved();  ///< Or was put on or off.
 
 private:
+  void face_viewer();
   void read_form();
   void ask();
   [[nodiscard]] std::array<double, 2> reach(const vec3& normal) const;

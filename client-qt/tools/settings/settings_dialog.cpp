@@ -53,6 +53,10 @@ settings_dialog::settings_dialog(const preferences& now, QWidget* parent) : QDia
   add(window, tr("Colours of the window"), look_,
       tr("Light, dark, or as the system has it when the program starts"));
   build_language(window, now);
+  turning_ = choice("turning", {tr("As a turntable: upright"), tr("As a ball: any way")},
+                    static_cast<int>(now.turning));
+  add(window, tr("A drag turns the part"), turning_,
+      tr("Upright the z axis never tilts; any way the part can also be turned head over heels"));
   build_solver(now);
   build_legend(now);
   add(section(tr("Log")), tr("The log shows"), log_, tr("What is written to the log panel"));
@@ -65,7 +69,7 @@ settings_dialog::settings_dialog(const preferences& now, QWidget* parent) : QDia
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   column->addWidget(buttons);
-  for (auto* box : {look_, language_, device_, order_, map_, range_, log_})
+  for (auto* box : {look_, language_, turning_, device_, order_, map_, range_, log_})
     connect(box, &QComboBox::currentIndexChanged, this, [this] { emit changed(values()); });
   connect(device_->lineEdit(), &QLineEdit::editingFinished, this,
           [this] { emit changed(values()); });
@@ -161,6 +165,7 @@ preferences settings_dialog::values() const {
   preferences result;
   result.look = static_cast<look_wish>(look_->currentIndex());
   result.language = language_->currentData().toString();
+  result.turning = static_cast<turning_wish>(turning_->currentIndex());
   const QString device = device_->currentText().trimmed();
   result.device = device == device_->itemText(0) ? QString() : device;
   result.element_order = order_->currentIndex() + 1;

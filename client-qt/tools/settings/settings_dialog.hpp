@@ -49,6 +49,7 @@ private:
   QWidget* content_;
   QLabel* nothing_;
   QComboBox* look_;
+  QComboBox* turning_;
   QComboBox* language_;
   QComboBox* device_;
   QComboBox* order_;

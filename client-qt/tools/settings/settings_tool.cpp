@@ -32,6 +32,10 @@ void settings_tool::apply_kept() {
 void settings_tool::apply(const preferences& wanted) {
   in_.look.set_dark(wanted.look == look_wish::dark ||
                     (wanted.look == look_wish::system && system_dark_));
+  const auto turning =
+    wanted.turning == turning_wish::orbit ? camera::turning::orbit : camera::turning::turntable;
+  for (auto* view : in_.window.findChildren<viewport*>())
+    view->view().set_turning(turning);
   save(wanted, in_.settings);
   fields_.set_look(wanted.map, wanted.locked, wanted.logarithmic);
   in_.log.set_level(wanted.log);

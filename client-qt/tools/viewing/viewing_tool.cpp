@@ -35,6 +35,10 @@ viewing_tool::viewing_tool(window_context& in) : in_(in) {
       [this] { in_.view.show_mesh(mesh_ = !mesh_); });
   add("view.edges", tr("Show or hide the edges"), "E",
       [this] { in_.view.show_edges(edges_ = !edges_); });
+  add(
+    "view.axes", tr("Show or hide axes and scale"), {},
+    [this] { in_.over.show_orientation(!in_.over.shows_orientation()); },
+    tr("At the lower right, also in pictures"));
   in_.all_commands.add({"view.dark", tr("Dark or light"), view, "Ctrl+Shift+D",
                         [this] { in_.look.set_dark(!in_.look.now().dark); }});
 }
