@@ -13,6 +13,7 @@ namespace tedit::actors {
 
 using cancel_atom = caf::atom_constant<caf::atom("cancel")>;
 using catalog_atom = caf::atom_constant<caf::atom("catalogue")>;
+using copy_atom = caf::atom_constant<caf::atom("copy")>;
 using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
@@ -85,6 +86,10 @@ using disk_actor = caf::typed_actor<
   caf::replies_to<load_atom, shared_file>::with<stored_document>,
   // Writes one transaction; the answer means that it is durable.
   caf::replies_to<shared_file, stored_change>::with<acknowledged>,
+  // The whole document as one file.
+  caf::replies_to<copy_atom, shared_file>::with<exported>,
+  // Checks a document that came from elsewhere and puts it into the folder.
+  caf::replies_to<adoption>::with<acknowledged>,
   // Opens the file's descriptors ahead of a commit.
   caf::reacts_to<wake_atom, shared_file>,
   // Closes them until they are needed again.
@@ -97,6 +102,8 @@ using store_actor = caf::typed_actor<
   caf::replies_to<load_atom>::with<stored_document>,
   // Writes one transaction; the answer means that it is durable.
   caf::replies_to<stored_change>::with<acknowledged>,
+  // The whole document as one file, as it is after the commits before this.
+  caf::replies_to<copy_atom>::with<exported>,
   // A commit is on its way.
   caf::reacts_to<wake_atom>,
   // From itself: nothing came since it was used so many times.
@@ -143,6 +150,8 @@ using session_actor = caf::typed_actor<
 using hub_actor = caf::typed_actor<
   // The session of a document; it is made when it is not there.
   caf::replies_to<std::string>::with<opened_document>,
+  // Makes a file that was sent a document.
+  caf::replies_to<add_request>::with<added_document>,
   // How the workers are, and how many documents are open.
   caf::replies_to<status_atom>::with<server_status>,
   // The operations there are.

@@ -288,6 +288,25 @@ struct stored_document {
   std::vector<store::log_row> log;  ///< Ascending by sequence.
 };
 
+/// A document file that a client sent, to become a document.
+struct add_request {
+  std::string name;
+  bool or_next_free = false;  ///< Where the name is taken: NAME-2, ...
+  std::vector<page_ptr> file;
+  std::shared_ptr<const void> held;  ///< Keeps the file on the account of who sent it.
+};
+
+/// The same for a disk: where it goes.
+struct adoption {
+  std::filesystem::path file;
+  std::vector<page_ptr> bytes;
+};
+
+/// The name that an added document has got.
+struct added_document {
+  std::string name;
+};
+
 /// A session, with the name that the server gave it.
 struct opened_document {
   std::string name;
@@ -329,3 +348,6 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::shared_file)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_change)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_document)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::opened_document)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::add_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::adoption)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::added_document)

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <random>
-#include <system_error>
 
 #include "client/impl.hpp"
 #include "protocol/convert.hpp"
@@ -113,69 +111,6 @@ expected<document_state> client::open(const std::string& name, bool watch_surfac
     impl_->document = state->document;
   }
   return state;
-}
-
-expected<void> client::impl::send_pieces(std::ifstream& file, std::uint64_t size,
-                                         std::uint64_t upload, std::uint64_t first_id,
-                                         const execution& run) {
-  const auto step = piece();
-  for (std::uint64_t offset = 0; offset < size; offset += step) {
-    std::string data(std::min(step, size - offset), '\0');
-    if (!file.read(data.data(), static_cast<std::streamsize>(data.size())))
-      return fail(ec::io_error,
-                  "the file ends or cannot be read near byte " + std::to_string(offset));
-    v1::ClientMessage message;
-    auto* chunk = message.mutable_upload_chunk();
-    chunk->set_upload(upload);
-    chunk->set_offset(offset);
-    chunk->set_data(std::move(data));
-    if (auto ok = link.send_unanswered(first_id, first_id + offset / step, std::move(message),
-                                       options.request_timeout, run);
-        !ok)
-      return ok;
-  }
-  return {};
-}
-
-expected<connection::answer> client::impl::import_mesh(std::ifstream& file, std::uint64_t size,
-                                                       v1::ImportMesh import,
-                                                       const execution& run) {
-  import.set_upload(next_upload++);
-  import.set_size(size);
-  const auto first_id = link.begin_unanswered((size + piece() - 1) / piece());
-  if (auto sent = send_pieces(file, size, import.upload(), first_id, run); !sent) {
-    (void)link.end_unanswered(first_id);
-    return fail(std::move(sent.error()));
-  }
-  v1::ClientMessage request;
-  *request.mutable_import_mesh() = std::move(import);
-  auto got = ask(std::move(request), body::kCommitted, run);
-  // A piece that was refused is the reason for the import's failure.
-  if (auto refused = link.end_unanswered(first_id); refused && !got)
-    return fail(std::move(*refused));
-  return got;
-}
-
-expected<committed> client::import_file(const std::filesystem::path& path, const std::string& unit,
-                                        const execution& run, const change_terms& terms) {
-  auto document = impl_->open_document(terms);
-  if (!document)
-    return fail(std::move(document.error()));
-  std::error_code code;
-  const auto size = std::filesystem::file_size(path, code);
-  std::ifstream file(path, std::ios::binary);
-  if (code || !file)
-    return fail(ec::io_error, "the file cannot be read" + (code ? ": " + code.message() : ""), {},
-                path.string());
-  if (size == 0)
-    return fail(ec::bad_input, "the file is empty", {}, path.string());
-  v1::ImportMesh import;
-  import.set_document(*document);
-  import.set_file_name(path.filename().string());
-  import.set_length_unit(unit);
-  set_terms(terms, import);
-  run.report(0, "uploading");
-  return convert(impl_->import_mesh(file, size, std::move(import), run), &body::committed);
 }
 
 /// The message ApplyEdit for the open document. Errors: `invalid_argument` when none is open,
@@ -339,23 +274,6 @@ expected<solve_outcome> client::solve_cases(const solve_settings& settings, cons
     return fail(ec::protocol_error, "the server does not solve several load cases together",
                 "Use a server of this client's release");
   return outcome;
-}
-
-expected<std::vector<char>> client::export_file(file_format format, const std::string& version_id,
-                                                const std::string& unit, const execution& run) {
-  auto document = impl_->open_document();
-  if (!document)
-    return fail(std::move(document.error()));
-  v1::ClientMessage request;
-  auto* wanted = request.mutable_export_file();
-  wanted->set_document(*document);
-  wanted->set_version_id(version_id);
-  wanted->set_format(static_cast<v1::ExportFile::Format>(format));
-  wanted->set_length_unit(unit);
-  auto got = impl_->ask(std::move(request), body::kFileReady, run);
-  if (!got)
-    return fail(std::move(got.error()));
-  return got->bulk->bytes("file");
 }
 
 expected<std::vector<found_feature>> client::select(const selection_query& query,

@@ -68,6 +68,14 @@ public:
                                                 const std::string& unit, const execution& run,
                                                 const change_terms& terms = {});
 
+  /// Uploads a document file (.tedit) and makes it a document of the server, which is not opened;
+  /// returns its name: `name`, or with `or_next_free` the next one that is free (NAME-2, ...).
+  /// Errors: also `conflict` for a name that is taken, `storage_error` for a file that is no
+  /// document or damaged, `io_error`, `protocol_error` from a server with protocol_minor below 9.
+  [[nodiscard]] expected<std::string> add_document(const std::filesystem::path& path,
+                                                   const std::string& name, bool or_next_free,
+                                                   const execution& run);
+
   /// Replaces the load case of this name at the head, or adds it. A running solve of the old one
   /// ends with `superseded`; the new one is solved by itself then. Errors: also `protocol_error`
   /// for moments, remote, bearing and normal forces and a pressure's gradient from a server with
@@ -144,7 +152,9 @@ public:
   /// The same, for the report of the first load case or the only one.
   [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
 
-  /// A version as a file's bytes; `version_id` empty: the head; `unit` as for import.
+  /// A version as a file's bytes; `version_id` empty: the head; `unit` as for import. Of
+  /// `file_format::document` the whole document, both must be empty then. Errors: also
+  /// `protocol_error` for it from a server with protocol_minor below 9.
   [[nodiscard]] expected<std::vector<char>> export_file(file_format format,
                                                         const std::string& version_id,
                                                         const std::string& unit,

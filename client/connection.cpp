@@ -8,7 +8,7 @@ namespace tedit::client {
 namespace {
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 8;
+constexpr std::uint32_t protocol_minor = 9;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.

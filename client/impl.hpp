@@ -16,6 +16,7 @@ using body = v1::ServerMessage;
 /// Servers that know `change_terms`.
 inline constexpr unsigned minor_of_change_terms = 7;
 inline constexpr unsigned minor_of_spread_loads = 8;
+inline constexpr unsigned minor_of_documents = 9;
 
 template <class Request>
 void set_terms(const change_terms& terms, Request& request) {
@@ -23,7 +24,7 @@ void set_terms(const change_terms& terms, Request& request) {
   request.set_edit_id(terms.edit_id);
 }
 
-/// What a client is made of; its requests are spread over client.cpp and notes.cpp.
+/// What a client is made of; its requests are spread over client.cpp, files.cpp and notes.cpp.
 struct client::impl {
   impl(const connect_options& given, events handlers) : options(given), link(std::move(handlers)) {}
 
@@ -38,13 +39,18 @@ struct client::impl {
     return link.ask(std::move(request), wanted, options.long_request_timeout, run);
   }
 
-  /// The open document, for requests that servers know since a protocol_minor. Errors:
-  /// `protocol_error` when this one does not; `invalid_argument` when no document is open.
-  expected<std::string> open_document(unsigned since, const char* what) {
+  /// Errors: `protocol_error` from a server that does not know what came with a protocol_minor.
+  expected<void> expect_minor(unsigned since, const char* what) const {
     if (link.server_minor() < since)
       return fail(ec::protocol_error, std::string("the server is too old to ") + what,
                   "Use a server of this client's release.");
-    return open_document();
+    return {};
+  }
+
+  /// The open document, for requests that servers know since a protocol_minor. Errors: as above;
+  /// `invalid_argument` when no document is open.
+  expected<std::string> open_document(unsigned since, const char* what) {
+    return expect_minor(since, what).and_then([&] { return open_document(); });
   }
 
   /// The same, for changes that such a server would make of any head: they are not asked for.
@@ -73,8 +79,9 @@ struct client::impl {
                                         const fem::carry_settings& loads);
   expected<void> send_pieces(std::ifstream& file, std::uint64_t size, std::uint64_t upload,
                              std::uint64_t first_id, const execution& run);
-  expected<connection::answer> import_mesh(std::ifstream& file, std::uint64_t size,
-                                           v1::ImportMesh import, const execution& run);
+  expected<connection::answer> ask_with_file(std::ifstream& file, std::uint64_t size,
+                                             std::uint64_t upload, v1::ClientMessage request,
+                                             body::BodyCase wanted, const execution& run);
 
   /// Bytes of one piece of an upload.
   [[nodiscard]] std::uint64_t piece() const {

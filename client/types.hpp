@@ -187,7 +187,7 @@ struct server_status {
 };
 
 /// What a document's file is asked for as; the numbers of `tedit.v1.ExportFile.Format`.
-enum class file_format { msh = 1, stl = 2, vtu = 3 };
+enum class file_format { msh = 1, stl = 2, vtu = 3, document = 4 };
 
 /// What to solve, and how exactly.
 struct solve_settings {

@@ -74,6 +74,11 @@ struct client_state {
     actors::export_request request;
   };
 
+  struct sent_file {
+    std::vector<page_ptr> pages;
+    std::shared_ptr<const void> held;  ///< Keeps them on the account of this client.
+  };
+
   struct running_request {
     std::uint64_t ticket = 0;
     actors::session_actor session;
@@ -107,6 +112,9 @@ struct client_state {
 
   void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
   void import(std::uint64_t id, const v1::ImportMesh& body);
+  void add_document(std::uint64_t id, const v1::AddDocument& body);
+  /// An upload that is whole; else the request is refused.
+  std::optional<sent_file> take_upload(std::uint64_t id, std::uint64_t upload, std::uint64_t size);
 
   // -- files that go (exports.cpp) -----------------------------------------------------------
 

@@ -24,12 +24,21 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
   const auto* document = find(id, body.document());
   if (!document)
     return;
-  const std::map<v1::ExportFile::Format, std::string> formats{
-    {v1::ExportFile::MSH, "msh"}, {v1::ExportFile::STL, "stl"}, {v1::ExportFile::VTU, "vtu"}};
+  const std::map<v1::ExportFile::Format, std::string> formats{{v1::ExportFile::MSH, "msh"},
+                                                              {v1::ExportFile::STL, "stl"},
+                                                              {v1::ExportFile::VTU, "vtu"},
+                                                              {v1::ExportFile::DOCUMENT, "tedit"}};
   const auto format = formats.find(body.format());
   if (format == formats.end())
     return refuse(
-      id, {ec::invalid_argument, "there is no such file format", "Take MSH, STL or VTU", {}});
+      id,
+      {ec::invalid_argument, "there is no such file format", "Take MSH, STL, VTU or DOCUMENT", {}});
+  if (body.format() == v1::ExportFile::DOCUMENT &&
+      !(body.version_id().empty() && body.length_unit().empty()))
+    return refuse(id, {ec::invalid_argument,
+                       "a document is written with all its versions, as they are",
+                       "Leave version_id and length_unit out",
+                       {}});
   export_request request;
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);

@@ -19,7 +19,7 @@ namespace {
 using namespace actors;
 
 constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 8;
+constexpr std::uint32_t protocol_minor = 9;
 
 /// Clients that know this one get arrays that begin at multiples of 8 bytes.
 constexpr std::uint32_t minor_of_aligned_arrays = 7;
@@ -152,6 +152,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
       return close(id, message.close_document());
     case body::kUploadChunk:
       return receive_upload(id, message.upload_chunk());
+    case body::kAddDocument:
+      return add_document(id, message.add_document());
     case body::kImportMesh:
       return import(id, message.import_mesh());
     case body::kSetLoadCase:

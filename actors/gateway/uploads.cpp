@@ -92,18 +92,47 @@ void client_state::receive_upload(std::uint64_t id, const v1::UploadChunk& body)
   }
 }
 
+std::optional<client_state::sent_file> client_state::take_upload(std::uint64_t id,
+                                                                 std::uint64_t upload,
+                                                                 std::uint64_t size) {
+  const auto found = uploads.find(upload);
+  if (found == uploads.end() || found->second.size() != size) {
+    refuse(id, {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
+    return std::nullopt;
+  }
+  sent_file result{found->second.take_pages(), found->second.held()};
+  uploads.erase(found);
+  return result;
+}
+
+void client_state::add_document(std::uint64_t id, const v1::AddDocument& body) {
+  auto file = take_upload(id, body.upload(), body.size());
+  if (!file)
+    return;
+  begin(id, {});
+  self
+    ->request(
+      parts.hub, answer_limit,
+      add_request{body.name(), body.or_next_free(), std::move(file->pages), std::move(file->held)})
+    .then(
+      [=, this](const added_document& added) {
+        v1::ServerMessage message;
+        message.mutable_document_added()->set_document(added.name);
+        answer(id, std::move(message));
+      },
+      [=, this](const caf::error& e) { refuse(id, e, "adding the document"); });
+}
+
 void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
   const auto* document = find(id, body.document());
-  const auto found = uploads.find(body.upload());
   if (!document)
     return;
-  if (found == uploads.end() || found->second.size() != body.size())
-    return refuse(id,
-                  {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
+  auto file = take_upload(id, body.upload(), body.size());
+  if (!file)
+    return;
   import_request request;
-  request.file = found->second.take_pages();
-  request.held = found->second.held();
-  uploads.erase(found);
+  request.file = std::move(file->pages);
+  request.held = std::move(file->held);
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
   request.terms = terms_of(body);

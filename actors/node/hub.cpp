@@ -12,6 +12,8 @@ namespace tedit::actors {
 
 namespace {
 
+constexpr std::size_t longest_document_name = 64;
+
 using self_pointer = hub_actor::stateful_pointer<hub_state>;
 
 void answer_all(self_pointer self, const std::string& name, const session_actor& session) {
@@ -59,12 +61,64 @@ caf::result<opened_document> open(self_pointer self, const std::string& given) {
     return to_caf(ok.error());
   if (const auto found = state.open.find(name); found != state.open.end())
     return opened_document{name, caf::actor_cast<caf::actor>(found->second)};
+  if (state.adding.contains(name))
+    return to_caf({ec::conflict, "the document " + name + " is being added", "Try again soon", {}});
   const bool first = !state.opening.contains(name);
   auto promise = self->make_response_promise<opened_document>();
   state.opening[name].push_back(promise);
   if (first)
     start_opening(self, name);
   return promise;
+}
+
+// -- documents from elsewhere --------------------------------------------------------------------
+
+bool is_taken(const hub_state& state, const std::string& name) {
+  std::error_code code;
+  return state.open.contains(name) || state.opening.contains(name) || state.adding.contains(name) ||
+         std::filesystem::exists(state.parts.documents / (name + ".tedit"), code);
+}
+
+/// Errors: `conflict` when the name is taken and no other is wanted.
+expected<std::string> free_name(const hub_state& state, const add_request& request) {
+  if (auto ok = check_document_name(request.name); !ok)
+    return fail(ok.error());
+  if (!is_taken(state, request.name))
+    return request.name;
+  if (!request.or_next_free)
+    return fail(ec::conflict, "there is a document " + request.name + " already",
+                "Give this one another name");
+  for (int number = 2;; ++number) {
+    const auto end = "-" + std::to_string(number);
+    const auto name = request.name.substr(0, longest_document_name - end.size()) + end;
+    if (!is_taken(state, name))
+      return name;
+  }
+}
+
+caf::result<added_document> add(self_pointer self, const add_request& request) {
+  auto& state = self->state;
+  const auto name = free_name(state, request);
+  if (!name)
+    return to_caf(name.error());
+  state.adding.insert(*name);
+  const auto& disk = state.disks.for_load();
+  ++*disk.jobs;
+  auto promise = std::make_shared<caf::typed_response_promise<added_document>>(
+    self->make_response_promise<added_document>());
+  self
+    ->request(disk.actor, std::chrono::minutes(10),
+              adoption{state.parts.documents / (*name + ".tedit"), request.file})
+    .then(
+      [=, name = *name, held = request.held](acknowledged) {
+        self->state.adding.erase(name);
+        promise->deliver(added_document{name});
+      },
+      [=, name = *name, held = request.held](const caf::error& e) {
+        self->state.adding.erase(name);
+        promise->deliver(to_caf(from_caf(e, "adding the document " + name)));
+      });
+  return *promise;
 }
 
 /// Asks one worker after the other and answers when all have.
@@ -112,7 +166,8 @@ expected<void> check_document_name(const std::string& name) {
   const auto good = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
   };
-  if (name.empty() || name.size() > 64 || name.front() == '.' || !std::ranges::all_of(name, good))
+  if (name.empty() || name.size() > longest_document_name || name.front() == '.' ||
+      !std::ranges::all_of(name, good))
     return fail(ec::invalid_argument, "\"" + name + "\" cannot name a document",
                 "Take at most 64 letters, digits, '.', '_' and '-', not beginning with a dot");
   return {};
@@ -123,6 +178,7 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   self->state.parts = std::move(parts);
   self->state.disks = disk_set::spawn(self);
   return {[=](const std::string& name) { return open(self, name); },
+          [=](const add_request& request) { return add(self, request); },
           [=](status_atom) { return status(self); }, [=](catalog_atom) { return catalogue(self); }};
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
@@ -30,6 +31,7 @@ struct hub_state {
   disk_set disks;
   std::map<std::string, session_actor> open;
   std::map<std::string, std::vector<promise>> opening;
+  std::set<std::string> adding;  ///< Names of documents that are being checked.
   std::uint64_t unnamed = 0;
 
   static inline const char* name = "hub";

@@ -277,6 +277,8 @@ void session_state::begin_move(const move_request& request,
 // -- files ------------------------------------------------------------------------------------
 
 caf::result<exported> session_state::write_file(const export_request& request) {
+  if (request.format == "tedit")
+    return self->delegate(parts.store, copy_atom::value);
   const auto* node = request.version.empty() ? graph.head() : graph.find(request.version);
   if (!node)
     return to_caf(request.version.empty()

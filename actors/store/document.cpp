@@ -374,6 +374,25 @@ expected<page_ptr> document::read_page(const hash128& id) const {
   return result;
 }
 
+/// A file of its own: what is in the log beside the database's file is in it, too.
+expected<std::vector<std::byte>> document::copy() const {
+  if (!impl_->exists)
+    return fail(ec::not_found, "the document holds nothing yet", "Open a part in it first");
+  if (auto awake = impl_->wake(); !awake)
+    return fail(awake.error());
+  auto* db = impl_->db.get();
+  const auto pages = number_of(db, "PRAGMA page_count");
+  const auto each = number_of(db, "PRAGMA page_size");
+  if (!pages || !each)
+    return fail(pages ? each.error() : pages.error());
+  if (*pages * *each > most_bytes_of_a_copy)
+    return fail(ec::storage_error,
+                "the document has " + std::to_string(*pages * *each) +
+                  " bytes, and a copy may have " + std::to_string(most_bytes_of_a_copy),
+                "Close it in every program and copy its file");
+  return image_of(db);
+}
+
 bool document::has_page(const hash128& id) const {
   return impl_->exists && impl_->wake().and_then([&] { return impl_->has(id); }).value_or(false);
 }

@@ -65,6 +65,9 @@ struct contents {
   std::vector<log_row> log;           ///< Ascending by sequence.
 };
 
+/// What a copy of a document may have in memory.
+inline constexpr std::int64_t most_bytes_of_a_copy = std::int64_t{2} << 30;
+
 /// One session document in one SQLite file, its pages compressed with zstd. Every row has a hash
 /// beside it and all rows together a seal, so that damage and careless edits are noticed
 /// (docs/decisions/0018); a page's identity is its hash. While it is open an exclusive lock (see
@@ -103,6 +106,11 @@ public:
   /// Whether a page with this identity is stored; its bytes are not checked. False, too, when the
   /// database cannot be read. Cost: one index look-up.
   [[nodiscard]] bool has_page(const hash128& id) const;
+
+  /// All that is committed as the bytes of one file, which `open` takes. Errors: `not_found` before
+  /// the first commit; `storage_error` beyond `most_bytes_of_a_copy`, and when the database cannot
+  /// be read. Cost: its size.
+  [[nodiscard]] expected<std::vector<std::byte>> copy() const;
 
   /// Opens what `rest` closed, ahead of a call that is to be quick. Errors: those of `open`.
   [[nodiscard]] expected<void> wake();

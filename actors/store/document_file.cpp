@@ -22,6 +22,8 @@ unique_fd open_file(const fs::path& file, int flags, mode_t mode = 0) {
   return unique_fd(::open(file.c_str(), flags | O_CLOEXEC, mode));
 }
 
+}  // namespace
+
 bool write_all(int handle, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const auto written = ::write(handle, bytes.data(), bytes.size());
@@ -31,8 +33,6 @@ bool write_all(int handle, std::span<const std::byte> bytes) {
   }
   return true;
 }
-
-}  // namespace
 
 expected<bool> has_database(const fs::path& file) {
   constexpr std::string_view magic("SQLite format 3\0", 16);

@@ -19,6 +19,9 @@ namespace tedit::store {
 /// document lies where its own will be.
 [[nodiscard]] expected<void> check_place(const std::filesystem::path& file);
 
+/// All of them; else `errno` says why not.
+[[nodiscard]] bool write_all(int handle, std::span<const std::byte> bytes);
+
 /// Makes `file`, readable by its owner alone, with these bytes. It is there with all of them or not
 /// at all, also after a power failure. @pre there is no such file, and nobody else makes it.
 /// Errors: `io_error`; those of `check_place`.

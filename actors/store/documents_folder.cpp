@@ -54,7 +54,18 @@ bool close_to_others(const fs::path& path, mode_t kind, mode_t wanted) {
          ::chmod(path.c_str(), wanted) == 0;
 }
 
+constexpr auto draft_suffix = ".tedit-adding";
+
+/// With what SQLite made beside it.
+bool is_draft(const std::string& name) {
+  return name.starts_with('.') && name.find(draft_suffix) != std::string::npos;
+}
+
 }  // namespace
+
+fs::path draft_of(const fs::path& file) {
+  return file.parent_path() / ("." + file.stem().string() + draft_suffix);
+}
 
 expected<void> check_writable(const fs::path& folder) {
   std::error_code code;
@@ -84,7 +95,9 @@ expected<std::vector<std::string>> prepare_documents_folder(const fs::path& fold
   bool only_documents = true;
   int closed = 0;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
-    if (belongs_to_documents(entry.path().filename().string()))
+    if (is_draft(entry.path().filename().string()))
+      ::unlink(entry.path().c_str());
+    else if (belongs_to_documents(entry.path().filename().string()))
       closed += close_to_others(entry.path(), S_IFREG, 0600) ? 1 : 0;
     else
       only_documents = false;

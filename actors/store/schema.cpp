@@ -46,13 +46,7 @@ expected<std::vector<std::byte>> blank_document() {
     return sql_failure(made);
   if (auto done = execute(made, first_tables).and_then([&] { return upgrade(made); }); !done)
     return fail(done.error());
-  sqlite3_int64 size = 0;
-  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> image(
-    sqlite3_serialize(made, "main", &size, 0), &sqlite3_free);
-  if (!image)
-    return fail(ec::storage_error, "there is no memory for a new document");
-  const auto* start = reinterpret_cast<const std::byte*>(image.get());
-  return std::vector<std::byte>(start, start + size);
+  return image_of(made);
 }
 
 expected<bool> check_format(sqlite3* db, const std::filesystem::path& file) {

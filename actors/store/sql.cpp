@@ -45,6 +45,17 @@ expected<std::int64_t> number_of(sqlite3* db, const char* sql) {
   return row.next().map([&](bool) { return row.number(0); });
 }
 
+expected<std::vector<std::byte>> image_of(sqlite3* db) {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> image(
+    sqlite3_serialize(db, "main", &size, 0), &sqlite3_free);
+  if (!image)
+    return fail(ec::storage_error, "there is no memory for the document, or it cannot be read",
+                "Close other documents and try again");
+  const auto* start = reinterpret_cast<const std::byte*>(image.get());
+  return std::vector<std::byte>(start, start + size);
+}
+
 // -- query -----------------------------------------------------------------------------------
 
 expected<bool> query::next() {

@@ -45,6 +45,10 @@ using rollback_guard = std::unique_ptr<sqlite3, roll_back>;  ///< Of what is not
 /// The one number that a query yields. Errors: those of `sql_failure`.
 [[nodiscard]] expected<std::int64_t> number_of(sqlite3* db, const char* sql);
 
+/// The database as one file would hold it, with what is in its log. Errors: `storage_error` when
+/// there is no memory for it or it cannot be read. Cost: twice its size in memory.
+[[nodiscard]] expected<std::vector<std::byte>> image_of(sqlite3* db);
+
 /// One use of a statement: binds the values in order and resets the statement in the end. Texts and
 /// blobs are not copied, so they must outlive the use.
 class query {

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <unordered_set>
 
 #include <nlohmann/json.hpp>
 
 #include "actors/errors.hpp"
+#include "actors/store/adoption.hpp"
 
 namespace tedit::actors {
 
@@ -190,6 +192,20 @@ caf::result<acknowledged> write(document_file& file, const store::change& change
   return acknowledged{};
 }
 
+caf::result<exported> copy_of(document_file& file) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  const auto bytes = file.document->copy();
+  if (!bytes)
+    return to_caf(bytes.error());
+  exported result{file.path.filename().string(), {}, bytes->size()};
+  for (std::size_t at = 0; at < bytes->size(); at += max_page_bytes)
+    result.pages.push_back(page::from_bytes(
+      std::span(*bytes).subspan(at, std::min(max_page_bytes, bytes->size() - at))));
+  return result;
+}
+
 }  // namespace
 
 const disk& disk_set::least_busy(std::size_t from) const {
@@ -216,6 +232,18 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
             end_job(file);
             return result;
           },
+          [=](copy_atom, const shared_file& file) {
+            auto result = copy_of(*file);
+            end_job(file);
+            return result;
+          },
+          [=](const adoption& one) -> caf::result<acknowledged> {
+            const auto done = adopt(one.file, one.bytes);
+            --*jobs;
+            if (!done)
+              return to_caf(done.error());
+            return acknowledged{};
+          },
           [=](wake_atom, const shared_file& file) {
             const std::lock_guard lock(file->in_use);
             if (file->document)
@@ -241,20 +269,23 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
     self->delayed_send(self, idle_limit, rest_atom::value, ++self->state.uses);
     return by.actor;
   };
-  return {[=](load_atom) {
-            return self->delegate(use(self->state.disks.for_load()), load_atom::value,
-                                  self->state.file);
-          },
-          [=](const stored_change& change) {
-            return self->delegate(use(self->state.disks.for_commit()), self->state.file, change);
-          },
-          [=](wake_atom) {
-            self->send(use(self->state.disks.for_commit()), wake_atom::value, self->state.file);
-          },
-          [=](rest_atom, std::uint64_t uses) {
-            if (uses == self->state.uses)
-              self->send(self->state.disks.for_commit().actor, rest_atom::value, self->state.file);
-          }};
+  return {
+    [=](load_atom) {
+      return self->delegate(use(self->state.disks.for_load()), load_atom::value, self->state.file);
+    },
+    [=](const stored_change& change) {
+      return self->delegate(use(self->state.disks.for_commit()), self->state.file, change);
+    },
+    [=](copy_atom) {
+      return self->delegate(use(self->state.disks.for_load()), copy_atom::value, self->state.file);
+    },
+    [=](wake_atom) {
+      self->send(use(self->state.disks.for_commit()), wake_atom::value, self->state.file);
+    },
+    [=](rest_atom, std::uint64_t uses) {
+      if (uses == self->state.uses)
+        self->send(self->state.disks.for_commit().actor, rest_atom::value, self->state.file);
+    }};
 }
 
 }  // namespace tedit::actors

@@ -7,7 +7,18 @@
 namespace tedit::desktop {
 
 /// What Esc ends, in the order in which it is asked whether it is there to be ended.
-enum class ends { drag_mode, click_mode, page, wait, list, load_form, form, selection, solve };
+enum class ends {
+  drag_mode,
+  click_mode,
+  page,
+  wait,
+  list,
+  load_form,
+  form,
+  selection,
+  tour,
+  solve
+};
 
 /// One Esc ends one thing. Tools say what they have to end.
 class escapes {

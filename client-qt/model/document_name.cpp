@@ -14,11 +14,13 @@ constexpr auto time_format = "yyyyMMdd-HHmmss";
 
 }  // namespace
 
-QString new_document_name(const QString& mesh, const QDateTime& now) {
+QString valid_name(const QString& stem) {
   constexpr int longest = 40;  // Servers take 64 in all.
-  QString stem = QFileInfo(mesh).completeBaseName().left(longest);
-  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
-  return stem + "-" + now.toString(time_format);
+  return stem.left(longest).replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+}
+
+QString new_document_name(const QString& mesh, const QDateTime& now) {
+  return valid_name(QFileInfo(mesh).completeBaseName()) + "-" + now.toString(time_format);
 }
 
 document_title title_of(const QString& name) {

@@ -10,6 +10,9 @@ namespace tedit::desktop {
 /// the file's name and when it was opened.
 [[nodiscard]] QString new_document_name(const QString& mesh, const QDateTime& now);
 
+/// What is left of a file's name that servers take in a document's: at most 40 characters.
+[[nodiscard]] QString valid_name(const QString& stem);
+
 /// What a person calls the document, and when it was made; of other names all, and no time.
 struct document_title {
   QString words;

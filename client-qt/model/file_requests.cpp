@@ -30,9 +30,20 @@ void file_requests::open(const QString& name) {
     if (!state->head)
       return fail(ec::not_found, "the server has no document \"" + name + "\" any more",
                   "Open the part's mesh, or look for the document where it was moved to");
-    return ready{name, {}, {}};
+    return ready{name, {}, {}, {}};
   };
   switch_to(tr("Open %1").arg(title_of(name).words), look);
+}
+
+void file_requests::add(const QString& path) {
+  const auto give = [path, name = valid_name(QFileInfo(path).completeBaseName()).toStdString()](
+                      client::client& server, const execution& run) -> expected<ready> {
+    const auto added = server.add_document(path.toStdString(), name, true, run);
+    if (!added)
+      return fail(added.error());
+    return ready{*added, {}, {}, {}};
+  };
+  switch_to(tr("Open %1").arg(QFileInfo(path).fileName()), give);
 }
 
 /// `prepare` works on a connection of its own. What was wanted last counts.
@@ -52,6 +63,8 @@ void file_requests::switch_to(const QString& title, remote::work<ready> prepare)
       part_.begin(QString::fromStdString(got->name));
       reopen();
       part_.say(got->warnings);
+      if (got->from)
+        emit imported(*got->from);
       if (got->refused_loads)
         emit part_.failed(tr("Set the load cases"), *got->refused_loads);
     });
@@ -86,7 +99,7 @@ void file_requests::reopen() {
 
 void file_requests::import(const QString& mesh, const QStringList& load_cases,
                            const QString& unit) {
-  new_part from{mesh, unit.toStdString(), {}};
+  new_part from{{mesh, load_cases, unit.isEmpty() ? "mm" : unit}, {}};
   for (const auto& file : load_cases) {
     auto read = protocol::load_case_from_file(file.toStdString());
     if (!read) {
@@ -118,13 +131,13 @@ expected<std::string> file_requests::open_empty(client::client& server, const QS
 /// A part whose loads are refused is opened all the same.
 expected<file_requests::ready> file_requests::make(client::client& server, const execution& run,
                                                    const new_part& from) {
-  const auto name = open_empty(server, from.mesh);
+  const auto name = open_empty(server, from.file.mesh);
   if (!name)
     return fail(name.error());
-  auto made = server.import_file(from.mesh.toStdString(), from.unit, run);
+  auto made = server.import_file(from.file.mesh.toStdString(), from.file.unit.toStdString(), run);
   if (!made)
     return fail(made.error());
-  ready result{*name, std::move(made->warnings), {}};
+  ready result{*name, std::move(made->warnings), {}, from.file};
   for (const auto& one : from.loads)
     if (const auto ok = server.set_load_case(one); !ok && !result.refused_loads)
       result.refused_loads = ok.error();
@@ -133,14 +146,16 @@ expected<file_requests::ready> file_requests::make(client::client& server, const
 
 void file_requests::export_to(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
-  const auto format = suffix == "stl"   ? client::file_format::stl
-                      : suffix == "vtu" ? client::file_format::vtu
-                                        : client::file_format::msh;
+  const auto format = suffix == "stl"     ? client::file_format::stl
+                      : suffix == "vtu"   ? client::file_format::vtu
+                      : suffix == "tedit" ? client::file_format::document
+                                          : client::file_format::msh;
   const QString title = tr("Export %1").arg(QFileInfo(path).fileName());
   part_.foreground().ask<void>(
     title,
     [path, format](client::client& c, const execution& run) -> expected<void> {
-      const auto bytes = c.export_file(format, {}, "mm", run);
+      const bool whole = format == client::file_format::document;
+      const auto bytes = c.export_file(format, {}, whole ? "" : "mm", run);
       if (!bytes)
         return fail(bytes.error());
       QSaveFile file(path);

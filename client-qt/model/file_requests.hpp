@@ -13,6 +13,13 @@ namespace tedit::desktop {
 
 class document;
 
+/// A mesh that was opened, with its load cases, and the length unit that it was read in.
+struct imported_file {
+  QString mesh;
+  QStringList load_cases;
+  QString unit;  ///< "mm", "m", "in".
+};
+
 /// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows. The
 /// document that is open stays so until the other one is there: what fails changes nothing.
 class file_requests : public QObject {
@@ -26,13 +33,18 @@ public:
   /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
   /// it. `unit` is the mesh's length unit, "mm" when empty.
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
+  /// Gives the server a document that lies in a file, under its name or, where that is taken, the
+  /// next one, and opens it.
+  void add(const QString& path);
   void close();
-  /// Writes the head to a file, by its suffix: .msh, .stl or .vtu.
+  /// Writes a file, by its suffix: the head (.msh, .stl, .vtu) or the whole document (.tedit).
   void export_to(const QString& path);
 
 signals:
   /// A file is written, also one that something else wrote.
   void exported(const QString& path);
+  /// After `document::opened`: it came from a mesh file, which says no unit of its own.
+  void imported(const tedit::desktop::imported_file& from);
 
 private:
   /// What a person should know of a document that was made ready.
@@ -40,11 +52,11 @@ private:
     std::string name;
     std::vector<std::string> warnings;
     std::optional<error> refused_loads;
+    std::optional<imported_file> from;  ///< Not of a document that was there.
   };
   /// What an import needs, whatever becomes of the window meanwhile.
   struct new_part {
-    QString mesh;
-    std::string unit;
+    imported_file file;
     std::vector<fem::load_case> loads;
   };
   void reopen();

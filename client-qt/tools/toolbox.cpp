@@ -24,6 +24,7 @@ toolbox::toolbox(window_context& in)
       probing(in, results.panel(), selecting),
       jobs(in),
       help(in, operations.panel()),
+      tour(in, documents, operations.panel()),
       recording(in, *this) {
   // nop
 }

@@ -19,6 +19,7 @@
 #include "client-qt/tools/section/section_tool.hpp"
 #include "client-qt/tools/selection/selection_tool.hpp"
 #include "client-qt/tools/settings/settings_tool.hpp"
+#include "client-qt/tools/tour/tour_tool.hpp"
 #include "client-qt/tools/viewing/viewing_tool.hpp"
 
 namespace tedit::desktop {
@@ -46,6 +47,7 @@ struct toolbox {
   probes_tool probing;
   jobs_tool jobs;
   help_tool help;
+  tour_tool tour;
   recording_tool recording;
 };
 

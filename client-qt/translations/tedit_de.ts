@@ -1418,20 +1418,24 @@ Inhalt %1</translation>
         <translation>Verformung</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
         <source>So large that the deformation is seen, for each load case</source>
         <translation>So groß, dass die Verformung zu sehen ist, für jeden Lastfall</translation>
     </message>
     <message>
-        <source>Animate</source>
-        <translation>Bewegen</translation>
-    </message>
-    <message>
         <source>Swings between the part without load and the deformed one</source>
         <translation>Schwingt zwischen dem Teil ohne Last und dem verformten</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Automatic deformation</source>
+        <translation>Automatische Verformung</translation>
+    </message>
+    <message>
+        <source>Animate the deformation</source>
+        <translation>Verformung bewegen</translation>
     </message>
 </context>
 <context>
@@ -1443,6 +1447,49 @@ Inhalt %1</translation>
     <message>
         <source>The list of operations did not come: %1</source>
         <translation>Die Liste der Operationen kam nicht an: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::document_keeping</name>
+    <message>
+        <source>Save</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Nothing to do: each step is kept when it is made. Says where.</source>
+        <translation>Nichts zu tun: Jeder Schritt ist gesichert, sobald er getan ist. Sagt, wo.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Kopie sichern</translation>
+    </message>
+    <message>
+        <source>All versions and loads in one file, to mail or to put aside</source>
+        <translation>Alle Versionen und Lasten in einer Datei, zum Verschicken oder Weglegen</translation>
+    </message>
+    <message>
+        <source>Show where the document is</source>
+        <translation>Zeigen, wo das Dokument liegt</translation>
+    </message>
+    <message>
+        <source>Opens its folder</source>
+        <translation>Öffnet seinen Ordner</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>Everything is safe already: each step is kept when it is made. This is version %1 of %2.</source>
+        <translation>Alles ist schon gesichert: Jeder Schritt wird gesichert, sobald er getan ist. Dies ist Version %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Save a copy of the document</source>
+        <translation>Kopie des Dokuments sichern</translation>
+    </message>
+    <message>
+        <source>TEdit documents (*.tedit)</source>
+        <translation>TEdit-Dokumente (*.tedit)</translation>
     </message>
 </context>
 <context>
@@ -2877,6 +2924,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <source>Swings between the part without load and the deformed one</source>
         <translation>Schwingt zwischen dem Teil ohne Last und dem verformten</translation>
     </message>
+    <message>
+        <source>stress before the edit that is previewed</source>
+        <translation>Spannung vor der gezeigten Bearbeitung</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::section_bar</name>
@@ -3314,6 +3365,100 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
+    <name>tedit::desktop::tour_card</name>
+    <message>
+        <source>Show me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::tour_tool</name>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Two minutes on a shipped part: close a bore and see its stress</source>
+        <translation>Zwei Minuten an einem mitgelieferten Teil: eine Bohrung schließen und die Spannung sehen</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>Das Teil drehen</translation>
+    </message>
+    <message>
+        <source>Drag with the left mouse button. The wheel zooms to the pointer, F puts the whole part back into the view.</source>
+        <translation>Mit der linken Maustaste ziehen. Das Rad vergrößert zum Zeiger hin, F holt das ganze Teil wieder ins Bild.</translation>
+    </message>
+    <message>
+        <source>Pick a bore</source>
+        <translation>Eine Bohrung wählen</translation>
+    </message>
+    <message>
+        <source>Click into one of the holes: all of its wall is selected. At the right stands what it is, and what can be done with it.</source>
+        <translation>In eine der Bohrungen klicken: Ihre ganze Wand ist gewählt. Rechts steht, was sie ist und was sich damit tun lässt.</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>Sie schließen</translation>
+    </message>
+    <message>
+        <source>Choose Fill hole. The preview shows what comes (green) before anything is changed; where the part stays as it is, its stress stays in sight.</source>
+        <translation>„Loch schließen“ wählen. Die Vorschau zeigt, was dazukommt (grün), bevor etwas geändert ist; wo das Teil bleibt, wie es ist, bleibt seine Spannung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Press Apply, or Ctrl+Enter. Loads and supports stay where they are, and the stress is solved anew by itself.</source>
+        <translation>Anwenden drücken, oder Strg+Eingabe. Lasten und Lager bleiben, wo sie sind, und die Spannung wird von selbst neu gelöst.</translation>
+    </message>
+    <message>
+        <source>Read the result</source>
+        <translation>Das Ergebnis lesen</translation>
+    </message>
+    <message>
+        <source>The line at the bottom says &quot;preview&quot; until the stress is final. Press R: the largest stress, before and after.</source>
+        <translation>Die Zeile unten sagt „Vorschau“, bis die Spannung endgültig ist. R drücken: die größte Spannung, vorher und nachher.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Es zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z undoes, Ctrl+Y brings it back. Every version stays in the history below, and nothing has to be saved.</source>
+        <translation>Strg+Z nimmt zurück, Strg+Y holt wieder. Jede Version bleibt unten im Verlauf, und nichts muss gesichert werden.</translation>
+    </message>
+    <message>
+        <source>That is all</source>
+        <translation>Das ist alles</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds every command by its name, F1 is the manual. Drop a mesh of your own on the window to go on.</source>
+        <translation>Strg+K findet jeden Befehl nach seinem Namen, F1 ist das Handbuch. Weiter geht es mit einem eigenen Netz, das auf das Fenster gezogen wird.</translation>
+    </message>
+    <message>
+        <source>The shipped parts are not there: the tour needs the plate.</source>
+        <translation>Die mitgelieferten Teile sind nicht da: Der Rundgang braucht die Platte.</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::truth_line</name>
     <message>
         <source>no part</source>
@@ -3350,10 +3495,6 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>final</source>
         <translation>endgültig</translation>
-    </message>
-    <message>
-        <source>stresses follow when it is applied</source>
-        <translation>Spannungen folgen beim Anwenden</translation>
     </message>
     <message>
         <source>check the loads</source>
@@ -3434,6 +3575,17 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Stops the solver; the next edit is solved again</source>
         <translation>Hält den Löser an; nach der nächsten Änderung wird wieder gelöst</translation>
+    </message>
+    <message>
+        <source>the stress shown is that before it; it is solved when it is applied</source>
+        <translation>gezeigt ist die Spannung davor; gelöst wird, wenn sie angewendet ist</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::unit_question</name>
+    <message>
+        <source>The part is %1 large, read as %2. Its file says no unit: was it written in</source>
+        <translation>Das Teil ist %1 groß, gelesen als %2. Seine Datei nennt keine Einheit: Geschrieben wurde sie in</translation>
     </message>
 </context>
 <context>
@@ -3554,16 +3706,39 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Ein Tetraedernetz mit Flächennummern (Gmsh .msh) hierher ziehen oder mit einem mitgelieferten Bauteil beginnen:</translation>
     </message>
     <message>
-        <source>Connect to a server ...</source>
-        <translation>Mit einem Server verbinden …</translation>
-    </message>
-    <message>
         <source>Open ...</source>
         <translation>Öffnen ...</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Two minutes on a shipped part: close a bore and see its stress</source>
+        <translation>Zwei Minuten an einem mitgelieferten Teil: eine Bohrung schließen und die Spannung sehen</translation>
+    </message>
+    <message>
+        <source>Work on another computer ...</source>
+        <translation>Auf einem anderen Rechner arbeiten ...</translation>
+    </message>
+</context>
+<context>
+    <name>unit_question</name>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
     </message>
 </context>
 </TS>

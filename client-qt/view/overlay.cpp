@@ -249,14 +249,15 @@ void overlay::paint_orientation(QPainter& painter, double scale) {
 
 /// Around the legend, pixels of the screen.
 QRectF overlay::scale_box() const {
-  const double height = std::min(legend_height, view_.height() - 2 * margin);
+  const double room = view_.height() - below_;
+  const double height = std::min(legend_height, room - 2 * margin);
   const auto& by = view_.painted().by;
   const QFontMetricsF title(sized(font(), title_size, true));
   const QFontMetricsF second(sized(font(), words_size));
   const double words =
     std::max(title.horizontalAdvance(title_of(by)), second.horizontalAdvance(unit_line(by)));
   const double width = std::max(legend_width, words + margin);
-  return {margin / 2, view_.height() - height - 1.5 * margin, width + margin / 2, height + margin};
+  return {margin / 2, room - height - 1.5 * margin, width + margin / 2, height + margin};
 }
 
 void overlay::paint_scale(QPainter& painter, double scale) {

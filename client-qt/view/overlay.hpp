@@ -36,9 +36,10 @@ public:
   /// The legend's room is kept free when something is made to fit.
   void show_legend(bool on);
   [[nodiscard]] bool shows_extremes() const noexcept { return extremes_; }
-  /// Axes and a length at the lower right, above `below` pixels that something else covers.
+  /// Axes and a length at the lower right.
   void show_orientation(bool on);
   [[nodiscard]] bool shows_orientation() const noexcept { return orientation_; }
+  /// All stands above `below` pixels that something else covers.
   void keep_free(int below);
 
   /// The view with all that lies over it, `factor` times as many pixels as on the screen.

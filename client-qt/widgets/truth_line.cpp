@@ -102,7 +102,7 @@ QString truth_line::facts() const {
     return {};
   QStringList parts;
   if (candidate_)  // What is known of the head's field is not true of it.
-    return tr("stresses follow when it is applied");
+    return tr("the stress shown is that before it; it is solved when it is applied");
   const auto& outcome = head->outcome;
   if (part_.solver().progress() == field_state::converged && outcome) {
     double residual = 0;

@@ -7,6 +7,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QTimer>
@@ -17,12 +18,14 @@
 
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
+#include "client-qt/model/part_size.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/widgets/command_palette.hpp"
 #include "client-qt/widgets/wheel_guard.hpp"
+#include "client-qt/window/menus.hpp"
 
 namespace tedit::desktop {
 
@@ -112,6 +115,7 @@ void main_window::add_commands() {
                  tr("All commands and operations"),
                  "search"});
   actions_.make_all();
+  fill_menus(*menuBar(), commands_, actions_);
   // In a list Esc leaves the list: what is selected on the part is another matter.
   escapes_.add(ends::list, [this] {
     const auto* focus = QApplication::focusWidget();
@@ -233,7 +237,9 @@ void main_window::show_title() {
   const auto* head = part_.head();
   const QString version = head ? QString("  v%1").arg(head->info.number) : QString();
   const auto title = title_of(part_.name());
-  title_->setText(part_.is_open() ? "<b>" + title.words.toHtmlEscaped() + "</b>" + version
+  const QString size =
+    head && head->surface ? "&nbsp;&nbsp; " + size_of(*head->surface).words() : QString();
+  title_->setText(part_.is_open() ? "<b>" + title.words.toHtmlEscaped() + "</b>" + version + size
                                   : QString("<b>TEdit</b>"));
   title_->setToolTip(part_.is_open() ? tr("Document %1").arg(part_.name()) : QString());
   setWindowTitle(part_.is_open() ? title.words + " - TEdit" : "TEdit");
@@ -251,7 +257,8 @@ void main_window::wire() {
   // Once the form has taken it up and its layout with it.
   connect(&tools_->operations.panel(), &context_panel::form_opened, this,
           [this] { QTimer::singleShot(0, this, &main_window::make_room); });
-  for (auto signal : {&document::opened, &document::closed, &document::head_changed})
+  for (auto signal :
+       {&document::opened, &document::closed, &document::head_changed, &document::surface_changed})
     connect(&part_, signal, this, &main_window::show_title);
   connect(&part_, &document::begun, banner_, &banner::clear_message);
   connect(&part_, &document::begun, this, [this] { view_->framing().expect_another(); });

@@ -52,7 +52,8 @@ private:
     if (text.starts_with("\x89PNG"))
       refuse("a PNG picture", "Choose a .msh file");
     if (text.starts_with("ISO-10303-21"))
-      refuse("a STEP file (CAD geometry)", "Mesh it first, for example with Gmsh");
+      refuse("a STEP file (CAD geometry)",
+             "Mesh it first: gmsh part.step -3 -format msh41 -o part.msh");
     if (text.starts_with("solid "))
       refuse("an STL surface", "Mesh its volume first, for example with Gmsh");
     const auto first = text.substr(0, 4096).find_first_not_of(" \t\r\n");

@@ -87,6 +87,9 @@ std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
   result.emplace(8, user.preview_edit("close", {1}, {}, {}, {}, {}, true).error());
   result.emplace(5, user.remove_load_case("bend").error());
   result.emplace(8, user.surface_of(0).error());
+  result.emplace(
+    9, user.add_document(TEDIT_EXAMPLES "/ctc01_plate/load_case.json", "x", true, {}).error());
+  result.emplace(9, user.export_file(file_format::document, {}, {}, {}).error());
   result.emplace(5, user.annotate(0, "first", {}).error());
   result.emplace(5, user.watch_fields({}).error());
   return result;
@@ -121,7 +124,7 @@ TEST(NewerServer, LoadCasesThatCannotBeReadAreNamedAndNotPassedOver) {
                                             "0 says no kind"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 9U));
+INSTANTIATE_TEST_SUITE_P(Client, OldServer, ::testing::Range(0U, 10U));
 
 }  // namespace
 }  // namespace tedit::client

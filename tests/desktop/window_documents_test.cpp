@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 
+#include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/history/history_strip.hpp"
 #include "client-qt/tools/probes/probes_tool.hpp"
 #include "client-qt/tools/receipt/receipt_panel.hpp"
@@ -257,6 +258,36 @@ TEST_F(Documents, WhatWasHiddenAndPickedIsNotSoOnTheNextPart) {
   ASSERT_TRUE(wait([&] { return part().name() != name && shows_head(); }));
   EXPECT_TRUE(window->tools().selecting.hidden().empty());
   EXPECT_TRUE(window->context().picked.surfaces().empty());
+}
+
+TEST_F(Documents, CtrlSSaysThatEverythingIsSafeAndWhere) {
+  open_plate(false);
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  const auto place = state.path() + "/documents/" + part().name() + ".tedit";
+  EXPECT_TRUE(said().contains("safe already")) << said().toStdString();
+  EXPECT_TRUE(said().contains(place)) << said().toStdString();
+  EXPECT_TRUE(QFile::exists(place));
+}
+
+TEST_F(Documents, ACopyHasAllVersionsAndLoads) {
+  open_plate();
+  part().edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  const auto name = part().name();
+  const auto loads = part().loads().all();
+  const auto copy = state.path() + "/mailed.tedit";
+  window->tools().documents.keeping().copy_to(copy);
+  ASSERT_TRUE(wait([&] { return said().contains("Wrote"); }));
+  EXPECT_EQ(QDir(state.path()).entryList({"mailed.tedit*"}).size(), 1) << "one file";
+
+  window->tools().documents.open_file(copy, {});
+  ASSERT_TRUE(wait([&] { return part().name() == "mailed" && is_final(); }));
+  EXPECT_EQ(version(), 1U);
+  EXPECT_EQ(part().versions().size(), 2U);
+  EXPECT_EQ(part().loads().all(), loads);
+  run("edit.undo");
+  ASSERT_TRUE(wait([&] { return version() == 0; }));
+  EXPECT_TRUE(files().contains(name + ".tedit"));
 }
 
 TEST_F(Documents, AReopenedPartSaysWhatItsEditDid) {

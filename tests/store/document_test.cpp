@@ -121,6 +121,35 @@ TEST_F(Document, KeepsEverythingOverCloseAndReopen) {
     expect_same_page(*doc, page);
 }
 
+TEST_F(Document, ACopyIsOneFileWithAllThatIsCommitted) {
+  const auto doc = open();
+  ASSERT_TRUE(doc->commit(make_change(0)).has_value());
+  ASSERT_TRUE(doc->commit(make_change(1)).has_value());  // In the log beside the file.
+  const auto copied = doc->copy();
+  ASSERT_TRUE(copied.has_value()) << render(copied.error());
+  ASSERT_TRUE(doc->commit(make_change(2)).has_value());
+
+  const auto there = folder / "copy.tedit";
+  std::ofstream(there, std::ios::binary)
+    .write(reinterpret_cast<const char*>(copied->data()),
+           static_cast<std::streamsize>(copied->size()));
+  const auto other = document::open(there);
+  ASSERT_TRUE(other.has_value()) << render(other.error());
+  const auto all = (*other)->read();
+  ASSERT_TRUE(all.has_value()) << render(all.error());
+  EXPECT_EQ(all->versions.size(), 2u);
+  EXPECT_EQ(all->head, 1u);
+  EXPECT_EQ(all->log.size(), 2u);
+  expect_same_page(**other, make_page(1));
+  EXPECT_EQ(doc->read()->versions.size(), 3u);
+}
+
+TEST_F(Document, BeforeItsFirstCommitThereIsNothingToCopy) {
+  const auto made = document::open(file);
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ((*made)->copy().error().code, ec::not_found);
+}
+
 TEST_F(Document, ClearsTheRedoAndMovesTheHead) {
   const auto doc = open();
   ASSERT_TRUE(doc->commit(make_change(0)).has_value());

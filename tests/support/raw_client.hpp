@@ -28,7 +28,7 @@ public:
   }
 
   /// Introduces itself; the answer.
-  v1::ServerMessage hello(const std::string& token, std::uint32_t minor = 8,
+  v1::ServerMessage hello(const std::string& token, std::uint32_t minor = 9,
                           const std::string& name = "test") {
     v1::ClientMessage message;
     auto* hello = message.mutable_hello();

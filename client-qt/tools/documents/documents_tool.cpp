@@ -6,14 +6,16 @@
 #include <QFileDialog>
 #include <QMainWindow>
 #include <QPointer>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QThreadPool>
 
 #include "client-qt/context/command_groups.hpp"
+#include "client-qt/model/document_name.hpp"
 #include "client-qt/tools/connection/connection_tool.hpp"
+#include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/documents/recent_documents.hpp"
+#include "client-qt/tools/documents/unit_question.hpp"
 #include "client-qt/tools/documents/welcome_page.hpp"
 #include "client-qt/tools/pictures/kept_picture.hpp"
 #include "client-qt/tools/probes/probes_tool.hpp"
@@ -26,7 +28,11 @@ static constexpr int most_recent = 12;
 
 documents_tool::documents_tool(window_context& in, connection_tool& connection,
                                recipes_tool& recipes)
-    : in_(in), connection_(connection), recipes_(recipes), start_page_(new welcome_page) {
+    : in_(in),
+      connection_(connection),
+      recipes_(recipes),
+      start_page_(new welcome_page),
+      keeping_(nullptr) {
   in_.pages.addWidget(start_page_);
   in_.pages.setCurrentWidget(start_page_);
   connect(&in_.part, &document::opened, this, [this] {
@@ -42,6 +48,9 @@ documents_tool::documents_tool(window_context& in, connection_tool& connection,
   });
   wire_start_page();
   add_commands();
+  keeping_ = new document_keeping(in_, connection_);
+  keeping_->setParent(this);
+  new unit_question(in_.part, in_.view);  // Of the view.
 }
 
 void documents_tool::wire_start_page() {
@@ -56,6 +65,8 @@ void documents_tool::wire_start_page() {
           [this](const example& one) { open_file(one.mesh, one.load_cases); });
   connect(start_page_, &welcome_page::document_wanted, this, &documents_tool::open_document);
   connect(start_page_, &welcome_page::file_wanted, this, &documents_tool::ask_file);
+  connect(start_page_, &welcome_page::tour_wanted, this,
+          [this] { (void)in_.all_commands.trigger("help.tour"); });
   connect(start_page_, &welcome_page::server_wanted, &connection_, &connection_tool::ask);
 }
 
@@ -135,14 +146,12 @@ void documents_tool::forget_unfinished() {
   in_.settings.remove("unfinished");
 }
 
-/// A document is served from the local server's folder.
+/// A document is served from the local server's folder; another server gets it whole.
 void documents_tool::open_document_file(const QString& path) {
   const QFileInfo file(path);
   const QDir documents(in_.server.folder() + "/documents");
   if (in_.link.current() == remote::state::connected && !connection_.is_local())
-    emit in_.part.failed(tr("Open %1").arg(file.fileName()),
-                         {ec::invalid_argument, "a document file is opened on this computer only",
-                          "Start TEdit anew without --server", path.toStdString()});
+    in_.part.files().add(path);
   else if (file.absoluteDir() == documents)
     open_document(file.completeBaseName());
   else
@@ -152,8 +161,7 @@ void documents_tool::open_document_file(const QString& path) {
 /// One from elsewhere is copied, aside.
 void documents_tool::copy_here(const QString& path, const QString& folder) {
   const QDir documents(folder);
-  QString stem = QFileInfo(path).completeBaseName().left(40);
-  stem.replace(QRegularExpression("[^A-Za-z0-9._-]"), "_");
+  const QString stem = valid_name(QFileInfo(path).completeBaseName());
   QString name = stem;
   for (int i = 2; documents.exists(name + ".tedit"); ++i)
     name = stem + "-" + QString::number(i);

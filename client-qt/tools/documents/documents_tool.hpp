@@ -8,6 +8,7 @@
 namespace tedit::desktop {
 
 class connection_tool;
+class document_keeping;
 class recipes_tool;
 class welcome_page;
 
@@ -31,6 +32,7 @@ public:
   void show_recent();
   /// Whether the start page is in front.
   [[nodiscard]] bool shows_start_page() const;
+  [[nodiscard]] document_keeping& keeping() { return *keeping_; }
 
 private:
   void add_commands();
@@ -45,6 +47,7 @@ private:
   connection_tool& connection_;
   recipes_tool& recipes_;
   welcome_page* start_page_;
+  document_keeping* keeping_;
 };
 
 }  // namespace tedit::desktop

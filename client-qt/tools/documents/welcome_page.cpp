@@ -127,9 +127,13 @@ welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
   auto* open = new QPushButton(tr("Open ..."));
   open->setProperty("role", "primary");
   connect(open, &QPushButton::clicked, this, &welcome_page::file_wanted);
-  auto* connect_to = new QPushButton(tr("Connect to a server ..."));
+  auto* tour = new QPushButton(tr("Take the tour"));
+  tour->setToolTip(tr("Two minutes on a shipped part: close a bore and see its stress"));
+  connect(tour, &QPushButton::clicked, this, &welcome_page::tour_wanted);
+  auto* connect_to = new QPushButton(tr("Work on another computer ..."));
   connect(connect_to, &QPushButton::clicked, this, &welcome_page::server_wanted);
   row->addWidget(open);
+  row->addWidget(tour);
   row->addWidget(connect_to);
   row->addStretch();
   column->addLayout(row);

@@ -44,6 +44,7 @@ signals:
   void document_wanted(const QString& name);
   void file_wanted();
   void server_wanted();
+  void tour_wanted();
   void cancel_wanted();  ///< Of what is being opened.
   /// Documents were taken from the list, or brought back.
   void recent_changed(const QStringList& names);

@@ -17,9 +17,11 @@ constexpr double share_of_size = 0.05;
 constexpr int beats = 40;  // Of one swing there and back,
 constexpr int beat_ms = 50;
 
-QToolButton* toggle(const QString& words, const char* name, const QString& help) {
+QToolButton* toggle(const QString& face, const QString& words, const char* name,
+                    const QString& help) {
   auto* made = new QToolButton;
-  made->setText(words);
+  made->setText(face);
+  made->setAccessibleName(words);
   made->setObjectName(name);
   made->setCheckable(true);
   made->setToolTip(help);
@@ -49,9 +51,9 @@ deformation_row::deformation_row(QWidget* parent) : QWidget(parent) {
   factor_->setPrefix(QString::fromUtf8("\u00d7 "));
   factor_->setSpecialValueText(tr("not deformed"));
   factor_->setAccessibleName(tr("Deformation"));
-  automatic_ = toggle(tr("Automatic"), "deform_automatic",
+  automatic_ = toggle(tr("Auto"), tr("Automatic deformation"), "deform_automatic",
                       tr("So large that the deformation is seen, for each load case"));
-  swings_ = toggle(tr("Animate"), "deform_animate",
+  swings_ = toggle(QString::fromUtf8("\u25b6"), tr("Animate the deformation"), "deform_animate",
                    tr("Swings between the part without load and the deformed one"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/results/results_tool.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "client-qt/context/command_groups.hpp"
+#include "client-qt/model/carried_field.hpp"
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/live_preview.hpp"
+#include "client-qt/model/part_size.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
 #include "client-qt/tools/results/deformation_row.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
@@ -85,9 +84,21 @@ void results_tool::show() {
   in_.view.set_legend(panel_->wanted());
   in_.view.show_isolines(panel_->isolines() && !preview_.shown());
   if (const auto& shown = preview_.shown())
-    return in_.view.show_part({shown->surface, nullptr, 0, shown->before});
+    return in_.view.show_part({shown->surface, field_of_preview(), 0, shown->before});
+  carried_ = {};
   measure();
   in_.view.show_part({head->surface, panel_->field(), panel_->deformation().shown_factor()});
+}
+
+/// The stress as it is, where the edit leaves the part as it is: the legend's note says so.
+shared_field results_tool::field_of_preview() {
+  const auto field = panel_->field();
+  const auto& shown = preview_.shown();
+  if (!field || !shown->before || field->version_id() != shown->before->version_id())
+    return nullptr;
+  if (carried_.of != field || carried_.to != shown->surface)
+    carried_ = {field, shown->surface, carried_field(*field, *shown->before, *shown->surface)};
+  return carried_.result;
 }
 
 /// What an automatic deformation goes by: of the shown field and of the part.
@@ -97,14 +108,7 @@ void results_tool::measure() {
   if (!field || field->envelope || field == measured_)
     return;
   measured_ = field;
-  vec3 low{INFINITY, INFINITY, INFINITY};
-  vec3 high = -low;
-  head->surface->positions().for_each([&](std::uint32_t, const vec3& at) {
-    low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
-    high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
-  });
-  panel_->deformation().take(field->report.max_displacement_m,
-                             std::sqrt(dot(high - low, high - low)));
+  panel_->deformation().take(field->report.max_displacement_m, size_of(*head->surface).diagonal());
 }
 
 /// A beat of an animation is left out while the one before it is not seen yet. Nothing else in the
@@ -116,7 +120,9 @@ void results_tool::swing() {
 }
 
 void results_tool::say_verdict() {
-  in_.over.set_note(in_.truth.verdict());
+  const QString verdict = in_.truth.verdict();
+  const bool earlier = preview_.shown() && in_.view.current().field;
+  in_.over.set_note(earlier ? tr("stress before the edit that is previewed") : verdict);
 }
 
 }  // namespace tedit::desktop

@@ -23,7 +23,14 @@ public:
 private:
   void wire();
   void add_commands();
+  /// The field before an edit, on what the edit would make.
+  struct carried {
+    shared_field of;
+    std::shared_ptr<const client::surface_model> to;
+    shared_field result;
+  };
   void show();
+  [[nodiscard]] shared_field field_of_preview();
   void measure();
   void swing();
   void say_verdict();
@@ -31,6 +38,7 @@ private:
   window_context& in_;
   live_preview& preview_;
   field_panel* panel_;
+  carried carried_;
   shared_field measured_;  ///< By which the deformation row knows what there is to show.
 };
 

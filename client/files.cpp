@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Files that go to the server and come from it.
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+#include "client/impl.hpp"
+
+namespace tedit::client {
+
+namespace {
+
+struct open_file {
+  std::ifstream bytes;
+  std::uint64_t size = 0;
+};
+
+/// Errors: `io_error`; `bad_input` for an empty file.
+expected<open_file> open_to_send(const std::filesystem::path& path) {
+  std::error_code code;
+  open_file result{std::ifstream(path, std::ios::binary), std::filesystem::file_size(path, code)};
+  if (code || !result.bytes)
+    return fail(ec::io_error, "the file cannot be read" + (code ? ": " + code.message() : ""), {},
+                path.string());
+  if (result.size == 0)
+    return fail(ec::bad_input, "the file is empty", {}, path.string());
+  return result;
+}
+
+}  // namespace
+
+/// The pieces of an upload, without what is asked of it. `first_id` is the first one's.
+expected<void> client::impl::send_pieces(std::ifstream& file, std::uint64_t size,
+                                         std::uint64_t upload, std::uint64_t first_id,
+                                         const execution& run) {
+  const auto step = piece();
+  for (std::uint64_t offset = 0; offset < size; offset += step) {
+    std::string data(std::min(step, size - offset), '\0');
+    if (!file.read(data.data(), static_cast<std::streamsize>(data.size())))
+      return fail(ec::io_error,
+                  "the file ends or cannot be read near byte " + std::to_string(offset));
+    v1::ClientMessage message;
+    auto* chunk = message.mutable_upload_chunk();
+    chunk->set_upload(upload);
+    chunk->set_offset(offset);
+    chunk->set_data(std::move(data));
+    if (auto ok = link.send_unanswered(first_id, first_id + offset / step, std::move(message),
+                                       options.request_timeout, run);
+        !ok)
+      return ok;
+  }
+  return {};
+}
+
+/// Sends the file as this upload, then what is asked of it.
+expected<connection::answer> client::impl::ask_with_file(std::ifstream& file, std::uint64_t size,
+                                                         std::uint64_t upload,
+                                                         v1::ClientMessage request,
+                                                         body::BodyCase wanted,
+                                                         const execution& run) {
+  run.report(0, "uploading");
+  const auto first_id = link.begin_unanswered((size + piece() - 1) / piece());
+  if (auto sent = send_pieces(file, size, upload, first_id, run); !sent) {
+    (void)link.end_unanswered(first_id);
+    return fail(std::move(sent.error()));
+  }
+  auto got = ask(std::move(request), wanted, run);
+  // A piece that was refused is the reason for the failure.
+  if (auto refused = link.end_unanswered(first_id); refused && !got)
+    return fail(std::move(*refused));
+  return got;
+}
+
+expected<committed> client::import_file(const std::filesystem::path& path, const std::string& unit,
+                                        const execution& run, const change_terms& terms) {
+  auto document = impl_->open_document(terms);
+  if (!document)
+    return fail(std::move(document.error()));
+  auto file = open_to_send(path);
+  if (!file)
+    return fail(std::move(file.error()));
+  v1::ClientMessage request;
+  auto* import = request.mutable_import_mesh();
+  import->set_document(*document);
+  import->set_file_name(path.filename().string());
+  import->set_length_unit(unit);
+  import->set_upload(impl_->next_upload++);
+  import->set_size(file->size);
+  set_terms(terms, *import);
+  const auto got =
+    impl_->ask_with_file(file->bytes, file->size, import->upload(), request, body::kCommitted, run);
+  if (!got)
+    return fail(got.error());
+  return from_message(got->message.committed());
+}
+
+expected<std::string> client::add_document(const std::filesystem::path& path,
+                                           const std::string& name, bool or_next_free,
+                                           const execution& run) {
+  if (auto known = impl_->expect_minor(minor_of_documents, "take documents"); !known)
+    return fail(std::move(known.error()));
+  auto file = open_to_send(path);
+  if (!file)
+    return fail(std::move(file.error()));
+  v1::ClientMessage request;
+  auto* add = request.mutable_add_document();
+  add->set_name(name);
+  add->set_or_next_free(or_next_free);
+  add->set_upload(impl_->next_upload++);
+  add->set_size(file->size);
+  const auto got = impl_->ask_with_file(file->bytes, file->size, add->upload(), request,
+                                        body::kDocumentAdded, run);
+  if (!got)
+    return fail(got.error());
+  return got->message.document_added().document();
+}
+
+expected<std::vector<char>> client::export_file(file_format format, const std::string& version_id,
+                                                const std::string& unit, const execution& run) {
+  const bool whole = format == file_format::document;
+  auto document =
+    impl_->open_document(whole ? minor_of_documents : 0, "write a document as one file");
+  if (!document)
+    return fail(std::move(document.error()));
+  v1::ClientMessage request;
+  auto* wanted = request.mutable_export_file();
+  wanted->set_document(*document);
+  wanted->set_version_id(version_id);
+  wanted->set_format(static_cast<v1::ExportFile::Format>(format));
+  wanted->set_length_unit(unit);
+  auto got = impl_->ask(std::move(request), body::kFileReady, run);
+  if (!got)
+    return fail(std::move(got.error()));
+  return got->bulk->bytes("file");
+}
+
+}  // namespace tedit::client

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Documents as files: copied while they are edited, given to another server, refused when they are
+// none.
+#include <atomic>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "actors/store/documents_folder.hpp"
+#include "protocol/convert.hpp"
+#include "tests/scenarios/fixture.hpp"
+
+namespace tedit::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
+
+class DocumentFiles : public ::testing::Test {
+protected:
+  const scratch_folder documents;
+  const scratch_folder elsewhere;
+  std::unique_ptr<server> host = start(options_for(documents, false));
+  std::unique_ptr<client::client> user = connect(host->url());
+
+  /// An imported cube that was thickened twice, the second edit undone.
+  client::committed make_document(const std::string& name) {
+    value(user->open(name, false, false));
+    value(user->import_file(cube_mesh, "mm", {}));
+    value(user->edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
+    value(user->edit("thicken", {6}, {{"depth", 0.5e-3}}, {}));
+    return value(user->undo());
+  }
+
+  [[nodiscard]] std::filesystem::path write(const std::string& bytes) const {
+    const auto path = elsewhere.path() / "mailed.tedit";
+    std::ofstream(path, std::ios::binary) << bytes;
+    return path;
+  }
+
+  [[nodiscard]] std::string copy() {
+    const auto bytes = value(user->export_file(client::file_format::document, {}, {}, {}));
+    return {bytes.begin(), bytes.end()};
+  }
+
+  /// Names in the folder of documents, without what SQLite and locks keep there.
+  [[nodiscard]] std::set<std::string> names() const {
+    std::set<std::string> result;
+    for (const auto& entry : std::filesystem::directory_iterator(documents.path()))
+      if (const auto name = entry.path().filename().string();
+          !name.ends_with("-wal") && !name.ends_with("-shm") && name != ".tedit-lock")
+        result.insert(name);
+    return result;
+  }
+};
+
+TEST_F(DocumentFiles, ACopyThatIsAddedIsTheSameDocumentUnderItsOwnName) {
+  const auto head = make_document("cube");
+  const auto file = write(copy());
+
+  EXPECT_EQ(value(user->add_document(file, "mailed", false, {})), "mailed");
+  EXPECT_EQ(names(), (std::set<std::string>{"cube.tedit", "mailed.tedit"}));
+
+  const auto state = value(user->open("mailed", false, false));
+  EXPECT_EQ(state.head->version_id, head.head.version_id);
+  EXPECT_EQ(state.head->number, 1u);
+  const auto all = value(user->get_history());
+  ASSERT_EQ(all.versions.size(), 3u);
+  // Each goes its own way.
+  const auto redone = value(user->redo());
+  EXPECT_EQ(redone.head.number, 2u);
+  EXPECT_EQ(value(user->open("cube", false, false)).head->number, 1u);
+}
+
+TEST_F(DocumentFiles, ACopyIsWholeWhileTheDocumentIsEdited) {
+  make_document("cube");
+  std::atomic<bool> end = false;
+  std::thread editor([&] {
+    const auto other = connect(host->url());
+    value(other->open("cube", false, false));
+    while (!end) {
+      value(other->redo());
+      value(other->undo());
+    }
+  });
+  for (int i = 0; i < 20; ++i) {
+    const auto name = value(user->add_document(write(copy()), "copy", true, {}));
+    EXPECT_EQ(name, i == 0 ? "copy" : "copy-" + std::to_string(i + 1));
+  }
+  end = true;
+  editor.join();
+  for (const auto* name : {"copy", "copy-2", "copy-20"})
+    EXPECT_EQ(value(connect(host->url())->open(name, false, false)).head->tets > 0, true) << name;
+}
+
+TEST_F(DocumentFiles, WhatIsNoDocumentLeavesNothingBehind) {
+  make_document("cube");
+  const auto good = copy();
+  auto changed = good;
+  changed.at(changed.find("thicken")) = 'T';
+  const std::pair<std::string, std::string> bad[] = {
+    {"solid part\nendsolid part\n", "is not a database"},
+    {good.substr(0, good.size() / 2), ""},
+    {good.substr(0, 100), ""},
+    {changed, ""}};
+  for (const auto& [bytes, why] : bad) {
+    const auto refused = user->add_document(write(bytes), "other", false, {});
+    ASSERT_FALSE(refused.has_value()) << bytes.size();
+    EXPECT_EQ(refused.error().code, ec::storage_error) << render(refused.error());
+    EXPECT_THAT(refused.error().message, HasSubstr(why));
+    EXPECT_EQ(refused.error().message.find("adding.tedit"), std::string::npos);
+    EXPECT_EQ(refused.error().message.find(".tedit-adding"), std::string::npos)
+      << render(refused.error());
+    EXPECT_EQ(names(), (std::set<std::string>{"cube.tedit"}));
+  }
+  EXPECT_EQ(value(user->add_document(write(good), "other", false, {})), "other");
+}
+
+TEST_F(DocumentFiles, ANameThatIsTakenIsNotTakenTwice) {
+  make_document("cube");
+  const auto file = write(copy());
+  for (const auto* name : {"cube", "unsaved"}) {
+    value(user->open(name, false, false));  // The second has no file yet.
+    const auto refused = user->add_document(file, name, false, {});
+    ASSERT_FALSE(refused.has_value()) << name;
+    EXPECT_EQ(refused.error().code, ec::conflict);
+    EXPECT_THAT(refused.error().message, HasSubstr("there is a document"));
+  }
+  EXPECT_EQ(value(user->add_document(file, "cube", true, {})), "cube-2");
+  const std::string longest(64, 'a');
+  EXPECT_EQ(value(user->add_document(file, longest, true, {})), longest);
+  EXPECT_EQ(value(user->add_document(file, longest, true, {})), longest.substr(2) + "-2");
+  EXPECT_EQ(user->add_document(file, "../cube", true, {}).error().code, ec::invalid_argument);
+  EXPECT_EQ(user->add_document(file, "", true, {}).error().code, ec::invalid_argument);
+}
+
+TEST_F(DocumentFiles, WithoutAPartThereIsNothingToCopy) {
+  value(user->open("empty", false, false));
+  const auto refused = user->export_file(client::file_format::document, {}, {}, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::not_found);
+  make_document("cube");
+  EXPECT_EQ(user->export_file(client::file_format::document, {}, "mm", {}).error().code,
+            ec::invalid_argument);
+}
+
+TEST_F(DocumentFiles, WhatAKillLeftGoesWhenTheServerStarts) {
+  make_document("cube");
+  user.reset();
+  host.reset();
+  const auto draft = store::draft_of(documents.path() / "other.tedit");
+  for (const char* with : {"", "-wal", "-shm"})
+    std::ofstream(draft.string() + with) << "half";
+
+  host = start(options_for(documents, false));
+  EXPECT_EQ(names(), (std::set<std::string>{"cube.tedit"}));
+  user = connect(host->url());
+  EXPECT_EQ(value(user->open("cube", false, false)).head->number, 1u);
+}
+
+}  // namespace
+}  // namespace tedit::test
