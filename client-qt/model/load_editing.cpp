@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client-qt/model/quantities.hpp"
+#include "client-qt/model/receipt_words.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -259,7 +262,7 @@ std::vector<item_mark> marks(const edit_report& report, const std::string& load_
     item_mark mark;
     mark.kind = is_load ? item_kind::load : item_kind::support;
     mark.fate = line.fate;
-    mark.text = QString::fromStdString(line.warning.empty() ? line.text : line.warning);
+    mark.text = line.warning.empty() ? receipt_words(line) : words_of(line.warning);
     if (line.fate == fem::receipt_fate::dropped)
       ++dropped[is_load];
     else

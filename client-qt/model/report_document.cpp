@@ -10,6 +10,7 @@
 #include "client-qt/model/compare.hpp"
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/receipt_words.hpp"
 #include "client-qt/model/report_sections.hpp"
 #include "client-qt/model/results_table.hpp"
 
@@ -58,7 +59,7 @@ report_step step_of(const document& part, const version_record& version) {
     result.notices << words_of(text);
   for (const auto& line : version.report->receipt) {
     if (line.fate != fem::receipt_fate::kept && line.fate != fem::receipt_fate::area_changed)
-      result.notices << words_of(line.text);
+      result.notices << receipt_words(line);
     if (!line.warning.empty())
       result.notices << words_of(line.warning);
   }

@@ -836,6 +836,93 @@
     </message>
 </context>
 <context>
+    <name>receipt_words</name>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest eingespannt</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Roller</source>
+        <translation>Rollenlager</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Traction</source>
+        <translation>Flächenlast</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>Remote force</source>
+        <translation>Entfernte Kraft</translation>
+    </message>
+    <message>
+        <source>Bearing force</source>
+        <translation>Lagerkraft</translation>
+    </message>
+    <message>
+        <source>%1 (load %2)</source>
+        <translation>%1 (Last %2)</translation>
+    </message>
+    <message>
+        <source>%1 (support %2)</source>
+        <translation>%1 (Lager %2)</translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>surfaces %1</source>
+        <translation>Flächen %1</translation>
+    </message>
+    <message>
+        <source>%1 in all, as before</source>
+        <translation>%1 insgesamt, wie zuvor</translation>
+    </message>
+    <message>
+        <source>%1 in all instead of %2</source>
+        <translation>%1 insgesamt statt %2</translation>
+    </message>
+    <message>
+        <source>%1 is as before</source>
+        <translation>%1 ist wie zuvor</translation>
+    </message>
+    <message>
+        <source>%1: its surfaces have %2 now</source>
+        <translation>%1: Ihre Flächen haben jetzt %2</translation>
+    </message>
+    <message>
+        <source>%1 lost %2 and acts on %3 now</source>
+        <translation>%1 hat %2 verloren und wirkt jetzt auf %3</translation>
+    </message>
+    <message>
+        <source>%1 no longer acts: it lost %2</source>
+        <translation>%1 wirkt nicht mehr: verloren ist %2</translation>
+    </message>
+    <message>
+        <source>%1 lost %2, its share moved to %3</source>
+        <translation>%1 hat %2 verloren, der Anteil ging an %3</translation>
+    </message>
+</context>
+<context>
     <name>report</name>
     <message>
         <source>Import</source>

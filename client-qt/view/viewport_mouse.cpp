@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The mouse over the part: turning, moving, zooming, picking, and selecting with a box.
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QRubberBand>
 #include <QWheelEvent>
@@ -13,8 +14,10 @@ namespace tedit::desktop {
 
 namespace {
 
-constexpr double drag_threshold = 4;  // Pixels: less is a click.
-constexpr double zoom_step = 1.12;    // For a notch of the wheel.
+constexpr double drag_threshold = 4;   // Pixels: less is a click.
+constexpr double zoom_step = 1.12;     // For a notch of the wheel.
+constexpr double key_turn = 1.0 / 12;  // Of half a turn: 15 degrees,
+constexpr double key_pan = 0.05;       // and of the view's height.
 
 }  // namespace
 
@@ -88,6 +91,43 @@ void viewport::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   camera_.zoom(std::pow(zoom_step, notches), event->position().x(),
                height() - event->position().y());
+  redraw();
+  emit view_changed();
+}
+
+void viewport::keyPressEvent(QKeyEvent* event) {
+  QPointF way;
+  double nearer = 1;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      way = {-1, 0};
+      break;
+    case Qt::Key_Right:
+      way = {1, 0};
+      break;
+    case Qt::Key_Up:
+      way = {0, -1};
+      break;
+    case Qt::Key_Down:
+      way = {0, 1};
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      nearer = zoom_step;
+      break;
+    case Qt::Key_Minus:
+      nearer = 1 / zoom_step;
+      break;
+    default:
+      return vtk_view::keyPressEvent(event);
+  }
+  draw_quickly();
+  if (nearer != 1)
+    camera_.zoom(nearer, width() / 2.0, height() / 2.0);
+  else if (event->modifiers() & Qt::ShiftModifier)
+    camera_.pan(key_pan * way.x() * height(), -key_pan * way.y() * height());
+  else
+    camera_.rotate(key_turn * way.x(), key_turn * way.y());
   redraw();
   emit view_changed();
 }

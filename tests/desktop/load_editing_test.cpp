@@ -6,6 +6,7 @@
 #include <QFile>
 
 #include "client-qt/model/materials.hpp"
+#include "client-qt/model/receipt_words.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -128,7 +129,34 @@ TEST(Marks, PointToTheItemsAsTheyStandAfterTheEdit) {
   EXPECT_FALSE(found[0].at.has_value());
   EXPECT_EQ(found[1].at, 0U);  // The one before it is gone.
   EXPECT_EQ(found[1].kind, item_kind::support);
-  EXPECT_EQ(found[1].text, "less");
+  EXPECT_TRUE(found[1].text.startsWith("Roller (support 2) lost surface 2 and acts on "))
+    << found[1].text.toStdString();
+}
+
+TEST(ReceiptWords, SayWhatBecameOfEachItem) {
+  fem::receipt_line line;
+  line.item = "load 0 (bearing force)";
+  line.area_before = 4e-6;
+  line.area_after = 2e-6;
+  line.total_before = line.total_after = 500;
+  line.fate = fem::receipt_fate::area_changed;
+  EXPECT_EQ(
+    receipt_words(line).toStdString(),
+    "Bearing force (load 1): its surfaces have 2 mm\u00b2 now (\u221250 %); 500 N in all, as "
+    "before");
+  line.fate = fem::receipt_fate::moved;
+  line.surfaces_lost = {7};
+  line.moved_to = {8, 9};
+  line.total_after = 400;
+  EXPECT_EQ(receipt_words(line).toStdString(),
+            "Bearing force (load 1) lost surface 7, its share moved to surfaces 8, 9; 400 N in all "
+            "instead of 500 N");
+  line.item = "constraint 2 (fixed)";
+  line.fate = fem::receipt_fate::dropped;
+  EXPECT_EQ(receipt_words(line), "Fixed (support 3) no longer acts: it lost surface 7");
+  line.item = "spring 1";
+  line.text = "a spring of tomorrow";
+  EXPECT_EQ(receipt_words(line), "a spring of tomorrow");
 }
 
 TEST(Materials, TheShippedLibraryHasFifteenSoundOnes) {

@@ -182,6 +182,20 @@ TEST_F(Documents, AChangeOfLoadsIsUndoneAndRedone) {
   ASSERT_TRUE(wait([&] { return part().loads().all() == original && is_final(); }));
 }
 
+TEST_F(Documents, ALoadCaseThatIsDroppedAloneIsSetOnTheOpenPart) {
+  open_plate(false);
+  ASSERT_TRUE(part().loads().all().empty());
+  window->tools().documents.open_files({loads()});
+  ASSERT_TRUE(wait([&] { return part().loads().all().size() == 1 && is_final(); }));
+  EXPECT_EQ(part().loads().all().front().name, "ctc01_plate static");
+  const auto name = part().name();
+
+  window->tools().documents.open_files({wrong_file("loads.json")});
+  ASSERT_TRUE(wait([&] { return said().contains("loads.json"); })) << said().toStdString();
+  EXPECT_EQ(part().loads().all().size(), 1U);
+  EXPECT_EQ(part().name(), name);
+}
+
 TEST_F(Documents, ARemovedLoadCaseComesBack) {
   open_plate();
   const auto original = part().loads().all();

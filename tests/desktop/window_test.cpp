@@ -193,5 +193,27 @@ TEST_F(Window, LoadCasesAreThoseOfTheServer) {
             -40000);
 }
 
+TEST_F(Window, KeysTurnMoveAndZoomThePart) {
+  open_plate(false);
+  view().setFocus();
+  const auto away = [](const camera::pose& p) { return p.position - p.focus; };
+  const auto before = view().view().get();
+  QTest::keyClick(&view(), Qt::Key_Right);
+  const auto turned = view().view().get();
+  EXPECT_EQ(turned.focus, before.focus);
+  EXPECT_NEAR(away(turned).z, away(before).z, 1e-9);
+  EXPECT_GT(std::abs(away(turned).x - away(before).x), 0.01);
+  QTest::keyClick(&view(), Qt::Key_Left);
+  EXPECT_NEAR(away(view().view().get()).x, away(before).x, 1e-9);
+
+  QTest::keyClick(&view(), Qt::Key_Up, Qt::ShiftModifier);
+  const auto moved = view().view().get();
+  EXPECT_NE(moved.focus, before.focus);
+  EXPECT_NEAR(away(moved).x, away(before).x, 1e-9);
+  QTest::keyClick(&view(), Qt::Key_Plus);
+  const auto near = away(view().view().get());
+  EXPECT_LT(dot(near, near), dot(away(moved), away(moved)));
+}
+
 }  // namespace
 }  // namespace tedit::desktop

@@ -21,6 +21,7 @@
 #include "client-qt/tools/probes/probes_tool.hpp"
 #include "client-qt/tools/recipes/recipes_tool.hpp"
 #include "client/recipe.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -112,6 +113,8 @@ void documents_tool::open_files(const QStringList& files) {
     recipes_.run(recipe);
   else if (!mesh.isEmpty())
     open_file(mesh, loads);
+  else if (in_.part.head())
+    set_loads(loads);
   else if (!loads.isEmpty())
     emit in_.part.failed(
       tr("Open %1").arg(loads.first()),
@@ -119,6 +122,17 @@ void documents_tool::open_files(const QStringList& files) {
        "this is no recipe: it has no \"steps\"",
        "Give a load case together with its mesh; docs/recipes.md says what a recipe is",
        {}});
+}
+
+/// Load cases without a mesh are meant for the part that is open.
+void documents_tool::set_loads(const QStringList& files) {
+  for (const auto& file : files) {
+    const auto read = protocol::load_case_from_file(file.toStdString());
+    if (read)
+      in_.part.loads().set(*read);
+    else
+      emit in_.part.failed(tr("Open %1").arg(file), read.error());
+  }
 }
 
 void documents_tool::open_file(const QString& mesh, const QStringList& load_cases) {

@@ -37,6 +37,7 @@ public:
 private:
   void add_commands();
   void wire_start_page();
+  void set_loads(const QStringList& files);
   void ask_file();
   void ask_export();
   void open_document_file(const QString& path);

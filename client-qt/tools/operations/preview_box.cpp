@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/receipt_words.hpp"
 #include "client-qt/tools/receipt/receipt_panel.hpp"
 #include "client-qt/widgets/banner.hpp"
 
@@ -79,7 +80,7 @@ QString preview_html(const client::edit_preview& made) {
             "</p>";
   for (const auto& line : report.receipt)
     if (line.fate != fem::receipt_fate::kept)
-      html += "<p>" + escaped(line.text) + "</p>";
+      html += "<p>" + receipt_words(line).toHtmlEscaped() + "</p>";
   for (const auto& line : report.receipt)
     if (!line.warning.empty())
       html += "<p><b>" + escaped(line.warning) + "</b></p>";

@@ -9,6 +9,7 @@
 
 #include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/receipt_words.hpp"
 
 namespace tedit::desktop {
 
@@ -75,17 +76,19 @@ QString receipt_html(const edit_report& report) {
     html += "<ul>";
     for (const auto& line : report.receipt)
       if (line.fate != fem::receipt_fate::kept)
-        html += "<li>" + words_of(line.text).toHtmlEscaped() + "</li>";
+        html += "<li>" + receipt_words(line).toHtmlEscaped() + "</li>";
     html += "</ul>";
   }
   for (const auto& line : report.receipt)
     if (!line.warning.empty())
       html += "<p><b>" + words_of(line.warning).toHtmlEscaped() + "</b></p>";
   html += "<table>";
-  html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
-  html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
-                                     .arg(count(static_cast<double>(report.tets_added)),
-                                          count(static_cast<double>(report.tets_removed))));
+  if (report.volume_change != 0)
+    html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
+  if (report.tets_added + report.tets_removed > 0)
+    html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
+                                       .arg(count(static_cast<double>(report.tets_added)),
+                                            count(static_cast<double>(report.tets_removed))));
   if (const auto& ratios = report.ratios)
     html += row(
       phrases::tr("Worst tet here"),
