@@ -3505,8 +3505,8 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Sie schließen</translation>
     </message>
     <message>
-        <source>Choose Fill hole. The preview shows what comes (green) before anything is changed; where the part stays as it is, its stress stays in sight.</source>
-        <translation>„Loch schließen“ wählen. Die Vorschau zeigt, was dazukommt (grün), bevor etwas geändert ist; wo das Teil bleibt, wie es ist, bleibt seine Spannung zu sehen.</translation>
+        <source>Choose Fill hole. The preview shows what comes (orange) before anything is changed; where the part stays as it is, its stress stays in sight.</source>
+        <translation>„Loch schließen“ wählen. Die Vorschau zeigt, was dazukommt (orange), bevor etwas geändert ist; wo das Teil bleibt, wie es ist, bleibt seine Spannung zu sehen.</translation>
     </message>
     <message>
         <source>Apply</source>

@@ -254,8 +254,10 @@ QRectF overlay::scale_box() const {
   const auto& by = view_.painted().by;
   const QFontMetricsF title(sized(font(), title_size, true));
   const QFontMetricsF second(sized(font(), words_size));
+  const QFontMetricsF note(sized(font(), words_size, true));
   const double words =
-    std::max(title.horizontalAdvance(title_of(by)), second.horizontalAdvance(unit_line(by)));
+    std::max({title.horizontalAdvance(title_of(by)), second.horizontalAdvance(unit_line(by)),
+              note.horizontalAdvance(note_)});
   const double width = std::max(legend_width, words + margin);
   return {margin / 2, room - height - 1.5 * margin, width + margin / 2, height + margin};
 }

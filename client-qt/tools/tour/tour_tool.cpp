@@ -59,7 +59,7 @@ void tour_tool::make_steps() {
              [this] { return !in_.picked.surfaces().empty(); },
              [this] { in_.picked.click(bore_of_the_plate, false); }},
             {tr("Close it"),
-             tr("Choose Fill hole. The preview shows what comes (green) before anything "
+             tr("Choose Fill hole. The preview shows what comes (orange) before anything "
                 "is changed; where the part stays as it is, its stress stays in sight."),
              [this] { return operations_.chosen() == "fill_hole"; },
              [this] { operations_.choose("fill_hole"); }},
