@@ -35,21 +35,18 @@ if(TEDIT_SANITIZE)
   endif()
 endif()
 
-include(precompiled)
-
-# tedit_add_library(NAME mesh SOURCES a.cpp b.cpp LINK tedit_base Eigen3::Eigen [PRIVATE_LINK x] [PRECOMPILE <x>])
-# makes the static library tedit_<NAME>. PRECOMPILE: headers of other projects that most of its sources read.
+# tedit_add_library(NAME mesh SOURCES a.cpp b.cpp LINK tedit_base Eigen3::Eigen [PRIVATE_LINK x])
+# makes the static library tedit_<NAME>.
 function(tedit_add_library)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LINK;PRIVATE_LINK;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(tedit_${ARG_NAME} STATIC ${ARG_SOURCES})
   target_link_libraries(tedit_${ARG_NAME} PUBLIC tedit_options ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
-  tedit_precompile_as(tedit_${ARG_NAME} library ${ARG_PRECOMPILE})
 endfunction()
 
-# tedit_add_tests(NAME mesh SOURCES a_test.cpp LINK tedit_mesh [LABELS gpu] [TIMEOUT 120] [PRECOMPILE <x>])
+# tedit_add_tests(NAME mesh SOURCES a_test.cpp LINK tedit_mesh [LABELS gpu] [TIMEOUT 120])
 # makes one GoogleTest program <NAME>_tests and registers each test with ctest.
 function(tedit_add_tests)
-  cmake_parse_arguments(ARG "" "NAME;TIMEOUT" "SOURCES;LINK;LABELS;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME;TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
   endif()
@@ -58,7 +55,6 @@ function(tedit_add_tests)
   endif()
   add_executable(${ARG_NAME}_tests ${ARG_SOURCES})
   target_link_libraries(${ARG_NAME}_tests PRIVATE tedit_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
-  tedit_precompile_as(${ARG_NAME}_tests tests ${ARG_PRECOMPILE})
   target_compile_definitions(${ARG_NAME}_tests PRIVATE TEDIT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
                                                        TEDIT_EXAMPLES="${CMAKE_SOURCE_DIR}/examples"
                                                        TEDIT_BIN="${CMAKE_BINARY_DIR}/bin")

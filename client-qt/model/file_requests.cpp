@@ -21,7 +21,7 @@ void file_requests::close() {
   emit part_.closed();
 }
 
-void file_requests::open(const QString& name) {
+void file_requests::open(const QString& name, std::function<void()> when_refused) {
   const auto look = [name = name.toStdString()](client::client& server,
                                                 const execution&) -> expected<ready> {
     const auto state = server.open(name, false, false);
@@ -32,7 +32,7 @@ void file_requests::open(const QString& name) {
                   "Open the part's mesh, or look for the document where it was moved to");
     return ready{name, {}, {}, {}};
   };
-  switch_to(tr("Open %1").arg(title_of(name).words), look);
+  switch_to(tr("Open %1").arg(title_of(name).words), look, std::move(when_refused));
 }
 
 void file_requests::add(const QString& path) {
@@ -47,7 +47,8 @@ void file_requests::add(const QString& path) {
 }
 
 /// `prepare` works on a connection of its own. What was wanted last counts.
-void file_requests::switch_to(const QString& title, remote::work<ready> prepare) {
+void file_requests::switch_to(const QString& title, remote::work<ready> prepare,
+                              std::function<void()> when_refused) {
   part_.foreground().ask<ready>(
     title,
     [options = link_.options(), prepare = std::move(prepare)](
@@ -55,7 +56,10 @@ void file_requests::switch_to(const QString& title, remote::work<ready> prepare)
       const auto aside = client::client::connect(options, {});
       return aside ? prepare(**aside, run) : expected<ready>(fail(aside.error()));
     },
-    [this, title, mine = ++wanted_](const expected<ready>& got) {
+    [this, title, when_refused = std::move(when_refused),
+     mine = ++wanted_](const expected<ready>& got) {
+      if (!got && when_refused)
+        when_refused();
       if (mine != wanted_)
         return;
       if (!got)

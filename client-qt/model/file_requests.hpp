@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,8 +29,9 @@ class file_requests : public QObject {
 public:
   file_requests(document& part, remote& link);
 
-  /// Opens a document that the server has. `document::failed` says `not_found` when it has none.
-  void open(const QString& name);
+  /// Opens a document that the server has. `document::failed` says `not_found` when it has none;
+  /// `when_refused` is called before it.
+  void open(const QString& name, std::function<void()> when_refused = {});
   /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
   /// it. `unit` is the mesh's length unit, "mm" when empty.
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
@@ -60,7 +62,8 @@ private:
     std::vector<fem::load_case> loads;
   };
   void reopen();
-  void switch_to(const QString& title, remote::work<ready> prepare);
+  void switch_to(const QString& title, remote::work<ready> prepare,
+                 std::function<void()> when_refused = {});
   [[nodiscard]] static expected<std::string> open_empty(client::client& server,
                                                         const QString& mesh);
   [[nodiscard]] static expected<ready> make(client::client& server, const execution& run,

@@ -1,38 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Pictures of the view against those that were looked at and kept (tests/data/golden/README.md).
+#include "tests/desktop/picture_difference.hpp"
 #include "tests/desktop/window_fixture.hpp"
-
-#include <cmath>
 
 namespace tedit::desktop {
 namespace {
 
 // Other releases of the software renderer shade and cut edges a little differently.
 constexpr double most_mean = 1.5;  ///< Of 255, over all channels.
-constexpr int off_by = 40;         ///< Of 255: a pixel that is another colour.
 constexpr double most_off = 0.01;  ///< Share of such pixels.
 constexpr QSize picture_size{360, 240};
-
-struct difference {
-  double mean = 0;  ///< Of 255.
-  double off = 0;   ///< Share of pixels of another colour.
-};
-
-difference compare(const QImage& a, const QImage& b) {
-  double sum = 0;
-  std::int64_t off = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) {
-      const QRgb p = a.pixel(x, y);
-      const QRgb q = b.pixel(x, y);
-      const std::array by{std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
-                          std::abs(qBlue(p) - qBlue(q))};
-      sum += by[0] + by[1] + by[2];
-      off += *std::ranges::max_element(by) > off_by;
-    }
-  const double pixels = static_cast<double>(a.width()) * a.height();
-  return {sum / (3 * pixels), static_cast<double>(off) / pixels};
-}
 
 class Golden : public Window {
 protected:

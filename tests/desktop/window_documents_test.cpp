@@ -90,6 +90,17 @@ TEST_F(Documents, AWrongFileOnTheStartPageLeavesIt) {
   EXPECT_TRUE(files().isEmpty());
 }
 
+TEST_F(Documents, AFileThatIsNoDocumentLeavesNone) {
+  for (int i = 0; i < 2; ++i) {
+    window->context().messages.clear_message();
+    window->tools().documents.open_file(wrong_file("letter.tedit"), {});
+    ASSERT_TRUE(wait([&] { return said().contains("did not work"); }));
+    EXPECT_TRUE(said().contains("letter")) << said().toStdString();
+    EXPECT_TRUE(window->tools().documents.shows_start_page());
+    EXPECT_TRUE(files().isEmpty()) << files().join(" ").toStdString();
+  }
+}
+
 TEST_F(Documents, ADocumentThatIsGoneIsNotMadeAnew) {
   open_plate(false);
   const auto name = part().name();

@@ -3,7 +3,11 @@
 #include "tests/desktop/window_fixture.hpp"
 
 #include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <cmath>
 
@@ -41,6 +45,20 @@ protected:
     press("apply");
     ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
     EXPECT_EQ(window->context().messages.text(), "");
+  }
+
+  /// One surface after the other, until the selection panel says that it is a bore.
+  void click_a_bore() {
+    for (const auto& [id, row] : part().head()->surface->surfaces()) {
+      if (!view().visible_point(id))
+        continue;
+      window->context().picked.clear();
+      click_surface(id);
+      ASSERT_TRUE(wait([&] { return window->context().link.running() == 0; }));  // What it is.
+      if (picked_words().contains("bore", Qt::CaseInsensitive))
+        return;
+    }
+    FAIL() << "no surface is called a bore; the last: " << picked_words().toStdString();
   }
 
   [[nodiscard]] double displacement() {
@@ -103,16 +121,7 @@ TEST_F(StartPageStory, TheTestPlatesBoreIsClosed) {
   const auto story = open_card("Test plate");
   ASSERT_TRUE(story.contains("Click a bore, choose \"Fill hole\"")) << story.toStdString();
   const double before = part().head()->outcome->cases.front().max_von_mises_pa;
-  for (const auto& [id, row] : part().head()->surface->surfaces()) {
-    if (!view().visible_point(id))
-      continue;
-    window->context().picked.clear();
-    click_surface(id);
-    ASSERT_TRUE(wait([&] { return window->context().link.running() == 0; }));  // What it is.
-    if (picked_words().contains("bore", Qt::CaseInsensitive))
-      break;
-  }
-  ASSERT_TRUE(picked_words().contains("bore", Qt::CaseInsensitive)) << picked_words().toStdString();
+  click_a_bore();
 
   choose_and_apply("Fill hole");
 
@@ -120,6 +129,64 @@ TEST_F(StartPageStory, TheTestPlatesBoreIsClosed) {
   EXPECT_GT(after, 0.3 * before);
   EXPECT_LT(after, 3 * before);
   EXPECT_GT(part().head()->report->volume_change, 0);
+}
+
+/// "At the desk" of the README's first five minutes.
+class FirstFiveMinutes : public StartPageStory {
+protected:
+  static QString readme() {
+    QFile file(TEDIT_EXAMPLES "/../README.md");
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return QString::fromUtf8(file.readAll()).simplified();
+  }
+  void key(Qt::Key what, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(window.get(), what, modifiers);
+  }
+  /// What the palette offers for these letters.
+  [[nodiscard]] QString found_by_palette(const QString& letters) {
+    key(Qt::Key_K, Qt::ControlModifier);
+    auto* line = window->findChild<QLineEdit*>("palette_letters");
+    EXPECT_TRUE(line && line->isVisible());
+    QTest::keyClicks(line, letters);
+    const auto* hits = window->findChild<QListWidget*>("palette_hits");
+    const QString first = hits->count() > 0 ? hits->item(0)->text() : QString();
+    QTest::keyClick(line, Qt::Key_Escape);
+    return first;
+  }
+};
+
+TEST_F(FirstFiveMinutes, AreDoneAsTheyAreWritten) {
+  const auto text = readme();
+  for (const auto* words :
+       {"click the shipped plate; click a bore: it is picked whole; choose *Fill hole*, *Apply*",
+        "The field follows by itself", "Ctrl+K finds every command and operation",
+        "the line at the bottom says what the picture is worth", "Ctrl+Z takes a step back",
+        "*Results* (R) says how strong the part is, *Report* (Ctrl+Shift+R) writes it down"})
+    ASSERT_TRUE(text.contains(words)) << words;
+
+  (void)open_card("Test plate");
+  click_a_bore();
+  EXPECT_GT(window->context().picked.surfaces().size(), 1U);
+  choose_and_apply("Fill hole");
+  EXPECT_TRUE(found_by_palette("thicken").contains("Thicken"));
+  EXPECT_TRUE(found_by_palette("section").contains("section", Qt::CaseInsensitive));
+  EXPECT_TRUE(window->findChild<QLabel*>("verdict")->text().contains("final"));
+
+  key(Qt::Key_Escape);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait([&] { return version() == 0 && is_final(); }));
+  key(Qt::Key_R);
+  auto* rows = window->findChild<QTreeWidget*>("results_list");
+  ASSERT_NE(rows, nullptr);
+  ASSERT_TRUE(wait([&] { return rows->isVisible() && rows->topLevelItemCount() > 0; }));
+
+  key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = window->findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  const QString path = state.filePath("report.pdf");
+  dialog->findChild<QLineEdit*>()->setText(path);
+  QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+  ASSERT_TRUE(wait([&] { return QFileInfo(path).size() > 20'000; }));
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ void documents_tool::open_document_file(const QString& path) {
     copy_here(path, documents.path());
 }
 
-/// One from elsewhere is copied, aside.
+/// One from elsewhere is copied, aside. What cannot be opened leaves no copy.
 void documents_tool::copy_here(const QString& path, const QString& folder) {
   const QDir documents(folder);
   const QString stem = valid_name(QFileInfo(path).completeBaseName());
@@ -187,7 +187,7 @@ void documents_tool::copy_here(const QString& path, const QString& folder) {
     const bool copied = QFile::copy(path, to);
     QMetaObject::invokeMethod(qApp, [=] {
       if (tool && copied)
-        tool->open_document(name);
+        tool->open_copy(name, to);
       else if (tool)
         emit tool->in_.part.failed(
           tr("Open %1").arg(path),
@@ -195,6 +195,14 @@ void documents_tool::copy_here(const QString& path, const QString& folder) {
            "Check that it can be read and that there is room", path.toStdString()});
     });
   });
+}
+
+void documents_tool::open_copy(const QString& name, const QString& file) {
+  const auto remove = [file] {
+    for (const auto* part : {"", "-wal", "-shm"})
+      QFile::remove(file + part);
+  };
+  connection_.when_connected([=, this] { in_.part.files().open(name, remove); });
 }
 
 // -- recent documents ----------------------------------------------------------------

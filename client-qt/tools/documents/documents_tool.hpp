@@ -42,6 +42,7 @@ private:
   void ask_export();
   void open_document_file(const QString& path);
   void copy_here(const QString& path, const QString& folder);
+  void open_copy(const QString& name, const QString& file);
   void remember(const QString& document);
 
   window_context& in_;
