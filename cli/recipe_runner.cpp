@@ -88,6 +88,17 @@ std::string caption_of(const solve_outcome& outcome, const export_step& s) {
          pretty(shown.true_relative_residual, 2) + ",  version " + shown.version_id.substr(0, 8);
 }
 
+/// What to write instead of a step of the window that changes the part; empty for others.
+std::string needs_window(const client::recipe_step& step) {
+  if (std::holds_alternative<client::apply_step>(step))
+    return "Write an edit step with its surfaces, or use \"tedit-qt --script\"";
+  const auto* of_window = std::get_if<client::window_step>(&step);
+  for (const std::string id : {"edit.apply", "edit.undo", "edit.redo", "loads.remove"})
+    if (of_window && of_window->json == R"({"command":")" + id + R"("})")
+      return "Write a step edit, undo, redo or remove_load_case, or use \"tedit-qt --script\"";
+  return {};
+}
+
 }  // namespace
 
 void failed_solves::add(const std::string& version) {
@@ -100,20 +111,40 @@ bool failed_solves::contains(const std::string& version) const {
   return versions_.contains(version);
 }
 
-expected<void> recipe_runner::run() {
+expected<void> recipe_runner::check(const recipe& steps) {
+  for (std::size_t i = 0; i < steps.steps.size(); ++i)
+    if (const auto remedy = needs_window(steps.steps[i]); !remedy.empty())
+      return fail(ec::bad_input,
+                  "step " + std::to_string(i + 1) + " (" + client::kind_of(steps.steps[i]) +
+                    ") changes the part, and only the window can carry it out",
+                  remedy);
+  return {};
+}
+
+expected<void> recipe_runner::run(const std::optional<import_step>& mesh) {
   if (auto opened = server_.open("", true, true); !opened)
     return fail(opened.error());
-  for (std::size_t i = 0; i < recipe_.steps.size(); ++i) {
-    if (session_.cancel.cancelled())
-      return fail(ec::cancelled, "interrupted");
-    auto done = std::visit([this](const auto& s) { return step(s); }, recipe_.steps[i]);
-    if (!done) {
-      auto failure = done.error();
-      failure.message = "step " + std::to_string(i + 1) + ": " + failure.message;
-      return fail(std::move(failure));
-    }
+  if (mesh)
+    if (auto ok = step(*mesh); !ok)
+      return ok;
+  client::recipe_player player(recipe_.steps, *this);
+  while (true) {
+    const auto more = player.advance();
+    if (!more)
+      return fail(more.error());
+    if (!*more)
+      return {};
   }
-  return {};
+}
+
+expected<bool> recipe_runner::is_ready_for(const client::recipe_step*) {
+  if (session_.cancel.cancelled())
+    return fail(ec::cancelled, "interrupted");
+  return true;
+}
+
+expected<void> recipe_runner::perform(const client::recipe_step& what) {
+  return std::visit([this](const auto& s) { return step(s); }, what);
 }
 
 std::string recipe_runner::table() const {
@@ -131,7 +162,7 @@ expected<void> recipe_runner::take_head(const std::string& what, const client::c
   const auto surface = server_.wait_surface(head_.version_id, surface_patience);
   if (!surface)
     return fail(surface.error());
-  nlohmann::ordered_json json{{"version_id", head_.version_id}};
+  nlohmann::ordered_json json;
   std::string quality;
   if (done.report) {
     json = cli::to_json(*done.report);
@@ -140,6 +171,7 @@ expected<void> recipe_runner::take_head(const std::string& what, const client::c
     details_ += what + " -> " + version_name() + "\n" + describe(*done.report);
   }
   json["step"] = done.cause;
+  json["version_id"] = head_.version_id;
   json["tets"] = head_.tets;
   json["round_trip_ms"] = ms;
   json["commit_ms"] = done.commit_ms;
@@ -162,15 +194,24 @@ expected<void> recipe_runner::step(const import_step& s) {
   return take_head("import", *done, clock.milliseconds());
 }
 
-expected<void> recipe_runner::step(const load_case_step& s) {
-  const auto loads = protocol::load_case_from_file(s.file);
-  if (!loads)
-    return fail(loads.error());
-  report_.push_back({{"step", "load_case"}, {"name", loads->name}});
-  return server_.set_load_case(*loads);
+/// What was solved before has other loads.
+void recipe_runner::loads_changed(const char* how, const std::string& name) {
+  report_.push_back({{"step", how}, {"name", name}});
+  solved_.erase(head_.version_id);
+  followed_.reset();
 }
 
-expected<void> recipe_runner::step(const edit_step& s) {
+expected<void> recipe_runner::step(const client::load_case_step& s) {
+  loads_changed("load_case", s.loads.name);
+  return server_.set_load_case(s.loads);
+}
+
+expected<void> recipe_runner::step(const client::remove_load_case_step& s) {
+  loads_changed("remove_load_case", s.name);
+  return server_.remove_load_case(s.name);
+}
+
+expected<void> recipe_runner::step(const client::edit_step& s) {
   const stopwatch clock;
   const auto done = server_.edit(s.request.operation, s.request.surfaces, s.request.parameters,
                                  make_execution(session_), {}, s.request.loads);
@@ -183,16 +224,32 @@ expected<void> recipe_runner::step(const edit_step& s) {
   return take_head(name, *done, clock.milliseconds());
 }
 
-expected<void> recipe_runner::step(const undo_step&) {
+expected<void> recipe_runner::step(const client::undo_step&) {
   const stopwatch clock;
   const auto done = server_.undo();
   return done ? take_head("undo", *done, clock.milliseconds()) : fail(done.error());
 }
 
-expected<void> recipe_runner::step(const redo_step&) {
+expected<void> recipe_runner::step(const client::redo_step&) {
   const stopwatch clock;
   const auto done = server_.redo();
   return done ? take_head("redo", *done, clock.milliseconds()) : fail(done.error());
+}
+
+expected<void> recipe_runner::step(const client::go_to_step& s) {
+  const stopwatch clock;
+  const auto done = server_.go_to(s.version);
+  return done ? take_head("go to", *done, clock.milliseconds()) : fail(done.error());
+}
+
+expected<void> recipe_runner::step(const client::apply_step&) {
+  ++passed_over_;  // Never here: `check` refuses it.
+  return {};
+}
+
+expected<void> recipe_runner::step(const client::window_step&) {
+  ++passed_over_;
+  return {};
 }
 
 client::solve_settings recipe_runner::settings_of(const solve_step& s) const {

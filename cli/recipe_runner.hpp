@@ -9,18 +9,14 @@
 
 #include "cli/command.hpp"
 #include "client/client.hpp"
-#include "client/recipe.hpp"
+#include "client/recipe_player.hpp"
 
 namespace tedit::cli {
 
-using client::edit_step;
 using client::export_step;
 using client::import_step;
-using client::load_case_step;
 using client::recipe;
-using client::redo_step;
 using client::solve_step;
-using client::undo_step;
 
 /// Versions whose solve failed, as the server tells without being asked. Thread-safe.
 class failed_solves {
@@ -33,8 +29,9 @@ private:
   std::set<std::string> versions_;
 };
 
-/// Carries out a recipe as a client of a server.
-class recipe_runner {
+/// Carries out a recipe as a client of a server. Steps that only a window carries out are passed
+/// over.
+class recipe_runner : public client::performer {
 public:
   recipe_runner(const recipe& steps, session& s, client::client& server,
                 std::shared_ptr<const failed_solves> failures, std::filesystem::path out)
@@ -44,23 +41,36 @@ public:
         failures_(std::move(failures)),
         out_(std::move(out)) {}
 
-  /// Stops at the first step that fails; its error names the step.
-  [[nodiscard]] expected<void> run();
+  /// Whether all steps that change the part can be carried out without a window. Errors:
+  /// `bad_input` naming the step: without it the others would work on another part.
+  [[nodiscard]] static expected<void> check(const recipe& steps);
+
+  /// Stops at the first step that fails; its error names the step. `mesh` is imported first.
+  [[nodiscard]] expected<void> run(const std::optional<import_step>& mesh);
+
+  [[nodiscard]] expected<bool> is_ready_for(const client::recipe_step* next) override;
+  [[nodiscard]] expected<void> perform(const client::recipe_step& step) override;
 
   [[nodiscard]] const nlohmann::ordered_json& report() const { return report_; }
   [[nodiscard]] std::string table() const;
   /// What each edit did to surfaces and load cases, and what each solve says about the part.
   [[nodiscard]] const std::string& details() const { return details_; }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+  [[nodiscard]] std::size_t passed_over() const noexcept { return passed_over_; }
 
 private:
   expected<void> step(const import_step& s);
-  expected<void> step(const load_case_step& s);
-  expected<void> step(const edit_step& s);
-  expected<void> step(const undo_step& s);
-  expected<void> step(const redo_step& s);
+  expected<void> step(const client::load_case_step& s);
+  expected<void> step(const client::remove_load_case_step& s);
+  expected<void> step(const client::edit_step& s);
+  expected<void> step(const client::undo_step& s);
+  expected<void> step(const client::redo_step& s);
+  expected<void> step(const client::go_to_step& s);
   expected<void> step(const solve_step& s);
   expected<void> step(const export_step& s);
+  expected<void> step(const client::apply_step& s);
+  expected<void> step(const client::window_step& s);
+  void loads_changed(const char* how, const std::string& name);
   expected<void> take_head(const std::string& what, const client::committed& done, double ms);
   [[nodiscard]] client::solve_settings settings_of(const solve_step& s) const;
   expected<solve_outcome> ask(const client::solve_settings& settings);
@@ -90,6 +100,7 @@ private:
   nlohmann::ordered_json report_ = nlohmann::ordered_json::array();
   std::string details_;
   std::vector<std::string> files_;
+  std::size_t passed_over_ = 0;
 };
 
 }  // namespace tedit::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -17,6 +19,8 @@ namespace {
 
 struct run_options {
   std::string recipe;
+  std::string mesh;
+  std::string length_unit = "mm";
   std::string out = "out";
   std::string device;
   std::string server;
@@ -75,14 +79,49 @@ std::string describe(const recipe& steps, const recipe_runner& runner, double ms
                            : " Fields of quadratic tets.\n");
 }
 
+/// The mesh that is imported before the first step, if the recipe has none of its own. Errors:
+/// `bad_input`.
+expected<std::optional<import_step>> mesh_for(const recipe& steps, const run_options& options) {
+  const bool imports = std::ranges::any_of(
+    steps.steps, [](const auto& one) { return std::holds_alternative<import_step>(one); });
+  if (imports && !options.mesh.empty())
+    return fail(ec::bad_input, "the recipe imports a mesh of its own", "Leave --mesh out");
+  if (!imports && options.mesh.empty())
+    return fail(ec::bad_input, "the recipe imports no mesh",
+                "Give the part with --mesh PART.msh, or begin the recipe with an import step");
+  return imports ? std::nullopt : std::optional(import_step{options.mesh, options.length_unit});
+}
+
+/// Reads the recipe with what it needs to be carried out without a window.
+expected<recipe> read_for(const run_options& options, std::optional<import_step>& mesh) {
+  auto steps = client::read_recipe(options.recipe);
+  if (!steps)
+    return steps;
+  const auto wanted = mesh_for(*steps, options);
+  if (!wanted)
+    return fail(wanted.error());
+  mesh = *wanted;
+  if (auto ok = recipe_runner::check(*steps); !ok)
+    return fail(ok.error());
+  if (!options.device.empty())
+    steps->device = options.device;
+  return steps;
+}
+
+void say_passed_over(const session& s, std::size_t count) {
+  if (count > 0)
+    notice(s, "note: passed over " + std::to_string(count) +
+                (count == 1 ? " step that" : " steps that") +
+                " only the window carries out (tedit-qt --script)");
+}
+
 int run_recipe(const run_options& options, session& s) {
   start_logging("warn");
   const stopwatch clock;
-  auto steps = client::read_recipe(options.recipe);
+  std::optional<import_step> mesh;
+  auto steps = read_for(options, mesh);
   if (!steps)
     return print_error(s, steps.error());
-  if (!options.device.empty())
-    steps->device = options.device;
   embedded_server own;
   auto how =
     options.server.empty() ? own.start() : reach_server(options.server, options.token_file);
@@ -99,12 +138,14 @@ int run_recipe(const run_options& options, session& s) {
   if (!connected)
     return print_error(s, connected.error());
   recipe_runner runner(*steps, s, **connected, failures, options.out);
-  if (auto done = runner.run(); !done)
+  if (auto done = runner.run(mesh); !done)
     return print_error(s, done.error());
+  say_passed_over(s, runner.passed_over());
   const nlohmann::ordered_json json{{"name", steps->name},
                                     {"server", how->url},
                                     {"steps", runner.report()},
                                     {"files", runner.files()},
+                                    {"passed_over", runner.passed_over()},
                                     {"total_ms", clock.milliseconds()}};
   print_result(s, json, describe(*steps, runner, clock.milliseconds()));
   return 0;
@@ -117,6 +158,10 @@ void add_run(CLI::App& app, action& chosen) {
   auto* command = app.add_subcommand("run", "Carry out a recipe: import, edits, solves, exports");
   command->add_option("recipe", options->recipe, "The recipe (JSON, see docs/recipes.md)")
     ->required();
+  command->add_option("--mesh", options->mesh,
+                      "The part (Gmsh mesh) for a recipe that imports none, as a recorded one");
+  command->add_option("--length-unit", options->length_unit, "Unit of that mesh's coordinates")
+    ->capture_default_str();
   command->add_option("--out", options->out, "Folder for exported files")->capture_default_str();
   command->add_option("--device", options->device, "Device instead of the recipe's");
   command->add_option("--server", options->server,

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "base/virtual_display.hpp"
 
@@ -22,7 +23,7 @@
 #include "client-qt/model/preferences.hpp"
 #include "client-qt/model/stall_watch.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
-#include "client-qt/tools/recording/script.hpp"
+#include "client-qt/tools/recipes/window_player.hpp"
 #include "client-qt/view/viewport.hpp"
 #include "client-qt/widgets/theme.hpp"
 #include "client-qt/window/latencies.hpp"
@@ -33,12 +34,14 @@ namespace {
 using namespace tedit;
 using namespace tedit::desktop;
 
+constexpr int patience_s = 300;  ///< Of a script, for each of its steps.
+
 struct wishes {
   QString mesh;
   QStringList load_cases;
   QString document;
   server_address server;
-  QString steps;
+  QStringList recipes;  ///< To be carried out unattended.
   QString picture;
   QString state_folder;
   QString report;
@@ -68,7 +71,7 @@ wishes read_command_line(const QCoreApplication& app) {
   line.addOption({"document", "Open a document that is there.", "name"});
   line.addOption({"server", "Connect to a server instead of running one.", "ws://host:port/v1"});
   line.addOption({"token", "The server's token.", "text"});
-  line.addOption({"script", "Carry out the steps of a JSON file, then end.", "steps.json"});
+  line.addOption({"script", "Carry out a recipe (JSON) unattended, then end.", "recipe.json"});
   line.addOption({"screenshot", "Save a picture when the field is final, then end.", "out.png"});
   line.addOption({"report",
                   "Write how responsive the window was, frame times and memory to a JSON file.",
@@ -85,8 +88,12 @@ wishes read_command_line(const QCoreApplication& app) {
   result.load_cases = line.values("load-case");
   result.document = line.value("document");
   result.server = {line.value("server"), line.value("token")};
-  result.steps = line.value("script");
   result.picture = line.value("screenshot");
+  const bool unattended = line.isSet("script") || line.isSet("screenshot");
+  if (unattended && result.mesh.endsWith(".json"))  // Else the window runs it.
+    result.recipes << std::exchange(result.mesh, {});
+  if (line.isSet("script"))
+    result.recipes << line.value("script");
   result.state_folder = line.value("state");
   result.report = line.value("report");
   result.size = size_from(line.value("size"));
@@ -96,21 +103,26 @@ wishes read_command_line(const QCoreApplication& app) {
   return result;
 }
 
-/// The steps of the script, then the picture.
-expected<QJsonArray> steps_of(const wishes& wanted) {
-  QJsonArray steps;
-  if (!wanted.steps.isEmpty()) {
-    auto read = read_script(wanted.steps);
+/// All recipes, then the picture.
+expected<std::vector<client::recipe_step>> steps_of(const wishes& wanted) {
+  std::vector<client::recipe_step> result;
+  for (const auto& file : wanted.recipes) {
+    const auto read = client::read_recipe(file.toStdString());
     if (!read)
-      return read;
-    steps = *read;
+      return fail(read.error());
+    result.insert(result.end(), read->steps.begin(), read->steps.end());
   }
+  const auto add = [&](const char* kind, const QString& value) {
+    const QJsonObject step{{kind, value}};
+    result.push_back(
+      client::window_step{kind, QJsonDocument(step).toJson(QJsonDocument::Compact).toStdString()});
+  };
   if (!wanted.picture.isEmpty()) {
     if (!wanted.load_cases.isEmpty() || !wanted.document.isEmpty())
-      steps.append(QJsonObject{{"wait", "final"}});
-    steps.append(QJsonObject{{"screenshot", wanted.picture}});
+      add("wait", "final");
+    add("screenshot", wanted.picture);
   }
-  return steps;
+  return result;
 }
 
 /// Times in ms, processor time in s (of the whole program, and of the thread that all events run
@@ -238,9 +250,9 @@ int main(int argc, char** argv) {
   QApplication::setWindowIcon(window_icon());
   const auto wanted = read_command_line(app);
   speak(app, wanted.language.value_or(load_preferences(QSettings("tedit", "tedit-qt")).language));
-  const auto steps = steps_of(wanted);
-  if (!steps)
-    return complain(steps.error());
+  const auto unattended = steps_of(wanted);
+  if (!unattended)
+    return complain(unattended.error());
   if (auto ok = check_opengl(); !ok)
     return complain(ok.error());
 
@@ -263,20 +275,26 @@ int main(int argc, char** argv) {
     window.tools().documents.open_file(wanted.mesh, wanted.load_cases);
   else if (!wanted.document.isEmpty())
     window.tools().documents.open_document(wanted.document);
-  else if (steps->isEmpty() && wanted.server.url.isEmpty())
+  else if (unattended->empty() && wanted.server.url.isEmpty())
     window.tools().documents.restore();
 
   int status = 0;
-  script unattended(window.context(), window.tools(), *steps);
-  unattended.set_alone(wanted.mesh.isEmpty() && wanted.document.isEmpty() &&
-                       wanted.server.url.isEmpty());
-  QObject::connect(&unattended, &script::finished, &app, &QApplication::quit);
-  QObject::connect(&unattended, &script::failed, &app, [&](const error& reason) {
+  window_player player(window.context(), window.tools(), *unattended);
+  player.set_patience(patience_s);
+  player.allow_files();
+  if (!wanted.mesh.isEmpty() || !wanted.document.isEmpty() || !wanted.server.url.isEmpty())
+    player.await_part();
+  QObject::connect(&player, &window_player::finished, &app, [&] {
+    if (const int left_out = player.left_out(); left_out > 0)
+      std::fprintf(stderr, "tedit-qt: left out %d exports: \"tedit run\" writes them\n", left_out);
+    QApplication::quit();
+  });
+  QObject::connect(&player, &window_player::failed, &app, [&](const error& reason) {
     status = complain(reason);
     QApplication::quit();
   });
-  if (!steps->isEmpty())
-    unattended.start();
+  if (!unattended->empty())
+    player.start();
   QApplication::exec();
   if (watch)
     write_report(wanted.report, *watch, waits, window.context().view);

@@ -4,14 +4,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "base/error.hpp"
+#include "fem/load_case.hpp"
 #include "fem/receipt.hpp"
 #include "mesh/types.hpp"
 #include "ops/sdk/operation.hpp"
 
+/// Recipes: the one language of steps that the command line and the desktop client carry out, and
+/// that the desktop client records. docs/recipes.md describes the file.
 namespace tedit::client {
 
 /// One edit to make.
@@ -20,25 +24,52 @@ struct edit_request {
   std::vector<surface_id> surfaces;
   ops::parameters parameters;
   fem::carry_settings loads;  ///< What becomes of loads whose surface goes.
+
+  friend bool operator==(const edit_request&, const edit_request&) = default;
 };
 
-// The steps of a recipe, in the order of its file.
+// -- steps that work on the part ---------------------------------------------------------
+
 struct import_step {
   std::filesystem::path mesh;
   std::string length_unit = "mm";
+
+  friend bool operator==(const import_step&, const import_step&) = default;
 };
+/// A file that a recipe names is read with the recipe.
 struct load_case_step {
-  std::filesystem::path file;
+  fem::load_case loads;
+
+  friend bool operator==(const load_case_step&, const load_case_step&) = default;
+};
+struct remove_load_case_step {
+  std::string name;
+
+  friend bool operator==(const remove_load_case_step&, const remove_load_case_step&) = default;
 };
 struct edit_step {
   edit_request request;
+
+  friend bool operator==(const edit_step&, const edit_step&) = default;
 };
-struct undo_step {};
-struct redo_step {};
+struct undo_step {
+  friend bool operator==(const undo_step&, const undo_step&) = default;
+};
+struct redo_step {
+  friend bool operator==(const redo_step&, const redo_step&) = default;
+};
+/// Makes any version the head, by its number in the document.
+struct go_to_step {
+  std::uint32_t version = 0;
+
+  friend bool operator==(const go_to_step&, const go_to_step&) = default;
+};
 struct solve_step {
   std::vector<std::string> load_cases;  ///< Names, solved together; empty: the first one.
   bool all_load_cases = false;          ///< All that the version has, instead of names.
   double energy_tolerance = 0;          ///< 0: none.
+
+  friend bool operator==(const solve_step&, const solve_step&) = default;
 };
 /// Files with `{version}` in their names get the number of the version in the session (0 is the
 /// imported one).
@@ -49,27 +80,61 @@ struct export_step {
   std::string stl;
   std::string title;
   std::optional<std::pair<double, double>> range_mpa;  ///< Legend of the picture.
+
+  friend bool operator==(const export_step&, const export_step&) = default;
 };
 
-using recipe_step = std::variant<import_step, load_case_step, edit_step, undo_step, redo_step,
-                                 solve_step, export_step>;
+// -- steps that only a window carries out ------------------------------------------------
 
-/// A list of steps that `tedit run` and the desktop client carry out; docs/recipes.md describes the
-/// file.
+/// An edit of what is selected, as by the form of the operation: the request names no surfaces.
+struct apply_step {
+  edit_request request;
+
+  friend bool operator==(const apply_step&, const apply_step&) = default;
+};
+/// How the part is looked at, or what a hand does. `json` is the whole step as one JSON object,
+/// whose fields have been checked: types, ranges and sizes, but not whether the part has what they
+/// name.
+struct window_step {
+  std::string kind;
+  std::string json;
+
+  friend bool operator==(const window_step&, const window_step&) = default;
+};
+
+using recipe_step =
+  std::variant<import_step, load_case_step, remove_load_case_step, edit_step, undo_step, redo_step,
+               go_to_step, solve_step, export_step, apply_step, window_step>;
+
+/// The name of a step's kind as it stands in the file: "edit".
+[[nodiscard]] const char* kind_of(const recipe_step& step);
+
+/// Whether only a window carries it out.
+[[nodiscard]] bool is_of_window(const recipe_step& step);
+
 struct recipe {
   std::string name;
   std::string device = "auto";
   double tolerance = 1e-6;
   int order = 2;  ///< Of the elements.
   std::vector<recipe_step> steps;
+
+  friend bool operator==(const recipe&, const recipe&) = default;
 };
 
-/// Reads a recipe; paths in it are relative to its folder. Errors: `io_error`, `bad_input` naming
-/// the step and the field.
-[[nodiscard]] expected<recipe> read_recipe(const std::filesystem::path& file);
+// -- as a file ----------------------------------------------------------------------------
 
-/// The name of a step's kind as it stands in the file: "edit".
-[[nodiscard]] const char* kind_of(const recipe_step& step);
+/// Reads a recipe, or a list of steps alone, with the load cases that it names. Meshes and load
+/// cases are sought from its folder. Errors: `io_error`, `bad_input` naming the step and the field;
+/// nothing that is unknown, of another type, not finite or too large passes.
+[[nodiscard]] expected<recipe> read_recipe(const std::filesystem::path& file);
+[[nodiscard]] expected<recipe> recipe_from_json(std::string_view text,
+                                                const std::filesystem::path& folder = {});
+
+/// One line, without its end; read again it is the same step.
+[[nodiscard]] std::string to_json(const recipe_step& step);
+/// An object with a step on each line; settings only where they are not the usual ones.
+[[nodiscard]] std::string to_json(const recipe& what);
 
 /// Whether a file is JSON with a list of steps: a recipe, maybe one with faults. A load case is
 /// none. Cost: it is read.

@@ -34,7 +34,7 @@ ROOMS = {
     "ops/": (("ops/sdk", "mesh", "base"), ("Eigen/", "CGAL/")),
     "protocol": (("fem", "ops/sdk", "mesh", "base"), ("tedit/v1/", "google/")),
     "client": (("protocol", "fem", "ops/sdk", "mesh", "base"), ("boost/", "tedit/v1/", "google/")),
-    "client/recipe.cpp": (("client", "fem", "ops/sdk", "mesh", "base"), ("nlohmann/",)),
+    "client/recipes": (("client", "protocol", "fem", "ops/sdk", "mesh", "base"), ("nlohmann/",)),
     "actors": (
         ("protocol", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),

@@ -7,7 +7,7 @@ namespace tedit::desktop {
 
 toolbox::toolbox(window_context& in)
     : connection(in),
-      recipes(in, connection),
+      recipes(in, *this),
       documents(in, connection, recipes),
       history(in),
       pictures(in, history),

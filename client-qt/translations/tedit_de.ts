@@ -2804,25 +2804,6 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
 </context>
 <context>
-    <name>tedit::desktop::recipe_player</name>
-    <message>
-        <source>Recipe</source>
-        <translation>Rezept</translation>
-    </message>
-    <message>
-        <source>Run the recipe</source>
-        <translation>Rezept ausführen</translation>
-    </message>
-    <message>
-        <source>before the first step</source>
-        <translation>vor dem ersten Schritt</translation>
-    </message>
-    <message>
-        <source>step %1 of %2 (%3)</source>
-        <translation>Schritt %1 von %2 (%3)</translation>
-    </message>
-</context>
-<context>
     <name>tedit::desktop::recipes_tool</name>
     <message>
         <source>Run the recipe %1</source>
@@ -2833,12 +2814,16 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>%1: fertig</translation>
     </message>
     <message>
-        <source>%1: done. Its exports (%2) were left out: export by hand, or use &quot;tedit run&quot;.</source>
-        <translation>%1: fertig. Seine Exporte (%2) wurden ausgelassen: von Hand exportieren, oder „tedit run“ verwenden.</translation>
-    </message>
-    <message>
         <source>%1: stopped at %2</source>
         <translation>%1: angehalten bei %2</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>%1: done. Steps that write files (%2) were left out: export by hand, or use &quot;tedit run&quot;.</source>
+        <translation>%1: fertig. Schritte, die Dateien schreiben (%2), wurden ausgelassen: von Hand exportieren, oder „tedit run“ verwenden.</translation>
     </message>
 </context>
 <context>
@@ -2846,10 +2831,6 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Record steps</source>
         <translation>Schritte aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Writes down what is done, for &quot;tedit-qt --script&quot;; again: ends and saves</source>
-        <translation>Zeichnet auf, was getan wird, für „tedit-qt --script“; noch einmal: beendet und speichert</translation>
     </message>
     <message>
         <source>recording, steps: %1</source>
@@ -2860,8 +2841,12 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Aufgezeichnete Schritte speichern</translation>
     </message>
     <message>
-        <source>Steps (*.json)</source>
-        <translation>Schritte (*.json)</translation>
+        <source>Writes down what is done as a recipe, which the window and &quot;tedit run&quot; carry out; again: ends and saves</source>
+        <translation>Zeichnet als Rezept auf, was getan wird; Fenster und „tedit run“ führen es aus; noch einmal: beendet und speichert</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Rezepte (*.json)</translation>
     </message>
 </context>
 <context>
@@ -3811,6 +3796,21 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Work on another computer ...</source>
         <translation>Auf einem anderen Rechner arbeiten ...</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::window_player</name>
+    <message>
+        <source>Run the recipe</source>
+        <translation>Rezept ausführen</translation>
+    </message>
+    <message>
+        <source>before the first step</source>
+        <translation>vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 (%3)</source>
+        <translation>Schritt %1 von %2 (%3)</translation>
     </message>
 </context>
 <context>

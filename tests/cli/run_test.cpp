@@ -168,5 +168,99 @@ TEST(Run, ATypingMistakeInARecipeIsNamed) {
   EXPECT_THAT(result.parsed()["error"]["message"], HasSubstr("mash"));
 }
 
+/// All that the program says to people.
+std::string said(const std::string& arguments) {
+  const auto file = scratch("said");
+  (void)std::system((program + " " + arguments + " >/dev/null 2>" + file.string()).c_str());
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Run, AListOfStepsAloneWorksOnTheMeshThatIsGiven) {
+  const auto file = scratch("steps.json");
+  std::ifstream loads(plate_loads);
+  std::ofstream(file) << json{{{"load_case", json::parse(loads)}},
+                              {{"select", {1, 2}}},
+                              {{"edit", {{"operation", "fill_hole"}, {"surfaces", {1, 2}}}}},
+                              {{"undo", true}},
+                              {{"go_to", 1}},
+                              {{"wait", "final"}}};
+  const auto with = " --mesh " + plate;
+
+  const auto result = run("run --json " + file.string() + with);
+
+  ASSERT_EQ(result.status, 0) << result.out;
+  const auto steps = result.parsed()["steps"];
+  ASSERT_EQ(steps.size(), 5u);
+  EXPECT_EQ(steps[0]["step"], "import");
+  EXPECT_EQ(steps[1]["name"], json::parse(std::ifstream(plate_loads))["name"]);
+  EXPECT_EQ(steps[3]["version_id"], steps[0]["version_id"]);
+  EXPECT_EQ(steps[4]["step"], "goto");
+  EXPECT_EQ(steps[4]["version_id"], steps[2]["version_id"]);
+  EXPECT_EQ(result.parsed()["passed_over"], 2);
+  EXPECT_THAT(said("run " + file.string() + with),
+              HasSubstr("passed over 2 steps that only the window carries out"));
+}
+
+TEST(Run, ARecipeHasOneMeshFromInsideOrOutside) {
+  const auto file = scratch("recipe.json");
+  const auto message = [&](const json& steps, const std::string& options) {
+    std::ofstream(file) << steps;
+    const auto result = run("run --json " + file.string() + options);
+    EXPECT_EQ(result.status, 65) << result.out;
+    const auto error = result.parsed()["error"];
+    return error["message"].get<std::string>() + ": " + error["remedy"].get<std::string>();
+  };
+  const json solve{{"solve", json::object()}};
+  const json import{{"import", {{"mesh", plate}}}};
+
+  EXPECT_THAT(message(json::array({solve}), ""), HasSubstr("--mesh PART.msh"));
+  EXPECT_THAT(message(json::array({import, solve}), " --mesh " + plate), HasSubstr("Leave --mesh"));
+}
+
+TEST(Run, WhatChangesThePartInTheWindowAloneIsRefusedBeforeAnythingIsDone) {
+  const auto file = scratch("steps.json");
+  for (const json& step : {json{{"apply", "fill_hole"}}, json{{"command", "edit.undo"}},
+                           json{{"command", "loads.remove"}}}) {
+    std::ofstream(file) << json{{{"select", {1, 2}}}, step};
+    const auto result = run("run --json " + file.string() + " --mesh /nowhere.msh");
+    EXPECT_EQ(result.status, 65);
+    const auto error = result.parsed()["error"];
+    EXPECT_THAT(error["message"], HasSubstr("step 2 (" + step.begin().key() + ")")) << result.out;
+    EXPECT_THAT(error["remedy"], HasSubstr("Write")) << result.out;
+  }
+}
+
+TEST(Run, ChangedLoadsAreSolvedAnewOnTheSameVersion) {
+  const auto file = scratch("recipe.json");
+  std::ifstream in(plate_loads);
+  auto twice = json::parse(in);
+  auto& force = twice["loads"][0]["force"]["total_n"]["z"];
+  force = 2 * force.get<double>();
+  const json solve{{"solve", json::object()}};
+  json steps{{{"import", {{"mesh", plate}}}},
+             {{"load_case", {{"file", plate_loads}}}},
+             solve,
+             {{"load_case", twice}},
+             solve};
+  const auto carried_out = [&] {
+    std::ofstream(file) << json{{"device", "cpu"}, {"order", 1}, {"steps", steps}};
+    return run("run --json " + file.string());
+  };
+
+  const auto doubled = carried_out();
+  steps.push_back({{"remove_load_case", twice["name"]}});
+  steps.push_back(solve);
+  const auto bare = carried_out();
+
+  ASSERT_EQ(doubled.status, 0) << doubled.out;
+  const auto fields = doubled.parsed()["steps"];
+  EXPECT_FALSE(fields[4]["from_cache"]);
+  EXPECT_NEAR(fields[4]["max_displacement_m"], 2 * fields[2]["max_displacement_m"].get<double>(),
+              1e-9);
+  EXPECT_EQ(bare.status, 1) << bare.out;  // Nothing is left to solve.
+  EXPECT_THAT(bare.parsed()["error"]["message"], HasSubstr("step 7 (solve): "));
+}
+
 }  // namespace
 }  // namespace tedit::test

@@ -2,15 +2,19 @@
 // Results and history as a person uses them: fields on demand, boxes, names, load cases, recording.
 #include "tests/desktop/window_fixture.hpp"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
+#include <QProcess>
 #include <QTreeWidget>
 
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/probes.hpp"
 #include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/probes/probe_panel.hpp"
+#include "client-qt/tools/recipes/window_player.hpp"
 #include "client-qt/tools/recording/recorder.hpp"
-#include "client-qt/tools/recording/script.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
 #include "protocol/convert.hpp"
 
@@ -243,7 +247,7 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   ASSERT_TRUE(wait([&] { return !part().foreground().current() && shows_head(); }));
   ASSERT_TRUE(window->context().all_commands.trigger("view.top"));
   window->tools().recording.recording().stop();
-  const auto steps = window->tools().recording.recording().steps();
+  const auto text = client::to_json(window->tools().recording.recording().recipe());
   const auto id = part().head()->info.version_id;
   const auto pose = view().view().get();
 
@@ -251,12 +255,13 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   window->resize(1200, 800);
   window->show();
   open_plate(false);  // The loads are in the recording.
-  script replay(window->context(), window->tools(), steps);
+  const auto recorded = client::recipe_from_json(text);
+  ASSERT_TRUE(recorded) << render(recorded.error()) << text;
+  window_player replay(window->context(), window->tools(), recorded->steps);
   bool done = false;
-  QObject::connect(&replay, &script::finished, [&] { done = true; });
+  QObject::connect(&replay, &window_player::finished, [&] { done = true; });
   replay.start();
-  ASSERT_TRUE(wait([&] { return done && is_final(); }))
-    << window->tools().recording.recording().text().toStdString();
+  ASSERT_TRUE(wait([&] { return done && is_final(); })) << text;
 
   EXPECT_EQ(part().head()->info.version_id, id);
   EXPECT_EQ(window->tools().results.panel().wanted().field, shown_field::max_shear);
@@ -279,6 +284,61 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
                                                            *part().head());
   ASSERT_TRUE(way && probed);
   EXPECT_NEAR(*way, *probed, 1e-9);
+}
+
+/// What "tedit run" says of a recipe; empty when it failed.
+QJsonObject run_on_the_command_line(const QStringList& arguments) {
+  QProcess program;
+  program.start(QCoreApplication::applicationDirPath() + "/tedit",
+                QStringList{"run", "--json"} + arguments);
+  EXPECT_TRUE(program.waitForFinished(120'000));
+  const auto out = program.readAllStandardOutput();
+  EXPECT_EQ(program.exitCode(), 0)
+    << out.toStdString() << program.readAllStandardError().toStdString();
+  return QJsonDocument::fromJson(out).object();
+}
+
+TEST_F(Recording, MakesTheSameVersionsOnTheCommandLine) {
+  open_plate();
+  auto& recorder = window->tools().recording.recording();
+  recorder.start();
+  std::vector<std::string> made;
+  const auto note = [&](std::uint32_t wanted) {
+    ASSERT_TRUE(wait([&] { return version() == wanted && shows_head(); }));
+    made.push_back(part().head()->info.version_id);
+  };
+  click_surface(1);  // As a person: picked, previewed, applied by the form.
+  ASSERT_TRUE(wait([&] { return window->context().picked.surfaces().size() == 2; }));
+  press("offer_fill_hole");
+  press("apply");
+  note(1);
+  part().edits().apply({"erode", {98}, {{"depth", 0.001}}, {fem::load_policy::move, true}});
+  note(2);
+  part().edits().undo();
+  note(1);
+  part().edits().redo();
+  note(2);
+  part().edits().go_to(0);
+  note(0);
+  recorder.stop();
+  const QString file = state.filePath("recorded.json");
+  QFile out(file);
+  ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write(QByteArray::fromStdString(client::to_json(recorder.recipe())));
+  out.close();
+
+  const auto said = run_on_the_command_line({file, "--mesh", plate()});
+  std::vector<std::string> there;
+  for (const auto& one : said["steps"].toArray()) {
+    const auto step = one.toObject();
+    if (step["step"] != "import" && step["step"] != "load_case")
+      there.push_back(step["version_id"].toString().toStdString());
+  }
+  EXPECT_EQ(there, made);
+  EXPECT_GT(said["passed_over"].toInt(), 0);
+  EXPECT_EQ(recorder.recipe().name, "ctc01_plate.coarse");
+  for (const auto& step : recorder.recipe().steps)
+    EXPECT_FALSE(std::holds_alternative<client::apply_step>(step));
 }
 
 }  // namespace

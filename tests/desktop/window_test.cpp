@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "client-qt/tools/history/history_strip.hpp"
-#include "client-qt/tools/recording/script.hpp"
+#include "client-qt/tools/recipes/window_player.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -53,9 +53,9 @@ TEST_F(Window, ASecondClickMeansTheSurfaceAloneAndShiftAdds) {
 }
 
 TEST_F(Window, WhatCannotBeDoneIsSaidAndChangesNothing) {
-  // A script that was not started hears nothing: its failure would end the program.
-  script idle(window->context(), window->tools(), {});
-  const QSignalSpy ended(&idle, &script::failed);
+  // A player that was not started hears nothing: its failure would end the program.
+  window_player idle(window->context(), window->tools(), {});
+  const QSignalSpy ended(&idle, &window_player::failed);
   open_plate(false);
 
   window->context().picked.set({98});

@@ -25,6 +25,7 @@ expect "--json " tedit --j
 expect "--load-case --loads " tedit edit a.msh --loa
 expect "fill_hole " tedit edit a.msh --op fill
 expect "depth= depth_mm= " tedit edit a.msh --op erode --param dep
+expect "--mesh " tedit run recipe.json --me
 expect "drop move refuse " tedit edit a.msh --loads ""
 expect "move " tedit edit a.msh --loads m
 expect "lavapipe " tedit solve a.msh --device l

@@ -41,3 +41,11 @@ status=0
   2>"$folder/said" || status=$?
 [ "$status" -eq 1 ] || { echo "a refused edit ended with $status" >&2; cat "$folder/said" >&2; exit 1; }
 grep -q '^tedit-qt: ' "$folder/said"
+grep -q 'step 2 (apply): ' "$folder/said"
+
+# What cannot be read never opens a window.
+echo '{"steps": [{"select": [98]}, {"selct": [98]}]}' >"$folder/steps.json"
+status=0
+"$bin/tedit-qt" --state "$folder/state" --script "$folder/steps.json" 2>"$folder/said" || status=$?
+[ "$status" -eq 65 ] || { echo "a misspelt step ended with $status" >&2; cat "$folder/said" >&2; exit 1; }
+grep -q 'step 2: there is no step "selct"' "$folder/said"

@@ -5,27 +5,32 @@
 #include <QPointer>
 
 #include "client-qt/context/window_context.hpp"
+#include "client/recipe.hpp"
 
 namespace tedit::desktop {
 
-class connection_tool;
-class recipe_player;
+struct toolbox;
+class window_player;
 
-/// Runs recipes, one at a time, and says how each went.
+/// Runs recipes for a person, one at a time, as rows of what runs, and says how each went. They
+/// write no files.
 class recipes_tool : public QObject {
   Q_OBJECT
 
 public:
-  recipes_tool(window_context& in, connection_tool& connection);
+  /// `tools` may still be made.
+  recipes_tool(window_context& in, toolbox& tools);
 
   /// On the open part, or on the one that it imports.
   void run(const QString& path);
   [[nodiscard]] bool is_running() const;
 
 private:
+  void play(const QString& what, const client::recipe& recipe);
+
   window_context& in_;
-  connection_tool& connection_;
-  QPointer<recipe_player> player_;  ///< The one that runs.
+  toolbox& tools_;
+  QPointer<window_player> player_;  ///< The one that runs.
 };
 
 }  // namespace tedit::desktop

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/recording/recorder.hpp"
 
+#include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
+#include "client-qt/model/document_name.hpp"
 #include "client-qt/tools/probes/probe_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
 #include "client-qt/tools/toolbox.hpp"
 #include "client-qt/view/viewport.hpp"
-#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -21,29 +24,6 @@ constexpr int rest_ms = 300;
 
 QJsonArray to_json(const vec3& v) {
   return {v.x, v.y, v.z};
-}
-
-QJsonValue to_json(const ops::parameter_value& value) {
-  if (const auto* flag = std::get_if<bool>(&value))
-    return *flag;
-  if (const auto* count = std::get_if<std::int64_t>(&value))
-    return static_cast<qint64>(*count);
-  if (const auto* number = std::get_if<double>(&value))
-    return *number;
-  return QString::fromStdString(std::get<std::string>(value));
-}
-
-/// Its surfaces are the selection.
-QJsonObject to_json(const edit_wish& wish) {
-  QJsonObject parameters;
-  for (const auto& [id, value] : wish.values)
-    parameters[QString::fromStdString(id)] = to_json(value);
-  QJsonObject step{{"apply", wish.operation}, {"parameters", parameters}};
-  if (wish.loads.policy != fem::load_policy::drop) {
-    const auto policy = fem::policy_name(wish.loads.policy);
-    step["loads"] = QString::fromUtf8(policy.data(), static_cast<qsizetype>(policy.size()));
-  }
-  return step;
 }
 
 QJsonArray to_json(const std::vector<surface_id>& ids) {
@@ -65,19 +45,23 @@ bool worth_a_step(const QString& id) {
   return wanted.contains(id);
 }
 
+client::window_step window_step(const char* kind, const QJsonValue& value) {
+  const QJsonDocument step(QJsonObject{{kind, value}});
+  return {kind, step.toJson(QJsonDocument::Compact).toStdString()};
+}
+
 /// A step that says how something is, not what is done: a later one of its kind replaces it.
-bool is_state(const QJsonObject& step) {
-  for (const auto* key : {"select", "field", "case", "deform", "bands", "isolines", "camera",
-                          "section", "hidden", "measure"})
-    if (step.contains(key))
-      return true;
-  return false;
+bool is_state(const client::recipe_step& step) {
+  static const std::set<std::string> kinds{"select",   "field",  "case",    "deform", "bands",
+                                           "isolines", "camera", "section", "hidden", "measure"};
+  return kinds.contains(client::kind_of(step));
 }
 
 /// The same load case again, as while its numbers are typed: only the last one counts.
-bool same_case(const QJsonObject& a, const QJsonObject& b) {
-  return a.contains("load_case") && b.contains("load_case") &&
-         a["load_case"]["name"] == b["load_case"]["name"];
+bool same_case(const client::recipe_step& a, const client::recipe_step& b) {
+  const auto* one = std::get_if<client::load_case_step>(&a);
+  const auto* other = std::get_if<client::load_case_step>(&b);
+  return one && other && one->loads.name == other->loads.name;
 }
 
 }  // namespace
@@ -95,19 +79,20 @@ void recorder::wire() {
     if (on_)
       looked_.start();
   });
-  connect(&in_.picked, &selection::changed, this, [this] {
-    add({{"select", to_json(in_.picked.surfaces())}});
-  });
+  connect(&in_.picked, &selection::changed, this,
+          [this] { add("select", to_json(in_.picked.surfaces())); });
   connect(&in_.all_commands, &commands::triggered, this, [this](const QString& id) {
     if (worth_a_step(id))
-      add({{"command", id}});
+      add("command", id);
   });
   connect(&tools_.results.panel(), &field_panel::changed, this, &recorder::fields_changed);
   connect(&tools_.section.bar(), &section_bar::moved, this, &recorder::section_moved);
   connect(&in_.part, &document::edited, this, &recorder::committed);
   connect(&in_.part, &document::failed, this, [this] { pending_.reset(); });
-  connect(&in_.part.edits(), &edit_requests::applied, this,
-          [this](const edit_wish& wish) { pending_ = to_json(wish); });
+  connect(&in_.part.edits(), &edit_requests::applied, this, [this](const edit_wish& wish) {
+    pending_ =
+      client::edit_step{{wish.operation.toStdString(), wish.surfaces, wish.values, wish.loads}};
+  });
   connect(&tools_.selecting, &selection_tool::hidden_changed, this, &recorder::add_hidden);
   wire_loads();
   wire_probes();
@@ -115,41 +100,39 @@ void recorder::wire() {
 
 void recorder::wire_loads() {
   connect(&in_.part.loads(), &load_requests::was_set, this, &recorder::add_loads);
-  connect(&in_.part.loads(), &load_requests::was_removed, this, [this](const std::string& name) {
-    add({{"remove_load_case", QString::fromStdString(name)}});
-  });
+  connect(&in_.part.loads(), &load_requests::was_removed, this,
+          [this](const std::string& name) { add(client::remove_load_case_step{name}); });
 }
 
 void recorder::add_loads(const fem::load_case& loads) {
-  const auto text = QByteArray::fromStdString(protocol::load_case_to_json(loads));
-  add({{"load_case", QJsonDocument::fromJson(text).object()}});
+  add(client::load_case_step{loads});
 }
 
 void recorder::wire_probes() {
   connect(&tools_.probing.pins(), &probes::added, this, &recorder::add_probe);
-  connect(&tools_.probing.pins(), &probes::removed, this, [this](int number) {
-    add({{"remove_probe", number}});
-  });
+  connect(&tools_.probing.pins(), &probes::removed, this,
+          [this](int number) { add("remove_probe", number); });
   connect(&tools_.probing.list(), &probe_panel::chosen_changed, this, [this] {
     QJsonArray numbers;
     for (const int number : tools_.probing.list().chosen())
       numbers.append(number);
-    add({{"measure", numbers}});
+    add("measure", numbers);
   });
 }
 
 void recorder::add_hidden() {
-  add({{"hidden", to_json({tools_.selecting.hidden().begin(), tools_.selecting.hidden().end()})}});
+  add("hidden", to_json({tools_.selecting.hidden().begin(), tools_.selecting.hidden().end()}));
 }
 
 void recorder::add_probe(const probe& what) {
-  add({{"probe", QJsonObject{{"number", what.number},
-                             {"surface", static_cast<qint64>(what.surface)},
-                             {"at", to_json(what.place.at)}}}});
+  add("probe", QJsonObject{{"number", what.number},
+                           {"surface", static_cast<qint64>(what.surface)},
+                           {"at", to_json(what.place.at)}});
 }
 
 void recorder::start() {
-  steps_ = {};
+  recipe_ = {};
+  recipe_.name = title_of(in_.part.name()).words.toStdString();
   pending_.reset();
   on_ = true;
   const auto* head = in_.part.head();
@@ -158,7 +141,7 @@ void recorder::start() {
     add_loads(one);
   fields_changed();
   look();
-  add({{"select", to_json(in_.picked.surfaces())}});
+  add("select", to_json(in_.picked.surfaces()));
   add_hidden();
   for (const auto& one : tools_.probing.pins().all())
     add_probe(one);
@@ -174,24 +157,26 @@ void recorder::stop() {
 }
 
 /// The same as before is no step; while only the state changes, its newest value counts.
-void recorder::add(const QJsonObject& step) {
+void recorder::add(client::recipe_step step) {
   if (!on_)
     return;
-  if (!steps_.isEmpty() && same_case(steps_.last().toObject(), step))
-    steps_.removeLast();
-  for (auto i = steps_.size(); i-- > 0;) {
-    const auto before = steps_[i].toObject();
-    if (before == step && is_state(step))
+  auto& steps = recipe_.steps;
+  if (!steps.empty() && same_case(steps.back(), step))
+    steps.pop_back();
+  for (auto before = steps.rbegin(); before != steps.rend() && is_state(*before); ++before) {
+    if (*before == step)
       return;
-    if (!is_state(before))
-      break;
-    if (before.keys() == step.keys()) {
-      steps_.removeAt(i);
+    if (std::string_view(client::kind_of(*before)) == client::kind_of(step)) {
+      steps.erase(std::next(before).base());
       break;
     }
   }
-  steps_.append(step);
+  steps.push_back(std::move(step));
   emit changed();
+}
+
+void recorder::add(const char* kind, const QJsonValue& value) {
+  add(window_step(kind, value));
 }
 
 void recorder::look() {
@@ -199,11 +184,11 @@ void recorder::look() {
   const auto pose = in_.view.view().get();
   if (!view.geometry())
     return;
-  add({{"camera", QJsonObject{{"position", to_json(pose.position)},
-                              {"focus", to_json(pose.focus)},
-                              {"up", to_json(pose.up)},
-                              {"scale", pose.parallel_scale},
-                              {"parallel", in_.view.view().is_parallel()}}}});
+  add("camera", QJsonObject{{"position", to_json(pose.position)},
+                            {"focus", to_json(pose.focus)},
+                            {"up", to_json(pose.up)},
+                            {"scale", pose.parallel_scale},
+                            {"parallel", in_.view.view().is_parallel()}});
 }
 
 /// Only what differs from what was noted last.
@@ -212,12 +197,14 @@ void recorder::fields_changed() {
     return;
   auto& fields = tools_.results.panel();
   const auto note = [this](const char* key, const QJsonValue& value, const QJsonValue& at_first) {
-    QJsonValue known = at_first;
-    for (const auto& step : steps_)
-      if (step.toObject().contains(key))
-        known = step.toObject()[key];
-    if (known != value)
-      add({{key, value}});
+    const auto& steps = recipe_.steps;
+    const auto is_of_kind = [key](const auto& one) {
+      return std::string_view(client::kind_of(one)) == key;
+    };
+    const auto known = std::find_if(steps.rbegin(), steps.rend(), is_of_kind);
+    const client::recipe_step step = window_step(key, value);
+    if (known == steps.rend() ? value != at_first : *known != step)
+      add(step);
   };
   if (fields.field())  // Else it is only on its way.
     note("case", fields.shown_case(),
@@ -232,33 +219,23 @@ void recorder::section_moved() {
   const auto& bar = tools_.section.bar();
   const auto plane = bar.plane();
   if (!bar.is_on() || !plane)
-    add({{"section", QJsonValue::Null}});
+    add("section", QJsonValue::Null);
   else
-    add({{"section", QJsonObject{{"at", to_json(plane->at)}, {"normal", to_json(plane->normal)}}}});
+    add("section", QJsonObject{{"at", to_json(plane->at)}, {"normal", to_json(plane->normal)}});
 }
 
 /// A commit is told twice: to who asked for it and to all.
 void recorder::committed(const client::committed& what) {
   if (!on_ || what.head.number == std::exchange(head_, what.head.number))
     return;
-  if (what.cause == "edit" && pending_) {
-    const auto step = *std::exchange(pending_, std::nullopt);
-    if (what.report && to_json(what.report->surfaces) != to_json(in_.picked.surfaces()))
-      add({{"select", to_json(what.report->surfaces)}});
-    add(step);
-  } else if (what.cause == "undo" || what.cause == "redo") {
-    add({{QString::fromStdString(what.cause), true}});
-  } else if (what.cause == "goto") {
-    add({{"go_to", static_cast<qint64>(what.head.number)}});
-  }
-}
-
-QByteArray recorder::text() const {
-  QByteArray result = "[";
-  for (const auto& step : steps_)
-    result += (result.size() > 1 ? ",\n " : "\n ") +
-              QJsonDocument(step.toObject()).toJson(QJsonDocument::Compact);
-  return result + "\n]\n";
+  if (what.cause == "edit" && pending_)
+    add(*std::exchange(pending_, std::nullopt));
+  else if (what.cause == "undo")
+    add(client::undo_step{});
+  else if (what.cause == "redo")
+    add(client::redo_step{});
+  else if (what.cause == "goto")
+    add(client::go_to_step{what.head.number});
 }
 
 }  // namespace tedit::desktop

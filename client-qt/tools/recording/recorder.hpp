@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <QJsonArray>
-#include <QJsonObject>
+#include <QJsonValue>
 #include <QObject>
 #include <QTimer>
 
@@ -10,15 +9,16 @@
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/probes.hpp"
+#include "client/recipe.hpp"
 
 namespace tedit::desktop {
 
 struct toolbox;
 struct window_context;
 
-/// Writes down what a person does, as steps for `script`: selections, edits that were made, undo,
-/// load cases that were set or removed, probes, what is drawn and how it is looked at. Not: what
-/// was refused.
+/// Writes down what a person does, as a recipe: edits that were made with their surfaces, undo,
+/// load cases that were set or removed, selections, probes, what is drawn and how it is looked at.
+/// Not: what was refused, and the mesh.
 class recorder : public QObject {
   Q_OBJECT
 
@@ -29,9 +29,7 @@ public:
   void start();
   void stop();
   [[nodiscard]] bool is_on() const noexcept { return on_; }
-  [[nodiscard]] const QJsonArray& steps() const noexcept { return steps_; }
-  /// One step on each line.
-  [[nodiscard]] QByteArray text() const;
+  [[nodiscard]] const client::recipe& recipe() const noexcept { return recipe_; }
 
 signals:
   void changed();
@@ -43,7 +41,9 @@ private:
   void add_hidden();
   void add_loads(const fem::load_case& loads);
   void add_probe(const probe& what);
-  void add(const QJsonObject& step);
+  void add(client::recipe_step step);
+  /// A step of the window.
+  void add(const char* kind, const QJsonValue& value);
   void look();
   void fields_changed();
   void section_moved();
@@ -51,9 +51,9 @@ private:
 
   window_context& in_;
   toolbox& tools_;
-  QJsonArray steps_;
+  client::recipe recipe_;
   bool on_ = false;
-  std::optional<QJsonObject> pending_;  ///< An edit without an answer.
+  std::optional<client::edit_step> pending_;  ///< An edit without an answer.
   std::uint32_t head_ = 0;
   QTimer looked_;  ///< The camera is noted when it has come to rest.
 };

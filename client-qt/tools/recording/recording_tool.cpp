@@ -17,7 +17,8 @@ recording_tool::recording_tool(window_context& in, toolbox& tools)
   in_.all_commands.add(
     {"file.record", tr("Record steps"), command_groups::file(), "Ctrl+R",
      [this] { start_or_stop(); }, in_.has_part(),
-     tr("Writes down what is done, for \"tedit-qt --script\"; again: ends and saves")});
+     tr("Writes down what is done as a recipe, which the window and \"tedit run\" carry out; "
+        "again: ends and saves")});
 }
 
 void recording_tool::add_light() {
@@ -29,7 +30,7 @@ void recording_tool::add_light() {
   connect(recorder_, &recorder::changed, this, [this, light] {
     light->setVisible(recorder_->is_on());
     light->setText(QString::fromUtf8("\u25cf ") +
-                   tr("recording, steps: %1").arg(recorder_->steps().size()));
+                   tr("recording, steps: %1").arg(recorder_->recipe().steps.size()));
   });
 }
 
@@ -46,11 +47,11 @@ void recording_tool::ask_file() {
   auto* dialog = new QFileDialog(&in_.window, tr("Save the recorded steps"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter(tr("Steps (*.json)"));
+  dialog->setNameFilter(tr("Recipes (*.json)"));
   dialog->setDefaultSuffix("json");
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     QSaveFile file(path);
-    const QByteArray text = recorder_->text();
+    const auto text = QByteArray::fromStdString(client::to_json(recorder_->recipe()));
     if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit())
       emit in_.part.files().exported(path);
     else

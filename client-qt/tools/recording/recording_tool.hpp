@@ -10,7 +10,7 @@ namespace tedit::desktop {
 class recorder;
 struct toolbox;
 
-/// Writes down what a person does and saves it as a script.
+/// Writes down what a person does and saves it as a recipe.
 class recording_tool : public QObject {
   Q_OBJECT
 

@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+
+#include "client/recipe.hpp"
+#include "client/recipes/values.hpp"
+#include "client/recipes/window_rules.hpp"
+#include "protocol/convert.hpp"
+
+namespace tedit::client {
+
+namespace {
+
+constexpr std::size_t most_bytes = 64UL << 20;
+constexpr int most_depth = 64;  ///< Of brackets: what walks through JSON calls itself.
+constexpr std::size_t most_steps = 100'000;
+
+// -- fields: one list for who reads and who writes -------------------------------------------
+
+template <class Io>
+void fields_of(Io& io, import_step& s) {
+  io.needed("mesh", s.mesh);
+  io.other("length_unit", s.length_unit);
+}
+
+template <class Io>
+void fields_of(Io& io, load_case_step& s) {
+  io.whole(s.loads);
+}
+
+template <class Io>
+void fields_of(Io& io, remove_load_case_step& s) {
+  io.needed("remove_load_case", s.name);
+}
+
+template <class Io>
+void changes_of(Io& io, edit_request& request) {
+  io.other("parameters", request.parameters);
+  io.other("loads", request.loads.policy);
+  io.other("keep_traction", request.loads.keep_traction);
+}
+
+template <class Io>
+void fields_of(Io& io, edit_step& s) {
+  io.needed("operation", s.request.operation);
+  io.other("surfaces", s.request.surfaces);
+  changes_of(io, s.request);
+}
+
+template <class Io>
+void fields_of(Io&, undo_step&) {}
+
+template <class Io>
+void fields_of(Io&, redo_step&) {}
+
+template <class Io>
+void fields_of(Io& io, go_to_step& s) {
+  io.needed("go_to", s.version);
+}
+
+template <class Io>
+void fields_of(Io& io, solve_step& s) {
+  io.cases("load_cases", s);
+  io.other("energy_tolerance", s.energy_tolerance, {1e-9, 0.5, {}});
+}
+
+template <class Io>
+void fields_of(Io& io, export_step& s) {
+  io.other("vtu", s.vtu);
+  io.other("png", s.png);
+  io.other("msh", s.msh);
+  io.other("stl", s.stl);
+  io.other("title", s.title);
+  io.other("range_mpa", s.range_mpa);
+}
+
+template <class Io>
+void fields_of(Io& io, apply_step& s) {
+  io.needed("apply", s.request.operation);
+  changes_of(io, s.request);
+}
+
+template <class Io>
+void fields_of(Io& io, recipe& r) {
+  io.other("name", r.name);
+  io.other("device", r.device);
+  io.other("tolerance", r.tolerance, {1e-12, 0.1, {}});
+  io.other("order", r.order);
+}
+
+// -- reading ---------------------------------------------------------------------------------
+
+/// Reads the fields of one object. Unknown ones are errors, so that a typing mistake does not pass
+/// silently.
+class field_reader {
+public:
+  field_reader(const json& body, std::string where, const std::filesystem::path& folder)
+      : body_(body), where_(std::move(where)), folder_(folder) {}
+
+  template <class T>
+  void needed(const char* field, T& into) {
+    if (!body_.contains(field))
+      refuse(where_ + " needs \"" + field + "\"");
+    other(field, into);
+  }
+
+  template <class T>
+  void other(const char* field, T& into, const number_range& range = any_number()) {
+    known_.insert(field);
+    if (const auto found = body_.find(field); found != body_.end())
+      read(*found, into, where_ + ": \"" + field + "\"", range);
+  }
+
+  void cases(const char* field, solve_step& into) {
+    known_.insert(field);
+    const auto found = body_.find(field);
+    const auto is_text = [](const json& one) { return one.is_string(); };
+    into.all_load_cases = found != body_.end() && *found == "all";
+    if (found == body_.end() || into.all_load_cases)
+      return;
+    if (!found->is_array() || !std::ranges::all_of(*found, is_text))
+      refuse(where_ + ": \"load_cases\" must be a list of names, or \"all\"");
+    into.load_cases = found->get<std::vector<std::string>>();
+  }
+
+  /// A load case from another file, or the whole object.
+  void whole(fem::load_case& into) {
+    std::filesystem::path file;
+    other("file", file);
+    const auto read = file.empty() ? protocol::load_case_from_json(body_.dump(), where_)
+                                   : protocol::load_case_from_file(file);
+    if (!read)
+      refuse(where_ + ": " + read.error().message + (file.empty() ? "" : " in " + file.string()),
+             read.error().remedy);
+    into = *read;
+    for (const auto& [field, value] : body_.items())
+      if (file.empty())
+        known_.insert(field);
+  }
+
+  void ignore(const char* field) { known_.insert(field); }
+
+  void finish() const {
+    for (const auto& [field, value] : body_.items())
+      if (!known_.contains(field))
+        refuse(where_ + " has an unknown field \"" + field + "\"");
+  }
+
+private:
+  using words = const std::string&;
+
+  void read(const json& value, std::string& into, words what, const number_range&) const {
+    into = text_from(value, what);
+  }
+  void read(const json& value, std::filesystem::path& into, words what, const number_range&) const {
+    into = folder_ / text_from(value, what);
+  }
+  void read(const json& value, bool& into, words what, const number_range&) const {
+    into = flag_from(value, what);
+  }
+  void read(const json& value, double& into, words what, const number_range& range) const {
+    into = number_from(value, range, what);
+  }
+  void read(const json& value, int& into, words what, const number_range&) const {
+    const auto given = whole_from(value, what);
+    if (given != 1 && given != 2)
+      refuse(what + " must be 1 (linear tets) or 2 (quadratic)");
+    into = static_cast<int>(given);
+  }
+  void read(const json& value, std::uint32_t& into, words what, const number_range&) const {
+    const auto given = whole_from(value, what);
+    if (given < 0 || given > UINT32_MAX)
+      refuse(what + " must be the number of a version, from 0 on");
+    into = static_cast<std::uint32_t>(given);
+  }
+  void read(const json& value, std::vector<surface_id>& into, words what,
+            const number_range&) const {
+    for (const auto& id : list_from(value, 0, most_ids, what))
+      into.push_back(whole_from(id, "each of " + what));
+  }
+  void read(const json& value, fem::load_policy& into, words what, const number_range&) const {
+    const auto policy = fem::policy_from_name(text_from(value, what));
+    if (!policy)
+      refuse(what + ": " + policy.error().message, policy.error().remedy);
+    into = *policy;
+  }
+  void read(const json& value, std::optional<std::pair<double, double>>& into, words what,
+            const number_range& range) const {
+    if (!value.is_array() || value.size() != 2)
+      refuse(what + " must be [least, largest]");
+    into.emplace(number_from(value[0], range, what), number_from(value[1], range, what));
+    if (!(into->first < into->second))
+      refuse(what + " must be [least, largest], the smaller one first");
+  }
+  void read(const json& value, ops::parameters& into, words what, const number_range& range) const {
+    if (!value.is_object())
+      refuse(what + " must be {\"name\": value, ...}");
+    for (const auto& [id, given] : value.items()) {
+      const auto name = where_ + ": parameter \"" + id + "\"";
+      if (given.is_boolean())
+        into[id] = given.get<bool>();
+      else if (given.is_number_integer())
+        into[id] = whole_from(given, name);
+      else if (given.is_number())
+        into[id] = number_from(given, range, name);
+      else if (given.is_string())
+        into[id] = text_from(given, name);
+      else
+        refuse(name + " must be a number, a text, true or false");
+    }
+  }
+
+  const json& body_;
+  std::string where_;
+  const std::filesystem::path& folder_;
+  std::set<std::string> known_;
+};
+
+template <class Step>
+recipe_step read_as(field_reader& in) {
+  Step result;
+  fields_of(in, result);
+  return result;
+}
+
+/// A kind whose fields this program works with itself.
+struct known_kind {
+  const char* name;
+  bool has_body;  ///< Its fields stand in an object of their own, not in the step itself.
+  recipe_step (*read)(field_reader& in);
+};
+
+/// In the order of `recipe_step`.
+constexpr known_kind known_kinds[] = {{"import", true, read_as<import_step>},
+                                      {"load_case", true, read_as<load_case_step>},
+                                      {"remove_load_case", false, read_as<remove_load_case_step>},
+                                      {"edit", true, read_as<edit_step>},
+                                      {"undo", true, read_as<undo_step>},
+                                      {"redo", true, read_as<redo_step>},
+                                      {"go_to", false, read_as<go_to_step>},
+                                      {"solve", true, read_as<solve_step>},
+                                      {"export", true, read_as<export_step>},
+                                      {"apply", false, read_as<apply_step>}};
+static_assert(std::size(known_kinds) + 1 == std::variant_size_v<recipe_step>);
+
+const known_kind* find_known(const std::string& name) {
+  const auto* found = std::ranges::find(known_kinds, name, &known_kind::name);
+  return found == std::end(known_kinds) ? nullptr : found;
+}
+
+std::string all_kinds() {
+  std::string result;
+  for (const auto& one : known_kinds)
+    result += std::string(result.empty() ? "" : ", ") + one.name;
+  return result + window_kinds();
+}
+
+/// The one field of a step that is a kind.
+std::string kind_in(const json& step, const std::string& where) {
+  if (!step.is_object() || step.empty())
+    refuse(where + " must be {\"edit\": {...}} or the like");
+  std::string kind;
+  for (const auto& [name, value] : step.items()) {
+    if (!find_known(name) && !is_window_kind(name))
+      continue;
+    if (!kind.empty())
+      refuse(where + " is two at once, \"" + kind + "\" and \"" + name + "\"",
+             "Write a step for each");
+    kind = name;
+  }
+  if (kind.empty())
+    refuse(where + ": there is no step \"" + step.begin().key() + "\"",
+           "The steps are " + all_kinds());
+  return kind;
+}
+
+recipe_step read_step(const json& step, std::string where, const std::filesystem::path& folder) {
+  const auto kind = kind_in(step, where);
+  where += " (" + kind + ")";
+  const auto* known = find_known(kind);
+  if (!known) {
+    check_window_step(step, kind, where);
+    return window_step{kind, step.dump()};
+  }
+  const auto none = json::object();
+  const bool bare = step[kind] == true && (kind == "undo" || kind == "redo");
+  const auto& body = bare ? none : known->has_body ? step[kind] : step;
+  if (!body.is_object())
+    refuse(where + ": write {\"" + kind + "\": {...}}");
+  if (known->has_body && step.size() > 1)
+    refuse(where + " has fields beside \"" + kind + "\"");
+  field_reader in(body, where, folder);
+  auto result = known->read(in);
+  in.finish();
+  return result;
+}
+
+json parse(std::string_view text) {
+  try {
+    return json::parse(text, [](int depth, json::parse_event_t, json&) {
+      if (depth > most_depth)
+        refuse("brackets are nested more than " + std::to_string(most_depth) + " deep");
+      return true;
+    });
+  } catch (const json::exception& e) {
+    refuse(std::string("this is no JSON: ") + e.what());
+  }
+}
+
+recipe read(const json& body, const std::filesystem::path& folder) {
+  recipe result;
+  const json* steps = body.is_array() ? &body : nullptr;
+  if (body.is_object()) {
+    field_reader in(body, "the recipe", folder);
+    fields_of(in, result);
+    in.ignore("steps");
+    in.finish();
+    steps = body.contains("steps") ? &body["steps"] : nullptr;
+  }
+  if (!steps || !steps->is_array())
+    refuse("a recipe is an object with a list \"steps\", or the list alone");
+  for (const auto& step : list_from(*steps, 0, most_steps, "\"steps\""))
+    result.steps.push_back(
+      read_step(step, "step " + std::to_string(result.steps.size() + 1), folder));
+  return result;
+}
+
+/// A whole file; never more than a piece beyond `most_bytes`.
+expected<std::string> read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text;
+  std::array<char, 1 << 16> piece;
+  while (in && text.size() <= most_bytes) {
+    in.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad() || !in.eof())
+    return fail(ec::io_error, "cannot read the recipe " + file.string(),
+                "Check the path and its permissions; it may have 64 MiB", file.string());
+  return text;
+}
+
+// -- writing ---------------------------------------------------------------------------------
+
+/// Writes the fields that are not as usual.
+class field_writer {
+public:
+  nlohmann::ordered_json body = nlohmann::ordered_json::object();
+
+  template <class T>
+  void needed(const char* field, const T& value) {
+    body[field] = plain(value);
+  }
+  template <class T>
+  void other(const char* field, const T& value, const number_range& = {}) {
+    if (value != T{})
+      body[field] = plain(value);
+  }
+  void cases(const char* field, const solve_step& s) {
+    if (s.all_load_cases)
+      body[field] = "all";
+    else
+      other(field, s.load_cases);
+  }
+  void whole(const fem::load_case& loads) {
+    body = nlohmann::ordered_json::parse(protocol::load_case_to_json(loads));
+  }
+
+private:
+  template <class T>
+  static const T& plain(const T& value) {
+    return value;
+  }
+  static std::string plain(const std::filesystem::path& value) { return value.string(); }
+  static std::string_view plain(fem::load_policy value) { return fem::policy_name(value); }
+  static json plain(const std::optional<std::pair<double, double>>& value) {
+    return {value->first, value->second};
+  }
+  static json plain(const ops::parameters& values) {
+    json result;
+    for (const auto& [id, value] : values)
+      std::visit([&, &id = id](const auto& simple) { result[id] = simple; }, value);
+    return result;
+  }
+};
+
+}  // namespace
+
+std::string to_json(const recipe_step& step) {
+  if (const auto* of_window = std::get_if<window_step>(&step))
+    return of_window->json;
+  field_writer out;
+  const auto write = [&](auto s) {
+    if constexpr (!std::is_same_v<decltype(s), window_step>)
+      fields_of(out, s);
+  };
+  std::visit(write, step);
+  const auto& kind = known_kinds[step.index()];
+  const auto whole =
+    kind.has_body ? nlohmann::ordered_json{{kind.name, std::move(out.body)}} : std::move(out.body);
+  return whole.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string to_json(const recipe& what) {
+  recipe usual;
+  recipe wanted = what;
+  field_writer before;
+  field_writer out;
+  fields_of(before, usual);
+  fields_of(out, wanted);
+  std::string result = "{";
+  for (const auto& [field, value] : out.body.items())
+    if (before.body.value(field, json()) != value)
+      result += json(field).dump() + ": " + value.dump() + ",\n ";
+  result += "\"steps\": [";
+  for (std::size_t i = 0; i < what.steps.size(); ++i)
+    result += (i == 0 ? "\n  " : ",\n  ") + to_json(what.steps[i]);
+  return result + "\n]}\n";
+}
+
+const char* kind_of(const recipe_step& step) {
+  const auto* of_window = std::get_if<window_step>(&step);
+  return of_window ? of_window->kind.c_str() : known_kinds[step.index()].name;
+}
+
+bool is_of_window(const recipe_step& step) {
+  return std::holds_alternative<apply_step>(step) || std::holds_alternative<window_step>(step);
+}
+
+expected<recipe> recipe_from_json(std::string_view text, const std::filesystem::path& folder) {
+  try {
+    return read(parse(text), folder);
+  } catch (const error& e) {
+    return fail(e.code, e.message, e.remedy.empty() ? "See docs/recipes.md" : e.remedy);
+  }
+}
+
+expected<recipe> read_recipe(const std::filesystem::path& file) {
+  const auto text = read_text(file);
+  if (!text)
+    return fail(text.error());
+  auto result = recipe_from_json(*text, file.parent_path());
+  if (!result)
+    result.error().where = file.string();
+  return result;
+}
+
+bool is_recipe(const std::filesystem::path& file) {
+  const auto text = read_text(file);
+  const auto body = text ? json::parse(*text, nullptr, false) : json();
+  return body.is_array() || (body.is_object() && body.contains("steps"));
+}
+
+}  // namespace tedit::client
