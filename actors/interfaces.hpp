@@ -20,6 +20,7 @@ using get_atom = caf::atom_constant<caf::atom("get")>;
 using held_atom = caf::atom_constant<caf::atom("held")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
+using rename_atom = caf::atom_constant<caf::atom("rename")>;
 using rest_atom = caf::atom_constant<caf::atom("rest")>;
 using status_atom = caf::atom_constant<caf::atom("status")>;
 using wake_atom = caf::atom_constant<caf::atom("wake")>;
@@ -90,6 +91,8 @@ using disk_actor = caf::typed_actor<
   caf::replies_to<copy_atom, shared_file>::with<exported>,
   // Checks a document that came from elsewhere and puts it into the folder.
   caf::replies_to<adoption>::with<acknowledged>,
+  // Gives the document another name in its folder.
+  caf::replies_to<rename_atom, shared_file, std::string>::with<acknowledged>,
   // Opens the file's descriptors ahead of a commit.
   caf::reacts_to<wake_atom, shared_file>,
   // Closes them until they are needed again.
@@ -104,6 +107,8 @@ using store_actor = caf::typed_actor<
   caf::replies_to<stored_change>::with<acknowledged>,
   // The whole document as one file, as it is after the commits before this.
   caf::replies_to<copy_atom>::with<exported>,
+  // Gives the document another name; the answer means that it is durable.
+  caf::replies_to<rename_atom, std::string>::with<acknowledged>,
   // A commit is on its way.
   caf::reacts_to<wake_atom>,
   // From itself: nothing came since it was used so many times.
@@ -129,6 +134,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<remove_case_request>::with<acknowledged>,
   // Names a version.
   caf::replies_to<annotate_request>::with<acknowledged>,
+  // Gives the document another name, which its hub has found free; all subscribers hear of it.
+  caf::replies_to<rename_atom, std::string>::with<document_renamed>,
   // The result of the head that is at hand.
   caf::replies_to<held_atom>::with<held_result>,
   // Solves the head, and from then on every new head.
@@ -152,6 +159,8 @@ using hub_actor = caf::typed_actor<
   caf::replies_to<std::string>::with<opened_document>,
   // Makes a file that was sent a document.
   caf::replies_to<add_request>::with<added_document>,
+  // Gives an open document another name; who asks for the one before still finds it.
+  caf::replies_to<rename_request>::with<acknowledged>,
   // How the workers are, and how many documents are open.
   caf::replies_to<status_atom>::with<server_status>,
   // The operations there are.

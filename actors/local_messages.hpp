@@ -195,6 +195,12 @@ struct version_annotated {
   version_info info;
 };
 
+/// A document has got another name.
+struct document_renamed {
+  std::string before;
+  std::string document;
+};
+
 enum class solve_phase { started, converging, superseded, cancelled, failed };
 
 struct solve_note {
@@ -266,8 +272,8 @@ struct stored_change {
 struct document_file {
   explicit document_file(std::filesystem::path where) : path(std::move(where)) {}
 
-  const std::filesystem::path path;
   std::mutex in_use;
+  std::filesystem::path path;                 ///< Guarded by `in_use`, as it may be renamed.
   std::unique_ptr<store::document> document;  ///< Guarded by `in_use`.
 };
 using shared_file = std::shared_ptr<document_file>;
@@ -307,6 +313,12 @@ struct added_document {
   std::string name;
 };
 
+/// Another name for a document that is open.
+struct rename_request {
+  caf::actor session;
+  std::string name;
+};
+
 /// A session, with the name that the server gave it.
 struct opened_document {
   std::string name;
@@ -336,6 +348,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_snapshot)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::head_moved)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_cases_changed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::version_annotated)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::document_renamed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::held_result)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_note)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solved)
@@ -351,3 +364,4 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::opened_document)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::add_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::adoption)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::added_document)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::rename_request)

@@ -108,7 +108,8 @@ expected<document_state> client::open(const std::string& name, bool watch_surfac
   auto state = convert(impl_->ask(std::move(request), body::kDocumentState), &body::document_state);
   if (state) {
     const std::lock_guard lock(impl_->mutex);
-    impl_->document = state->document;
+    // It may have been renamed since the answer came.
+    impl_->document = state->document = impl_->link.arrivals().document();
   }
   return state;
 }

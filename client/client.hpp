@@ -76,6 +76,14 @@ public:
                                                    const std::string& name, bool or_next_free,
                                                    const execution& run);
 
+  /// Gives the open document another name, also one that the server made up; all who have it open
+  /// hear of it. Nothing when it has that name already. `before`: refused (`conflict`) when its
+  /// name is another by now; empty: any. Errors: also `invalid_argument` for a name that no
+  /// document can have, `conflict` for one that is taken, `protocol_error` from a server with
+  /// protocol_minor below 9.
+  [[nodiscard]] expected<void> rename_document(const std::string& name,
+                                               const std::string& before = {});
+
   /// Replaces the load case of this name at the head, or adds it. A running solve of the old one
   /// ends with `superseded`; the new one is solved by itself then. Errors: also `protocol_error`
   /// for moments, remote, bearing and normal forces and a pressure's gradient from a server with

@@ -260,6 +260,7 @@ expected<void> connection::dispatch(v1::ServerMessage& message, std::size_t byte
     case body::kSolveStatus:
     case body::kLoadCasesChanged:
     case body::kVersionAnnotated:
+    case body::kDocumentRenamed:
     case body::kSurfaceUpdate:
     case body::kFieldUpdate:
     case body::kChunk:
@@ -299,6 +300,12 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
     const auto& what = message.version_annotated();
     if (handlers_.on_annotated && inbox_.is_open(what.document()))
       handlers_.on_annotated(from_message(what.version()));
+    return {};
+  }
+  if (message.has_document_renamed()) {
+    const auto& what = message.document_renamed();
+    if (inbox_.renamed(what.before(), what.document()) && handlers_.on_renamed)
+      handlers_.on_renamed(what.document());
     return {};
   }
   if (handlers_.on_solve_status && inbox_.is_open(message.solve_status().document()))

@@ -26,7 +26,22 @@ void set_terms(const change_terms& terms, Request& request) {
 
 /// What a client is made of; its requests are spread over client.cpp, files.cpp and notes.cpp.
 struct client::impl {
-  impl(const connect_options& given, events handlers) : options(given), link(std::move(handlers)) {}
+  impl(const connect_options& given, events handlers)
+      : options(given), link(follow_renames(std::move(handlers))) {}
+
+  /// Requests have the new name before anybody is told.
+  events follow_renames(events handlers) {
+    handlers.on_renamed = [this, tell = std::move(handlers.on_renamed)](const std::string& name) {
+      {
+        const std::lock_guard lock(mutex);
+        if (!document.empty())
+          document = name;
+      }
+      if (tell)
+        tell(name);
+    };
+    return handlers;
+  }
 
   /// A request that is answered soon.
   expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted) {

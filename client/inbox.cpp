@@ -182,6 +182,19 @@ bool inbox::is_open(const std::string& document) const {
   return document_.empty() || document_ == document;
 }
 
+bool inbox::renamed(const std::string& before, const std::string& document) {
+  const std::lock_guard lock(mutex_);
+  if (document_ != before)
+    return false;
+  document_ = document;
+  return true;
+}
+
+std::string inbox::document() const {
+  const std::lock_guard lock(mutex_);
+  return document_;
+}
+
 void inbox::open(const std::string& document) {
   const std::lock_guard lock(mutex_);
   document_ = document;

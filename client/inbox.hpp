@@ -37,6 +37,9 @@ public:
   /// An event of this version that came earlier does not count for the waits to come.
   void head_moved(const std::string& version_id);
 
+  /// The document has another name; whether it is the open one.
+  [[nodiscard]] bool renamed(const std::string& before, const std::string& document);
+
   /// Whether an event of this document is for us.
   [[nodiscard]] bool is_open(const std::string& document) const;
 
@@ -47,6 +50,7 @@ public:
   /// Forgets the document before; empty: any name is taken until `opened`.
   void open(const std::string& document);
   void opened(const std::string& document);
+  [[nodiscard]] std::string document() const;
 
   /// Throws a file's stream away that nobody waits for any more.
   void drop_bulk(std::uint64_t request);

@@ -89,6 +89,22 @@ expected<void> client::annotate(std::uint32_t number, const std::string& name,
   return {};
 }
 
+expected<void> client::rename_document(const std::string& name, const std::string& before) {
+  auto document = impl_->open_document(minor_of_documents, "rename documents");
+  if (!document)
+    return fail(std::move(document.error()));
+  if (!before.empty() && *document != before)
+    return fail(ec::conflict, "the open document is " + *document + ", not " + before,
+                "Look at its name, then ask again");
+  v1::ClientMessage request;
+  request.mutable_rename_document()->set_document(*document);
+  request.mutable_rename_document()->set_name(name);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
 expected<std::string> client::watch_fields(const watched_quantities& wanted) {
   auto document = impl_->open_document(5, "send more than displacement and von Mises stress");
   if (!document)

@@ -213,6 +213,8 @@ struct events {
   std::function<void(const solve_status&)> on_solve_status;
   std::function<void(const load_cases_event&)> on_load_cases;  ///< By any client.
   std::function<void(const version_info&)> on_annotated;       ///< By any client.
+  /// By any client: the document's name from now on, which requests use already.
+  std::function<void(const std::string& name)> on_renamed;
   std::function<void(const solve_outcome&)> on_solved;  ///< Not the answer to `client::solve`.
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/gateway/client_actor.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include <google/protobuf/io/coded_stream.h>
@@ -118,8 +119,17 @@ void client_state::reject(std::uint64_t id, const error& e) {
   send(*to, message);
 }
 
-client_state::open_document* client_state::find(std::uint64_t id, const std::string& document) {
+client_state::documents_by_name::iterator client_state::look_up(const std::string& document) {
   const auto found = documents.find(document);
+  if (found != documents.end())
+    return found;
+  return std::ranges::find_if(documents, [&](const auto& one) {
+    return std::ranges::find(one.second.former, document) != one.second.former.end();
+  });
+}
+
+client_state::open_document* client_state::find(std::uint64_t id, const std::string& document) {
+  const auto found = look_up(document);
   if (found != documents.end())
     return &found->second;
   refuse(id, {ec::not_found,
@@ -161,18 +171,18 @@ void client_state::on_load_cases(const actors::load_cases_changed& event) {
 }
 
 void client_state::want_surface(const std::string& document, const version_ptr& mesh) {
-  auto& open = documents.at(document);
+  auto& open = look_up(document)->second;
   if (!open.watch_surface || !mesh)
     return;
   const bool queued = open.wanted_surface != nullptr;
   open.wanted_surface = mesh;
   if (!queued)
     bulk_out->add([this, document]() -> std::optional<bulk> {
-      const auto found = documents.find(document);
+      const auto found = look_up(document);
       if (found == documents.end())
         return std::nullopt;
       const auto newest = std::exchange(found->second.wanted_surface, nullptr);
-      return newest ? found->second.surface.update_to(document, newest) : std::nullopt;
+      return newest ? found->second.surface.update_to(found->first, newest) : std::nullopt;
     });
   bulk_out->pump();
 }
@@ -189,7 +199,7 @@ void client_state::on_solved(const actors::solved& event) {
 
 void client_state::queue_field(const std::string& document) {
   bulk_out->add([this, document]() -> std::optional<bulk> {
-    const auto still = documents.find(document);
+    const auto still = look_up(document);
     if (still == documents.end() || !still->second.wanted_fields)
       return std::nullopt;
     auto& open = still->second;
@@ -241,6 +251,7 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
           [&state](const section_cut& cut) { state.on_section(cut); },
           [&state](const actors::load_cases_changed& event) { state.on_load_cases(event); },
           [&state](const actors::version_annotated& event) { state.on_annotated(event); },
+          [&state](const actors::document_renamed& event) { state.on_renamed(event); },
           [&state](const actors::solve_note& event) { state.on_note(event); },
           [&state](const actors::request_progress& event) { state.on_progress(event); }};
 }

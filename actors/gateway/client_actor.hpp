@@ -64,7 +64,9 @@ struct client_state {
     version_ptr wanted_surface;                 ///< The newest head, when it was not sent yet.
     std::optional<actors::solved> wanted_fields;
     unsigned next_field = 0;  ///< Of `wanted_fields`; those before it were sent.
-    bool cutting = false;     ///< A section is being made.
+    /// Names that it had in this connection, the latest first: requests may still use them.
+    std::deque<std::string> former;
+    bool cutting = false;                         ///< A section is being made.
     std::optional<section_request> next_section;  ///< Asked for meanwhile; the newest wins.
   };
 
@@ -140,12 +142,12 @@ struct client_state {
   void remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body);
   void cancel_solve(std::uint64_t id, const v1::CancelSolve& body);
   void annotate(std::uint64_t id, const v1::AnnotateVersion& body);
+  void rename(std::uint64_t id, const v1::RenameDocument& body);
   void watch(std::uint64_t id, const v1::WatchFields& body);
   void send_again(const std::string& document, const actors::solved& event);
-  /// Asks the session; answers Done, or with its error about `what`.
-  template <class Request>
-  void carry_out(std::uint64_t id, const actors::session_actor& session, Request request,
-                 const char* what);
+  /// Asks a session or the hub; answers Done, or with its error about `what`.
+  template <class Actor, class Request>
+  void carry_out(std::uint64_t id, const Actor& whom, Request request, const char* what);
 
   // -- sections (section.cpp) ----------------------------------------------------------------
 
@@ -159,6 +161,7 @@ struct client_state {
   void on_solved(const actors::solved& event);
   void on_load_cases(const actors::load_cases_changed& event);
   void on_annotated(const actors::version_annotated& event);
+  void on_renamed(const actors::document_renamed& event);
   void on_note(const actors::solve_note& event);
   void on_progress(const actors::request_progress& event);
   void want_surface(const std::string& document, const version_ptr& mesh);
@@ -172,7 +175,11 @@ struct client_state {
   /// Says that a message is not taken as a request; one that runs with its id goes on.
   void reject(std::uint64_t id, const error& e);
 
-  /// The document with this name; refuses the request when it is not open here.
+  using documents_by_name = std::map<std::string, open_document>;
+  /// The document that has this name, or had it in this connection; `documents.end()`: none is open
+  /// here.
+  documents_by_name::iterator look_up(const std::string& document);
+  /// The same; refuses the request when it is not open here.
   open_document* find(std::uint64_t id, const std::string& document);
   /// Notes a request that can be cancelled; returns its ticket.
   std::uint64_t begin(std::uint64_t id, const actors::session_actor& session);
@@ -190,7 +197,7 @@ struct client_state {
   bool known = false;        ///< Has said hello and proved its right.
   bool turned_away = false;  ///< Gave a wrong token: nothing else of it is heard.
   std::string client_name;   ///< As it introduced itself.
-  std::map<std::string, open_document> documents;
+  documents_by_name documents;
   std::map<std::uint64_t, upload> uploads;
   std::shared_ptr<upload_account> upload_bytes;  ///< Of this connection.
   std::deque<waiting_export> exports;            ///< Not begun.

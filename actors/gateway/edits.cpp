@@ -109,7 +109,7 @@ void client_state::send_preview(std::uint64_t id, const previewed& made) {
     const auto found = requests.find(id);
     if (found == requests.end() || found->second.ticket != ticket)
       return std::nullopt;
-    const auto open = documents.find(made.document);
+    const auto open = look_up(made.document);
     if (open == documents.end() || !open->second.head ||
         open->second.head->id() != made.base->id()) {
       refuse(id, {ec::superseded, "the document was changed meanwhile", {}, {}});

@@ -14,6 +14,9 @@ using namespace actors;
 
 constexpr auto short_limit = std::chrono::seconds(60);
 
+/// Former names of a document that a request may have: those that its client has not heard of yet.
+constexpr std::size_t most_former = 16;
+
 /// Errors: `invalid_argument` for a quantity that this server does not know.
 expected<watched_quantities> read_quantities(const v1::WatchFields& body) {
   watched_quantities result;
@@ -33,11 +36,11 @@ expected<watched_quantities> read_quantities(const v1::WatchFields& body) {
 
 }  // namespace
 
-template <class Request>
-void client_state::carry_out(std::uint64_t id, const session_actor& session, Request request,
+template <class Actor, class Request>
+void client_state::carry_out(std::uint64_t id, const Actor& whom, Request request,
                              const char* what) {
   begin(id, {});
-  self->request(session, answer_limit, std::move(request))
+  self->request(whom, answer_limit, std::move(request))
     .then(
       [=, this](acknowledged) {
         v1::ServerMessage message;
@@ -78,6 +81,13 @@ void client_state::annotate(std::uint64_t id, const v1::AnnotateVersion& body) {
       "naming the version");
 }
 
+void client_state::rename(std::uint64_t id, const v1::RenameDocument& body) {
+  if (const auto* document = find(id, body.document()))
+    carry_out(id, parts.hub,
+              rename_request{caf::actor_cast<caf::actor>(document->session), body.name()},
+              "renaming the document");
+}
+
 // -- what is watched -----------------------------------------------------------------------------
 
 void client_state::watch(std::uint64_t id, const v1::WatchFields& body) {
@@ -107,7 +117,7 @@ void client_state::watch(std::uint64_t id, const v1::WatchFields& body) {
 
 /// Queues the fields of a solve for those who watch them; also when they were sent before.
 void client_state::send_again(const std::string& document, const solved& event) {
-  const auto found = documents.find(document);
+  const auto found = look_up(document);
   if (found == documents.end())
     return;
   auto& open = found->second;
@@ -129,6 +139,26 @@ void client_state::on_annotated(const version_annotated& event) {
   auto* out = message.mutable_version_annotated();
   out->set_document(event.document);
   to_message(event.info, out->mutable_version());
+  send(*to, message);
+}
+
+/// Whatever is sent after this has the new name.
+void client_state::on_renamed(const document_renamed& event) {
+  const auto found = documents.find(event.before);
+  if (found == documents.end())
+    return;
+  auto node = documents.extract(found);
+  node.key() = event.document;
+  auto& open = node.mapped();
+  open.former.push_front(event.before);
+  if (open.former.size() > most_former)
+    open.former.pop_back();
+  if (open.wanted_fields)
+    open.wanted_fields->document = event.document;
+  documents.insert(std::move(node));
+  v1::ServerMessage message;
+  message.mutable_document_renamed()->set_document(event.document);
+  message.mutable_document_renamed()->set_before(event.before);
   send(*to, message);
 }
 

@@ -177,6 +177,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
       return remove_load_case(id, message.remove_load_case());
     case body::kAnnotateVersion:
       return annotate(id, message.annotate_version());
+    case body::kRenameDocument:
+      return rename(id, message.rename_document());
     case body::kWatchFields:
       return watch(id, message.watch_fields());
     case body::kSolve:
@@ -285,7 +287,7 @@ void client_state::close(std::uint64_t id, const v1::CloseDocument& body) {
     refuse(waiting->id, {ec::cancelled, "the document was closed", {}, {}});
   end_preview({ec::cancelled, "the document was closed", {}, {}});
   caf::anon_send(document->session, detach_atom::value, caf::actor_cast<caf::actor>(self));
-  documents.erase(body.document());
+  documents.erase(look_up(body.document()));
   v1::ServerMessage message;
   message.mutable_done();
   answer(id, std::move(message));

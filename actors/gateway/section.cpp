@@ -143,7 +143,7 @@ void client_state::begin_section(open_document& document, const section_request&
 /// The next one is begun when this one's turn to be sent has come: who takes long gets fewer.
 void client_state::on_section(const section_cut& cut) {
   const auto go_on = [this, document = cut.document] {
-    const auto found = documents.find(document);
+    const auto found = look_up(document);
     if (found == documents.end())
       return;
     found->second.cutting = false;

@@ -14,7 +14,14 @@ namespace {
 
 constexpr std::size_t longest_document_name = 64;
 
+/// Former names that are remembered, of all documents together.
+constexpr std::size_t most_former = 1000;
+
 using self_pointer = hub_actor::stateful_pointer<hub_state>;
+
+std::filesystem::path file_of(const hub_state& state, const std::string& name) {
+  return state.parts.documents / (name + ".tedit");
+}
 
 void answer_all(self_pointer self, const std::string& name, const session_actor& session) {
   auto promises = std::move(self->state.opening[name]);
@@ -31,9 +38,8 @@ void refuse_all(self_pointer self, const std::string& name, const error& e) {
 }
 
 void start_opening(self_pointer self, const std::string& name) {
-  auto& parts = self->state.parts;
   const auto store =
-    self->spawn<caf::linked>(make_store, parts.documents / (name + ".tedit"), self->state.disks);
+    self->spawn<caf::linked>(make_store, file_of(self->state, name), self->state.disks);
   self->request(store, std::chrono::minutes(10), load_atom::value)
     .then(
       [=](const stored_document& stored) {
@@ -50,6 +56,24 @@ void start_opening(self_pointer self, const std::string& name) {
       });
 }
 
+bool has_file(const hub_state& state, const std::string& name) {
+  std::error_code code;
+  return std::filesystem::exists(std::filesystem::symlink_status(file_of(state, name), code));
+}
+
+void forget_former(hub_state& state, const std::string& name) {
+  std::erase_if(state.former, [&](const auto& one) { return one.first == name; });
+}
+
+/// The document that had this name, as long as no other takes it; null when there is none.
+session_actor find_former(hub_state& state, const std::string& name) {
+  if (has_file(state, name))
+    forget_former(state, name);
+  const auto found =
+    std::ranges::find_if(state.former, [&](const auto& one) { return one.first == name; });
+  return found == state.former.end() ? session_actor() : found->second;
+}
+
 caf::result<opened_document> open(self_pointer self, const std::string& given) {
   auto& state = self->state;
   std::string name = given;
@@ -64,6 +88,8 @@ caf::result<opened_document> open(self_pointer self, const std::string& given) {
   if (state.adding.contains(name))
     return to_caf({ec::conflict, "the document " + name + " is being added", "Try again soon", {}});
   const bool first = !state.opening.contains(name);
+  if (const auto renamed = first ? find_former(state, name) : session_actor())
+    return opened_document{name, caf::actor_cast<caf::actor>(renamed)};
   auto promise = self->make_response_promise<opened_document>();
   state.opening[name].push_back(promise);
   if (first)
@@ -74,9 +100,13 @@ caf::result<opened_document> open(self_pointer self, const std::string& given) {
 // -- documents from elsewhere --------------------------------------------------------------------
 
 bool is_taken(const hub_state& state, const std::string& name) {
-  std::error_code code;
   return state.open.contains(name) || state.opening.contains(name) || state.adding.contains(name) ||
-         std::filesystem::exists(state.parts.documents / (name + ".tedit"), code);
+         has_file(state, name);
+}
+
+error taken_name(const std::string& name) {
+  return {
+    ec::conflict, "there is a document " + name + " already", "Give this one another name", {}};
 }
 
 /// Errors: `conflict` when the name is taken and no other is wanted.
@@ -86,8 +116,7 @@ expected<std::string> free_name(const hub_state& state, const add_request& reque
   if (!is_taken(state, request.name))
     return request.name;
   if (!request.or_next_free)
-    return fail(ec::conflict, "there is a document " + request.name + " already",
-                "Give this one another name");
+    return fail(taken_name(request.name));
   for (int number = 2;; ++number) {
     const auto end = "-" + std::to_string(number);
     const auto name = request.name.substr(0, longest_document_name - end.size()) + end;
@@ -106,17 +135,73 @@ caf::result<added_document> add(self_pointer self, const add_request& request) {
   ++*disk.jobs;
   auto promise = std::make_shared<caf::typed_response_promise<added_document>>(
     self->make_response_promise<added_document>());
-  self
-    ->request(disk.actor, std::chrono::minutes(10),
-              adoption{state.parts.documents / (*name + ".tedit"), request.file})
+  self->request(disk.actor, std::chrono::minutes(10), adoption{file_of(state, *name), request.file})
     .then(
       [=, name = *name, held = request.held](acknowledged) {
         self->state.adding.erase(name);
+        forget_former(self->state, name);
         promise->deliver(added_document{name});
       },
       [=, name = *name, held = request.held](const caf::error& e) {
         self->state.adding.erase(name);
         promise->deliver(to_caf(from_caf(e, "adding the document " + name)));
+      });
+  return *promise;
+}
+
+// -- other names ---------------------------------------------------------------------------------
+
+void take_renamed(self_pointer self, const session_actor& session,
+                  const document_renamed& renamed) {
+  auto& state = self->state;
+  state.renaming.erase(session);
+  state.open.erase(renamed.before);
+  state.open.emplace(renamed.document, session);
+  forget_former(state, renamed.document);
+  state.former.emplace_back(renamed.before, session);
+  if (state.former.size() > most_former)
+    state.former.pop_front();
+  answer_all(self, renamed.document, session);
+}
+
+/// Those who asked for the name meanwhile get what they would have got without it.
+void leave_name(self_pointer self, const session_actor& session, const std::string& name) {
+  auto& state = self->state;
+  state.renaming.erase(session);
+  const auto former = find_former(state, name);
+  if (former || state.opening[name].empty())
+    answer_all(self, name, former);
+  else
+    start_opening(self, name);
+}
+
+/// The name is held among those that are being opened: nobody else gets it, and who opens it waits
+/// for the document.
+caf::result<acknowledged> rename(self_pointer self, const rename_request& request) {
+  auto& state = self->state;
+  if (auto ok = check_document_name(request.name); !ok)
+    return to_caf(ok.error());
+  const auto session = caf::actor_cast<session_actor>(request.session);
+  if (const auto here = state.open.find(request.name);
+      here != state.open.end() && here->second == session)
+    return acknowledged{};  // Asked for again, too.
+  if (state.renaming.contains(session))
+    return to_caf({ec::conflict, "the document is being renamed", "Try again soon", {}});
+  if (is_taken(state, request.name))
+    return to_caf(taken_name(request.name));
+  state.renaming.insert(session);
+  state.opening[request.name];
+  auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
+    self->make_response_promise<acknowledged>());
+  self->request(session, std::chrono::minutes(10), rename_atom::value, request.name)
+    .then(
+      [=](const document_renamed& renamed) {
+        take_renamed(self, session, renamed);
+        promise->deliver(acknowledged{});
+      },
+      [=, name = request.name](const caf::error& e) {
+        leave_name(self, session, name);
+        promise->deliver(to_caf(from_caf(e, "renaming the document")));
       });
   return *promise;
 }
@@ -179,6 +264,7 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   self->state.disks = disk_set::spawn(self);
   return {[=](const std::string& name) { return open(self, name); },
           [=](const add_request& request) { return add(self, request); },
+          [=](const rename_request& request) { return rename(self, request); },
           [=](status_atom) { return status(self); }, [=](catalog_atom) { return catalogue(self); }};
 }
 

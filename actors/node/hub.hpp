@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
@@ -31,7 +33,10 @@ struct hub_state {
   disk_set disks;
   std::map<std::string, session_actor> open;
   std::map<std::string, std::vector<promise>> opening;
-  std::set<std::string> adding;  ///< Names of documents that are being checked.
+  std::set<std::string> adding;      ///< Names of documents that are being checked.
+  std::set<session_actor> renaming;  ///< Whose name is being changed.
+  /// Names that open documents had, oldest first: who comes back with one finds its document.
+  std::deque<std::pair<std::string, session_actor>> former;
   std::uint64_t unnamed = 0;
 
   static inline const char* name = "hub";

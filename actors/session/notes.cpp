@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What belongs to a version and makes no new one: its load cases, its name and note.
+// What makes no new version: load cases, names and notes of one, the document's own name.
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -209,6 +210,22 @@ caf::result<acknowledged> session_state::annotate(const annotate_request& reques
     };
     return result;
   });
+}
+
+/// Beside the queue: the disk sees to it that no commit is under way, and an edit of minutes need
+/// not hold it up.
+caf::result<document_renamed> session_state::rename(const std::string& wanted) {
+  const auto promise = std::make_shared<caf::typed_response_promise<document_renamed>>(
+    self->make_response_promise<document_renamed>());
+  self->request(parts.store, std::chrono::minutes(5), rename_atom::value, wanted)
+    .then(
+      [=, this](acknowledged) {
+        const document_renamed renamed{std::exchange(parts.document, wanted), wanted};
+        broadcast(renamed);
+        promise->deliver(renamed);
+      },
+      [=](const caf::error& e) { promise->deliver(to_caf(from_caf(e, "renaming the document"))); });
+  return *promise;
 }
 
 }  // namespace tedit::actors

@@ -179,6 +179,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const load_case_request& request) { return state.set_load_case(request); },
           [&state](const remove_case_request& request) { return state.remove_load_case(request); },
           [&state](const annotate_request& request) { return state.annotate(request); },
+          [&state](rename_atom, const std::string& name) { return state.rename(name); },
           [&state](held_atom) { return state.held(); },
           [&state](const solve_request& request) { return state.solve(request); },
           [&state](end_solve_atom) { return state.end_solve(); },

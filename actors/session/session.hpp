@@ -40,7 +40,7 @@ using session_pointer = session_actor::stateful_pointer<session_state>;
 /// The state of a session. Its members are what the handlers call; they are split over six files:
 /// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
 /// changes.cpp (what every change must pass), candidates.cpp (operations, previews), notes.cpp
-/// (what belongs to a version and makes no new one) and solves.cpp.
+/// (what makes no new version) and solves.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -173,6 +173,7 @@ struct session_state {
   caf::result<acknowledged> set_load_case(const load_case_request& request);
   caf::result<acknowledged> remove_load_case(const remove_case_request& request);
   caf::result<acknowledged> annotate(const annotate_request& request);
+  caf::result<document_renamed> rename(const std::string& wanted);
 
   /// Queues a change that has no result. `prepare` makes it, or says why not; `done` is called when
   /// it is durable.

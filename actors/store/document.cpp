@@ -68,6 +68,9 @@ struct document::impl {
   void close_to_others() const;
   expected<void> wake();
   void rest();
+  expected<void> check_mine();
+  expected<void> close_whole();
+  expected<void> rename(const fs::path& to);
   expected<void> prepare_all();
   expected<void> put_page(const page_ptr& page);
   expected<void> put_rows(const change& c, seal& sum);
@@ -78,6 +81,7 @@ struct document::impl {
   expected<bool> has(const hash128& id) { return query(find_page, id).next(); }
 
   fs::path file;
+  bool linked = false;  ///< It is somewhere else than where it was asked for.
   bool exists = false;  ///< The file does: since the first commit.
   document_lock lock;
   connection db;  ///< None while the document rests.
@@ -90,6 +94,7 @@ struct document::impl {
 expected<void> document::impl::open(const fs::path& path) {
   std::error_code code;
   file = fs::weakly_canonical(fs::absolute(path, code), code);  // a link leads to the same lock
+  linked = fs::is_symlink(path);
   if (code || file.empty())
     return fail(ec::io_error, "cannot open '" + path.string() + "': " + code.message());
   return has_database(file)
@@ -127,6 +132,47 @@ void document::impl::rest() {
   seals = {};
   db.reset();
   --connections;
+}
+
+/// The seal in the file is the one that this object read or wrote last, unless another program was
+/// here.
+expected<void> document::impl::check_mine() {
+  const auto stored = seals.stored();
+  if (!stored)
+    return fail(stored.error());
+  if (*stored == last)
+    return {};
+  return damaged(file.string() + " was changed by another program while it was open");
+}
+
+/// Rests, with all in the one file.
+expected<void> document::impl::close_whole() {
+  return wake()
+    .and_then([&] { return check_mine(); })
+    .and_then([&] { return number_of(db.get(), "PRAGMA wal_checkpoint(TRUNCATE)"); })
+    .and_then([&](std::int64_t) -> expected<void> {
+      rest();
+      if (::access((file.string() + "-wal").c_str(), F_OK) != 0)
+        return {};
+      return fail(ec::conflict, file.string() + " is open in another program, too",
+                  "Close it there, then try again");
+    });
+}
+
+expected<void> document::impl::rename(const fs::path& to) {
+  if (linked)
+    return fail(ec::conflict, "the document is a link to " + file.string(),
+                "Put the document itself in its place, then try again");
+  auto taken = document_lock::take(to);
+  if (!taken)
+    return fail(taken.error());
+  if (!exists && ::access(to.c_str(), F_OK) == 0)
+    return fail(ec::conflict, "there is a file " + to.string() + " already", "Take another name");
+  return (exists ? close_whole().and_then([&] { return rename_file(file, to); }) : check_place(to))
+    .map([&] {
+      file = to;
+      lock = std::move(*taken);
+    });
 }
 
 /// Makes the file of a new document.
@@ -311,21 +357,17 @@ expected<std::unique_ptr<document>> document::open(const fs::path& file) {
   return made;
 }
 
-/// The seal in the file is the one that this object wrote last, unless another program was here.
 expected<void> document::commit(const change& c) {
   if (auto awake = impl_->exists ? impl_->wake() : impl_->create(); !awake)
     return awake;
   const rollback_guard guard(impl_->db.get());
   seal sum;
   return execute(guard.get(), "BEGIN IMMEDIATE")
-    .and_then([&] { return impl_->seals.stored(); })
-    .and_then([&](const seal& stored) -> expected<void> {
-      sum = stored;
-      if (stored == impl_->last)
-        return {};
-      return damaged(impl_->file.string() + " was changed by another program while it was open");
+    .and_then([&] { return impl_->check_mine(); })
+    .and_then([&] {
+      sum = impl_->last;
+      return impl_->put_rows(c, sum);
     })
-    .and_then([&] { return impl_->put_rows(c, sum); })
     .and_then([&] { return impl_->seals.store(sum); })
     .and_then([&] { return execute(guard.get(), "COMMIT"); })
     .map([&] { impl_->last = sum; })
@@ -395,6 +437,10 @@ expected<std::vector<std::byte>> document::copy() const {
 
 bool document::has_page(const hash128& id) const {
   return impl_->exists && impl_->wake().and_then([&] { return impl_->has(id); }).value_or(false);
+}
+
+expected<void> document::rename(const std::string& file_name) {
+  return impl_->rename(impl_->file.parent_path() / file_name);
 }
 
 expected<void> document::wake() {

@@ -112,6 +112,15 @@ public:
   /// be read. Cost: its size.
   [[nodiscard]] expected<std::vector<std::byte>> copy() const;
 
+  /// Gives its file another name in its folder, never one that something has. Closes the database
+  /// first, so that all of the document is in the one file; a kill at any moment leaves it whole
+  /// under one of the two names. A document without a file gets it under this name.
+  /// @param file_name without a folder.
+  /// Errors: `conflict` when the name is taken, or another program has the document open;
+  /// `storage_error` when another program has changed it; `io_error`. Then it is as it was. Cost:
+  /// that of `rest`, and an fsync.
+  [[nodiscard]] expected<void> rename(const std::string& file_name);
+
   /// Opens what `rest` closed, ahead of a call that is to be quick. Errors: those of `open`.
   [[nodiscard]] expected<void> wake();
 

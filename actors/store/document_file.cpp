@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -58,10 +59,10 @@ expected<bool> has_database(const fs::path& file) {
 }
 
 expected<void> check_place(const fs::path& file) {
-  const auto log = file.string() + "-wal";
-  if (::access(log.c_str(), F_OK) == 0)
-    return fail(ec::conflict, log + " belongs to a document that is not here",
-                "Put that document back beside it, or remove it to begin a new one");
+  for (const char* end : {"-wal", "-journal"})
+    if (const auto log = file.string() + end; ::access(log.c_str(), F_OK) == 0)
+      return fail(ec::conflict, log + " belongs to a document that is not here",
+                  "Put that document back beside it, or remove it to give its name to another");
   return {};
 }
 
@@ -84,6 +85,33 @@ expected<void> create_file(const fs::path& file, std::span<const std::byte> byte
   if (::rename(draft.c_str(), file.c_str()) != 0 || !folder || ::fsync(folder.get()) != 0)
     return system_failure("cannot make " + file.string(), errno);
   return {};
+}
+
+expected<void> rename_file(const fs::path& from, const fs::path& to) {
+  if (auto free = check_place(to); !free)
+    return free;
+  const auto what = "cannot rename " + from.string() + " to " + to.filename().string();
+  const auto folder = open_file(from.parent_path(), O_RDONLY | O_DIRECTORY);
+  if (!folder)
+    return system_failure(what, errno);
+  const auto move = [&](const fs::path& before, const fs::path& after) {
+    return ::renameat2(folder.get(), before.filename().c_str(), folder.get(),
+                       after.filename().c_str(), RENAME_NOREPLACE) == 0;
+  };
+  if (!move(from, to)) {
+    const int reason = errno;
+    if (reason == EEXIST)
+      return fail(ec::conflict, "there is a file " + to.string() + " already", "Take another name");
+    if (reason == EINVAL)
+      return fail(ec::io_error, what + ": its file system might replace another file by it",
+                  "Save a copy under the other name");
+    return system_failure(what, reason);
+  }
+  if (::fsync(folder.get()) == 0)
+    return {};
+  const int reason = errno;
+  move(to, from);  // So that it is found where the refusal says it still is.
+  return system_failure(what, reason);
 }
 
 }  // namespace tedit::store

@@ -15,8 +15,8 @@ namespace tedit::store {
 /// refuses to read it.
 [[nodiscard]] expected<bool> has_database(const std::filesystem::path& file);
 
-/// Whether a new document can have its file here. Errors: `conflict` when the log of another
-/// document lies where its own will be.
+/// Whether a document that has no file yet can have it here. Errors: `conflict` when the log of
+/// another document lies where its own will be.
 [[nodiscard]] expected<void> check_place(const std::filesystem::path& file);
 
 /// All of them; else `errno` says why not.
@@ -27,5 +27,12 @@ namespace tedit::store {
 /// Errors: `io_error`; those of `check_place`.
 [[nodiscard]] expected<void> create_file(const std::filesystem::path& file,
                                          std::span<const std::byte> bytes);
+
+/// Gives a file another name in its folder, never instead of one that is there. It has one of the
+/// two names at any moment, also after a kill, and this one after a power failure once it returns.
+/// @pre nothing of it lies beside it: its database is closed.
+/// Errors: those of `check_place`; `conflict` when something has the name; `io_error`.
+[[nodiscard]] expected<void> rename_file(const std::filesystem::path& from,
+                                         const std::filesystem::path& to);
 
 }  // namespace tedit::store

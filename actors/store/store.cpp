@@ -206,6 +206,17 @@ caf::result<exported> copy_of(document_file& file) {
   return result;
 }
 
+caf::result<acknowledged> rename(document_file& file, const std::string& name) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  const auto file_name = name + ".tedit";
+  if (const auto done = file.document->rename(file_name); !done)
+    return to_caf(done.error());
+  file.path.replace_filename(file_name);
+  return acknowledged{};
+}
+
 }  // namespace
 
 const disk& disk_set::least_busy(std::size_t from) const {
@@ -244,6 +255,11 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
               return to_caf(done.error());
             return acknowledged{};
           },
+          [=](rename_atom, const shared_file& file, const std::string& name) {
+            auto result = rename(*file, name);
+            end_job(file);
+            return result;
+          },
           [=](wake_atom, const shared_file& file) {
             const std::lock_guard lock(file->in_use);
             if (file->document)
@@ -278,6 +294,10 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
     },
     [=](copy_atom) {
       return self->delegate(use(self->state.disks.for_load()), copy_atom::value, self->state.file);
+    },
+    [=](rename_atom, const std::string& name) {
+      return self->delegate(use(self->state.disks.for_commit()), rename_atom::value,
+                            self->state.file, name);
     },
     [=](wake_atom) {
       self->send(use(self->state.disks.for_commit()), wake_atom::value, self->state.file);

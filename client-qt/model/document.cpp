@@ -23,6 +23,7 @@ document::document(remote& link, QObject* parent)
   connect(&link_, &remote::field_arrived, this, &document::take_field);
   connect(&link_, &remote::committed, this, &document::take_event);
   connect(&link_, &remote::load_cases_changed, this, &document::take_load_cases);
+  connect(&link_, &remote::renamed, this, &document::take_name);
   connect(&link_, &remote::annotated, this, [this](const client::version_info& info) {
     if (versions_.take_annotation(info))
       emit history_changed();
@@ -79,8 +80,15 @@ void document::load_catalogue() {
     });
 }
 
+void document::take_name(const QString& name) {
+  if (!is_open() || name == name_)
+    return;
+  const QString before = std::exchange(name_, name);
+  emit renamed(before);
+}
+
 void document::take(const client::document_state& state) {
-  name_ = QString::fromStdString(state.document);
+  take_name(QString::fromStdString(state.document));
   edits_.take(state.can_undo, state.can_redo);
   versions_.set_head({});
   if (state.head) {

@@ -66,6 +66,8 @@ public:
   /// Forgets the document before; an empty name: none is open.
   void begin(const QString& name);
   void take(const client::document_state& state);
+  /// The server calls it so from now on.
+  void take_name(const QString& name);
   void take(const client::committed& what);
   /// The surface that the connection holds: it may come before what it belongs to is known, and is
   /// taken with that.
@@ -82,6 +84,8 @@ signals:
   void begun();
   void opened();
   void closed();
+  /// It has another name now, whoever gave it; all else is as it was.
+  void renamed(const QString& before);
   void head_changed();
   void surface_changed();
   void field_changed();

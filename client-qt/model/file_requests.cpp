@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <utility>
+
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/document_name.hpp"
 #include "protocol/convert.hpp"
@@ -12,6 +14,7 @@ namespace tedit::desktop {
 
 file_requests::file_requests(document& part, remote& link) : part_(part), link_(link) {
   connect(&link_, &remote::connected, this, &file_requests::reopen);
+  connect(&part_, &document::begun, this, [this] { asked_name_.clear(); });
 }
 
 void file_requests::close() {
@@ -74,6 +77,28 @@ void file_requests::switch_to(const QString& title, remote::work<ready> prepare,
     });
 }
 
+void file_requests::rename(const QString& name, std::function<void(const expected<void>&)> done) {
+  asked_name_ = name;
+  link_.run<void>(
+    [name = name.toStdString(), before = part_.name().toStdString()](
+      client::client& c, const execution&) { return c.rename_document(name, before); },
+    [this, done = std::move(done), mine = part_.opening()](const expected<void>& ok) {
+      if (mine == part_.opening() && (ok || ok.error().code != ec::service_unavailable))
+        asked_name_.clear();
+      done(ok);
+    });
+}
+
+/// A document that was being renamed when its server went has one of the two names.
+expected<client::document_state> file_requests::open_named(client::client& server,
+                                                           const std::string& name,
+                                                           const std::string& or_else) {
+  auto state = server.open(name, true, true);
+  if (!state || state->head || or_else.empty())
+    return state;
+  return server.open(or_else, true, true);
+}
+
 /// Also when a lost connection is back: the server sends the whole surface again.
 void file_requests::reopen() {
   part_.load_catalogue();
@@ -82,9 +107,8 @@ void file_requests::reopen() {
   const QString title = tr("Open %1").arg(part_.name());
   part_.foreground().ask<client::document_state>(
     title,
-    [name = part_.name().toStdString()](client::client& c, const execution&) {
-      return c.open(name, true, true);
-    },
+    [name = part_.name().toStdString(), or_else = std::exchange(asked_name_, {}).toStdString()](
+      client::client& c, const execution&) { return open_named(c, name, or_else); },
     [this, title, mine = part_.opening()](const expected<client::document_state>& got) {
       if (mine != part_.opening())
         return;

@@ -38,6 +38,9 @@ public:
   /// Gives the server a document that lies in a file, under its name or, where that is taken, the
   /// next one, and opens it.
   void add(const QString& path);
+  /// Gives the document another name. `done` gets why not; that it has it is told by
+  /// `document::renamed`.
+  void rename(const QString& name, std::function<void(const expected<void>&)> done);
   void close();
   /// Writes a file, by its suffix: the head (.msh, .stl, .vtu) or the whole document (.tedit).
   void export_to(const QString& path);
@@ -62,6 +65,9 @@ private:
     std::vector<fem::load_case> loads;
   };
   void reopen();
+  [[nodiscard]] static expected<client::document_state> open_named(client::client& server,
+                                                                   const std::string& name,
+                                                                   const std::string& or_else);
   void switch_to(const QString& title, remote::work<ready> prepare,
                  std::function<void()> when_refused = {});
   [[nodiscard]] static expected<std::string> open_empty(client::client& server,
@@ -71,7 +77,8 @@ private:
 
   document& part_;
   remote& link_;
-  int wanted_ = 0;  ///< The last document that was asked for, or that none shall be open.
+  QString asked_name_;  ///< Whether the document has got it is not known: the connection broke.
+  int wanted_ = 0;      ///< The last document that was asked for, or that none shall be open.
 };
 
 }  // namespace tedit::desktop

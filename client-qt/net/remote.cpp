@@ -224,6 +224,9 @@ client::events remote::make_events() {
   handlers.on_annotated = [this, here](const client::version_info& version) {
     here([this, version] { emit annotated(version); });
   };
+  handlers.on_renamed = [this, here](const std::string& name) {
+    here([this, name = QString::fromStdString(name)] { emit renamed(name); });
+  };
   handlers.on_solve_status = [this, here](const client::solve_status& status) {
     here([this, status] { emit solve_status(status); });
   };

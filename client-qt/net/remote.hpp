@@ -93,6 +93,7 @@ signals:
   void committed(const tedit::client::committed& what);
   void load_cases_changed(const tedit::client::load_cases_event& event);
   void annotated(const tedit::client::version_info& version);
+  void renamed(const QString& document);
   void solve_status(const tedit::client::solve_status& status);
   void solved(const tedit::solve_outcome& outcome);
 

@@ -1578,6 +1578,14 @@ Inhalt %1</translation>
         <source>TEdit documents (*.tedit)</source>
         <translation>TEdit-Dokumente (*.tedit)</translation>
     </message>
+    <message>
+        <source>Rename the document</source>
+        <translation>Dokument umbenennen</translation>
+    </message>
+    <message>
+        <source>For all who have it open; its versions, probes and pictures go with it</source>
+        <translation>Für alle, die es geöffnet haben; Versionen, Messpunkte und Bilder gehen mit</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::documents_tool</name>
@@ -2479,6 +2487,17 @@ Inhalt %1</translation>
     <message>
         <source>Wrote %1</source>
         <translation>%1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::name_form</name>
+    <message>
+        <source>Name of the document</source>
+        <translation>Name des Dokuments</translation>
+    </message>
+    <message>
+        <source>Enter renames it, Esc leaves it</source>
+        <translation>Eingabe benennt um, Esc verwirft</translation>
     </message>
 </context>
 <context>

@@ -260,6 +260,7 @@ void main_window::wire() {
   for (auto signal :
        {&document::opened, &document::closed, &document::head_changed, &document::surface_changed})
     connect(&part_, signal, this, &main_window::show_title);
+  connect(&part_, &document::renamed, this, &main_window::show_title);
   connect(&part_, &document::begun, banner_, &banner::clear_message);
   connect(&part_, &document::begun, this, [this] { view_->framing().expect_another(); });
   connect(&part_.loads(), &load_requests::changed, &actions_, &command_actions::refresh);

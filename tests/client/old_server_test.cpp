@@ -90,6 +90,7 @@ std::multimap<std::uint32_t, error> ends_with(std::uint32_t minor) {
   result.emplace(
     9, user.add_document(TEDIT_EXAMPLES "/ctc01_plate/load_case.json", "x", true, {}).error());
   result.emplace(9, user.export_file(file_format::document, {}, {}, {}).error());
+  result.emplace(9, user.rename_document("wing").error());
   result.emplace(5, user.annotate(0, "first", {}).error());
   result.emplace(5, user.watch_fields({}).error());
   return result;

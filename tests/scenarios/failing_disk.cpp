@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Loaded before the C library (LD_PRELOAD): writes of documents fail as the file that
 // $TEDIT_DISK_FAULT names says, while it is there: "write" (EIO), "sync" (EIO) or "full" (ENOSPC).
+// A document's file that gets another name: "rename" (EIO), "folder" (its folder cannot be synced),
+// "end-before" and "end-after" (kill -9 at that moment).
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -43,7 +47,10 @@ int write_fault(int fd) {
 }
 
 bool sync_fails(int fd) {
-  return fault() == "sync" && is_document(fd);
+  struct stat about {};
+  const auto what = fault();
+  return (what == "sync" && is_document(fd)) ||
+         (what == "folder" && fstat(fd, &about) == 0 && S_ISDIR(about.st_mode));
 }
 
 template <class Function>
@@ -92,6 +99,23 @@ __attribute__((visibility("default"))) int fdatasync(int fd) {
 
 __attribute__((visibility("default"))) int fsync(int fd) {
   return sync_or_fail(fd, "fsync");
+}
+
+__attribute__((visibility("default"))) int renameat2(int from_folder, const char* from,
+                                                     int to_folder, const char* to,
+                                                     unsigned flags) noexcept {
+  const auto what = fault();
+  if (what == "end-before")
+    raise(SIGKILL);
+  if (what == "rename") {
+    errno = EIO;
+    return -1;
+  }
+  const int done = next<int(int, const char*, int, const char*, unsigned)>("renameat2")(
+    from_folder, from, to_folder, to, flags);
+  if (what == "end-after")
+    raise(SIGKILL);
+  return done;
 }
 
 }  // extern "C"

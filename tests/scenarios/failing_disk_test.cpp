@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Disks that refuse writes, lose them or are full: what is not on disk is not acknowledged, and
 // nothing that was is lost.
-#include "tests/scenarios/served.hpp"
+#include "tests/scenarios/disk_fault.hpp"
 
 namespace tedit::test {
 namespace {
@@ -11,25 +11,11 @@ using ::testing::AnyOf;
 class FailingDisk : public ::testing::TestWithParam<const char*> {
 protected:
   scratch_folder folder;
-  std::filesystem::path fault = folder.path() / "fault";
+  disk_fault fault{folder};
 
   void SetUp() override {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "sanitizers want to be loaded first";
-#endif
-    setenv("LD_PRELOAD", TEDIT_FAILING_DISK, 1);
-    setenv("TEDIT_DISK_FAULT", fault.c_str(), 1);
-  }
-  void TearDown() override {
-    unsetenv("LD_PRELOAD");
-    unsetenv("TEDIT_DISK_FAULT");
-  }
-
-  /// Begins a fault whole or not at all: the server may look at any moment.
-  void begin(const std::string& what) const {
-    const auto draft = fault.string() + "-new";
-    std::ofstream(draft) << what;
-    std::filesystem::rename(draft, fault);
+    if (!disk_fault::possible)
+      GTEST_SKIP() << "sanitizers want to be loaded first";
   }
 };
 
@@ -45,7 +31,7 @@ TEST_P(FailingDisk, AcknowledgesOnlyWhatItKeeps) {
     value(user->import_file(plate_mesh, "mm", {}));
     const auto first = value(user->edit("fill_hole", {1, 2}, {}, {}));
 
-    begin(GetParam());
+    fault.begin(GetParam());
     for (int attempt = 0; attempt < 3; ++attempt) {
       const auto refused = user->edit("fill_hole", {51, 52}, {}, {});
       ASSERT_FALSE(refused.has_value());
@@ -57,7 +43,7 @@ TEST_P(FailingDisk, AcknowledgesOnlyWhatItKeeps) {
     EXPECT_EQ(versions.head, first.head.number);
     EXPECT_EQ(versions.versions.size(), 2U);
 
-    std::filesystem::remove(fault);
+    fault.end();
     kept = value(user->edit("fill_hole", {51, 52}, {}, {})).head.version_id;
     host.kill();
   }

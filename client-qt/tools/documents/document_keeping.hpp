@@ -8,9 +8,10 @@
 namespace tedit::desktop {
 
 class connection_tool;
+class name_form;
 
-/// What a person does with a document as a thing to hold: whether it is safe, where it is, a copy
-/// to mail.
+/// What a person does with a document as a thing to hold: whether it is safe, where it is, what it
+/// is called, a copy to mail.
 class document_keeping : public QObject {
   Q_OBJECT
 
@@ -22,6 +23,8 @@ public:
 
 private:
   void add_commands();
+  void ask_name();
+  void rename(const QString& name);
   void say_safe();
   void ask_copy();
   void show_folder();
@@ -29,6 +32,7 @@ private:
 
   window_context& in_;
   connection_tool& connection_;
+  name_form* naming_;  ///< Of the window.
 };
 
 }  // namespace tedit::desktop

@@ -42,6 +42,7 @@ documents_tool::documents_tool(window_context& in, connection_tool& connection,
     if (connection_.is_local())
       in_.settings.setValue("unfinished", in_.part.name());
   });
+  connect(&in_.part, &document::renamed, this, &documents_tool::follow_name);
   connect(&in_.part, &document::closed, this, [this] {
     in_.pages.setCurrentWidget(start_page_);
     forget_unfinished();
@@ -223,6 +224,32 @@ void documents_tool::remember(const QString& document) {
       used.remove(name);
   in_.settings.setValue("recent", recent);
   in_.settings.setValue("recent_used", used);
+}
+
+/// What is kept under a document's name goes with it, instead of what an earlier one of the new
+/// name left. Of several windows that share the settings the first one does it: then the name
+/// before is not listed any more.
+void documents_tool::follow_name(const QString& before) {
+  const QString now = in_.part.name();
+  if (connection_.is_local() && in_.settings.value("unfinished") == before)
+    in_.settings.setValue("unfinished", now);
+  in_.settings.sync();
+  auto recent = in_.settings.value("recent").toStringList();
+  if (!recent.contains(before))
+    return;
+  recent.removeAll(now);
+  recent[recent.indexOf(before)] = now;
+  auto used = in_.settings.value("recent_used").toMap();
+  used[now] = used.take(before);
+  in_.settings.setValue("recent", recent);
+  in_.settings.setValue("recent_used", used);
+  const auto pins = in_.settings.value(pins_key(before));
+  in_.settings.remove(pins_key(before));
+  if (pins.isValid())
+    in_.settings.setValue(pins_key(now), pins);
+  else
+    in_.settings.remove(pins_key(now));
+  move_pictures(in_.server.folder(), before, now);
 }
 
 void documents_tool::show_recent() {

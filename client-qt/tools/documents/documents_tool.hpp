@@ -44,6 +44,7 @@ private:
   void copy_here(const QString& path, const QString& folder);
   void open_copy(const QString& name, const QString& file);
   void remember(const QString& document);
+  void follow_name(const QString& before);
 
   window_context& in_;
   connection_tool& connection_;

@@ -14,6 +14,13 @@ static QString stem_of(const QString& state_folder, const QString& document) {
   return state_folder + "/pictures/" + QString::fromLatin1(document.toUtf8().toPercentEncoding());
 }
 
+/// One after the other, so that they can be waited for.
+static QThreadPool& writers() {
+  static QThreadPool pool;
+  pool.setMaxThreadCount(1);
+  return pool;
+}
+
 QString picture_file(const QString& state_folder, const QString& document) {
   return stem_of(state_folder, document) + ".png";
 }
@@ -28,8 +35,15 @@ void remove_pictures(const QString& state_folder, const QString& document) {
   QDir(stem_of(state_folder, document)).removeRecursively();
 }
 
+void move_pictures(const QString& state_folder, const QString& from, const QString& to) {
+  writers().waitForDone();
+  remove_pictures(state_folder, to);
+  QFile::rename(picture_file(state_folder, from), picture_file(state_folder, to));
+  QDir().rename(stem_of(state_folder, from), stem_of(state_folder, to));
+}
+
 void keep_picture(const QImage& frame, const QString& to) {
-  QThreadPool::globalInstance()->start([frame, to] {
+  writers().start([frame, to] {
     const QImage fitted =
       frame.scaled(kept_size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
     const QRect middle(

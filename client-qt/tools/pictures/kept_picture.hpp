@@ -19,6 +19,10 @@ namespace tedit::desktop {
 /// Takes the pictures of a document and of its versions away.
 void remove_pictures(const QString& state_folder, const QString& document);
 
+/// Gives them to a document of another name, instead of those that it has. Waits for what
+/// `keep_picture` still writes: some ms.
+void move_pictures(const QString& state_folder, const QString& from, const QString& to);
+
 /// Cuts a frame to the size of the start page's pictures and writes it aside.
 void keep_picture(const QImage& frame, const QString& to);
 

@@ -25,6 +25,14 @@ pictures_tool::pictures_tool(window_context& in, history_tool& history)
   connect(&in_.view, &viewport::drawn, this, &pictures_tool::take);
   connect(&in_.part, &document::begun, this, [this] { looked_for_.clear(); });
   connect(&in_.part, &document::history_changed, this, &pictures_tool::find_kept);
+  // Once they have moved; those that were looked for meanwhile were not found.
+  connect(
+    &in_.part, &document::renamed, this,
+    [this] {
+      looked_for_.clear();
+      find_kept();
+    },
+    Qt::QueuedConnection);
   connect(&in_.part, &document::field_changed, this, [this] {
     if (const auto* head = in_.part.head(); head && head->fields.empty()) {
       kept_.clear();  // Other loads: the next field gives another picture.
@@ -68,20 +76,21 @@ void pictures_tool::take() {
     return;
   const auto field = view.current().field;
   const bool coloured = field && field->version_id() == head->info.version_id;
-  const QString now = in_.part.name() + "/" + QString::fromStdString(head->info.version_id) +
-                      (coloured ? "/field" : "");
+  const int opening = in_.part.opening();
+  const QString now = QString::number(opening) + "/" +
+                      QString::fromStdString(head->info.version_id) + (coloured ? "/field" : "");
   const bool fresh = std::exchange(kept_, now) != now;
   const auto due = std::exchange(thumbnail_due_, {});
   if (!fresh && due.empty())
     return;
-  const QString folder = in_.server.folder();
-  const QString file = fresh ? picture_file(folder, in_.part.name()) : QString();
-  const QString thumbnail =
-    coloured && !due.empty() ? picture_file(folder, in_.part.name(), due) : QString();
-  in_.view.plain_picture([this, file, thumbnail, due, coloured](const QImage& frame) {
-    for (const auto& to : {file, thumbnail})
-      if (!to.isEmpty())
-        keep_picture(frame, to);
+  in_.view.plain_picture([=, this, asked = in_.part.name()](const QImage& frame) {
+    const QString folder = in_.server.folder();
+    // It may have got another name meanwhile.
+    const QString name = opening == in_.part.opening() ? in_.part.name() : asked;
+    if (fresh)
+      keep_picture(frame, picture_file(folder, name));
+    if (coloured && !due.empty())
+      keep_picture(frame, picture_file(folder, name, due));
     if (!due.empty())
       history_.strip().set_thumbnail(due, frame, coloured);
   });
