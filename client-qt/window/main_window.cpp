@@ -19,6 +19,7 @@
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/part_size.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
@@ -186,26 +187,34 @@ void main_window::place_overlays() {
   banner_->raise();
 }
 
-/// A form needs more than a list of operations: the docks below give it, as far as they can, when
+/// A form needs more than a list: the docks beside it give what it lacks, as far as they can, when
 /// it opens and not again: what comes into it later scrolls, so nothing moves away from under the
-/// pointer.
-void main_window::make_room() {
-  const auto& panel = tools_->operations.panel();
-  auto& dock = docks_.of("context");
-  if (panel.chosen().isEmpty() || dock.isFloating())
-    return;
+/// pointer. `gives` gives before `keeps` does.
+void main_window::make_room(int form_height, QDockWidget& dock, QDockWidget& gives,
+                            QDockWidget& keeps) {
   constexpr int title_height = 40;
-  constexpr int least_below = 120;  // Of each; all of them scroll.
-  auto& field = docks_.of("field");
+  constexpr int least = 120;  // Of each; all of them scroll.
+  const int all = dock.height() + gives.height() + keeps.height();
+  const int wanted = std::min(form_height + title_height, all - 2 * least);
+  if (dock.isFloating() || dock.height() >= wanted)
+    return;
+  const int kept = std::min(keeps.height(), all - wanted - least);
+  // All three are given: Qt would take part of the room from where it is not to.
+  resizeDocks({&dock, &gives, &keeps}, {wanted, all - wanted - kept, kept}, Qt::Vertical);
+}
+
+void main_window::make_room_for_operation() {
+  const auto& panel = tools_->operations.panel();
   auto& loads = docks_.of("loads");
   auto& below =
     loads.isVisible() && !loads.visibleRegion().isEmpty() ? loads : docks_.of("receipt");
-  const int all = dock.height() + field.height() + below.height();
-  const int wanted = std::min(panel.sizeHint().height() + title_height, all - 2 * least_below);
-  const int shown = std::min(field.height(), all - wanted - least_below);
-  // All three are given: Qt would take part of the room from the field.
-  if (dock.height() < wanted)
-    resizeDocks({&dock, &field, &below}, {wanted, shown, all - wanted - shown}, Qt::Vertical);
+  if (!panel.chosen().isEmpty())
+    make_room(panel.sizeHint().height(), docks_.of("context"), below, docks_.of("field"));
+}
+
+void main_window::make_room_for_load() {
+  make_room(tools_->loads.panel().wanted_height(), docks_.of("loads"), docks_.of("field"),
+            docks_.of("context"));
 }
 
 /// Docks and operations are about a part: beside the start page they would be empty. The help is
@@ -256,7 +265,9 @@ void main_window::wire() {
   connect(&tools_->section.bar(), &section_bar::moved, this, &main_window::place_overlays);
   // Once the form has taken it up and its layout with it.
   connect(&tools_->operations.panel(), &context_panel::form_opened, this,
-          [this] { QTimer::singleShot(0, this, &main_window::make_room); });
+          [this] { QTimer::singleShot(0, this, &main_window::make_room_for_operation); });
+  connect(&tools_->loads.panel(), &loads_panel::form_opened, this,
+          [this] { QTimer::singleShot(0, this, &main_window::make_room_for_load); });
   for (auto signal :
        {&document::opened, &document::closed, &document::head_changed, &document::surface_changed})
     connect(&part_, signal, this, &main_window::show_title);

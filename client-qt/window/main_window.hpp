@@ -47,7 +47,9 @@ private:
   void wire_look();
   void wire_messages();
   void place_overlays();
-  void make_room();
+  void make_room(int form_height, QDockWidget& dock, QDockWidget& gives, QDockWidget& keeps);
+  void make_room_for_operation();
+  void make_room_for_load();
   void show_docks(bool on);
   void show_title();
 

@@ -106,6 +106,36 @@ TEST_F(Forms, ApplyStaysInSightOnASmallScreenAndNoFieldIsSquashed) {
   }
 }
 
+TEST_F(Forms, NoFieldOfALoadsFormIsSquashedAndItsButtonsAreInSight) {
+  for (const QSize size : {QSize(1440, 900), QSize(1280, 720)}) {
+    window->resize(size);
+    if (!part().is_open())
+      open_plate();
+    window->context().picked.set({7});
+    for (const auto kind : {item_kind::support, item_kind::load, item_kind::material}) {
+      loads_list().add_item(kind);
+      const auto* form = loads_list().editor();
+      const auto is_whole = [&](const QWidget* one) {
+        return one->height() >= one->minimumSizeHint().height();
+      };
+      ASSERT_TRUE(wait([&] {
+        const auto fields = form->findChildren<QLineEdit*>();
+        const auto choices = form->findChildren<QComboBox*>();
+        const auto hidden_or_whole = [&](const QWidget* one) {
+          return !one->isVisible() || is_whole(one);
+        };
+        return std::ranges::all_of(fields, hidden_or_whole) &&
+               std::ranges::all_of(choices, hidden_or_whole);
+      }))
+        << size.width() << ", kind " << static_cast<int>(kind);
+      const auto* button = form->findChild<QPushButton*>("apply_item");
+      EXPECT_TRUE(is_whole(button));
+      EXPECT_EQ(button->visibleRegion().boundingRect().size(), button->size());
+      (void)loads_list().cancel();
+    }
+  }
+}
+
 TEST_F(Forms, SurfacesThatAreClickedBecomeThoseOfTheLoadAndEscClosesItsFormFirst) {
   open_plate(false);
   click_surface(98);

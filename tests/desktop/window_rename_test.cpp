@@ -108,7 +108,7 @@ TEST_F(Renaming, ARefusedNameIsSaidInTheFormAndCanBeChanged) {
   QFile other(state.path() + "/documents/taken.tedit");
   ASSERT_TRUE(other.open(QIODevice::WriteOnly));
 
-  ask_for("two words");
+  ask_for("a/b");
   ASSERT_TRUE(wait([&] { return words().contains("cannot name a document"); }));
   EXPECT_TRUE(words().contains("64 letters")) << "the remedy: " << words().toStdString();
   type("taken");
@@ -116,8 +116,8 @@ TEST_F(Renaming, ARefusedNameIsSaidInTheFormAndCanBeChanged) {
   EXPECT_TRUE(form()->isVisible());
   EXPECT_EQ(part().name(), before);
   EXPECT_EQ(window->context().messages.text(), "") << "the form says it";
-  type("free");
-  EXPECT_TRUE(wait([&] { return part().name() == "free" && !form()->isVisible(); }));
+  type("free  of blanks");
+  EXPECT_TRUE(wait([&] { return part().name() == "free-of-blanks" && !form()->isVisible(); }));
 }
 
 TEST_F(Renaming, EscAndTheSameNameLeaveItAsItIs) {

@@ -36,6 +36,17 @@ TEST_F(Start, TheViewIsEmptyAndDrawsNothingBehindTheStartPage) {
   EXPECT_EQ(view().to_frame(corner), view().to_widget(corner));  // No frame: no NaN.
 }
 
+TEST_F(Start, EveryShippedPartHasItsPicture) {
+  const auto cards = window->findChildren<QPushButton*>("example");
+  ASSERT_EQ(cards.size(), 3);
+  for (const auto* card : cards) {
+    const auto* picture = card->findChild<QLabel*>("example_picture");
+    ASSERT_NE(picture, nullptr) << card->accessibleName().toStdString();
+    EXPECT_FALSE(picture->pixmap().isNull());
+    EXPECT_TRUE(card->rect().contains(picture->geometry()));
+  }
+}
+
 TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {
   EXPECT_TRUE(shown_docks().isEmpty()) << shown_docks().join(" ").toStdString();
   EXPECT_FALSE(has_rail());

@@ -64,8 +64,9 @@ void name_form::refuse(const error& why) {
   adjustSize();
 }
 
+/// Names of several words are what people type, and no server takes a blank.
 void name_form::take() {
-  const QString name = name_->text().trimmed();
+  const QString name = name_->text().simplified().replace(' ', '-');
   if (name_->isReadOnly())
     return;
   if (name.isEmpty() || name == before_)

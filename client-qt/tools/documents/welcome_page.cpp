@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/documents/welcome_page.hpp"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -48,20 +50,44 @@ QString words_of(const QJsonObject& about, const QString& what) {
   return translated.isEmpty() ? about[what].toString() : translated;
 }
 
-QPushButton* card(const QString& title, const QString& text) {
+constexpr QSize picture_size(132, 84);
+
+QLabel* words(const QString& text, const char* role) {
+  auto* label = new QLabel(text);
+  label->setProperty("role", role);
+  label->setWordWrap(true);
+  return label;
+}
+
+/// What the part looks like, sharp also where the screen has several pixels for one.
+QLabel* picture(const QImage& image) {
+  auto* label = new QLabel;
+  label->setObjectName("example_picture");
+  const qreal pixels = qApp->devicePixelRatio();
+  QPixmap fitted = QPixmap::fromImage(image).scaled(picture_size * pixels, Qt::KeepAspectRatio,
+                                                    Qt::SmoothTransformation);
+  fitted.setDevicePixelRatio(pixels);
+  label->setPixmap(fitted);
+  label->setFixedSize(picture_size);
+  return label;
+}
+
+QPushButton* card(const example& of) {
   auto* button = new card_button;
-  auto* column = new QVBoxLayout(button);
-  auto* first = new QLabel(title);
-  first->setProperty("role", "section");
-  auto* second = new QLabel(text);
-  second->setProperty("role", "faint");
-  second->setWordWrap(true);
-  for (auto* label : {first, second}) {
+  auto* row = new QHBoxLayout(button);
+  row->setContentsMargins(6, 6, 10, 6);
+  if (const QImage image(of.picture); !image.isNull())
+    row->addWidget(picture(image));
+  auto* column = new QVBoxLayout;
+  column->addStretch();
+  column->addWidget(words(of.title, "section"));
+  column->addWidget(words(of.story, "faint"));
+  column->addStretch();
+  row->addLayout(column, 1);
+  for (auto* label : button->findChildren<QLabel*>())
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    column->addWidget(label);
-  }
-  button->setAccessibleName(title);
-  button->setMinimumHeight(84);
+  button->setAccessibleName(of.title);
+  button->setMinimumHeight(picture_size.height() + 12);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
   return button;
 }
@@ -82,7 +108,8 @@ std::vector<example> shipped_examples() {
     example one{words_of(json, "title"),
                 words_of(json, "story"),
                 part.absoluteFilePath(json["mesh"].toString()),
-                {}};
+                {},
+                part.absoluteFilePath(json["picture"].toString())};
     for (const auto& file : json["load_cases"].toArray())
       one.load_cases << part.absoluteFilePath(file.toString());
     result.push_back(one);
@@ -117,7 +144,7 @@ welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
   column->addWidget(hint);
   column->addSpacing(8);
   for (const auto& one : shipped_examples()) {
-    auto* button = card(one.title, one.story);
+    auto* button = card(one);
     button->setObjectName("example");
     connect(button, &QPushButton::clicked, this, [this, one] { emit example_wanted(one); });
     column->addWidget(button);

@@ -21,6 +21,7 @@ struct example {
   QString story;  ///< One sentence: what to try with it.
   QString mesh;
   QStringList load_cases;
+  QString picture;  ///< A file.
 };
 
 /// The examples that came with the program; none when their folder is not there.

@@ -15,6 +15,7 @@
 
 #include "client-qt/tools/loads/load_form.hpp"
 #include "client-qt/tools/loads/quantity_fields.hpp"
+#include "client-qt/widgets/tall_scroll.hpp"
 
 namespace tedit::desktop {
 
@@ -41,8 +42,9 @@ protected:
 
 load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
     : QWidget(parent), library_(std::move(library)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 8, 12, 8);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 8, 12, 4);
   title_ = new QLabel;
   title_->setProperty("role", "section");
   column->addWidget(title_);
@@ -58,6 +60,8 @@ load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
   picking_ = row_of({picked_});
   column->addWidget(picking_);
   column->addWidget(fault_label("surfaces"));
+  column->addStretch();
+  scroll_ = new tall_scroll(content);
 
   apply_ = new QPushButton(tr("Apply"));
   apply_->setObjectName("apply_item");
@@ -70,10 +74,14 @@ load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
   close->setObjectName("close_item");
   connect(close, &QPushButton::clicked, this, &load_editor::closed);
   auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(12, 0, 12, 8);
   buttons->addWidget(apply_);
   buttons->addWidget(close);
   buttons->addStretch();
-  column->addLayout(buttons);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll_, 1);
+  all->addLayout(buttons);
   edit(tr("New load"), fem::load{{}, fem::force{}});
 }
 
@@ -222,6 +230,7 @@ void load_editor::edit(const QString& title, const load_item& item) {
   show_surfaces();
   filling_ = false;
   check();
+  scroll_->updateGeometry();  // Another page is of another height.
 }
 
 void load_editor::show_material(const fem::material& material) {

@@ -16,6 +16,7 @@ class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace tedit::desktop {
 
@@ -74,6 +75,7 @@ private:
   bool touched_ = false;  ///< Before, what is missing is a hint and no fault.
   std::map<QString, std::vector<QLabel*>> fault_labels_;
 
+  QScrollArea* scroll_;  ///< All but the buttons: no field is squashed.
   QLabel* title_;
   std::array<QWidget*, 3> pages_{};  ///< By kind.
   QComboBox* library_box_;

@@ -353,6 +353,16 @@ void loads_panel::open_editor(const QString& title, const load_item& item) {
   editor_->edit(title, item);
   tree_->setVisible(window()->height() >= roomy_window);
   editor_->show();
+  emit form_opened();
+}
+
+int loads_panel::wanted_height() const {
+  const auto of = [this](const QWidget* one) {
+    const int height = one->hasHeightForWidth() ? one->heightForWidth(width()) : -1;
+    return one->isHidden() ? 0 : std::max(height, one->sizeHint().height());
+  };
+  return of(buttons_) + (tree_->isHidden() ? 0 : tree_->minimumSizeHint().height()) + of(hint_) +
+         of(editor_);
 }
 
 void loads_panel::apply_editor() {

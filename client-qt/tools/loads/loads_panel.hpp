@@ -36,12 +36,15 @@ public:
   bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
+  /// What the form and a few rows of the list need, pixels.
+  [[nodiscard]] int wanted_height() const;
   /// Load cases that cannot be solved yet, or are on their way.
   [[nodiscard]] const std::vector<fem::load_case>& drafts() const noexcept { return drafts_; }
 
 signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
   void drafts_changed();
+  void form_opened();
 
 protected:
   void changeEvent(QEvent* event) override;  ///< Icons follow the colours of the text.

@@ -20,6 +20,8 @@ class loads_tool : public QObject {
 public:
   loads_tool(window_context& in, field_panel& fields, selection_tool& selecting);
 
+  [[nodiscard]] loads_panel& panel() const { return *panel_; }
+
 private:
   void add_commands();
   void add_item(const char* id, const QString& title, const char* drawing, item_kind kind);
