@@ -47,7 +47,8 @@ void whole(const json& value, const std::string& what) {
   number_from(value, {static_cast<double>(least), static_cast<double>(most), {}}, what);
 }
 constexpr check pin = whole<1, 1'000'000>;
-constexpr check pixels = whole<1, 16'384>;
+constexpr check pixels_across = whole<320, 16'384>;  // The view is never smaller.
+constexpr check pixels_up = whole<240, 16'384>;
 
 template <check is, std::size_t least, std::size_t most>
 void list(const json& value, const std::string& what) {
@@ -125,8 +126,8 @@ const std::vector<std::vector<field>>& kinds() {
     {{"wait", patience}},
     {{"report", text}},
     {{"screenshot", text},
-     {"width", pixels, false},
-     {"height", pixels, false},
+     {"width", pixels_across, false},
+     {"height", pixels_up, false},
      {"window", flag, false}}};
   return all;
 }

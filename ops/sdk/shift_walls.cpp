@@ -375,7 +375,7 @@ expected<wall_set> fit_walls(const mesh_version& mesh, const std::vector<surface
     if (!shape)
       return fail(ec::invalid_argument,
                   "surface " + std::to_string(id) + " is neither flat nor a round cylinder or cone",
-                  "Take off element layers (erode), or select flat and round surfaces");
+                  "Select flat and round surfaces; erode takes layers of tets off any other");
     walls.emplace(id, *shape);
   }
   return walls;

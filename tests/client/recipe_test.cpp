@@ -199,6 +199,7 @@ TEST(RecipeReader, NumbersAreFiniteAndInRangeAndSizesBounded) {
   EXPECT_THAT(step_refusal(camera("1e30")), HasSubstr("\"position\" is 1e+30"));
   EXPECT_THAT(step_refusal(R"({"drag": 1000000000})"), HasSubstr("step 2 (drag) is 1e+09"));
   EXPECT_THAT(step_refusal(R"({"screenshot": "a.png", "width": 1000000})"), HasSubstr("\"width\""));
+  EXPECT_THAT(step_refusal(R"({"screenshot": "a.png", "height": 200})"), HasSubstr("240"));
   EXPECT_THAT(step_refusal(R"({"screenshot": "a.png", "height": 0})"), HasSubstr("\"height\""));
   EXPECT_THAT(step_refusal(R"({"box": [0, 0, 2, 1]})"), HasSubstr("each of step 2 (box) is 2"));
   EXPECT_THAT(step_refusal(R"({"probe": {"number": 0, "surface": 1, "at": [0, 0, 0]}})"),

@@ -142,7 +142,7 @@ TEST(ReceiptWords, SayWhatBecameOfEachItem) {
   line.fate = fem::receipt_fate::area_changed;
   EXPECT_EQ(
     receipt_words(line).toStdString(),
-    "Bearing force (load 1): its surfaces have 2 mm\u00b2 now (\u221250 %); 500 N in all, as "
+    "Bearing force (load 1): its surfaces have 2 mm\u00b2 (\u221250 %) now; 500 N in all, as "
     "before");
   line.fate = fem::receipt_fate::moved;
   line.surfaces_lost = {7};
