@@ -12,6 +12,13 @@ public:
   explicit tall_scroll(QWidget* content, QWidget* parent = nullptr);
 
   [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  void keep_whole();
 };
 
 }  // namespace tedit::desktop

@@ -193,12 +193,15 @@ void main_window::place_overlays() {
 void main_window::make_room(int form_height, QDockWidget& dock, QDockWidget& gives,
                             QDockWidget& keeps) {
   constexpr int title_height = 40;
-  constexpr int least = 120;  // Of each; all of them scroll.
+  const auto least_of = [](const QDockWidget& one) {
+    constexpr int least = 120;  // All of them scroll.
+    return std::max(least, one.minimumSizeHint().height());
+  };
   const int all = dock.height() + gives.height() + keeps.height();
-  const int wanted = std::min(form_height + title_height, all - 2 * least);
+  const int wanted = std::min(form_height + title_height, all - least_of(gives) - least_of(keeps));
   if (dock.isFloating() || dock.height() >= wanted)
     return;
-  const int kept = std::min(keeps.height(), all - wanted - least);
+  const int kept = std::min(keeps.height(), all - wanted - least_of(gives));
   // All three are given: Qt would take part of the room from where it is not to.
   resizeDocks({&dock, &gives, &keeps}, {wanted, all - wanted - kept, kept}, Qt::Vertical);
 }

@@ -112,6 +112,7 @@ TEST_F(Forms, NoFieldOfALoadsFormIsSquashedAndItsButtonsAreInSight) {
     if (!part().is_open())
       open_plate();
     window->context().picked.set({7});
+    panel().choose("thicken");
     for (const auto kind : {item_kind::support, item_kind::load, item_kind::material}) {
       loads_list().add_item(kind);
       const auto* form = loads_list().editor();
@@ -130,6 +131,9 @@ TEST_F(Forms, NoFieldOfALoadsFormIsSquashedAndItsButtonsAreInSight) {
         << size.width() << ", kind " << static_cast<int>(kind);
       const auto* button = form->findChild<QPushButton*>("apply_item");
       EXPECT_TRUE(is_whole(button));
+      const auto* beside = window->findChild<QPushButton*>("apply");
+      EXPECT_TRUE(is_whole(beside)) << "of the operation: " << beside->height();
+      EXPECT_EQ(beside->visibleRegion().boundingRect().size(), beside->size());
       EXPECT_EQ(button->visibleRegion().boundingRect().size(), button->size());
       (void)loads_list().cancel();
     }

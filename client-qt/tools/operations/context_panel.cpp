@@ -176,6 +176,13 @@ void context_panel::choose(const QString& operation) {
   });
 }
 
+/// What stays in sight while the fields scroll is never squashed.
+QSize context_panel::minimumSizeHint() const {
+  constexpr int some_fields = 70;
+  const int foot = foot_->isVisibleTo(this) ? foot_->sizeHint().height() : 0;
+  return {QWidget::minimumSizeHint().width(), some_fields + foot};
+}
+
 QSize context_panel::sizeHint() const {
   const QSize fields = scroll_->sizeHint();
   const QSize foot = foot_->isVisibleTo(this) ? foot_->sizeHint() : QSize(0, 0);

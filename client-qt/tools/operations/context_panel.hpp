@@ -37,6 +37,7 @@ public:
   void apply(bool sure = false);
 
   [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
   void form_opened();
