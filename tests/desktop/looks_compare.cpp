@@ -13,8 +13,8 @@ namespace {
 // Pictures are kept so small that words are shades: what stands where counts, not which
 // milliseconds or which fonts. What moves by a button's width is seen.
 constexpr int kept_width = 320;
-constexpr double most_mean = 2.5;  ///< Of 255, over all channels.
-constexpr double most_off = 0.02;  ///< Share of pixels of another colour.
+constexpr double most_mean = 0.8;   ///< Of 255, over all channels.
+constexpr double most_off = 0.005;  ///< Share of pixels of another colour.
 
 QImage reduced(const QString& path) {
   const QImage seen(path);
