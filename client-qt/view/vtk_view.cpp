@@ -150,8 +150,10 @@ void vtk_view::draw_aside(std::function<void(vtkRenderer&)> before,
 
 QImage vtk_view::picture() {
   wait();
+  const bool quick = std::exchange(quick_, false);  // A picture has all pixels, also while turned.
   begin();
   wait();
+  quick_ = quick;
   auto result = image_;
   result.setDevicePixelRatio(devicePixelRatioF());
   return result;
