@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <poll.h>
 #include <sys/stat.h>
 
 #include <fstream>
 #include <memory>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -117,8 +117,9 @@ int run_serve(const serve_options& given, session& s) {
                  "\n  end with Ctrl-C; clients: tedit run RECIPE.json --server " +
                  (*started)->url() + "\n");
   std::fflush(stdout);
+  // The signal that ends the server ends this wait, too: Linux gives it to the main thread.
   while (!s.cancel.cancelled())
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ::poll(nullptr, 0, 500);
   notice(s, "stopping");
   (*started)->stop();
   return 0;

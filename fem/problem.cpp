@@ -178,7 +178,7 @@ expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> te
   if (!inverted.empty())
     return refuse(ec::inverted_tet, inverted, "are inverted (negative volume)");
   if (!flat.empty())
-    return refuse(ec::degenerate_tet, flat, "have no volume (flat within rounding)");
+    return refuse(ec::degenerate_tet, flat, "have zero volume (flat within rounding)");
   return {};
 }
 

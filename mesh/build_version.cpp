@@ -9,6 +9,7 @@
 #include "base/erase_places.hpp"
 #include "mesh/boundary_patches.hpp"
 #include "mesh/face_table.hpp"
+#include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit {
@@ -209,8 +210,10 @@ private:
     for (tet_id t = 0; t < raw_.tets.size(); ++t)
       if (!(volume(t) > 0) || !sign_is_sound(t))
         doubtful.push_back(t);
-    if (!doubtful.empty())
+    if (!doubtful.empty()) {
       turn_misfits(doubtful);
+      warn_of_unsolvable(doubtful);
+    }
     return {};
   }
 
@@ -256,28 +259,37 @@ private:
     return result;
   }
 
-  void apply_turns(const std::vector<tet_id>& doubtful, const std::vector<bool>& swapped) {
-    std::vector<tet_id> turned;
-    std::vector<tet_id> inverted;
-    for (const auto t : doubtful) {
-      const bool sound = sign_is_sound(t);
-      if (swapped[t]) {
-        std::swap(raw_.tets[t].v[2], raw_.tets[t].v[3]);
-        if (sound)
-          turned.push_back(t);
-      }
-      if (volume(t) < 0)
-        inverted.push_back(t);
-    }
+  void apply_turns(std::vector<tet_id> turned, const std::vector<bool>& swapped) {
+    std::erase_if(turned, [&](tet_id t) { return !swapped[t]; });
+    for (const auto t : turned)
+      std::swap(raw_.tets[t].v[2], raw_.tets[t].v[3]);
+    std::erase_if(turned, [&](tet_id t) { return !sign_is_sound(t); });
     if (!turned.empty())
       warnings_.push_back(
         std::to_string(turned.size()) +
         " tets listed their nodes the wrong way round and were turned: " + list_tets(turned));
-    if (!inverted.empty())
-      warnings_.push_back(std::to_string(inverted.size()) +
-                          " tets are inverted (negative volume); simulation will refuse this "
-                          "mesh: " +
-                          list_tets(inverted));
+  }
+
+  /// What `fem` refuses, in the same words. Cost: only over tets that may be bad.
+  void warn_of_unsolvable(const std::vector<tet_id>& doubtful) {
+    std::vector<tet_id> flat, inverted;
+    for (const auto t : doubtful)
+      if (!sign_is_sound(t) || volume(t) < 0)
+        (sign_is_sound(t) ? inverted : flat).push_back(t);
+    warn_of(flat, "zero volume (flat within rounding)");
+    warn_of(inverted, "negative volume (inverted)");
+  }
+
+  void warn_of(const std::vector<tet_id>& bad, const char* what) {
+    if (bad.empty())
+      return;
+    vec3 at{};
+    for (const auto v : raw_.tets[bad.front()].v)
+      at = at + 0.25 * raw_.positions[v];
+    const auto count = bad.size() == 1 ? "1 tet has " : std::to_string(bad.size()) + " tets have ";
+    warnings_.push_back(count + what + ", the first at " + place_text(at) +
+                        ": no stress can be computed until the part is repaired " +
+                        "or remeshed there (" + list_tets(bad) + ")");
   }
 
   expected<void> link() {
@@ -296,17 +308,7 @@ private:
         failure = overlap_error(group);
       }
     });
-    if (failure)
-      return fail(*failure);
-    std::vector<tet_id> flat;
-    for (tet_id t = 0; t < raw_.tets.size(); ++t)
-      if (volume(t) == 0)
-        flat.push_back(t);
-    if (!flat.empty())
-      warnings_.push_back(
-        std::to_string(flat.size()) +
-        " tets have zero volume; simulation will refuse this mesh: " + list_tets(flat));
-    return {};
+    return failure ? fail(*failure) : expected<void>();
   }
 
   void add_boundary(const face_table::entry& side) {

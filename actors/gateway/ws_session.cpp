@@ -318,11 +318,17 @@ void ws_session::check_drained() {
 void ws_session::watch() {
   if (done_)
     return;
+  using std::chrono::milliseconds;
   const auto& l = limits();
-  const auto shortest = std::min({l.hello_timeout, l.slow_client, l.ping_after, l.close_timeout});
-  timer_.expires_after(
-    std::clamp(shortest / 4, std::chrono::milliseconds(5), std::chrono::milliseconds(250)));
-  timer_.async_wait([self = shared_from_this()](error_code) { self->on_tick(); });
+  // Who idles costs a wake-up a second.
+  const bool calm = known_ && !closing_ && !force_at_ && !over_since_;
+  const auto shortest = calm ? std::min({l.slow_client, l.ping_after, l.idle_timeout})
+                             : std::min({l.hello_timeout, l.slow_client, l.close_timeout});
+  timer_.expires_after(std::clamp(shortest / 4, milliseconds(5), milliseconds(calm ? 1000 : 250)));
+  timer_.async_wait([self = shared_from_this()](error_code problem) {
+    if (problem != net::error::operation_aborted)
+      self->on_tick();
+  });
 }
 
 void ws_session::on_tick() {
@@ -388,6 +394,7 @@ void ws_session::begin_close(std::uint16_t code, std::string reason, bool drop) 
     drop_queue();
   }
   force_at_ = steady::now() + (drop ? limits().close_timeout : limits().slow_client);
+  watch();
   write_next();
 }
 

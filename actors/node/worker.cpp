@@ -90,7 +90,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
         if (down.source != gate->address())
           spdlog::error("an actor of this worker ended: {}", caf::to_string(down.reason));
       },
-      caf::after(std::chrono::milliseconds(200)) >> [] {});
+      caf::after(std::chrono::seconds(1)) >> [] {});
   // Work that still runs belongs to nobody any more; its threads must not keep the process.
   std::_Exit(0);
 }

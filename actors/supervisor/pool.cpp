@@ -124,6 +124,7 @@ void pool_state::dispatch() {
     }
     c.work = std::move(next);
     c.work->deadline = clock::now() + limit_of(*c.work);
+    wake();
     c.work->send(c.worker, c.work->deaths);
   }
 }
@@ -193,6 +194,7 @@ void pool_state::spawn_child() {
     return;
   }
   spdlog::info("{} worker: process {} started", options.role, made->pid);
+  wake();
   children.push_back(std::move(*made));
 }
 
@@ -288,6 +290,7 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   auto work = std::move(dead->work);
   caf::anon_send_exit(dead->gate, caf::exit_reason::user_shutdown);
   children.erase(dead);
+  wake();
   if (work)
     try_again(std::move(*work), how);
   spawn_missing();
@@ -307,6 +310,7 @@ void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
     return;
   spdlog::info("{} worker: process {} is replaced: {}", options.role, c->pid, why);
   c->retired = clock::now();
+  wake();
   ++forgiven;
   spawn_missing();
 }
@@ -342,6 +346,29 @@ void pool_state::on_down(const caf::actor_addr& source) {
   if (!how)
     kill_process(c->pid);
   bury(c, how ? *how : "did not answer any more");
+}
+
+bool pool_state::at_rest() const {
+  return waiting.empty() && active() == options.workers &&
+         std::ranges::all_of(children,
+                             [](const child& c) { return c.worker && !c.work && !c.retired; });
+}
+
+void pool_state::wake() {
+  if (std::exchange(resting, false))
+    tick_after(tick_interval);
+}
+
+void pool_state::tick_after(std::chrono::milliseconds wait) {
+  call_tick(wait, ++last_tick);
+}
+
+void pool_state::on_tick(std::uint64_t number) {
+  if (number != last_tick)
+    return;
+  tick();
+  resting = at_rest();
+  tick_after(resting ? rest_interval : tick_interval);
 }
 
 void pool_state::tick() {

@@ -85,6 +85,10 @@ private:
 struct pool_state {
   using clock = std::chrono::steady_clock;
 
+  static constexpr std::chrono::milliseconds tick_interval{100};
+  /// Between ticks of a pool at rest, which a process that idles pays for.
+  static constexpr std::chrono::milliseconds rest_interval{2000};
+
   /// A job from its order to its answer. Order and result types live in the closures.
   struct job {
     job_id id;
@@ -137,8 +141,16 @@ struct pool_state {
   void on_down(const caf::actor_addr& source);
   /// A worker wants no more work.
   void retire(const caf::actor_addr& source, const std::string& why);
-  /// Looks after processes and time limits; called ten times a second.
+  /// Looks after processes and time limits.
   void tick();
+  /// A tick that was called for is there; an earlier one than the last called for is none.
+  void on_tick(std::uint64_t number);
+  /// Calls for the next tick, instead of the one that is due.
+  void tick_after(std::chrono::milliseconds wait);
+  /// Something has a time limit again: a pool at rest looks after it as often as others do.
+  void wake();
+  /// Whether nothing has a time limit: all workers are there and have nothing to do.
+  [[nodiscard]] bool at_rest() const;
   [[nodiscard]] worker_status status() const;
   [[nodiscard]] role_state state() const;
   void say_health() const;
@@ -172,7 +184,11 @@ struct pool_state {
   std::optional<restart_budget> budget;
   /// Serves a link and makes the gate of the child with this number; set by the actor.
   std::function<caf::actor(unique_fd end, std::uint64_t number)> serve;
-  std::uint64_t started = 0;  ///< Children so far.
+  /// Sends the tick with this number after a while; set by the actor.
+  std::function<void(std::chrono::milliseconds wait, std::uint64_t number)> call_tick;
+  std::uint64_t last_tick = 0;  ///< The one that is due.
+  bool resting = false;         ///< Whether it is a slow one.
+  std::uint64_t started = 0;    ///< Children so far.
   std::list<child> children;
   std::deque<job> waiting;      ///< As they came.
   turn_order turns;             ///< Which of them is next.

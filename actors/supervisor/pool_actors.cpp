@@ -12,8 +12,6 @@ namespace tedit::actors {
 
 namespace {
 
-constexpr auto tick_interval = std::chrono::milliseconds(100);
-
 template <class Role>
 using pool_pointer = typename Role::template stateful_pointer<pool_state>;
 
@@ -94,10 +92,7 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
                        self->state.retire(caf::actor_cast<caf::actor_addr>(self->current_sender()),
                                           note.why);
                      },
-                     [&](tick_atom) {
-                       self->state.tick();
-                       caf::delayed_anon_send(own, tick_interval, tick_atom::value);
-                     }});
+                     [&](tick_atom, std::uint64_t number) { self->state.on_tick(number); }});
       return answer;
     });
   state.serve = [=](unique_fd end, std::uint64_t number) {
@@ -105,8 +100,11 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
     serve_link(self->system(), std::move(end), gate);
     return gate;
   };
+  state.call_tick = [=](std::chrono::milliseconds wait, std::uint64_t number) {
+    caf::delayed_anon_send(own, wait, tick_atom::value, number);
+  };
   state.spawn_missing();
-  caf::delayed_anon_send(own, tick_interval, tick_atom::value);
+  state.tick_after(pool_state::tick_interval);
 }
 
 /// What the first worker said, without the operations that are switched off since. All workers of a

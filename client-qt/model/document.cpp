@@ -41,9 +41,26 @@ QString document::surface_name(surface_id id) const {
   return tr("Surface %1").arg(id);
 }
 
-void document::say(const std::vector<std::string>& texts) {
+namespace {
+
+/// A message takes the place of the one before it: what is said together is one.
+QString sentences(const std::vector<std::string>& texts) {
+  QStringList lines;
   for (const auto& text : texts)
-    emit notice(QString::fromStdString(text));
+    lines << QString::fromStdString(text);
+  return lines.join("\n");
+}
+
+}  // namespace
+
+void document::say(const std::vector<std::string>& texts) {
+  if (!texts.empty())
+    emit notice(sentences(texts));
+}
+
+void document::warn(const std::vector<std::string>& texts) {
+  if (!texts.empty())
+    emit warned(sentences(texts));
 }
 
 // -- opening -------------------------------------------------------------------------
@@ -96,7 +113,7 @@ void document::take(const client::document_state& state) {
     versions_.take_info(*state.head);
   }
   loads_.take(state.load_cases);
-  say(state.warnings);
+  warn(state.warnings);
   emit head_changed();
 }
 
@@ -116,7 +133,7 @@ void document::take(const client::committed& what) {
   const bool again = versions_.head_number() == what.head.number;
   versions_.set_head(what.head.number);
   edits_.take(what.can_undo, what.can_redo);
-  say(what.warnings);
+  warn(what.warnings);
   if (what.report)
     say(what.report->notices);
   loads_.take(what.load_cases);
@@ -168,7 +185,7 @@ void document::take_load_cases(const client::load_cases_event& event) {
         std::erase(row->info.load_cases, before.name);
     loads_.take(loads);
   }
-  say(event.warnings);
+  warn(event.warnings);
 }
 
 void document::forget_fields() {

@@ -78,6 +78,7 @@ public:
   /// Without loads, or with others, the head has no field, whatever was shown of it before.
   void forget_fields();
   void say(const std::vector<std::string>& texts);
+  void warn(const std::vector<std::string>& texts);
 
 signals:
   /// Another document takes the place of the one before, or none: `opened` or `closed` follows.
@@ -93,6 +94,8 @@ signals:
   void operations_changed();
   void edited(const tedit::client::committed& what);
   void notice(const QString& text);
+  /// What a person should know before going on: of a mesh, of loads that do not fit it.
+  void warned(const QString& text);
   /// What was tried, and why it did not work.
   void failed(const QString& what, const tedit::error& reason);
 

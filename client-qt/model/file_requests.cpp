@@ -69,7 +69,7 @@ void file_requests::switch_to(const QString& title, remote::work<ready> prepare,
         return emit part_.failed(title, got.error());
       part_.begin(QString::fromStdString(got->name));
       reopen();
-      part_.say(got->warnings);
+      part_.warn(got->warnings);
       if (got->from)
         emit imported(*got->from);
       if (got->refused_loads)

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace tedit::desktop {
 
 namespace {
@@ -38,6 +40,9 @@ namespace {
   QT_TRANSLATE_NOOP(
     "operations",
     "What becomes of a part that falls apart: refuse, keep_largest (of each body) or allow."),
+  QT_TRANSLATE_NOOP("operations", "refuse"),
+  QT_TRANSLATE_NOOP("operations", "keep largest"),
+  QT_TRANSLATE_NOOP("operations", "allow"),
   QT_TRANSLATE_NOOP("operations", "Fill hole"),
   QT_TRANSLATE_NOOP(
     "operations",
@@ -92,6 +97,12 @@ namespace {
 
 std::string in_users_language(const std::string& english) {
   return QCoreApplication::translate("operations", english.c_str()).toStdString();
+}
+
+QString choice_words(const std::string& choice) {
+  std::string words = choice;
+  std::ranges::replace(words, '_', ' ');
+  return QCoreApplication::translate("operations", words.c_str());
 }
 
 bool was_previewed(const edit_report& report) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include <string>
 
 #include "protocol/report.hpp"
@@ -10,6 +12,9 @@ namespace tedit::desktop {
 /// What an operation says of itself, in the language of the window; of a plugin that no translation
 /// knows, as it is.
 [[nodiscard]] std::string in_users_language(const std::string& english);
+
+/// One value of a parameter that is chosen from a list, as people read it.
+[[nodiscard]] QString choice_words(const std::string& choice);
 
 /// Whether an edit took over what its preview had made.
 [[nodiscard]] bool was_previewed(const edit_report& report);

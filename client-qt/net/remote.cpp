@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int watch_ms = 250;
-constexpr int beats_a_status = 12;  // One status request every three seconds.
+constexpr int watch_ms = 500;
+constexpr int beats_a_status = 6;  // One status request every three seconds.
 constexpr double noticeable_ms = 1000;
 constexpr int first_retry_ms = 500;
 constexpr int longest_retry_ms = 8000;

@@ -660,6 +660,18 @@
         <source>How much material to put on.</source>
         <translation>Wie viel Werkstoff aufgebracht wird.</translation>
     </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>keep largest</source>
+        <translation>größtes behalten</translation>
+    </message>
+    <message>
+        <source>allow</source>
+        <translation>erlauben</translation>
+    </message>
 </context>
 <context>
     <name>overlay</name>
@@ -1458,10 +1470,6 @@ Inhalt %1</translation>
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>Ctrl+Enter</source>
-        <translation>Strg+Eingabe</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -1492,6 +1500,10 @@ Inhalt %1</translation>
     <message>
         <source>Then: %1</source>
         <translation>Danach: %1</translation>
+    </message>
+    <message>
+        <source>Enter in a field, or Ctrl+Enter</source>
+        <translation>Eingabe in einem Feld, oder Strg+Eingabe</translation>
     </message>
 </context>
 <context>
@@ -2013,6 +2025,30 @@ Inhalt %1</translation>
     <message>
         <source>open documents: %1, connections: %2</source>
         <translation>offene Dokumente: %1, Verbindungen: %2</translation>
+    </message>
+    <message>
+        <source>Edits</source>
+        <translation>Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Mesh improvement</source>
+        <translation>Netzverbesserung</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>startet</translation>
+    </message>
+    <message>
+        <source>out of order</source>
+        <translation>außer Betrieb</translation>
     </message>
 </context>
 <context>

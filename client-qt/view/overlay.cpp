@@ -67,6 +67,18 @@ double height_of(const legend& by, double value) {
 
 }  // namespace
 
+namespace {
+
+/// How high a note is under a legend of this width; at least a line.
+double note_height(const QFont& font, const QString& note, double width, double line) {
+  const QRectF room(0, 0, width, 20 * line);
+  const double words =
+    QFontMetricsF(font).boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, note).height();
+  return std::max(line, words);
+}
+
+}  // namespace
+
 void paint_legend(QPainter& painter, const QRectF& where, const legend& by, const QString& note,
                   const QColor& ink, double scale) {
   painter.setPen(ink);
@@ -77,8 +89,10 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
   painter.setFont(sized(painter.font(), 12 * scale));
   painter.drawText(QRectF(where.left(), where.top() + line, 4 * where.width(), line), Qt::AlignLeft,
                    unit_line(by));
+  const QFont bold = sized(painter.font(), words_size * scale, true);
+  const double below = note_height(bold, note, where.width(), line);
   const QRectF bar(where.left(), where.top() + 2.4 * line, bar_width * scale,
-                   where.height() - 3.6 * line);
+                   where.height() - 2.6 * line - below);
   constexpr int bands = 240;  // A multiple of every number of steps but 16 and 9: near enough.
   for (int i = 0; i < bands; ++i) {
     const double at = (i + 0.5) / bands;
@@ -100,9 +114,9 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
                      Qt::AlignLeft | Qt::AlignVCenter, by.label(tick));
   }
   if (!note.isEmpty()) {
-    painter.setFont(sized(painter.font(), 12 * scale, true));
-    painter.drawText(QRectF(where.left(), bar.bottom() + 0.4 * line, 4 * where.width(), line),
-                     Qt::AlignLeft, note);
+    painter.setFont(bold);
+    painter.drawText(QRectF(where.left(), bar.bottom() + 0.4 * line, where.width(), below),
+                     Qt::AlignLeft | Qt::TextWordWrap, note);
   }
 }
 
@@ -254,10 +268,8 @@ QRectF overlay::scale_box() const {
   const auto& by = view_.painted().by;
   const QFontMetricsF title(sized(font(), title_size, true));
   const QFontMetricsF second(sized(font(), words_size));
-  const QFontMetricsF note(sized(font(), words_size, true));
   const double words =
-    std::max({title.horizontalAdvance(title_of(by)), second.horizontalAdvance(unit_line(by)),
-              note.horizontalAdvance(note_)});
+    std::max(title.horizontalAdvance(title_of(by)), second.horizontalAdvance(unit_line(by)));
   const double width = std::max(legend_width, words + margin);
   return {margin / 2, room - height - 1.5 * margin, width + margin / 2, height + margin};
 }

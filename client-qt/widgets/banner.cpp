@@ -15,6 +15,7 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int news_ms = 8000;
+constexpr int warning_ms = 30000;
 
 QString sentence(const std::string& text) {
   QString result = QString::fromStdString(text);
@@ -139,11 +140,19 @@ void banner::add_to_error(const QString& text) {
 }
 
 void banner::show_news(const QString& text) {
+  show_for(news_ms, text, look_.good);
+}
+
+void banner::show_warning(const QString& text) {
+  show_for(warning_ms, text, look_.warning);
+}
+
+void banner::show_for(int ms, const QString& text, const QColor& bar) {
   if (!isHidden() && (stands_ || (has_message() && !away_.isActive())))
     return;  // An error or a lost connection says more.
   surfaces_.clear();
-  present({}, text, look_.good);
-  away_.start(news_ms);
+  present({}, text, bar);
+  away_.start(ms);
 }
 
 void banner::show_standing(const QString& text) {

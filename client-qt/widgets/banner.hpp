@@ -26,6 +26,8 @@ public:
   /// A line more to the error that is shown; news where there is none.
   void add_to_error(const QString& text);
   void show_news(const QString& text);
+  /// What a person should know before going on; stays longer than news.
+  void show_warning(const QString& text);
   /// Stays until `clear_standing`, also beside an error: a connection that is lost.
   void show_standing(const QString& text);
   void clear_standing();
@@ -43,6 +45,7 @@ protected:
 
 private:
   void paint_bar();
+  void show_for(int ms, const QString& text, const QColor& bar);
   void present(const QString& title, const QString& body, const QColor& bar);
   [[nodiscard]] bool has_message() const;
   void drop_message();

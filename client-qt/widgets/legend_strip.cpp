@@ -74,11 +74,11 @@ void legend_strip::paint_ticks(QPainter& painter, const QRectF& bar) const {
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 4));
     const QString text = by_.label(tick);
     const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0;
-    if (x - half < free_from)
+    const double left = std::min(x - half - 1, width() - 2 * half - 4);  // Else it were cut off.
+    if (left < free_from)
       continue;
-    painter.drawText(QRectF(x - half - 1, bar.bottom() + 4, 2 * half + 2, 18), Qt::AlignCenter,
-                     text);
-    free_from = x + half + 8;
+    painter.drawText(QRectF(left, bar.bottom() + 4, 2 * half + 2, 18), Qt::AlignCenter, text);
+    free_from = left + 2 * half + 9;
   }
 }
 

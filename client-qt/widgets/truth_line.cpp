@@ -168,8 +168,9 @@ void truth_line::refresh() {
     ink = look_.error;
   else if (part_.solver().progress() != field_state::none)
     ink = look_.warning;
-  verdict_->setStyleSheet(
-    QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink.name()));
+  const auto style = QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink.name());
+  if (verdict_->styleSheet() != style)  // It costs more than all else that idles.
+    verdict_->setStyleSheet(style);
   verdict_->setText(now);
   const bool stopped = part_.head() && part_.solver().progress() == field_state::stopped;
   stop_->setVisible(part_.head() && (part_.solver().is_running() || stopped));

@@ -306,6 +306,10 @@ void main_window::wire_messages() {
     log_->write(text, log_level::notices);
     banner_->show_news(text);
   });
+  connect(&part_, &document::warned, this, [this](const QString& text) {
+    log_->write(text, log_level::notices);
+    banner_->show_warning(text);
+  });
   connect(&part_.files(), &file_requests::exported, this, [this](const QString& path) {
     log_->write(tr("wrote %1").arg(path), log_level::notices);
     banner_->show_news(tr("Wrote %1").arg(path));

@@ -47,6 +47,18 @@ TEST_F(Banner, ALostConnectionLeavesAnErrorThatWasNotClosed) {
   EXPECT_TRUE(message.isHidden());
 }
 
+TEST_F(Banner, AWarningLooksLikeOneAndLeavesAnErrorInPlace) {
+  const auto look = make_theme(false);
+  message.set_theme(look);
+  message.show_warning("3 tets have zero volume");
+  EXPECT_EQ(message.text(), "3 tets have zero volume");
+  EXPECT_TRUE(message.styleSheet().contains(look.warning.name()));
+
+  message.show_error("Solve", refused);
+  message.show_warning("3 tets have zero volume");
+  EXPECT_EQ(lines()[0], "Solve did not work");
+}
+
 TEST_F(Banner, NewsGivesWayToAllElse) {
   message.show_news("Version 2 is there.");
   message.show_standing("The connection is lost.");

@@ -86,7 +86,21 @@ TEST(BuildVersion, WarnsOfFlatTets) {
   const auto built = build_version(std::move(raw), 1.0);
 
   ASSERT_TRUE(built.has_value());
-  EXPECT_THAT(built->warnings, Contains(HasSubstr("zero volume")));
+  // In the middle of (.5, .5, 0) and the ends of the three unit vectors.
+  EXPECT_THAT(built->warnings,
+              Contains(HasSubstr("1 tet has zero volume (flat within rounding), the first at (375, "
+                                 "375, 250) mm")));
+}
+
+TEST(BuildVersion, ATetThatIsFlatWithinRoundingIsNotCalledInverted) {
+  auto raw = two_tets();
+  raw.positions[4] = {0.5, 0.5, -1e-14};
+
+  const auto built = build_version(std::move(raw), 1.0);
+
+  ASSERT_TRUE(built.has_value());
+  EXPECT_THAT(built->warnings, Contains(HasSubstr("zero volume (flat within rounding)")));
+  EXPECT_THAT(built->warnings, Not(Contains(HasSubstr("inverted"))));
 }
 
 TEST(BuildVersion, NamesADuplicateTet) {

@@ -32,6 +32,27 @@ QString for_how_long(double ms) {
                       : QString("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
 }
 
+/// What a role of workers does, for people; another server may have others.
+QString role_words(const std::string& role) {
+  if (role == "modeling")
+    return jobs_panel::tr("Edits");
+  if (role == "optimizer")
+    return jobs_panel::tr("Mesh improvement");
+  if (role == "solver")
+    return jobs_panel::tr("Stress");
+  return QString::fromStdString(role);
+}
+
+QString state_words(const std::string& state) {
+  if (state == "ready")
+    return jobs_panel::tr("ready");
+  if (state == "starting")
+    return jobs_panel::tr("starting");
+  if (state == "degraded")
+    return jobs_panel::tr("out of order");
+  return QString::fromStdString(state);
+}
+
 }  // namespace
 
 jobs_panel::jobs_panel(jobs& work, remote& link, QWidget* parent)
@@ -104,8 +125,7 @@ QString jobs_panel::server() const {
     return tr("not connected");
   QStringList lines;
   for (const auto& worker : link_.server().workers) {
-    QString text = QString("%1: %2").arg(QString::fromStdString(worker.role),
-                                         QString::fromStdString(worker.state));
+    QString text = QString("%1: %2").arg(role_words(worker.role), state_words(worker.state));
     if (worker.jobs > 0)
       text += tr(", running and waiting: %1").arg(worker.jobs);
     if (worker.restarts > 0)

@@ -301,6 +301,7 @@ void context_panel::show_form() {
   summary->setText(QString::fromStdString(offered->about.summary));
   form_ = new operation_form(offered->about);
   connect(form_, &operation_form::changed, this, &context_panel::follow);
+  connect(form_, &operation_form::accepted, this, [this] { apply_->click(); });
   auto* seen = new preview_box(preview_);
   connect(seen, &preview_box::place_wanted, this, &context_panel::place_wanted);
   hint_ = make_label("faint");
@@ -318,7 +319,7 @@ QWidget* context_panel::make_buttons() {
   apply_ = new QPushButton(tr("Apply"));
   apply_->setObjectName("apply");
   apply_->setProperty("role", "primary");
-  apply_->setToolTip(tr("Ctrl+Enter"));
+  apply_->setToolTip(tr("Enter in a field, or Ctrl+Enter"));
   connect(apply_, &QPushButton::clicked, this, [this] { apply(); });
   sure_ = new QPushButton;
   sure_->setObjectName("apply_sure");

@@ -17,6 +17,7 @@
 #include <limits>
 #include <optional>
 
+#include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/typed_quantity.hpp"
 
@@ -128,6 +129,11 @@ bool operation_form::event(QEvent* event) {
   while (field && field != this && field->whatsThis().isEmpty())
     field = field->parentWidget();
   const auto* key = static_cast<QKeyEvent*>(event);
+  const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+  if (enter && event->type() == QEvent::KeyPress && !(key->modifiers() & ~Qt::KeypadModifier)) {
+    emit accepted();
+    return true;
+  }
   if (key->key() != Qt::Key_F1 || !field || field == this)
     return QWidget::event(event);
   event->accept();  // Else it would be the window's shortcut.
@@ -199,13 +205,14 @@ QWidget* operation_form::make_real(const ops::parameter_description& parameter) 
 QWidget* operation_form::make_choice(const ops::parameter_description& parameter) {
   auto* box = new QComboBox;
   for (const auto& choice : parameter.choices)
-    box->addItem(text(choice));
-  connect(box, &QComboBox::currentTextChanged, this, &operation_form::changed);
-  fields_[parameter.id] = {[box] { return ops::parameter_value(box->currentText().toStdString()); },
-                           [box](const ops::parameter_value& v) {
-                             if (const auto* s = std::get_if<std::string>(&v))
-                               box->setCurrentText(text(*s));
-                           }};
+    box->addItem(choice_words(choice), text(choice));
+  connect(box, &QComboBox::currentIndexChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {
+    [box] { return ops::parameter_value(box->currentData().toString().toStdString()); },
+    [box](const ops::parameter_value& v) {
+      if (const auto* s = std::get_if<std::string>(&v))
+        box->setCurrentIndex(box->findData(text(*s)));
+    }};
   return box;
 }
 

@@ -29,9 +29,11 @@ public:
 
 signals:
   void changed();
+  /// Enter in one of its fields.
+  void accepted();
 
 protected:
-  /// F1 on a parameter shows its help.
+  /// F1 on a parameter shows its help, Enter accepts.
   bool event(QEvent* event) override;
 
 private:

@@ -136,8 +136,12 @@ void plot_area::paint_axes(QPainter& painter, const axes& frame) const {
   const QFontMetricsF font(painter.font());
   const double line = font.height();
   const QRectF& box = frame.box;
-  painter.drawText(QPointF(box.left(), line), what_.title);
-  painter.drawText(QRectF(0, line - font.ascent(), 58, line), Qt::AlignRight, what_.y_title);
+  const QRectF head(4, line - font.ascent(), width() - 8.0, line);
+  painter.drawText(head, Qt::AlignLeft, what_.y_title);
+  const double left =
+    std::max(box.left(), head.left() + font.horizontalAdvance(what_.y_title) + 12);
+  painter.drawText(QRectF(left, head.top(), head.right() - left, line), Qt::AlignLeft,
+                   font.elidedText(what_.title, Qt::ElideRight, head.right() - left));
   painter.drawText(QRectF(box.left(), height() - line - 2, box.width(), line), Qt::AlignHCenter,
                    what_.x_title);
   for (const double x :

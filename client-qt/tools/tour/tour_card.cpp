@@ -6,11 +6,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace tedit::desktop {
 
 namespace {
 
-constexpr int card_width = 320;
+constexpr int least_width = 320;
 
 }  // namespace
 
@@ -25,7 +27,6 @@ tour_card::tour_card(QWidget* parent)
   setObjectName("tour_card");
   setAutoFillBackground(true);
   setFrameShape(QFrame::StyledPanel);
-  setFixedWidth(card_width);
   auto* column = new QVBoxLayout(this);
   auto* head = new QHBoxLayout;
   title_->setObjectName("tour_title");
@@ -56,7 +57,9 @@ void tour_card::show_step(const QString& title, const QString& words, int step, 
   for (auto* button : {show_me_, skip_})
     button->setVisible(step < of);
   close_->setText(step < of ? tr("End the tour") : tr("Close"));
-  resize(card_width, layout()->totalHeightForWidth(card_width));
+  layout()->activate();
+  const int wide = std::max(least_width, layout()->totalMinimumSize().width());
+  setFixedSize(wide, layout()->totalHeightForWidth(wide));
   show();
   raise();
 }
