@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/quantities.hpp"
@@ -26,6 +27,19 @@ QString figure(const QString& words, const std::optional<double>& value,
     if (const QString by = change(*before, *value); !by.isEmpty())
       text += " (" + by + ")";
   return text;
+}
+
+/// m^2 that each vertex slot stands for: a third of the facets around it.
+std::unordered_map<std::uint32_t, float> areas_of(const client::surface_model& surface) {
+  std::unordered_map<std::uint32_t, float> result;
+  surface.facets().for_each([&](std::uint32_t, const client::surface_facet& facet) {
+    const vec3 a = *surface.positions().find(facet.v[0]);
+    const vec3 n =
+      cross(*surface.positions().find(facet.v[1]) - a, *surface.positions().find(facet.v[2]) - a);
+    for (const auto slot : facet.v)
+      result[slot] += static_cast<float>(norm(n) / 6);
+  });
+  return result;
 }
 
 }  // namespace
@@ -105,18 +119,22 @@ QString not_held(const version_record& version, const std::string& load_case, sh
   return {};
 }
 
-std::optional<std::pair<double, double>> common_range(const client::field_event& a,
-                                                      const client::field_event& b,
-                                                      shown_field wanted) {
-  double low = INFINITY;
-  double high = -INFINITY;
-  for (const auto* field : {&a, &b})
-    for (std::size_t i = 0; i < field->vertices.size(); ++i)
-      if (const double value = value_in(*field, i, wanted); std::isfinite(value)) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  return low <= high ? std::optional(std::pair(low, high)) : std::nullopt;
+legend common_legend(legend by, const compared& a, const compared& b) {
+  if (by.mode != range_mode::automatic && by.mode != range_mode::full)
+    return by;
+  std::vector<float> values;
+  std::vector<float> areas;
+  for (const auto& one : {a, b}) {
+    const auto of = areas_of(one.surface);
+    for (std::size_t i = 0; i < one.field.vertices.size(); ++i) {
+      const auto at = of.find(one.field.vertices[i]);
+      values.push_back(value_in(one.field, i, by.field));
+      areas.push_back(at == of.end() ? 0 : at->second);
+    }
+  }
+  by.fit(values, areas);
+  by.mode = range_mode::manual;
+  return by;
 }
 
 version_figures figures_of(const version_record& version) {

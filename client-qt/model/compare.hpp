@@ -31,11 +31,15 @@ namespace tedit::desktop {
 [[nodiscard]] QString not_held(const version_record& version, const std::string& load_case,
                                shown_field wanted = shown_field::von_mises);
 
-/// The smallest and the largest value of a quantity in two fields together; an empty optional when
-/// neither has any.
-[[nodiscard]] std::optional<std::pair<double, double>> common_range(const client::field_event& a,
-                                                                    const client::field_event& b,
-                                                                    shown_field wanted);
+/// A version as it is compared: its surface, and the field on it.
+struct compared {
+  const client::surface_model& surface;
+  const client::field_event& field;
+};
+
+/// A legend that fits the values of both versions together, as it would fit those of one, and then
+/// stays; one whose range does not follow values is given back. Cost: O(vertices and facets).
+[[nodiscard]] legend common_legend(legend by, const compared& a, const compared& b);
 
 /// Figures of a version: the largest stress of all its load cases, Pa, and its mass, kg.
 struct version_figures {

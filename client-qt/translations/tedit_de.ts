@@ -1937,6 +1937,10 @@ Inhalt %1</translation>
         <source>Name and note ... (F2)</source>
         <translation>Name und Notiz … (F2)</translation>
     </message>
+    <message>
+        <source>Compare with version %1</source>
+        <translation>Mit Version %1 vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::history_tool</name>

@@ -189,7 +189,7 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
   add(ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), true);
   if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
     add(ends->high_at,
-        (by.beyond ? tr("max %1, above the scale") : tr("max %1"))
+        (by.beyond && ends->high > by.high ? tr("max %1, above the scale") : tr("max %1"))
           .arg(field_value(by.field, ends->high)),
         false);
   if (result.size() == 2)

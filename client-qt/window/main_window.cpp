@@ -25,6 +25,7 @@
 #include "client-qt/tools/section/section_bar.hpp"
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/widgets/command_palette.hpp"
+#include "client-qt/widgets/undo_guard.hpp"
 #include "client-qt/widgets/wheel_guard.hpp"
 #include "client-qt/window/menus.hpp"
 
@@ -48,6 +49,7 @@ main_window::main_window(const QString& state_folder)
       actions_(commands_, settings_, look_, *this) {
   setAcceptDrops(true);
   qApp->installEventFilter(new wheel_guard(this));
+  qApp->installEventFilter(new undo_guard(this));
   resize(1440, 900);
   make_view();
   wire_look();

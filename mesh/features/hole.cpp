@@ -118,8 +118,10 @@ expected<completed_selection> complete_hole(const mesh_version& mesh,
         }
       }
     }
-    if (more.empty() && !settings.exact)
+    if (more.empty() && !settings.exact) {
       more = cut_off_surfaces(mesh, shells);
+      result.behind.insert(result.behind.end(), more.begin(), more.end());
+    }
     if (more.empty()) {
       result.shells = std::move(shells);
       result.surfaces = list;

@@ -16,6 +16,7 @@ struct completion_settings {
 struct completed_selection {
   std::vector<surface_id> surfaces;  ///< With those that were added, ascending.
   std::vector<surface_id> added;
+  std::vector<surface_id> behind;  ///< Of these, what would be a void behind a cap.
   std::vector<shell> shells;
 };
 

@@ -75,6 +75,17 @@ constexpr double no_space = 1e-5;
 constexpr double wall_share = 0.8;
 constexpr double foot_share = 0.6;
 
+/// Of a hole without what lies behind its caps: a flange with a dent in it is no pocket.
+expected<double> bulge_of_walls(const mesh_version& mesh, const completed_selection& hole) {
+  if (hole.behind.empty())
+    return bulge(mesh, hole.shells);
+  auto walls = hole.surfaces;
+  std::erase_if(
+    walls, [&](surface_id id) { return std::ranges::find(hole.behind, id) != hole.behind.end(); });
+  const auto own = complete_hole(mesh, walls, {.exact = true});
+  return own ? bulge(mesh, own->shells) : expected<double>(fail(own.error()));
+}
+
 class selector {
 public:
   selector(const mesh_version& mesh, const execution& run) : mesh_(mesh), run_(run) {}
@@ -96,7 +107,10 @@ public:
     const auto whole = complete_hole(mesh_, sorted(walls), {});
     if (!whole)
       return fail(whole.error());
-    if (bulge(mesh_, whole->shells) > -no_space)
+    const auto space = bulge_of_walls(mesh_, *whole);
+    if (!space)
+      return fail(space.error());
+    if (*space > -no_space)
       return fail(ec::not_a_hole,
                   "surface " + std::to_string(wall) +
                     " bounds no hole or pocket: it is flat, or bends outwards",

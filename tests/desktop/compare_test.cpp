@@ -89,16 +89,36 @@ TEST(NotHeld, SaysWhatIsMissing) {
   EXPECT_TRUE(not_held(one, "a").contains("surface"));
 }
 
-TEST(CommonRange, CoversBothFields) {
-  const auto low = version();
-  const auto high = version(0, 15e6F);
+legend legend_of(const version_record& a, const version_record& b, range_mode mode) {
+  legend by;
+  by.mode = mode;
+  by.low = 1;
+  by.high = 2;
+  return common_legend(by, {*a.surface, *a.fields[0]}, {*b.surface, *b.fields[0]});
+}
 
-  const auto range = common_range(*low.fields[0], *high.fields[0], shown_field::von_mises);
+TEST(CommonLegend, CoversBothFields) {
+  const auto by = legend_of(version(), version(0, 15e6F), range_mode::full);
 
-  ASSERT_TRUE(range);
-  EXPECT_FLOAT_EQ(static_cast<float>(range->first), 10e6F);
-  EXPECT_FLOAT_EQ(static_cast<float>(range->second), 45e6F);
-  EXPECT_FALSE(common_range(*low.fields[0], *low.fields[0], shown_field::safety_factor));
+  EXPECT_FLOAT_EQ(static_cast<float>(by.low), 10e6F);
+  EXPECT_FLOAT_EQ(static_cast<float>(by.high), 45e6F);
+  EXPECT_FALSE(by.beyond);
+  EXPECT_EQ(by.mode, range_mode::manual);
+}
+
+/// The three corners of one facet stand for the same area: the one with 1000 times the stress for a
+/// sixth of both versions' is inside, and so is all.
+TEST(CommonLegend, AShareOfOnePercentIsNotLeftOutOfSixEqualOnes) {
+  const auto by = legend_of(version(), version(0, 15e9F), range_mode::automatic);
+
+  EXPECT_FLOAT_EQ(static_cast<float>(by.high), 45e9F);
+}
+
+TEST(CommonLegend, WhatAPersonTypedStays) {
+  const auto by = legend_of(version(), version(0, 15e6F), range_mode::locked);
+
+  EXPECT_EQ(by.low, 1);
+  EXPECT_EQ(by.high, 2);
 }
 
 TEST(TitleOf, GivesTheChangeAgainstTheVersionBefore) {

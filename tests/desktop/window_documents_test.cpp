@@ -3,8 +3,11 @@
 // taken back.
 #include "tests/desktop/window_fixture.hpp"
 
+#include <QAction>
+#include <QContextMenuEvent>
 #include <QDir>
 #include <QFile>
+#include <QMenu>
 
 #include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/history/history_strip.hpp"
@@ -165,6 +168,27 @@ TEST_F(Documents, AVersionThatWasNotSeenIsComparedWithoutMovingTheHead) {
   // Their difference needs both fields: it says so, and who wants it goes there.
   window->findChild<QPushButton*>("compare_difference")->click();
   EXPECT_TRUE(window->findChild<QPushButton*>("compare_go")->isVisible());
+  EXPECT_EQ(version(), 1U);
+}
+
+TEST_F(Documents, AVersionsMenuComparesItWithThePresentOne) {
+  open_plate();
+  part().edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  auto* strip = window->findChild<history_strip*>();
+  ASSERT_TRUE(wait([&] { return strip->count() == 2; }));
+  const QPoint at = strip->visualItemRect(strip->item(0)).center();
+
+  QContextMenuEvent wanted(QContextMenuEvent::Mouse, at, strip->viewport()->mapToGlobal(at));
+  QApplication::sendEvent(strip->viewport(), &wanted);
+  const auto actions = strip->findChild<QMenu*>()->actions();
+  const auto found = std::ranges::find(actions, QString("Compare with version 1"), &QAction::text);
+  ASSERT_NE(found, actions.end());
+  (*found)->trigger();
+
+  auto* before = window->findChild<viewport*>("compare_before");
+  ASSERT_TRUE(wait([&] { return before->isVisible() && before->geometry(); }));
+  EXPECT_TRUE(before->current().surface->surfaces().contains(1)) << "the bore is open there";
   EXPECT_EQ(version(), 1U);
 }
 

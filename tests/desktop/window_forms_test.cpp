@@ -96,6 +96,10 @@ TEST_F(Forms, EnterInAFieldTakesItsValueAndApplies) {
   QTest::keyClick(field, Qt::Key_Return);
 
   ASSERT_TRUE(wait([&] { return version() == 1; }));
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);  // What was entered is not taken back.
+  ASSERT_TRUE(wait([&] { return version() == 0; }));
+  QTest::keyClick(field, Qt::Key_Y, Qt::ControlModifier);
+  ASSERT_TRUE(wait([&] { return version() == 1; }));
   // 5000 mm2, and a little of the walls beside it; the depth that stood there would be 25 % more.
   EXPECT_NEAR(part().head()->report->volume_change, -0.4e-3 * 5e-3, 0.2e-6);
 }

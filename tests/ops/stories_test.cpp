@@ -160,6 +160,24 @@ TEST_F(Stories, FlatWallsAreNoHolesAndNoRibs) {
   }
 }
 
+TEST_F(Stories, AFlangeWithADentThatAFilledBoreLeftIsNoPocket) {
+  const auto base = part("bracket_4040");
+  ASSERT_TRUE(base);
+  const auto filled = edit(base, "fill_hole", {7}, {});
+  ASSERT_TRUE(filled) << render(filled.error());
+  selection_query query;
+
+  query.surfaces = {8};  // The flange; the bore went out of the countersink in it.
+  const auto flange = select_surfaces(*filled->version, query, {});
+  query.surfaces = {6};  // The countersink.
+  const auto dent = select_surfaces(*filled->version, query, {});
+
+  ASSERT_FALSE(flange);
+  EXPECT_EQ(flange.error().code, ec::not_a_hole);
+  ASSERT_TRUE(dent) << render(dent.error());
+  EXPECT_EQ(dent->front().surfaces.size(), 2U);
+}
+
 TEST_F(Stories, LayersAreTakenWhereTheyAloneAreGiven) {
   const auto erode = plugins_.find("erode");
   ASSERT_TRUE(erode);

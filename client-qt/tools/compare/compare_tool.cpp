@@ -3,6 +3,8 @@
 
 #include <QStackedWidget>
 
+#include <algorithm>
+
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/tools/compare/compare_view.hpp"
 #include "client-qt/tools/history/history_strip.hpp"
@@ -22,6 +24,11 @@ void compare_tool::wire(history_tool& history) {
   auto* drag = new version_drag(history.strip());
   connect(drag, &version_drag::dropped, this, &compare_tool::open);
   connect(drag, &version_drag::dropped, &in_.part, [this] { in_.part.refresh_history(); });
+  connect(&history.strip(), &history_strip::comparison_wanted, this, [this](quint32 number) {
+    const auto head = in_.part.head()->info.number;
+    open(std::min(number, head), std::max(number, head));
+    in_.part.refresh_history();
+  });
   connect(page_, &compare_view::closed, this, &compare_tool::leave);
   connect(page_, &compare_view::version_wanted, this, [this, &history](quint32 version) {
     leave();

@@ -298,12 +298,8 @@ void compare_view::show_both(const version_record& before, const version_record&
   const auto a = field_of(before, what_->load_case);
   const auto b = field_of(after, what_->load_case);
   legend by = what_->by;
-  if (a && b && (by.mode == range_mode::automatic || by.mode == range_mode::full))
-    if (const auto range = common_range(*a, *b, by.field); range && range->second > range->first) {
-      by.low = range->first;
-      by.high = range->second;
-      by.mode = range_mode::manual;
-    }
+  if (a && b)
+    by = common_legend(by, {*before.surface, *a}, {*after.surface, *b});
   legend_->set_legend(by);
   before_.view->set_legend(by);
   before_.view->show_part({before.surface, a, what_->deform});

@@ -6,7 +6,9 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -174,6 +176,7 @@ void history_strip::refresh() {
     parents[number] = version.info.parent;
   places_ = lanes_of(parents);
   branches_ = std::ranges::any_of(places_, [](const auto& one) { return one.second.lane > 0; });
+  setVerticalScrollBarPolicy(branches_ ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
   setIconSize(picture_size());
   for (const auto& [number, version] : part_.versions()) {
     auto* row = new QListWidgetItem(describe(version));
@@ -313,8 +316,19 @@ void history_strip::contextMenuEvent(QContextMenuEvent* event) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addAction(tr("Go to this version (Enter)"), this,
                   [this, number] { emit version_wanted(number); });
+  if (head_ && number != *head_)
+    menu->addAction(tr("Compare with version %1").arg(*head_), this,
+                    [this, number] { emit comparison_wanted(number); });
   menu->addAction(tr("Name and note ... (F2)"), this, &history_strip::edit_words);
   menu->popup(event->globalPos());
+}
+
+void history_strip::wheelEvent(QWheelEvent* event) {
+  auto* bar = horizontalScrollBar();
+  if (branches_ || bar->maximum() == 0 || event->angleDelta().y() == 0)
+    return QListWidget::wheelEvent(event);
+  bar->setValue(bar->value() - event->angleDelta().y());
+  event->accept();
 }
 
 }  // namespace tedit::desktop

@@ -39,11 +39,15 @@ public:
 
 signals:
   void version_wanted(quint32 number);
+  /// With the present one.
+  void comparison_wanted(quint32 number);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
+  /// Sideways where there is nothing below.
+  void wheelEvent(QWheelEvent* event) override;
   void doItemsLayout() override;
 
 private:

@@ -26,7 +26,7 @@ void receipt_tool::edited(const edit_report& report, std::uint32_t version) {
                   .arg(duration(made_in_ms(report))));
   in_.panels.raise("receipt");
   if (const auto lost = lost_loads(report); lost > 0)
-    in_.messages.show_news(
+    in_.messages.show_warning(
       tr("Loads and supports that this edit reduced or dropped: %1. See \"What this edit did\".")
         .arg(lost));
 }
