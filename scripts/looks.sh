@@ -11,7 +11,8 @@ Opens the shipped plate in build/release/bin/tedit-qt, goes through the states o
 tests/data/looks/steps.json and writes a picture of each to OUT/VARIANT/.
 
 VARIANT is SIZE-LOOK-LANGUAGE: SIZE one of 1280x720, 1600x1000, 4k (3840x2160 at twice
-the size), LOOK light or dark, LANGUAGE en or de. Without one: all twelve.
+the size), LOOK light or dark, LANGUAGE en or de. Without one: all twelve; with
+--check or --keep those of which pictures are kept.
 
   --check   says which pictures do not look like those that are kept in
             tests/data/looks/VARIANT; status 1 when there are any
@@ -41,7 +42,12 @@ for size in 1280x720 1600x1000 4k; do
     for language in en de; do all+=("$size-$look-$language"); done
   done
 done
-[ ${#variants[@]} -gt 0 ] || variants=("${all[@]}")
+kept=(tests/data/looks/*/)
+kept=("${kept[@]%/}")
+if [ ${#variants[@]} = 0 ]; then
+  variants=("${all[@]}")
+  [ -z "$after" ] || variants=("${kept[@]##*/}")
+fi
 for variant in "${variants[@]}"; do
   [[ " ${all[*]} " == *" $variant "* ]] || { echo "$variant is no variant; there are: ${all[*]}" >&2; exit 2; }
 done

@@ -168,6 +168,12 @@ QRectF clear_of(const QRectF& other, QRectF box, double gap) {
   return box;
 }
 
+QRectF right_of(const QRectF& other, QRectF box, double gap, double end) {
+  if (box.intersects(other) && other.right() + gap + box.width() <= end)
+    box.moveLeft(other.right() + gap);
+  return box;
+}
+
 std::vector<overlay::tag> overlay::tags(double scale) const {
   const auto& ends = view_.painted().extremes;
   if (!extremes_ || !ends)
@@ -183,6 +189,11 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
                QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
     if (box.right() > scale * view_.width())  // Else the words were cut off.
       box.moveRight(place.x() - 12 * scale);
+    if (legend_) {
+      const QRectF scales = scale_box();
+      box = right_of({scale * scales.topLeft(), scale * scales.size()}, box, 4 * scale,
+                     scale * view_.width());
+    }
     result.push_back({place, box, below, text});
   };
   const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);

@@ -22,6 +22,10 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
 /// Where a box goes so that it does not cover another: above it, or below where there is no room.
 [[nodiscard]] QRectF clear_of(const QRectF& other, QRectF box, double gap);
 
+/// Where a box goes so that it does not cover another: to its right, where there is room up to
+/// `end`; else it stays.
+[[nodiscard]] QRectF right_of(const QRectF& other, QRectF box, double gap, double end);
+
 /// What lies over the viewport: legend, marks at the smallest and largest value, and a line about
 /// the state of the field. Lets the mouse through.
 class overlay : public QWidget {

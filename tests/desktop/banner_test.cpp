@@ -84,6 +84,15 @@ TEST_F(Banner, SaysWhenItNeedsOtherRoom) {
   EXPECT_EQ(changes, 3);
 }
 
+TEST(Overlay, AMarkDoesNotCoverTheLegendWhereThereIsRoomBesideIt) {
+  const QRectF legend(8, 100, 140, 200);
+  const QRectF mark(100, 120, 150, 20);
+
+  EXPECT_EQ(right_of(legend, mark, 4, 310), QRectF(152, 120, 150, 20));
+  EXPECT_EQ(right_of(legend, mark, 4, 300), mark);  // It would leave the view.
+  EXPECT_EQ(right_of(legend, QRectF(100, 310, 150, 20), 4, 400), QRectF(100, 310, 150, 20));
+}
+
 TEST(Tags, ABoxThatWouldCoverAnotherGoesAboveItOrBelow) {
   const QRectF other(10, 50, 60, 20);
 

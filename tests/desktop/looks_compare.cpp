@@ -12,7 +12,7 @@ namespace {
 
 // Pictures are kept so small that words are shades: what stands where counts, not which
 // milliseconds or which fonts. What moves by a button's width is seen.
-constexpr int kept_width = 320;
+constexpr int kept_width = 240;
 constexpr double most_mean = 0.8;   ///< Of 255, over all channels.
 constexpr double most_off = 0.005;  ///< Share of pixels of another colour.
 
