@@ -34,6 +34,7 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int cube_margin = 12;
+constexpr int docks_width = 330;  // Those on the right.
 constexpr int widest_banner = 760;
 constexpr int below_titles = 70;  // Of a comparison.
 
@@ -149,7 +150,7 @@ void main_window::lay_out_docks() {
   docks_.raise("history");
   resizeDocks({&docks_.of("context"), &docks_.of("field"), &docks_.of("loads")}, {320, 240, 240},
               Qt::Vertical);
-  resizeDocks({&docks_.of("context")}, {330}, Qt::Horizontal);
+  resizeDocks({&docks_.of("context")}, {docks_width}, Qt::Horizontal);
   resizeDocks({&docks_.of("history")}, {190}, Qt::Vertical);
 }
 
@@ -231,6 +232,8 @@ void main_window::show_docks(bool on) {
   const bool helps = help.isVisible();
   if (on) {
     restoreState(layout_);
+    if (!settings_.contains("layout"))  // Before they stood on the screen it was a wish.
+      resizeDocks({&docks_.of("context")}, {docks_width}, Qt::Horizontal);
     help.setVisible(helps);
   } else {
     layout_ = saveState();
