@@ -169,7 +169,7 @@ void truth_line::refresh() {
   else if (part_.solver().progress() != field_state::none)
     ink = look_.warning;
   const auto style = QString("font-weight: 600; color: %1; padding-left: 8px;").arg(ink.name());
-  if (verdict_->styleSheet() != style)  // It costs more than all else that idles.
+  if (verdict_->styleSheet() != style)  // Else it were polished anew every few seconds.
     verdict_->setStyleSheet(style);
   verdict_->setText(now);
   const bool stopped = part_.head() && part_.solver().progress() == field_state::stopped;
