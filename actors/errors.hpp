@@ -32,7 +32,15 @@ struct rival {
 /// the work that failed.
 [[nodiscard]] error from_caf(const caf::error& e, const std::string& what);
 
+/// What any request is told that needs a mesh where none was imported yet.
+[[nodiscard]] inline error empty_document() {
+  return {ec::conflict, "the document is empty", "Import a mesh first", {}};
+}
+
 /// True for failures that another worker may not have: the worker died or did not answer.
 [[nodiscard]] bool worth_a_retry(const error& e);
+
+/// How often it is then made again.
+inline constexpr int most_retries = 2;
 
 }  // namespace tedit::actors

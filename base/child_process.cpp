@@ -18,8 +18,6 @@ namespace tedit {
 
 namespace {
 
-using clock = std::chrono::steady_clock;
-
 #ifdef TEDIT_SANITIZED
 /// Sanitizers reserve terabytes of addresses for their shadow memory: no program would start.
 constexpr bool limit_addresses = false;
@@ -68,15 +66,16 @@ pid_t start(const std::vector<char*>& arguments, int in, int out, const child_li
 
 /// Moves bytes both ways until the child closes its output, the time is over or it is cancelled.
 expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
-                                     std::span<const char> input, clock::time_point deadline,
+                                     std::span<const char> input,
+                                     std::chrono::steady_clock::time_point deadline,
                                      const execution& run) {
   std::vector<char> output;
   std::array<char, 65536> buffer;
   while (true) {
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the work was cancelled");
-    const auto left =
-      std::chrono::duration_cast<std::chrono::milliseconds>(deadline - clock::now());
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+      deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0)
       return fail(ec::timeout, "a helper program did not end within its time limit");
     if (input.empty())
@@ -114,7 +113,7 @@ std::filesystem::path executable_folder() {
 expected<std::vector<char>> run_child(const std::vector<std::string>& command,
                                       std::span<const char> input, const child_limits& limits,
                                       const execution& run) {
-  const auto deadline = clock::now() + limits.time;
+  const auto deadline = std::chrono::steady_clock::now() + limits.time;
   const std::string name = std::filesystem::path(command.front()).filename().string();
   if (access(command.front().c_str(), X_OK) != 0)
     return fail(ec::service_unavailable, "the program " + command.front() + " is not there",

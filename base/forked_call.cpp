@@ -28,8 +28,6 @@ namespace tedit {
 
 namespace {
 
-using clock = std::chrono::steady_clock;
-
 /// Before each message: who writes to a descriptor that is not theirs is found out by it.
 struct message_head {
   std::uint32_t tag = expected_tag;
@@ -193,12 +191,12 @@ std::string seconds(std::chrono::milliseconds time) {
 /// must be killed.
 expected<void> listen(int line, int child, const forked_limits& limits, const execution& run,
                       message_reader& reader) {
-  const auto begin = clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   std::array<pollfd, 2> ends{{{line, POLLIN, 0}, {child, POLLIN, 0}}};
   while (true) {
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the work was cancelled");
-    if (limits.time.count() > 0 && clock::now() - begin > limits.time)
+    if (limits.time.count() > 0 && std::chrono::steady_clock::now() - begin > limits.time)
       return fail(ec::timeout, "did not end within " + seconds(limits.time));
     // A cancel from another thread wakes nobody: look again after a moment.
     (void)poll(ends.data(), ends.size(), 20);

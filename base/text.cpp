@@ -2,6 +2,7 @@
 #include "base/text.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace tedit {
 
@@ -63,6 +64,12 @@ std::string_view cut_text(std::string_view text, std::size_t bytes) noexcept {
   while (bytes > 0 && goes_on(text[bytes]))
     --bytes;
   return text.substr(0, bytes);
+}
+
+std::string format_number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
 }
 
 }  // namespace tedit

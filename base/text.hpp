@@ -17,4 +17,7 @@ namespace tedit {
 /// The beginning of a UTF-8 text, at most `bytes` long, that ends with a whole character.
 [[nodiscard]] std::string_view cut_text(std::string_view text, std::size_t bytes) noexcept;
 
+/// A number as `printf` writes it with one format such as "%.4g"; at most 63 characters.
+[[nodiscard]] std::string format_number(const char* format, double value);
+
 }  // namespace tedit

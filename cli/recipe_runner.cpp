@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto surface_patience = std::chrono::minutes(2);
 
-std::string place(vec3 p) {
+std::string short_place(vec3 p) {
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   return components(1e3 * p, 3, 1e3 * largest, 5e-4);
 }
@@ -309,7 +309,7 @@ void recipe_runner::add_rows(const std::vector<client::field_event>& fields, boo
     if (field.envelope) {
       rows_.push_back({what + ": worst", "", kibibytes(field.moved), pretty(field.moved.ms, 3), "",
                        "", "", "", "", pretty(1e-6 * field.envelope->max_von_mises.value, 4),
-                       place(field.envelope->max_von_mises.at),
+                       short_place(field.envelope->max_von_mises.at),
                        pretty(1e3 * field.envelope->max_displacement.value, 5)});
       continue;
     }
@@ -317,12 +317,12 @@ void recipe_runner::add_rows(const std::vector<client::field_event>& fields, boo
     if (fields.size() > 1)
       what += ": " + report.load_case;
     // A kept field cost no solve: its times would read as if it had.
-    rows_.push_back({what, "", kibibytes(field.moved), pretty(field.moved.ms, 3), "",
-                     known ? "" : pretty(report.assembly_ms, 3),
-                     known ? "" : pretty(report.solve_ms, 4), std::to_string(report.iterations),
-                     pretty(report.true_relative_residual, 2),
-                     pretty(1e-6 * report.max_von_mises_pa, 4), place(report.max_von_mises_at),
-                     pretty(1e3 * report.max_displacement_m, 5)});
+    rows_.push_back(
+      {what, "", kibibytes(field.moved), pretty(field.moved.ms, 3), "",
+       known ? "" : pretty(report.assembly_ms, 3), known ? "" : pretty(report.solve_ms, 4),
+       std::to_string(report.iterations), pretty(report.true_relative_residual, 2),
+       pretty(1e-6 * report.max_von_mises_pa, 4), short_place(report.max_von_mises_at),
+       pretty(1e3 * report.max_displacement_m, 5)});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "protocol/load_policy_message.hpp"
 #include "protocol/operation_message.hpp"
 #include "protocol/selection_message.hpp"
+#include "protocol/vector_message.hpp"
 
 namespace tedit::client {
 
@@ -233,13 +234,8 @@ expected<section> client::cut(const vec3& at, const vec3& normal, const std::str
   auto* wanted = request.mutable_cut_section();
   wanted->set_document(*document);
   wanted->set_load_case(load_case);
-  const auto set = [](const vec3& from, v1::Vector3* to) {
-    to->set_x(from.x);
-    to->set_y(from.y);
-    to->set_z(from.z);
-  };
-  set(at, wanted->mutable_point_m());
-  set(normal, wanted->mutable_normal());
+  protocol::write_vector(at, wanted->mutable_point_m());
+  protocol::write_vector(normal, wanted->mutable_normal());
   auto got = impl_->ask(std::move(request), body::kSectionReady, run);
   if (!got)
     return fail(std::move(got.error()));

@@ -1,13 +1,18 @@
 # tedit_add_operation(NAME fill_hole SOURCES operation.cpp a.cpp [TESTS a_test.cpp] [LINK x] [CONFORMANCE --mesh m])
 #
-# Builds one operation plugin: a static library tedit_op_<NAME>_code with all sources, which tests
-# link, and the loadable module lib/tedit/plugins/<NAME>.so. The first source holds TEDIT_PLUGIN. The conformance kit is
+# Builds one operation plugin: a library tedit_op_<NAME>_code, which tests link, and the loadable module
+# lib/tedit/plugins/<NAME>.so. The first source holds TEDIT_PLUGIN and is the module's alone: each plugin has one. The conformance kit is
 # a test of its own, conformance.<NAME>; CONFORMANCE gives it further options. Outside this tree: tedit_add_plugin.
 function(tedit_add_operation)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;TESTS;LINK;CONFORMANCE" ${ARGN})
-  list(GET ARG_SOURCES 0 entry)
-  add_library(tedit_op_${ARG_NAME}_code STATIC ${ARG_SOURCES})
-  target_link_libraries(tedit_op_${ARG_NAME}_code PUBLIC tedit_options tedit_mesh ${ARG_LINK})
+  list(POP_FRONT ARG_SOURCES entry)
+  if(ARG_SOURCES)
+    add_library(tedit_op_${ARG_NAME}_code STATIC ${ARG_SOURCES})
+    target_link_libraries(tedit_op_${ARG_NAME}_code PUBLIC tedit_options tedit_mesh ${ARG_LINK})
+  else()
+    add_library(tedit_op_${ARG_NAME}_code INTERFACE)
+    target_link_libraries(tedit_op_${ARG_NAME}_code INTERFACE tedit_options tedit_mesh ${ARG_LINK})
+  endif()
   add_library(tedit_op_${ARG_NAME} MODULE ${entry})
   target_link_libraries(tedit_op_${ARG_NAME} PRIVATE tedit_op_${ARG_NAME}_code)
   set_target_properties(

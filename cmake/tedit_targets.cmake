@@ -17,8 +17,17 @@ set(TEDIT_OWN_TARGET ON)
 define_property(TARGET PROPERTY TEDIT_OWN_TARGET INITIALIZE_FROM_VARIABLE TEDIT_OWN_TARGET
                 BRIEF_DOCS "Whether a target is built in TEdit's own tree")
 # Vectors of 32 bytes do not cross a function's border (fem/wide.hpp): what GCC notes about passing them is moot.
-set(tedit_warnings -Wno-psabi -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
+set(tedit_warnings -Wno-psabi -Wall -Wextra -Wno-missing-field-initializers)
 set(own "$<BOOL:$<TARGET_PROPERTY:TEDIT_OWN_TARGET>>")
+if(TEDIT_UNITY)
+  # Several sources are compiled as one: names local to a file stand beside those of its neighbours, so that a local
+  # variable may well be called as another file's function. The dev preset compiles each alone, with all warnings.
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
+  list(APPEND tedit_warnings -Wshadow=local -Wno-subobject-linkage)
+else()
+  list(APPEND tedit_warnings -Wshadow)
+endif()
 target_compile_options(tedit_options INTERFACE "$<BUILD_INTERFACE:$<${own}:${tedit_warnings}>>" -fvisibility=hidden)
 if(TEDIT_WERROR)
   # GCC 12 sees joined strings overrun where none does (its bugs 105329 and 105651): those stay warnings.

@@ -20,7 +20,7 @@ struct alignas(32) block3 {
   std::array<double4, 3> column{};
 };
 
-TEDIT_INLINE double4 load(const vec3& v) {
+TEDIT_INLINE double4 in_lanes(const vec3& v) {
   return *reinterpret_cast<const double4_anywhere*>(&v);
 }
 
@@ -72,12 +72,12 @@ private:
     const std::size_t a = corner % per_;
     const auto [lambda, mu] = p_.constants[p_.element_materials[e]];
     const vec3 ga = g.gradient[a];
-    const double4 va = g.volume * load(g.gradient[a]);
+    const double4 va = g.volume * in_lanes(g.gradient[a]);
     for (std::size_t b = 0; b < 4; ++b) {
       if (b == a)
         continue;
       const vec3 gb = g.gradient[b];
-      const double4 vb = g.volume * load(g.gradient[b]);
+      const double4 vb = g.volume * in_lanes(g.gradient[b]);
       const double both = g.volume * mu * dot(ga, gb);
       auto& k = blocks_[*table_.at(p_.element_nodes[per_ * e + b]).first].column;
       k[0] += lambda * gb.x * va + mu * ga.x * vb + double4{both, 0, 0, 0};

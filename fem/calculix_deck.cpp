@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t longest_number = 20;
 
 /// The shortest text that reads back as `value`, or as many digits as fit.
-std::string number(double value) {
+std::string shortest(double value) {
   std::array<char, 32> text;
   // Adding zero makes -0 a plain 0.
   auto end = std::to_chars(text.begin(), text.end(), value + 0.0).ptr;
@@ -156,7 +156,8 @@ private:
   }
 
   void write_node(std::size_t id, vec3 at) {
-    out_ << id << ", " << number(at.x) << ", " << number(at.y) << ", " << number(at.z) << "\n";
+    out_ << id << ", " << shortest(at.x) << ", " << shortest(at.y) << ", " << shortest(at.z)
+         << "\n";
   }
 
   void write_elements() {
@@ -189,7 +190,7 @@ private:
            << rounded(mu * (3 * lambda + 2 * mu) / (lambda + mu)) << ", "
            << rounded(lambda / (2 * (lambda + mu))) << "\n";
       if (p_.densities[m] > 0)
-        out_ << "*DENSITY\n" << number(p_.densities[m]) << "\n";
+        out_ << "*DENSITY\n" << shortest(p_.densities[m]) << "\n";
       out_ << "*SOLID SECTION, ELSET=" << material(m) << ", MATERIAL=" << material(m) << "\n";
     }
   }
@@ -208,7 +209,7 @@ private:
              << node + 1 << "," << row.dependent + 1 << ",1.";
         for (int j = 0; j < 3; ++j)
           if (row.factor[j] != 0)
-            out_ << "," << node + 1 << "," << j + 1 << "," << number(row.factor[j]);
+            out_ << "," << node + 1 << "," << j + 1 << "," << shortest(row.factor[j]);
         if (moved)
           out_ << "," << ++offset << ",1,-1.";
         out_ << "\n";
@@ -222,7 +223,7 @@ private:
     const auto write = [&](std::size_t id, int component, double value) {
       if (!std::exchange(any, true))
         out_ << "*BOUNDARY\n";
-      out_ << id << ", " << component << ", " << component << ", " << number(value) << "\n";
+      out_ << id << ", " << component << ", " << component << ", " << shortest(value) << "\n";
     };
     for (const auto& [node, rows] : held_)
       for (const auto& row : rows)
@@ -240,7 +241,7 @@ private:
         continue;
       if (counts_.loads++ == 0)
         out_ << "*CLOAD\n";
-      out_ << i / 3 + 1 << ", " << i % 3 + 1 << ", " << number(p_.loads[i]) << "\n";
+      out_ << i / 3 + 1 << ", " << i % 3 + 1 << ", " << shortest(p_.loads[i]) << "\n";
     }
   }
 

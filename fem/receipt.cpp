@@ -14,7 +14,7 @@ namespace tedit::fem {
 
 namespace {
 
-std::string number(double value) {
+std::string readable(double value) {
   char text[32];
   // People read 20000 N, not 2e+04 N.
   const bool large = std::abs(value) >= 1e4 && std::abs(value) < 1e7;
@@ -244,14 +244,14 @@ private:
     if (const auto* p = std::get_if<pressure>(&before.kind); p && changes_by_place(*p))
       return "its pressure by place kept";
     if (const auto* m = std::get_if<moment>(&before.kind))
-      return "moment " + number(norm(m->total_nm)) + " N m kept";
+      return "moment " + readable(norm(m->total_nm)) + " N m kept";
     const bool is_force = !std::holds_alternative<traction>(before.kind) &&
                           !std::holds_alternative<pressure>(before.kind);
     const double change = std::abs(line.total_after - line.total_before);
     if (change > 1e-9 * std::abs(line.total_before))
-      return "total changed from " + number(line.total_before) + " to " + number(line.total_after) +
-             " N";
-    return (is_force ? "total force " : "total ") + number(line.total_after) + " N kept";
+      return "total changed from " + readable(line.total_before) + " to " +
+             readable(line.total_after) + " N";
+    return (is_force ? "total force " : "total ") + readable(line.total_after) + " N kept";
   }
 
   static std::string list(const std::vector<surface_id>& ids) {
@@ -278,8 +278,8 @@ private:
                                          const std::vector<surface_id>& after) const {
     if (line.moved_to.empty() || !(line.area_after > much_larger * line.area_before))
       return {};
-    return "an edit moved " + line.item + " from " + number(1e6 * line.area_before) + " mm2 to " +
-           number(1e6 * line.area_after) + " mm2 (surface " + named_list(after) +
+    return "an edit moved " + line.item + " from " + readable(1e6 * line.area_before) + " mm2 to " +
+           readable(1e6 * line.area_after) + " mm2 (surface " + named_list(after) +
            "): check that it may act on all of that";
   }
 
@@ -288,7 +288,7 @@ private:
                                   std::string total) {
     line.area_after = area(to_, after);
     const double change = line.area_before > 0 ? 100 * (line.area_after / line.area_before - 1) : 0;
-    const auto percent = (change > 0 ? "+" : "") + number(change) + " %";
+    const auto percent = (change > 0 ? "+" : "") + readable(change) + " %";
     if (!total.empty())
       total.insert(0, "; ");
     const auto lost = list(line.surfaces_lost);
@@ -307,7 +307,7 @@ private:
     } else if (std::abs(change) > 1e-9) {
       line.fate = receipt_fate::area_changed;
       line.text = line.item + ": area of surface " + list(after) + " is now " +
-                  number(1e6 * line.area_after) + " mm2 (" + percent + ")" + total;
+                  readable(1e6 * line.area_after) + " mm2 (" + percent + ")" + total;
     } else {
       line.text = line.item + " is as before";
     }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/units.hpp"
 #include "fem/node_table.hpp"
 #include "fem/polled.hpp"
 #include "mesh/facet_pages.hpp"
@@ -15,7 +15,6 @@ namespace tedit::fem {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 /// Normals of two surfaces at a node are one direction up to this angle, or up to a little more
 /// than what the facets of both turn by: six facets around a hole have 60 degrees where its halves
 /// meet.

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "base/sparse_numbers.hpp"
+#include "base/text.hpp"
 #include "mesh/face_key.hpp"
 #include "mesh/facet_pages.hpp"
 #include "mesh/predicates.hpp"
@@ -16,12 +17,6 @@
 namespace tedit {
 
 namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
 
 std::string named(const char* what, std::uint64_t id) {
   return std::string(what) + " " + std::to_string(id);
@@ -48,7 +43,7 @@ public:
     const auto c = mesh_.corners(t);
     if (const int sign = orient3d(c[0], c[1], c[2], c[3]); sign <= 0)
       add(sign < 0 ? ec::inverted_tet : ec::degenerate_tet, "positive orientation", named("tet", t),
-          "volume " + number(signed_volume(c)) + " m3");
+          "volume " + format_number("%.4g", signed_volume(c)) + " m3");
     for (int face = 0; face < 4; ++face)
       check_face(t, face);
   }
@@ -363,9 +358,9 @@ private:
     const double allowed =
       claim_.volume_tolerance * std::max(std::abs(claim_.volume_change), largest);
     if (!(std::abs(change - claim_.volume_change) <= allowed))
-      slots_.add(
-        ec::postcondition_failed, "volume changes as the operation says", "",
-        "it says " + number(claim_.volume_change) + " m3, the tets say " + number(change) + " m3");
+      slots_.add(ec::postcondition_failed, "volume changes as the operation says", "",
+                 "it says " + format_number("%.4g", claim_.volume_change) + " m3, the tets say " +
+                   format_number("%.4g", change) + " m3");
   }
 
   void check_quality() {
@@ -383,10 +378,10 @@ private:
     const double before = worst_quality_before(base_, mesh_, claim_.touched);
     // A floor that is no number allows nothing.
     if (!(after >= std::min(claim_.quality_floor, before) * (1 - 1e-9)))
-      slots_.add(ec::postcondition_failed, "worst quality of the touched region",
-                 named("tet", worst),
-                 "q = " + number(after) + ", before " + number(before) + ", floor " +
-                   number(claim_.quality_floor));
+      slots_.add(
+        ec::postcondition_failed, "worst quality of the touched region", named("tet", worst),
+        "q = " + format_number("%.4g", after) + ", before " + format_number("%.4g", before) +
+          ", floor " + format_number("%.4g", claim_.quality_floor));
   }
 
 private:

@@ -10,21 +10,12 @@
 
 #include "base/text.hpp"
 #include "protocol/numbers.hpp"
+#include "protocol/vector_message.hpp"
 #include "tedit/v1/load_case.pb.h"
 
 namespace tedit::protocol {
 
 namespace {
-
-vec3 from_message(const v1::Vector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-void to_message(vec3 v, v1::Vector3* out) {
-  out->set_x(v.x);
-  out->set_y(v.y);
-  out->set_z(v.z);
-}
 
 template <class Surfaces>
 std::vector<surface_id> surfaces_from(const Surfaces& surfaces) {
@@ -75,32 +66,32 @@ expected<fem::load> load_from(const v1::Load& l, int index) {
   fem::load result{surfaces_from(l.surfaces()), fem::force{}, l.warning()};
   switch (l.kind_case()) {
     case v1::Load::kForce:
-      result.kind = fem::force{from_message(l.force().total_n())};
+      result.kind = fem::force{read_vector(l.force().total_n())};
       return result;
     case v1::Load::kTraction:
-      result.kind = fem::traction{from_message(l.traction().pa())};
+      result.kind = fem::traction{read_vector(l.traction().pa())};
       return result;
     case v1::Load::kPressure:
-      result.kind = fem::pressure{l.pressure().pa(), from_message(l.pressure().gradient_pa_m()),
-                                  from_message(l.pressure().at_m())};
+      result.kind = fem::pressure{l.pressure().pa(), read_vector(l.pressure().gradient_pa_m()),
+                                  read_vector(l.pressure().at_m())};
       return result;
     case v1::Load::kGravity:
-      result.kind = fem::gravity{from_message(l.gravity().m_s2())};
+      result.kind = fem::gravity{read_vector(l.gravity().m_s2())};
       return result;
     case v1::Load::kNormalForce:
       result.kind = fem::normal_force{l.normal_force().total_n()};
       return result;
     case v1::Load::kMoment:
-      result.kind = fem::moment{from_message(l.moment().total_nm())};
+      result.kind = fem::moment{read_vector(l.moment().total_nm())};
       return result;
     case v1::Load::kRemoteForce: {
       const auto& f = l.remote_force();
-      result.kind = fem::remote_force{from_message(f.total_n()), from_message(f.at_m()),
-                                      from_message(f.moment_nm())};
+      result.kind = fem::remote_force{read_vector(f.total_n()), read_vector(f.at_m()),
+                                      read_vector(f.moment_nm())};
       return result;
     }
     case v1::Load::kBearingForce:
-      result.kind = fem::bearing_force{from_message(l.bearing_force().total_n())};
+      result.kind = fem::bearing_force{read_vector(l.bearing_force().total_n())};
       return result;
     case v1::Load::KIND_NOT_SET:
       break;
@@ -181,37 +172,37 @@ struct load_writer {
   v1::Load* out;
 
   void operator()(const fem::force& f) const {
-    to_message(f.total_n, out->mutable_force()->mutable_total_n());
+    write_vector(f.total_n, out->mutable_force()->mutable_total_n());
   }
   void operator()(const fem::traction& t) const {
-    to_message(t.pa, out->mutable_traction()->mutable_pa());
+    write_vector(t.pa, out->mutable_traction()->mutable_pa());
   }
   void operator()(const fem::pressure& p) const {
     auto* values = out->mutable_pressure();
     values->set_pa(p.pa);
     if (p.gradient_pa_m != vec3{})
-      to_message(p.gradient_pa_m, values->mutable_gradient_pa_m());
+      write_vector(p.gradient_pa_m, values->mutable_gradient_pa_m());
     if (p.at_m != vec3{})
-      to_message(p.at_m, values->mutable_at_m());
+      write_vector(p.at_m, values->mutable_at_m());
   }
   void operator()(const fem::gravity& g) const {
-    to_message(g.m_s2, out->mutable_gravity()->mutable_m_s2());
+    write_vector(g.m_s2, out->mutable_gravity()->mutable_m_s2());
   }
   void operator()(const fem::normal_force& f) const {
     out->mutable_normal_force()->set_total_n(f.total_n);
   }
   void operator()(const fem::moment& m) const {
-    to_message(m.total_nm, out->mutable_moment()->mutable_total_nm());
+    write_vector(m.total_nm, out->mutable_moment()->mutable_total_nm());
   }
   void operator()(const fem::remote_force& f) const {
     auto* values = out->mutable_remote_force();
-    to_message(f.total_n, values->mutable_total_n());
-    to_message(f.at_m, values->mutable_at_m());
+    write_vector(f.total_n, values->mutable_total_n());
+    write_vector(f.at_m, values->mutable_at_m());
     if (f.moment_nm != vec3{})
-      to_message(f.moment_nm, values->mutable_moment_nm());
+      write_vector(f.moment_nm, values->mutable_moment_nm());
   }
   void operator()(const fem::bearing_force& f) const {
-    to_message(f.total_n, out->mutable_bearing_force()->mutable_total_n());
+    write_vector(f.total_n, out->mutable_bearing_force()->mutable_total_n());
   }
 };
 

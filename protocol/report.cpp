@@ -7,6 +7,7 @@
 #include "protocol/json.hpp"
 #include "protocol/load_policy_message.hpp"
 #include "protocol/optimisation_message.hpp"
+#include "protocol/vector_message.hpp"
 #include "tedit/v1/session.pb.h"
 
 namespace tedit {
@@ -134,16 +135,6 @@ namespace protocol {
 
 namespace {
 
-vec3 from_message(const v1::Vector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-void to_message(vec3 v, v1::Vector3* out) {
-  out->set_x(v.x);
-  out->set_y(v.y);
-  out->set_z(v.z);
-}
-
 // The message's enumeration starts with one for "unspecified"; ours with `kept`, which no list of
 // changes holds.
 v1::SurfaceChange::Fate fate_to(surface_fate fate) {
@@ -189,18 +180,18 @@ void judgement_to(const solve_report& report, v1::SolveReport* out) {
   out->set_relative_error_estimate(report.relative_error_estimate);
   if (report.min_safety_factor) {
     out->set_min_safety_factor(*report.min_safety_factor);
-    to_message(report.min_safety_factor_at, out->mutable_min_safety_factor_at_m());
+    write_vector(report.min_safety_factor_at, out->mutable_min_safety_factor_at_m());
   }
   for (const auto& r : report.surface_reactions) {
     auto* row = out->add_surface_reactions();
     row->set_surface(r.surface);
     row->set_name(r.name);
-    to_message(r.force_n, row->mutable_force_n());
+    write_vector(r.force_n, row->mutable_force_n());
   }
   for (const auto& place : report.singular_places) {
     auto* row = out->add_singular_places();
     row->set_kind(kind_to(place.kind));
-    to_message(place.at, row->mutable_at_m());
+    write_vector(place.at, row->mutable_at_m());
     row->set_von_mises_pa(place.von_mises_pa);
   }
   out->set_singular_places_count(static_cast<std::uint32_t>(report.singular_places_count));
@@ -217,12 +208,12 @@ void judgement_from(const v1::SolveReport& m, solve_report& report) {
   report.relative_error_estimate = m.relative_error_estimate();
   if (m.has_min_safety_factor())
     report.min_safety_factor = m.min_safety_factor();
-  report.min_safety_factor_at = from_message(m.min_safety_factor_at_m());
+  report.min_safety_factor_at = read_vector(m.min_safety_factor_at_m());
   for (const auto& row : m.surface_reactions())
-    report.surface_reactions.push_back({row.surface(), row.name(), from_message(row.force_n())});
+    report.surface_reactions.push_back({row.surface(), row.name(), read_vector(row.force_n())});
   for (const auto& row : m.singular_places())
     if (const auto kind = kind_from(row.kind()))
-      report.singular_places.push_back({*kind, from_message(row.at_m()), row.von_mises_pa()});
+      report.singular_places.push_back({*kind, read_vector(row.at_m()), row.von_mises_pa()});
   report.singular_places_count = m.singular_places_count();
   report.max_von_mises_singularity = kind_from(m.max_von_mises_singularity());
   report.notice = m.notice();
@@ -306,12 +297,12 @@ void to_message(const solve_report& report, v1::SolveReport* out) {
   out->set_iterations(static_cast<std::uint32_t>(report.iterations));
   out->set_true_relative_residual(report.true_relative_residual);
   out->set_max_displacement_m(report.max_displacement_m);
-  to_message(report.max_displacement_at, out->mutable_max_displacement_at_m());
+  write_vector(report.max_displacement_at, out->mutable_max_displacement_at_m());
   out->set_compliance_j(report.compliance_j);
   out->set_max_von_mises_pa(report.max_von_mises_pa);
-  to_message(report.max_von_mises_at, out->mutable_max_von_mises_at_m());
-  to_message(report.reaction_n, out->mutable_reaction_n());
-  to_message(report.applied_n, out->mutable_applied_n());
+  write_vector(report.max_von_mises_at, out->mutable_max_von_mises_at_m());
+  write_vector(report.reaction_n, out->mutable_reaction_n());
+  write_vector(report.applied_n, out->mutable_applied_n());
   out->set_assembly_ms(report.assembly_ms);
   out->set_setup_ms(report.setup_ms);
   out->set_solve_ms(report.solve_ms);
@@ -332,12 +323,12 @@ solve_report from_message(const v1::SolveReport& m) {
   report.iterations = static_cast<int>(m.iterations());
   report.true_relative_residual = m.true_relative_residual();
   report.max_displacement_m = m.max_displacement_m();
-  report.max_displacement_at = from_message(m.max_displacement_at_m());
+  report.max_displacement_at = read_vector(m.max_displacement_at_m());
   report.compliance_j = m.compliance_j();
   report.max_von_mises_pa = m.max_von_mises_pa();
-  report.max_von_mises_at = from_message(m.max_von_mises_at_m());
-  report.reaction_n = from_message(m.reaction_n());
-  report.applied_n = from_message(m.applied_n());
+  report.max_von_mises_at = read_vector(m.max_von_mises_at_m());
+  report.reaction_n = read_vector(m.reaction_n());
+  report.applied_n = read_vector(m.applied_n());
   report.assembly_ms = m.assembly_ms();
   report.setup_ms = m.setup_ms();
   report.solve_ms = m.solve_ms();
@@ -351,12 +342,12 @@ namespace {
 
 void to_message(const worst_value& worst, v1::Envelope::Worst* out) {
   out->set_value(worst.value);
-  to_message(worst.at, out->mutable_at_m());
+  write_vector(worst.at, out->mutable_at_m());
   out->set_load_case(worst.load_case);
 }
 
 worst_value from_message(const v1::Envelope::Worst& m) {
-  return {m.value(), from_message(m.at_m()), m.load_case()};
+  return {m.value(), read_vector(m.at_m()), m.load_case()};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "protocol/selection_message.hpp"
 
 #include "protocol/json.hpp"
+#include "protocol/vector_message.hpp"
 #include "tedit/v1/session.pb.h"
 
 namespace tedit::protocol {
@@ -17,16 +18,6 @@ static_assert(static_cast<int>(feature_kind::protrusion) + 1 == v1::SelectSurfac
 static_assert(static_cast<int>(feature_kind::holes) + 1 == v1::SelectSurfaces::HOLES);
 static_assert(static_cast<int>(feature_kind::smooth) + 1 == v1::SelectSurfaces::SMOOTH);
 static_assert(static_cast<int>(feature_kind::neighbours) + 1 == v1::SelectSurfaces::NEIGHBOURS);
-
-void set(vec3 value, v1::Vector3* out) {
-  out->set_x(value.x);
-  out->set_y(value.y);
-  out->set_z(value.z);
-}
-
-vec3 get(const v1::Vector3& message) {
-  return {message.x(), message.y(), message.z()};
-}
 
 }  // namespace
 
@@ -63,8 +54,8 @@ std::vector<found_feature> from_message(const v1::SurfacesSelected& message) {
                                                                 : feature_kind::smooth;
     found.surfaces.assign(row.surfaces().begin(), row.surfaces().end());
     found.diameter = row.diameter_m();
-    found.centre = get(row.centre_m());
-    found.axis = get(row.axis());
+    found.centre = read_vector(row.centre_m());
+    found.axis = read_vector(row.axis());
     features.push_back(std::move(found));
   }
   return features;
@@ -76,8 +67,8 @@ void to_message(const std::vector<found_feature>& features, v1::SurfacesSelected
     row->set_kind(kind_to(found.kind));
     row->mutable_surfaces()->Assign(found.surfaces.begin(), found.surfaces.end());
     row->set_diameter_m(found.diameter);
-    set(found.centre, row->mutable_centre_m());
-    set(found.axis, row->mutable_axis());
+    write_vector(found.centre, row->mutable_centre_m());
+    write_vector(found.axis, row->mutable_axis());
   }
 }
 

@@ -3,15 +3,11 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
+
 namespace tedit::verification {
 
 namespace {
-
-std::string number(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
 
 /// A cell of a Markdown table; bars would end it.
 std::string cell(const std::string& text) {
@@ -110,10 +106,10 @@ std::string convergence(const suite_report& report, const page_facts& facts) {
   text +=
     "| order | tets | h | L2 error | rate | energy error | rate |\n|---|---|---|---|---|---|---|\n";
   for (const auto& r : report.convergence) {
-    const auto rate = [](double value) { return value == 0 ? "" : number("%.2f", value); };
+    const auto rate = [](double value) { return value == 0 ? "" : format_number("%.2f", value); };
     text += row({std::to_string(r.element_order), std::to_string(r.elements),
-                 number("%.4g", r.size), number("%.3e", r.l2_error), rate(r.l2_rate),
-                 number("%.3e", r.energy_error), rate(r.energy_rate)});
+                 format_number("%.4g", r.size), format_number("%.3e", r.l2_error), rate(r.l2_rate),
+                 format_number("%.3e", r.energy_error), rate(r.energy_rate)});
   }
   return text + "\n";
 }
@@ -139,11 +135,11 @@ std::string side_by_side(const suite_report& report) {
     "| part | order | tets | nodes | displacement | total reaction | surface reaction | compliance "
     "| TEdit, s | CalculiX, s |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& r : report.side_by_side)
-    text +=
-      row({r.part, std::to_string(r.element_order), std::to_string(r.elements),
-           std::to_string(r.nodes), number("%.1e", r.displacement), number("%.1e", r.reaction),
-           number("%.1e", r.surface_reaction), number("%.1e", r.compliance),
-           number("%.1f", 1e-3 * r.milliseconds), number("%.1f", 1e-3 * r.other_milliseconds)});
+    text += row({r.part, std::to_string(r.element_order), std::to_string(r.elements),
+                 std::to_string(r.nodes), format_number("%.1e", r.displacement),
+                 format_number("%.1e", r.reaction), format_number("%.1e", r.surface_reaction),
+                 format_number("%.1e", r.compliance), format_number("%.1f", 1e-3 * r.milliseconds),
+                 format_number("%.1f", 1e-3 * r.other_milliseconds)});
   return text + "\n";
 }
 

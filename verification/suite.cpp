@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "verification/cases.hpp"
 #include "verification/meshes.hpp"
 
@@ -35,12 +36,6 @@ std::vector<const real_part*> pointers_to(std::span<const real_part> parts) {
   for (const auto& part : parts)
     pointers.push_back(&part);
   return pointers;
-}
-
-std::string number(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
 }
 
 }  // namespace
@@ -216,12 +211,13 @@ expected<suite_report> run_suite(fem::backend& device, const real_part* part, co
 result_text text_of(const case_result& r) {
   switch (r.kind) {
     case comparison::within:
-      return {number("%.6g", r.target), number("%.6g", r.computed),
-              number("%+.2g %%", 100 * r.relative_error), number("%.2g %%", 100 * r.tolerance)};
+      return {format_number("%.6g", r.target), format_number("%.6g", r.computed),
+              format_number("%+.2g %%", 100 * r.relative_error),
+              format_number("%.2g %%", 100 * r.tolerance)};
     case comparison::at_most:
-      return {"<= " + number("%.3g", r.target), number("%.3g", r.computed), "", ""};
+      return {"<= " + format_number("%.3g", r.target), format_number("%.3g", r.computed), "", ""};
     case comparison::at_least:
-      return {">= " + number("%.3g", r.target), number("%.3g", r.computed), "", ""};
+      return {">= " + format_number("%.3g", r.target), format_number("%.3g", r.computed), "", ""};
     case comparison::refusal:
       break;
   }

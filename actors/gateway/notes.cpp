@@ -12,8 +12,6 @@ namespace {
 
 using namespace actors;
 
-constexpr auto short_limit = std::chrono::seconds(60);
-
 /// Former names of a document that a request may have: those that its client has not heard of yet.
 constexpr std::size_t most_former = 16;
 

@@ -28,8 +28,6 @@ constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 /// Bytes of a client's name that are kept.
 constexpr std::size_t longest_client_name = 100;
 
-constexpr auto short_limit = std::chrono::seconds(60);
-
 /// Errors: `invalid_argument` when more than one field says which load cases, or one is named
 /// twice.
 expected<std::vector<std::string>> named_cases(const v1::Solve& body) {

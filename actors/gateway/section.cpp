@@ -6,14 +6,11 @@
 #include "fem/fields.hpp"
 #include "mesh/section.hpp"
 #include "protocol/json.hpp"
+#include "protocol/vector_message.hpp"
 
 namespace tedit::gateway {
 
 namespace {
-
-vec3 from_message(const v1::Vector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
 
 /// Adds a field at the section's points; nothing when it is not among the fields.
 void add_field(const plane_section& cut, const std::vector<field>& fields, const std::string& name,
@@ -73,8 +70,8 @@ expected<std::vector<wanted_field>> fields_for(const actors::solved& event,
 
 expected<bulk> make_section(const mesh_version& mesh, const actors::solved* fields,
                             const watched_quantities& watched, const v1::CutSection& request) {
-  const auto cut =
-    cut_by_plane(mesh, from_message(request.point_m()), from_message(request.normal()), {});
+  const auto cut = cut_by_plane(mesh, protocol::read_vector(request.point_m()),
+                                protocol::read_vector(request.normal()), {});
   if (!cut)
     return fail(cut.error());
   bulk result;

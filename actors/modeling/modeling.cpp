@@ -8,9 +8,9 @@ namespace tedit::actors {
 
 namespace {
 
-using self_pointer = modeling_actor::stateful_pointer<modeling_state>;
+using modeling_pointer = modeling_actor::stateful_pointer<modeling_state>;
 
-caf::result<import_result> handle(self_pointer self, job_id job, const import_order& order) {
+caf::result<import_result> handle(modeling_pointer self, job_id job, const import_order& order) {
   auto cache = self->state.desk.cache;
   auto source = self->state.desk.pages_handle;
   return perform<import_result>(
@@ -25,7 +25,7 @@ caf::result<import_result> handle(self_pointer self, job_id job, const import_or
     });
 }
 
-caf::result<edit_candidate> handle(self_pointer self, job_id job, const edit_order& order) {
+caf::result<edit_candidate> handle(modeling_pointer self, job_id job, const edit_order& order) {
   const auto needed = pages_of(order.version);
   if (!needed)
     return to_caf(needed.error());
@@ -45,7 +45,7 @@ caf::result<edit_candidate> handle(self_pointer self, job_id job, const edit_ord
     });
 }
 
-caf::result<export_result> handle(self_pointer self, job_id job, const export_order& order) {
+caf::result<export_result> handle(modeling_pointer self, job_id job, const export_order& order) {
   auto needed = pages_of(order.version);
   if (!needed)
     return to_caf(needed.error());
@@ -66,7 +66,7 @@ caf::result<export_result> handle(self_pointer self, job_id job, const export_or
     });
 }
 
-caf::result<select_result> handle(self_pointer self, job_id job, const select_order& order) {
+caf::result<select_result> handle(modeling_pointer self, job_id job, const select_order& order) {
   const auto needed = pages_of(order.version);
   if (!needed)
     return to_caf(needed.error());

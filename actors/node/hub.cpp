@@ -17,27 +17,27 @@ constexpr std::size_t longest_document_name = 64;
 /// Former names that are remembered, of all documents together.
 constexpr std::size_t most_former = 1000;
 
-using self_pointer = hub_actor::stateful_pointer<hub_state>;
+using hub_pointer = hub_actor::stateful_pointer<hub_state>;
 
 std::filesystem::path file_of(const hub_state& state, const std::string& name) {
   return state.parts.documents / (name + ".tedit");
 }
 
-void answer_all(self_pointer self, const std::string& name, const session_actor& session) {
+void answer_all(hub_pointer self, const std::string& name, const session_actor& session) {
   auto promises = std::move(self->state.opening[name]);
   self->state.opening.erase(name);
   for (auto& promise : promises)
     promise.deliver(opened_document{name, caf::actor_cast<caf::actor>(session)});
 }
 
-void refuse_all(self_pointer self, const std::string& name, const error& e) {
+void refuse_all(hub_pointer self, const std::string& name, const error& e) {
   auto promises = std::move(self->state.opening[name]);
   self->state.opening.erase(name);
   for (auto& promise : promises)
     promise.deliver(to_caf(e));
 }
 
-void start_opening(self_pointer self, const std::string& name) {
+void start_opening(hub_pointer self, const std::string& name) {
   const auto store =
     self->spawn<caf::linked>(make_store, file_of(self->state, name), self->state.disks);
   self->request(store, std::chrono::minutes(10), load_atom::value)
@@ -74,7 +74,7 @@ session_actor find_former(hub_state& state, const std::string& name) {
   return found == state.former.end() ? session_actor() : found->second;
 }
 
-caf::result<opened_document> open(self_pointer self, const std::string& given) {
+caf::result<opened_document> open(hub_pointer self, const std::string& given) {
   auto& state = self->state;
   std::string name = given;
   if (name.empty())
@@ -125,7 +125,7 @@ expected<std::string> free_name(const hub_state& state, const add_request& reque
   }
 }
 
-caf::result<added_document> add(self_pointer self, const add_request& request) {
+caf::result<added_document> add(hub_pointer self, const add_request& request) {
   auto& state = self->state;
   const auto name = free_name(state, request);
   if (!name)
@@ -151,8 +151,7 @@ caf::result<added_document> add(self_pointer self, const add_request& request) {
 
 // -- other names ---------------------------------------------------------------------------------
 
-void take_renamed(self_pointer self, const session_actor& session,
-                  const document_renamed& renamed) {
+void take_renamed(hub_pointer self, const session_actor& session, const document_renamed& renamed) {
   auto& state = self->state;
   state.renaming.erase(session);
   state.open.erase(renamed.before);
@@ -165,7 +164,7 @@ void take_renamed(self_pointer self, const session_actor& session,
 }
 
 /// Those who asked for the name meanwhile get what they would have got without it.
-void leave_name(self_pointer self, const session_actor& session, const std::string& name) {
+void leave_name(hub_pointer self, const session_actor& session, const std::string& name) {
   auto& state = self->state;
   state.renaming.erase(session);
   const auto former = find_former(state, name);
@@ -177,7 +176,7 @@ void leave_name(self_pointer self, const session_actor& session, const std::stri
 
 /// The name is held among those that are being opened: nobody else gets it, and who opens it waits
 /// for the document.
-caf::result<acknowledged> rename(self_pointer self, const rename_request& request) {
+caf::result<acknowledged> rename(hub_pointer self, const rename_request& request) {
   auto& state = self->state;
   if (auto ok = check_document_name(request.name); !ok)
     return to_caf(ok.error());
@@ -207,7 +206,7 @@ caf::result<acknowledged> rename(self_pointer self, const rename_request& reques
 }
 
 /// Asks one worker after the other and answers when all have.
-caf::result<server_status> status(self_pointer self) {
+caf::result<server_status> status(hub_pointer self) {
   struct gathering {
     server_status result;
     std::size_t missing = 3;
@@ -234,7 +233,7 @@ caf::result<server_status> status(self_pointer self) {
   return all->promise;
 }
 
-caf::result<std::string> catalogue(self_pointer self) {
+caf::result<std::string> catalogue(hub_pointer self) {
   auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
     self->make_response_promise<std::string>());
   self->request(self->state.parts.workers.modeling, std::chrono::seconds(30), catalog_atom::value)

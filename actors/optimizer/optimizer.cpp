@@ -8,9 +8,9 @@ namespace tedit::actors {
 
 namespace {
 
-using self_pointer = optimizer_actor::stateful_pointer<optimizer_state>;
+using optimizer_pointer = optimizer_actor::stateful_pointer<optimizer_state>;
 
-caf::result<finish_result> handle(self_pointer self, job_id job, const finish_order& order) {
+caf::result<finish_result> handle(optimizer_pointer self, job_id job, const finish_order& order) {
   auto needed = pages_of(order.before);
   const auto more = pages_of(order.candidate.version);
   if (!needed || !more)

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t pages_per_batch = max_batch_bytes / max_page_bytes;
 
-using self_pointer = page_store_actor::stateful_pointer<page_store_state>;
+using page_store_pointer = page_store_actor::stateful_pointer<page_store_state>;
 
-void pump(self_pointer self, std::uint64_t id);
+void pump(page_store_pointer self, std::uint64_t id);
 
-void give_up(self_pointer self, std::uint64_t id, const error& e) {
+void give_up(page_store_pointer self, std::uint64_t id, const error& e) {
   const auto found = self->state.transfers.find(id);
   if (found == self->state.transfers.end())
     return;
@@ -27,7 +27,8 @@ void give_up(self_pointer self, std::uint64_t id, const error& e) {
   promise.deliver(to_caf(e));
 }
 
-void receive(self_pointer self, std::uint64_t id, const hash_list& ids, const page_batch& batch) {
+void receive(page_store_pointer self, std::uint64_t id, const hash_list& ids,
+             const page_batch& batch) {
   const auto found = self->state.transfers.find(id);
   if (found == self->state.transfers.end())
     return;
@@ -45,7 +46,7 @@ void receive(self_pointer self, std::uint64_t id, const hash_list& ids, const pa
 }
 
 /// Asks for more batches, or hands the pages over when all are there.
-void pump(self_pointer self, std::uint64_t id) {
+void pump(page_store_pointer self, std::uint64_t id) {
   auto& transfer = self->state.transfers.at(id);
   if (transfer.batches.empty() && transfer.in_flight == 0) {
     auto done = std::move(transfer);
@@ -64,7 +65,8 @@ void pump(self_pointer self, std::uint64_t id) {
   }
 }
 
-caf::result<page_set> fetch(self_pointer self, const caf::actor& remote, const hash_list& ids) {
+caf::result<page_set> fetch(page_store_pointer self, const caf::actor& remote,
+                            const hash_list& ids) {
   auto& state = self->state;
   page_store_state::transfer transfer;
   hash_list missing;

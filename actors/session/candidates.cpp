@@ -11,9 +11,6 @@ namespace tedit::actors {
 
 namespace {
 
-/// Pages that were lost with their worker are made again this often.
-constexpr int most_retries = 2;
-
 error cancelled_edit() {
   return {ec::cancelled, "the edit was cancelled", {}, {}};
 }
@@ -125,7 +122,7 @@ caf::result<previewed> session_state::preview(const preview_request& wanted) {
     return *refusal;
   const auto* head = graph.head();
   if (!head)
-    return to_caf({ec::conflict, "the document is empty", "Import a mesh first", {}});
+    return to_caf(empty_document());
   if (running || !waiting.empty())
     return to_caf({ec::superseded,
                    "the document is being changed",

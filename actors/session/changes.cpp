@@ -33,7 +33,7 @@ std::optional<caf::error> session_state::check_expected(const change_terms& term
   if (terms.expected_version.empty() || terms.expected_version == id)
     return std::nullopt;
   if (!head)
-    return to_caf({ec::conflict, "the document is empty", "Import a mesh first", {}});
+    return to_caf(empty_document());
   const auto& who = past.last_move();
   const bool known = who && who->version == head->info.number;
   const error said{ec::conflict,

@@ -15,13 +15,6 @@ namespace tedit::actors {
 
 namespace {
 
-/// Pages that were lost with their worker are made again this often.
-constexpr int most_retries = 2;
-
-error no_head() {
-  return {ec::conflict, "the document is empty", "Import a mesh first", {}};
-}
-
 /// Which file, whatever it is called.
 asked_change asked_by(const import_request& request) {
   std::string ids;
@@ -149,7 +142,7 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
     return finish_command();
   const auto* head = graph.head();
   if (!head)
-    return refuse_edit(run, no_head());
+    return refuse_edit(run, empty_document());
   if (last_preview && last_preview->serves(request, *head))
     return commit_edit(run, *last_preview->made);
   auto work = std::make_shared<candidate_run>();
@@ -282,7 +275,7 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   const auto* node = request.version.empty() ? graph.head() : graph.find(request.version);
   if (!node)
     return to_caf(request.version.empty()
-                    ? no_head()
+                    ? empty_document()
                     : error{ec::not_found, "there is no version " + request.version, {}, {}});
   const auto promise = std::make_shared<caf::typed_response_promise<exported>>(
     self->make_response_promise<exported>());
@@ -321,7 +314,7 @@ caf::result<exported> session_state::write_file(const export_request& request) {
 caf::result<selected> session_state::select(const select_request& request) {
   const auto* head = graph.head();
   if (!head)
-    return to_caf(no_head());
+    return to_caf(empty_document());
   const auto promise = std::make_shared<caf::typed_response_promise<selected>>(
     self->make_response_promise<selected>());
   const auto job = new_job(request.ticket, request.client);

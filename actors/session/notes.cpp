@@ -20,10 +20,6 @@ constexpr std::size_t longest_note = 4000;
 /// Load cases of a version together, as JSON: they travel with every message about a new head.
 constexpr std::size_t most_load_case_bytes = std::size_t{4} << 20;
 
-error no_head() {
-  return {ec::conflict, "the document is empty", "Import a mesh first", {}};
-}
-
 /// Characters of a UTF-8 text: bytes that go on from another do not count.
 std::size_t characters(const std::string& text) {
   return static_cast<std::size_t>(
@@ -126,7 +122,7 @@ caf::result<acknowledged> session_state::set_load_case(const load_case_request& 
     const auto* head = graph.head();
     const auto given = protocol::load_case_from_json(request.load_case, "load case");
     if (!head || !given)
-      return fail(head ? given.error() : no_head());
+      return fail(head ? given.error() : empty_document());
     auto texts = head->load_cases;
     auto names = head->info.load_cases;
     const auto same = std::ranges::find(names, given->name) - names.begin();
@@ -153,7 +149,7 @@ caf::result<acknowledged> session_state::remove_load_case(const remove_case_requ
   return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
     const auto* head = graph.head();
     if (!head)
-      return fail(no_head());
+      return fail(empty_document());
     auto texts = head->load_cases;
     auto names = head->info.load_cases;
     const auto found = std::ranges::find(names, request.load_case);

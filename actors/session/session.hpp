@@ -24,6 +24,9 @@ namespace tedit::actors {
 /// limit, and answer then.
 inline constexpr std::chrono::minutes answer_limit{24 * 60};
 
+/// For what a session or the hub answers from memory.
+inline constexpr std::chrono::seconds short_limit{60};
+
 /// What a session works with.
 struct session_parts {
   std::string document;

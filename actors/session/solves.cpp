@@ -66,7 +66,7 @@ expected<std::vector<std::string>> session_state::chosen_cases(
   const solve_request& request, std::vector<std::string>& names) const {
   const auto* head = graph.head();
   if (!head)
-    return fail(ec::conflict, "the document is empty", "Import a mesh first");
+    return fail(empty_document());
   const auto& known = head->info.load_cases;
   if (known.empty() && request.load_cases.empty())
     return fail(ec::not_found, "this version has no load case", "Set the load case first");

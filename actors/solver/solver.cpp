@@ -14,7 +14,7 @@ namespace tedit::actors {
 
 namespace {
 
-using self_pointer = solver_actor::stateful_pointer<solver_state>;
+using solver_pointer = solver_actor::stateful_pointer<solver_state>;
 
 expected<fem::backend*> open_device(solver_bench& bench, const std::string& name) {
   auto& device = bench.devices[name];
@@ -27,7 +27,7 @@ expected<fem::backend*> open_device(solver_bench& bench, const std::string& name
   return device.get();
 }
 
-caf::result<solve_result> handle(self_pointer self, job_id job, const solve_order& order) {
+caf::result<solve_result> handle(solver_pointer self, job_id job, const solve_order& order) {
   const auto needed = pages_of(order.version);
   if (!needed)
     return to_caf(needed.error());

@@ -43,7 +43,7 @@ std::string name_of(table of, std::int64_t key) {
   return {};
 }
 
-tl::unexpected<error> damaged(const std::string& what) {
+tl::unexpected<error> seal_broken(const std::string& what) {
   return fail(ec::storage_error,
               "the document is damaged or was changed by another program: " + what,
               "Restore the document from a backup");
@@ -116,7 +116,7 @@ expected<seal> seal_keeper::stored() const {
     return fail(found.error());
   const seal value{row.number(0), row.hash(1), row.hash(2)};
   if (!*found || !row.sound())
-    return damaged("its seal is not there");
+    return seal_broken("its seal is not there");
   return value;
 }
 
@@ -124,7 +124,7 @@ expected<void> seal_keeper::check(table of, query& row, seal& sum) const {
   const auto& t = shape_of(of);
   const auto hash = hash_row(t.name, row.row(), t.count);
   if (row.text(t.count) != to_hex(hash))
-    return damaged(name_of(of, row.number(0)));
+    return seal_broken(name_of(of, row.number(0)));
   sum.add(hash);
   return {};
 }
@@ -134,12 +134,12 @@ expected<void> seal_keeper::compare(const seal& found) const {
   if (!wanted)
     return fail(wanted.error());
   if (found.schema != wanted->schema)
-    return damaged("its tables are not those that TEdit made");
+    return seal_broken("its tables are not those that TEdit made");
   if (found.rows != wanted->rows)
-    return damaged("it has " + std::to_string(found.rows) + " rows where " +
-                   std::to_string(wanted->rows) + " belong");
+    return seal_broken("it has " + std::to_string(found.rows) + " rows where " +
+                       std::to_string(wanted->rows) + " belong");
   if (found.sum != wanted->sum)
-    return damaged("some of its rows are from another state of it, or its seal is wrong");
+    return seal_broken("some of its rows are from another state of it, or its seal is wrong");
   return {};
 }
 

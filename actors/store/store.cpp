@@ -22,7 +22,7 @@ struct named_load_cases {
   std::vector<std::string> names;
 };
 
-tl::unexpected<error> damaged(const std::string& what) {
+tl::unexpected<error> damaged_row(const std::string& what) {
   return fail(ec::storage_error, "the document is damaged: " + what,
               "Restore the document from a backup");
 }
@@ -33,7 +33,7 @@ expected<named_load_cases> split_load_cases(const store::version_row& row) {
     return one.is_object() && (!one.contains("name") || one["name"].is_string());
   };
   if (!list.is_array() || !std::ranges::all_of(list, named))
-    return damaged("the load cases of version " + std::to_string(row.number));
+    return damaged_row("the load cases of version " + std::to_string(row.number));
   named_load_cases result;
   for (const auto& one : list) {
     result.texts.push_back(one.dump());
@@ -50,14 +50,14 @@ expected<void> check_tree(const store::contents& all) {
     const auto& row = rows[n];
     const auto name = "version " + std::to_string(row.number);
     if (row.number != n)
-      return damaged("the versions have gaps before " + name);
+      return damaged_row("the versions have gaps before " + name);
     if (row.parent && *row.parent >= row.number)
-      return damaged(name + " has no parent before it");
+      return damaged_row(name + " has no parent before it");
     if (row.redo && (*row.redo >= rows.size() || rows[*row.redo].parent != row.number))
-      return damaged("the redo of " + name);
+      return damaged_row("the redo of " + name);
   }
   if (all.head ? *all.head >= rows.size() : !rows.empty())
-    return damaged("no version is the current one");
+    return damaged_row("no version is the current one");
   return {};
 }
 
@@ -79,9 +79,9 @@ expected<version_ptr> load_mesh(const store::version_row& row, const store::docu
     return p;
   });
   if (failure)
-    return damaged(failure->message);
+    return damaged_row(failure->message);
   if (version && (*version)->id() != row.id)
-    return damaged("the mesh of version " + std::to_string(row.number) + " is another one");
+    return damaged_row("the mesh of version " + std::to_string(row.number) + " is another one");
   return version;
 }
 

@@ -14,7 +14,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct compare_phrases {
   Q_DECLARE_TR_FUNCTIONS(compare)
 };
 
@@ -106,14 +106,15 @@ shared_field field_of(const version_record& version, const std::string& load_cas
 
 QString not_held(const version_record& version, const std::string& load_case, shown_field wanted) {
   if (!version.surface)
-    return phrases::tr("The surface of version %1 was not seen since the document was opened.")
+    return compare_phrases::tr(
+             "The surface of version %1 was not seen since the document was opened.")
       .arg(version.info.number);
   const auto field = field_of(version, load_case);
   if (!field)
-    return phrases::tr("Version %1 has no field of this load case here yet.")
+    return compare_phrases::tr("Version %1 has no field of this load case here yet.")
       .arg(version.info.number);
   if (!has(*field, wanted))
-    return phrases::tr("Version %1 was seen without this quantity: %2.")
+    return compare_phrases::tr("Version %1 was seen without this quantity: %2.")
       .arg(version.info.number)
       .arg(field_title(wanted));
   return {};
@@ -151,8 +152,8 @@ QString title_of(const version_record& version, const version_record* before) {
   const auto now = figures_of(version);
   const auto was = before ? figures_of(*before) : version_figures{};
   return QString("v%1").arg(version.info.number) +
-         figure(phrases::tr("max %1"), now.stress, was.stress, "Pa") +
-         figure(phrases::tr("mass %1"), now.mass, was.mass, "kg");
+         figure(compare_phrases::tr("max %1"), now.stress, was.stress, "Pa") +
+         figure(compare_phrases::tr("mass %1"), now.mass, was.mass, "kg");
 }
 
 }  // namespace tedit::desktop

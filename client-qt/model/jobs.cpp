@@ -12,7 +12,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct jobs_phrases {
   Q_DECLARE_TR_FUNCTIONS(jobs)
 };
 
@@ -30,11 +30,11 @@ QString roughly(std::optional<double> remaining) {
     return {};
   const double seconds = *remaining / 1000;
   if (seconds < 3)
-    return phrases::tr("nearly done");
+    return jobs_phrases::tr("nearly done");
   for (const int step : {5, 10, 15, 20, 30, 45})
     if (seconds <= step)
-      return phrases::tr("about %1 s left").arg(step);
-  return phrases::tr("about %1 min left")
+      return jobs_phrases::tr("about %1 s left").arg(step);
+  return jobs_phrases::tr("about %1 min left")
     .arg(std::max(1, static_cast<int>(std::lround(seconds / 60))));
 }
 
@@ -83,7 +83,7 @@ void jobs::cancel(int id) {
   auto* one = find(id);
   if (!one || !one->cancel)
     return;
-  one->stage = phrases::tr("cancelling");
+  one->stage = jobs_phrases::tr("cancelling");
   const auto call = std::exchange(one->cancel, nullptr);
   emit changed();
   call();

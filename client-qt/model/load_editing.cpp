@@ -15,7 +15,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct load_editing_phrases {
   Q_DECLARE_TR_FUNCTIONS(load_editing)
 };
 
@@ -29,7 +29,7 @@ struct checker {
 
   void expect(bool holds, const char* field, const char* words) {
     if (!holds)
-      found.push_back({field, phrases::tr(words)});
+      found.push_back({field, load_editing_phrases::tr(words)});
   }
 
   void numbers(const vec3& v, const char* field) {
@@ -205,11 +205,11 @@ std::vector<item_fault> faults(const load_item& item) {
 QString missing(const fem::load_case& loads) {
   QStringList result;
   if (loads.materials.empty())
-    result << phrases::tr("a material");
+    result << load_editing_phrases::tr("a material");
   if (loads.constraints.empty())
-    result << phrases::tr("a support");
+    result << load_editing_phrases::tr("a support");
   if (loads.loads.empty())
-    result << phrases::tr("a load");
+    result << load_editing_phrases::tr("a load");
   return result.join(", ");
 }
 

@@ -15,7 +15,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct place_words_phrases {
   Q_DECLARE_TR_FUNCTIONS(places)
 };
 
@@ -107,13 +107,16 @@ QString words(const found_place& place, const surface_names& names) {
   if (all.isEmpty())
     return {};
   if (place.depth_m > 0)
-    return phrases::tr("inside, %1 from %2").arg(shown(place.depth_m, "m").text(), all.first());
+    return place_words_phrases::tr("inside, %1 from %2")
+      .arg(shown(place.depth_m, "m").text(), all.first());
   if (all.size() == 1)
     return all.first();
   if (all.size() > static_cast<qsizetype>(most_named))
-    return phrases::tr("where %1 surfaces meet, %2 among them").arg(all.size()).arg(all.first());
+    return place_words_phrases::tr("where %1 surfaces meet, %2 among them")
+      .arg(all.size())
+      .arg(all.first());
   const QString last = all.takeLast();
-  return phrases::tr("where %1 and %2 meet").arg(all.join(", "), last);
+  return place_words_phrases::tr("where %1 and %2 meet").arg(all.join(", "), last);
 }
 
 }  // namespace tedit::desktop

@@ -13,13 +13,13 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct reaction_rows_phrases {
   Q_DECLARE_TR_FUNCTIONS(reactions)
 };
 
 constexpr double noise = 1e-5;       // Of the largest force.
 constexpr double unbalanced = 1e-2;  // Of the largest force: worth a warning.
-constexpr qsizetype most_named = 3;
+constexpr qsizetype most_surfaces = 3;
 
 /// The force of one support with the surfaces that it holds.
 struct held {
@@ -34,9 +34,11 @@ QString named(const std::vector<surface_id>& surfaces,
   for (const auto id : surfaces)
     if (const QString name = surface_name(id); !names.contains(name))
       names << name;
-  if (names.size() <= most_named)
+  if (names.size() <= most_surfaces)
     return names.join(", ");
-  return phrases::tr("%1 and %2 more surfaces").arg(names.first()).arg(names.size() - 1);
+  return reaction_rows_phrases::tr("%1 and %2 more surfaces")
+    .arg(names.first())
+    .arg(names.size() - 1);
 }
 
 /// A surface that two supports hold counts for the first.
@@ -74,15 +76,17 @@ result_row force_row(figure kind, const QString& title, const vec3& force_n) {
 
 /// Against the loads: what is left over of both together.
 result_row sum_row(const solve_report& report, double largest) {
-  auto row =
-    force_row(figure::reaction_sum, phrases::tr("Sum of the reactions"), report.reaction_n);
+  auto row = force_row(figure::reaction_sum, reaction_rows_phrases::tr("Sum of the reactions"),
+                       report.reaction_n);
   const double left = norm(report.reaction_n + report.applied_n);
   if (left > unbalanced * largest)
-    row.warning = phrases::tr("The loads are %1, %2: %3 are not balanced. Do not trust this solve.")
+    row.warning = reaction_rows_phrases::tr(
+                    "The loads are %1, %2: %3 are not balanced. Do not trust this solve.")
                     .arg(shown(norm(report.applied_n), "N").text(),
                          direction_words(report.applied_n), shown(left, "N").text());
   else
-    row.note += QString(row.note.isEmpty() ? "" : "; ") + phrases::tr("balances the loads");
+    row.note +=
+      QString(row.note.isEmpty() ? "" : "; ") + reaction_rows_phrases::tr("balances the loads");
   return row;
 }
 
@@ -103,7 +107,7 @@ QString direction_words(const vec3& force_n) {
     return parts.join("; ");
   const QString axis = parts.front().left(1);
   const double along = axis == "x" ? force_n.x : axis == "y" ? force_n.y : force_n.z;
-  return phrases::tr("along %1").arg(QString::fromUtf8(along < 0 ? "−" : "+") + axis);
+  return reaction_rows_phrases::tr("along %1").arg(QString::fromUtf8(along < 0 ? "−" : "+") + axis);
 }
 
 std::vector<result_row> reaction_rows(const solve_report& report, const fem::load_case* loads,
@@ -118,10 +122,11 @@ std::vector<result_row> reaction_rows(const solve_report& report, const fem::loa
   for (const auto& one : supports) {
     if (norm(one.force_n) <= noise * largest)
       continue;
-    auto row = force_row(figure::reaction,
-                         one.kind.isEmpty() ? phrases::tr("Reaction of a support")
-                                            : phrases::tr("Reaction: %1").arg(one.kind),
-                         one.force_n);
+    auto row =
+      force_row(figure::reaction,
+                one.kind.isEmpty() ? reaction_rows_phrases::tr("Reaction of a support")
+                                   : reaction_rows_phrases::tr("Reaction: %1").arg(one.kind),
+                one.force_n);
     row.where = named(one.surfaces, surface_name);
     row.surfaces = one.surfaces;
     result.push_back(std::move(row));

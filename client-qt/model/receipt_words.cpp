@@ -13,7 +13,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct receipt_words_phrases {
   Q_DECLARE_TR_FUNCTIONS(receipt_words)
 };
 
@@ -44,8 +44,9 @@ QString item_words(const std::string& item) {
     return {};
   const int number = match.captured(2).toInt() + 1;
   const QString kind = kind_words(match.captured(3));
-  return match.captured(1) == "load" ? phrases::tr("%1 (load %2)").arg(kind).arg(number)
-                                     : phrases::tr("%1 (support %2)").arg(kind).arg(number);
+  return match.captured(1) == "load"
+           ? receipt_words_phrases::tr("%1 (load %2)").arg(kind).arg(number)
+           : receipt_words_phrases::tr("%1 (support %2)").arg(kind).arg(number);
 }
 
 QString list(const std::vector<surface_id>& ids) {
@@ -53,7 +54,8 @@ QString list(const std::vector<surface_id>& ids) {
   for (const auto id : ids)
     numbers << QString::number(id);
   const QString all = numbers.join(", ");
-  return ids.size() == 1 ? phrases::tr("surface %1").arg(all) : phrases::tr("surfaces %1").arg(all);
+  return ids.size() == 1 ? receipt_words_phrases::tr("surface %1").arg(all)
+                         : receipt_words_phrases::tr("surfaces %1").arg(all);
 }
 
 /// What acts in all; nothing of what has no such number.
@@ -63,9 +65,9 @@ QString total_words(const fem::receipt_line& line) {
   const QString now = quantity(line.total_after, "N");
   const bool same =
     std::abs(line.total_after - line.total_before) <= 1e-9 * std::abs(line.total_before);
-  return "; " +
-         (same ? phrases::tr("%1 in all, as before").arg(now)
-               : phrases::tr("%1 in all instead of %2").arg(now, quantity(line.total_before, "N")));
+  return "; " + (same ? receipt_words_phrases::tr("%1 in all, as before").arg(now)
+                      : receipt_words_phrases::tr("%1 in all instead of %2")
+                          .arg(now, quantity(line.total_before, "N")));
 }
 
 QString area_words(const fem::receipt_line& line) {
@@ -80,18 +82,19 @@ QString receipt_words(const fem::receipt_line& line) {
     return words_of(line.text);
   switch (line.fate) {
     case fem::receipt_fate::kept:
-      return phrases::tr("%1 is as before").arg(item);
+      return receipt_words_phrases::tr("%1 is as before").arg(item);
     case fem::receipt_fate::area_changed:
-      return phrases::tr("%1: its surfaces have %2 now").arg(item, area_words(line)) +
+      return receipt_words_phrases::tr("%1: its surfaces have %2 now").arg(item, area_words(line)) +
              total_words(line);
     case fem::receipt_fate::reduced:
-      return phrases::tr("%1 lost %2 and acts on %3 now")
+      return receipt_words_phrases::tr("%1 lost %2 and acts on %3 now")
                .arg(item, list(line.surfaces_lost), area_words(line)) +
              total_words(line);
     case fem::receipt_fate::dropped:
-      return phrases::tr("%1 no longer acts: it lost %2").arg(item, list(line.surfaces_lost));
+      return receipt_words_phrases::tr("%1 no longer acts: it lost %2")
+        .arg(item, list(line.surfaces_lost));
     case fem::receipt_fate::moved:
-      return phrases::tr("%1 lost %2, its share moved to %3")
+      return receipt_words_phrases::tr("%1 lost %2, its share moved to %3")
                .arg(item, list(line.surfaces_lost), list(line.moved_to)) +
              total_words(line);
   }

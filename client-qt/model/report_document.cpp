@@ -18,7 +18,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct report_document_phrases {
   Q_DECLARE_TR_FUNCTIONS(report)
 };
 
@@ -37,7 +37,7 @@ td { border-bottom: 1px solid #d5dae1; vertical-align: top; }
 QString operation_title(const document& part, const version_record& version) {
   const auto id = QString::fromStdString(version.info.operation);
   if (id == "import")
-    return phrases::tr("Import");
+    return report_document_phrases::tr("Import");
   const auto* offered = part.operations().find(id);
   return offered ? QString::fromStdString(offered->about.name) : id;
 }
@@ -74,7 +74,7 @@ std::function<QString(surface_id)> names_of(const document& part, const version_
       names[id] = part.surface_name(id);
   return [names](surface_id id) {
     const auto found = names.find(id);
-    return found == names.end() ? phrases::tr("Surface %1").arg(id) : found->second;
+    return found == names.end() ? report_document_phrases::tr("Surface %1").arg(id) : found->second;
   };
 }
 
@@ -98,13 +98,15 @@ QString head_html(const report_facts& facts) {
   };
   const QLocale locale;
   return "<h1>" + facts.title.toHtmlEscaped() + "</h1>\n<table cellspacing=\"0\">\n" +
-         row(phrases::tr("Document"), facts.document) +
-         row(phrases::tr("Version"), phrases::tr("%1 (%2 tets; %3)")
-                                       .arg(facts.version)
-                                       .arg(locale.toString(static_cast<qulonglong>(facts.tets)),
-                                            QString::fromStdString(facts.version_id))) +
-         row(phrases::tr("Date"), locale.toString(facts.when, QLocale::LongFormat)) +
-         row(phrases::tr("Made by"), facts.program) + "</table>\n";
+         row(report_document_phrases::tr("Document"), facts.document) +
+         row(report_document_phrases::tr("Version"),
+             report_document_phrases::tr("%1 (%2 tets; %3)")
+               .arg(facts.version)
+               .arg(locale.toString(static_cast<qulonglong>(facts.tets)),
+                    QString::fromStdString(facts.version_id))) +
+         row(report_document_phrases::tr("Date"),
+             locale.toString(facts.when, QLocale::LongFormat)) +
+         row(report_document_phrases::tr("Made by"), facts.program) + "</table>\n";
 }
 
 /// Those from `first` on, before `end`.
@@ -129,7 +131,7 @@ QString pictures_html(const report_facts& facts, const std::function<QString(std
 }
 
 QString figures_html(const report_facts& facts) {
-  QString html = "<h2>" + phrases::tr("Figures") + "</h2>\n";
+  QString html = "<h2>" + report_document_phrases::tr("Figures") + "</h2>\n";
   const auto& figures = facts.figures;
   const QString said = figures.missing.isEmpty() ? figures.state : figures.missing;
   return html + "<p>" + said.toHtmlEscaped() + "</p>\n" + as_html_sections(figures);

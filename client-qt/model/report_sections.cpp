@@ -13,7 +13,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct report_sections_phrases {
   Q_DECLARE_TR_FUNCTIONS(report)
 };
 
@@ -44,7 +44,7 @@ QString known(const std::optional<double>& value, const char* unit) {
 
 QString surfaces_of(const report_facts& facts, const std::vector<surface_id>& surfaces) {
   if (surfaces.empty())
-    return phrases::tr("the whole part");
+    return report_sections_phrases::tr("the whole part");
   QStringList names;
   for (const auto id : surfaces)
     if (const QString name = facts.surface_name(id); !names.contains(name))
@@ -56,17 +56,18 @@ QString materials_html(const fem::load_case& loads) {
   QString lines;
   for (const auto& one : loads.materials) {
     const auto given = [](double value, const char* unit) {
-      return value > 0 ? shown(value, unit).text() : phrases::tr("not given");
+      return value > 0 ? shown(value, unit).text() : report_sections_phrases::tr("not given");
     };
-    lines +=
-      line({QString::fromStdString(one.name), number(one.young_modulus_pa * 1e-9) + " GPa",
-            number(one.poisson_ratio),
-            one.density_kg_m3 > 0 ? number(one.density_kg_m3) + " kg/m³" : phrases::tr("not given"),
-            given(one.yield_strength_pa, "Pa")});
+    lines += line({QString::fromStdString(one.name), number(one.young_modulus_pa * 1e-9) + " GPa",
+                   number(one.poisson_ratio),
+                   one.density_kg_m3 > 0 ? number(one.density_kg_m3) + " kg/m³"
+                                         : report_sections_phrases::tr("not given"),
+                   given(one.yield_strength_pa, "Pa")});
   }
   return table(
-    {phrases::tr("Material"), phrases::tr("Young's modulus"), phrases::tr("Poisson's ratio"),
-     phrases::tr("Density"), phrases::tr("Yield strength")},
+    {report_sections_phrases::tr("Material"), report_sections_phrases::tr("Young's modulus"),
+     report_sections_phrases::tr("Poisson's ratio"), report_sections_phrases::tr("Density"),
+     report_sections_phrases::tr("Yield strength")},
     lines);
 }
 
@@ -79,10 +80,12 @@ QString acting_html(const report_facts& facts, const fem::load_case& loads) {
     lines += line({kind, what, surfaces_of(facts, one.surfaces)});
   };
   for (const auto& one : loads.constraints)
-    add(phrases::tr("Support"), one);
+    add(report_sections_phrases::tr("Support"), one);
   for (const auto& one : loads.loads)
-    add(phrases::tr("Load"), one);
-  return table({phrases::tr("Kind"), phrases::tr("What"), phrases::tr("Surfaces")}, lines);
+    add(report_sections_phrases::tr("Load"), one);
+  return table({report_sections_phrases::tr("Kind"), report_sections_phrases::tr("What"),
+                report_sections_phrases::tr("Surfaces")},
+               lines);
 }
 
 // -- trust ---------------------------------------------------------------------------
@@ -93,29 +96,31 @@ QString item(const QString& words) {
 
 QString order_words(const solve_report& report) {
   if (report.element_order == 1)
-    return phrases::tr(
+    return report_sections_phrases::tr(
       "Linear tets: a preview. They are too stiff in bending, so displacements and "
       "stresses come out too small.");
   if (report.preview || report.interim)
-    return phrases::tr(
+    return report_sections_phrases::tr(
       "Quadratic tets, but a preview: the solver had not converged to its usual "
       "tolerance.");
-  return phrases::tr("Quadratic tets, converged: final for this mesh.");
+  return report_sections_phrases::tr("Quadratic tets, converged: final for this mesh.");
 }
 
 QString singular_words(const report_facts& facts, const solve_report& report) {
   if (report.singular_places_count == 0)
     return {};
-  QString html = item(
-    phrases::tr("Places where the stress grows with every refinement of the mesh, so that it is no "
-                "measure of strength (rims of clamps, sharp inner edges): %1.")
-      .arg(report.singular_places_count));
+  QString html =
+    item(report_sections_phrases::tr(
+           "Places where the stress grows with every refinement of the mesh, so that it is no "
+           "measure of strength (rims of clamps, sharp inner edges): %1.")
+           .arg(report.singular_places_count));
   html += "<ul>\n";
   for (std::size_t i = 0; i < std::min(most_places, report.singular_places.size()); ++i) {
     const auto& one = report.singular_places[i];
     const QString where = facts.place_words ? facts.place_words(one.at) : QString();
-    const QString kind = one.kind == fem::singularity::clamp_rim ? phrases::tr("rim of a clamp")
-                                                                 : phrases::tr("sharp inner edge");
+    const QString kind = one.kind == fem::singularity::clamp_rim
+                           ? report_sections_phrases::tr("rim of a clamp")
+                           : report_sections_phrases::tr("sharp inner edge");
     html += item(shown(one.von_mises_pa, "Pa").text() + ", " + kind +
                  (where.isEmpty() ? QString() : ": " + where));
   }
@@ -127,13 +132,15 @@ QString case_trust(const report_facts& facts, const solve_report& report) {
     "<h3>" + QString::fromStdString(report.load_case).toHtmlEscaped() + "</h3>\n<ul>\n";
   html += item(order_words(report));
   if (report.relative_error_estimate > 0)
-    html += item(phrases::tr("Estimated error of the stresses in the energy norm: %1; %2.")
-                   .arg(percent_words(report.relative_error_estimate) + " %",
-                        error_words(report.relative_error_estimate)));
-  html += item(phrases::tr("Residual of the equations: %1; unknowns: %2; computed on %3.")
-                 .arg(two_digits(report.true_relative_residual))
-                 .arg(static_cast<qulonglong>(report.dofs))
-                 .arg(QString::fromStdString(report.device)));
+    html += item(
+      report_sections_phrases::tr("Estimated error of the stresses in the energy norm: %1; %2.")
+        .arg(percent_words(report.relative_error_estimate) + " %",
+             error_words(report.relative_error_estimate)));
+  html +=
+    item(report_sections_phrases::tr("Residual of the equations: %1; unknowns: %2; computed on %3.")
+           .arg(two_digits(report.true_relative_residual))
+           .arg(static_cast<qulonglong>(report.dofs))
+           .arg(QString::fromStdString(report.device)));
   html += singular_words(facts, report);
   for (const auto& warning : report.warnings)
     html += item(words_of(warning));
@@ -147,7 +154,7 @@ QString case_trust(const report_facts& facts, const solve_report& report) {
 QString load_cases_html(const report_facts& facts) {
   if (facts.load_cases.empty())
     return {};
-  QString html = heading(phrases::tr("Load cases"));
+  QString html = heading(report_sections_phrases::tr("Load cases"));
   for (const auto& one : facts.load_cases)
     html += "<h3>" + QString::fromStdString(one.name).toHtmlEscaped() + "</h3>\n" +
             materials_html(one) + acting_html(facts, one);
@@ -169,16 +176,18 @@ QString history_html(const report_facts& facts) {
                    one.note.isEmpty() ? one.made : one.made + " (" + one.note + ")",
                    known(one.volume_change_m3, "m3"), mass, known(one.stress_pa, "Pa")});
   }
-  return heading(phrases::tr("Versions")) +
-         table({phrases::tr("Version"), phrases::tr("What was done"), phrases::tr("Volume change"),
-                phrases::tr("Mass"), phrases::tr("Largest stress")},
-               lines);
+  return heading(report_sections_phrases::tr("Versions")) +
+         table(
+           {report_sections_phrases::tr("Version"), report_sections_phrases::tr("What was done"),
+            report_sections_phrases::tr("Volume change"), report_sections_phrases::tr("Mass"),
+            report_sections_phrases::tr("Largest stress")},
+           lines);
 }
 
 QString trust_html(const report_facts& facts) {
-  QString html = heading(phrases::tr("What to trust"));
+  QString html = heading(report_sections_phrases::tr("What to trust"));
   html += "<p>" +
-          phrases::tr(
+          report_sections_phrases::tr(
             "Linear elasticity: small displacements, no yielding, no contact, no fatigue. "
             "A safety factor compares with the yield strength only.") +
           "</p>\n";
@@ -188,9 +197,10 @@ QString trust_html(const report_facts& facts) {
   QString notices;
   for (const auto& step : facts.history)
     for (const auto& text : step.notices)
-      notices += item(phrases::tr("Version %1: %2").arg(step.number).arg(text));
+      notices += item(report_sections_phrases::tr("Version %1: %2").arg(step.number).arg(text));
   if (!notices.isEmpty())
-    html += "<h3>" + phrases::tr("What the edits said") + "</h3>\n<ul>\n" + notices + "</ul>\n";
+    html += "<h3>" + report_sections_phrases::tr("What the edits said") + "</h3>\n<ul>\n" +
+            notices + "</ul>\n";
   return html;
 }
 

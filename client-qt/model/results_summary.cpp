@@ -17,7 +17,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct results_summary_phrases {
   Q_DECLARE_TR_FUNCTIONS(results)
 };
 
@@ -55,19 +55,21 @@ struct row_maker {
 };
 
 QString where_words(fem::singularity kind) {
-  return kind == fem::singularity::clamp_rim ? phrases::tr("At the rim of a clamp: ")
-                                             : phrases::tr("At a sharp inner edge: ");
+  return kind == fem::singularity::clamp_rim
+           ? results_summary_phrases::tr("At the rim of a clamp: ")
+           : results_summary_phrases::tr("At a sharp inner edge: ");
 }
 
 QString singular_stress_words(fem::singularity kind) {
   return where_words(kind) +
-         phrases::tr(
+         results_summary_phrases::tr(
            "the value grows with every refinement of the mesh; it is no measure of strength.");
 }
 
 QString singular_safety_words(fem::singularity kind) {
   return where_words(kind) +
-         phrases::tr("the value falls with every refinement of the mesh; it says nothing.");
+         results_summary_phrases::tr(
+           "the value falls with every refinement of the mesh; it says nothing.");
 }
 
 std::optional<fem::singularity> singularity_at(const solve_report& report, const vec3& at) {
@@ -78,10 +80,11 @@ std::optional<fem::singularity> singularity_at(const solve_report& report, const
 void add_stress(result_section& to, const row_maker& maker, const version_record& version,
                 const solve_report& report, const solve_report* before) {
   if (!(report.max_von_mises_pa > 0)) {
-    to.hints << phrases::tr("There is no stress: the supports take the loads whole.");
+    to.hints << results_summary_phrases::tr(
+      "There is no stress: the supports take the loads whole.");
     return;
   }
-  auto row = maker.make(figure::stress, phrases::tr("Largest von Mises stress"),
+  auto row = maker.make(figure::stress, results_summary_phrases::tr("Largest von Mises stress"),
                         report.max_von_mises_pa, "Pa");
   row.at = report.max_von_mises_at;
   if (report.max_von_mises_singularity)
@@ -92,10 +95,12 @@ void add_stress(result_section& to, const row_maker& maker, const version_record
   const auto sound = sound_maximum(version, report);
   if (!sound)
     return;
-  auto apart = maker.make(figure::sound_stress, phrases::tr("Largest apart from such places"),
-                          sound->von_mises_pa, "Pa");
+  auto apart =
+    maker.make(figure::sound_stress, results_summary_phrases::tr("Largest apart from such places"),
+               sound->von_mises_pa, "Pa");
   apart.at = sound->at;
-  apart.note = phrases::tr("on the surface; right beside such a place it still leans on the mesh");
+  apart.note = results_summary_phrases::tr(
+    "on the surface; right beside such a place it still leans on the mesh");
   to.rows.push_back(std::move(apart));
 }
 
@@ -103,7 +108,8 @@ void add_displacement(result_section& to, const row_maker& maker, double value, 
                       const std::optional<double>& before, const QString& note) {
   if (!(value > 0))
     return;
-  auto row = maker.make(figure::displacement, phrases::tr("Largest displacement"), value, "m");
+  auto row = maker.make(figure::displacement, results_summary_phrases::tr("Largest displacement"),
+                        value, "m");
   row.at = at;
   maker.compare(row, value, before, "m");
   row.note = note;
@@ -115,12 +121,13 @@ void add_safety(result_section& to, const row_maker& maker, double value, const 
                 const std::optional<fem::singularity>& singular) {
   if (value >= capped)
     return;
-  auto row = maker.make(figure::safety, phrases::tr("Least safety factor"), value, {});
+  auto row =
+    maker.make(figure::safety, results_summary_phrases::tr("Least safety factor"), value, {});
   row.at = at;
   maker.compare(row, value, before, {});
   row.note = note;
   if (value < 1)
-    row.warning = phrases::tr("Below 1: the material yields there.");
+    row.warning = results_summary_phrases::tr("Below 1: the material yields there.");
   if (singular)
     row.warning = (row.warning + " " + singular_safety_words(*singular)).trimmed();
   to.rows.push_back(std::move(row));
@@ -132,21 +139,21 @@ void add_hints(result_section& to, const solve_report& report, const fem::load_c
                             return one.yield_strength_pa == 0;
                           });
   if (!report.min_safety_factor)
-    to.hints << phrases::tr(
+    to.hints << results_summary_phrases::tr(
       "No safety factor: no yield strength is known. Give the material one in "
       "\"Loads and supports\".");
   else if (some_yield)
-    to.hints << phrases::tr(
+    to.hints << results_summary_phrases::tr(
       "The safety factor is that of materials with a yield strength; others "
       "have none yet.");
   if (!report.mass_kg)
-    to.hints << phrases::tr(
+    to.hints << results_summary_phrases::tr(
       "No mass: a density is missing. Give the material one in \"Loads and "
       "supports\".");
 }
 
 result_row mass_row(const row_maker& maker, double kg, const std::optional<double>& before) {
-  auto row = maker.make(figure::mass, phrases::tr("Mass"), kg, "kg");
+  auto row = maker.make(figure::mass, results_summary_phrases::tr("Mass"), kg, "kg");
   maker.compare(row, kg, before, "kg");
   return row;
 }
@@ -168,8 +175,8 @@ result_section case_section(const summary_input& from, const solve_report& repor
   for (auto& row : reaction_rows(report, loads, from.surface_name))
     result.rows.push_back(std::move(row));
   if (report.relative_error_estimate > 0) {
-    auto row =
-      maker.make(figure::error, phrases::tr("Estimated error of the stresses"), 0, "ratio");
+    auto row = maker.make(
+      figure::error, results_summary_phrases::tr("Estimated error of the stresses"), 0, "ratio");
     row.value.number = percent_words(report.relative_error_estimate);
     row.note = error_words(report.relative_error_estimate);
     result.rows.push_back(std::move(row));
@@ -185,14 +192,14 @@ result_section envelope_section(const summary_input& from, const solve_outcome& 
                                 const std::optional<solve_envelope>& before) {
   const auto& all = *now.envelope;
   result_section result;
-  result.title = phrases::tr("Worst of %1 load cases").arg(all.load_cases.size());
+  result.title = results_summary_phrases::tr("Worst of %1 load cases").arg(all.load_cases.size());
   const row_maker maker{from, all.interim};
   const auto in = [](const worst_value& what) {
-    return phrases::tr("in %1").arg(QString::fromStdString(what.load_case));
+    return results_summary_phrases::tr("in %1").arg(QString::fromStdString(what.load_case));
   };
   const auto* worst = report_of(now, all.max_von_mises.load_case);
   if (all.max_von_mises.value > 0) {
-    auto row = maker.make(figure::stress, phrases::tr("Largest von Mises stress"),
+    auto row = maker.make(figure::stress, results_summary_phrases::tr("Largest von Mises stress"),
                           all.max_von_mises.value, "Pa");
     row.at = all.max_von_mises.at;
     maker.compare(row, all.max_von_mises.value,
@@ -225,34 +232,35 @@ std::optional<double> common_mass(const solve_outcome& of) {
 }
 
 QString state_words(const summary_input& from, const solve_outcome& now) {
-  const QString version = phrases::tr("Version %1: ").arg(from.version->info.number);
+  const QString version =
+    results_summary_phrases::tr("Version %1: ").arg(from.version->info.number);
   if (now.cases.front().interim)
-    return version + phrases::tr("preview, the solver still converges");
+    return version + results_summary_phrases::tr("preview, the solver still converges");
   if (now.cases.front().element_order == 1)
-    return version + phrases::tr("preview: linear tets are too stiff in bending");
+    return version + results_summary_phrases::tr("preview: linear tets are too stiff in bending");
   const bool preview = std::ranges::any_of(now.cases, &solve_report::preview);
-  return version +
-         (preview ? phrases::tr("preview: stopped at a coarse tolerance") : phrases::tr("final"));
+  return version + (preview ? results_summary_phrases::tr("preview: stopped at a coarse tolerance")
+                            : results_summary_phrases::tr("final"));
 }
 
 /// Why there is nothing to be seen, and what to do.
 QString why_none(const summary_input& from) {
   if (!from.version)
-    return phrases::tr("Open a part: its figures stand here once it is solved.");
+    return results_summary_phrases::tr("Open a part: its figures stand here once it is solved.");
   switch (from.state) {
     case field_state::failed:
-      return (phrases::tr("The solve failed. ") + from.failure).trimmed() + " " +
-             phrases::tr("Change the loads or supports, or solve again (F5).");
+      return (results_summary_phrases::tr("The solve failed. ") + from.failure).trimmed() + " " +
+             results_summary_phrases::tr("Change the loads or supports, or solve again (F5).");
     case field_state::stopped:
-      return phrases::tr("The solver was stopped. Solve again (F5).");
+      return results_summary_phrases::tr("The solver was stopped. Solve again (F5).");
     case field_state::none:
       return from.version->load_cases.empty()
-               ? phrases::tr(
+               ? results_summary_phrases::tr(
                    "There are no loads yet. Add supports and loads in \"Loads and "
                    "supports\".")
-               : phrases::tr("The part is not solved yet. Solve it (F5).");
+               : results_summary_phrases::tr("The part is not solved yet. Solve it (F5).");
     default:
-      return phrases::tr("The solver runs; first figures come as a preview.");
+      return results_summary_phrases::tr("The solver runs; first figures come as a preview.");
   }
 }
 
@@ -339,12 +347,14 @@ QString percent_words(double part) {
 QString error_words(double relative_error) {
   const QString percent = percent_words(relative_error);
   if (relative_error <= good)
-    return phrases::tr("good: on average stresses are within about %1 %").arg(percent);
+    return results_summary_phrases::tr("good: on average stresses are within about %1 %")
+      .arg(percent);
   if (relative_error <= fair)
-    return phrases::tr("fair: good enough to compare variants; peaks may be off by more");
+    return results_summary_phrases::tr(
+      "fair: good enough to compare variants; peaks may be off by more");
   if (relative_error <= rough)
-    return phrases::tr("rough: trust displacements, not single stresses");
-  return phrases::tr("poor: the mesh is too coarse for these stresses");
+    return results_summary_phrases::tr("rough: trust displacements, not single stresses");
+  return results_summary_phrases::tr("poor: the mesh is too coarse for these stresses");
 }
 
 // -- the rows ------------------------------------------------------------------------
@@ -374,7 +384,7 @@ results_summary summarise(const summary_input& from) {
   if (mass && *mass > 0) {
     const row_maker maker{from, now->cases.front().interim};
     result.sections.push_back(
-      {phrases::tr("Part"),
+      {results_summary_phrases::tr("Part"),
        {},
        {mass_row(maker, *mass, first_before ? first_before->mass_kg : std::nullopt)},
        {}});

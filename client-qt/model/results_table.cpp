@@ -10,19 +10,21 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct results_table_phrases {
   Q_DECLARE_TR_FUNCTIONS(results_table)
 };
 
 QString before_title(const results_summary& summary) {
-  return phrases::tr("Version %1").arg(*summary.before);
+  return results_table_phrases::tr("Version %1").arg(*summary.before);
 }
 
 QStringList titles(const results_summary& summary) {
-  QStringList result{phrases::tr("Load case"), phrases::tr("Figure"), phrases::tr("Value"),
-                     phrases::tr("Unit"),      phrases::tr("Where"),  phrases::tr("Note")};
+  QStringList result{results_table_phrases::tr("Load case"), results_table_phrases::tr("Figure"),
+                     results_table_phrases::tr("Value"),     results_table_phrases::tr("Unit"),
+                     results_table_phrases::tr("Where"),     results_table_phrases::tr("Note")};
   if (summary.before)
-    result << before_title(summary) << phrases::tr("Unit") << phrases::tr("Change");
+    result << before_title(summary) << results_table_phrases::tr("Unit")
+           << results_table_phrases::tr("Change");
   return result;
 }
 
@@ -66,9 +68,10 @@ QString html_line(const QStringList& cells, const char* tag) {
 
 QString section_table(const results_summary& summary, const result_section& section) {
   const bool compares = summary.before && std::ranges::any_of(section.rows, &result_row::compares);
-  QStringList head{phrases::tr("Figure"), phrases::tr("Value"), phrases::tr("Where")};
+  QStringList head{results_table_phrases::tr("Figure"), results_table_phrases::tr("Value"),
+                   results_table_phrases::tr("Where")};
   if (compares)
-    head << before_title(summary) << phrases::tr("Change");
+    head << before_title(summary) << results_table_phrases::tr("Change");
   QString html =
     "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\">\n" + html_line(head, "th");
   for (const auto& row : section.rows) {

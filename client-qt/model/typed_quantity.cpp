@@ -72,7 +72,7 @@ const std::vector<unit>& units_of(const QString& si_unit) {
 }
 
 /// The spelling of the table: "N·m", "N m" as "Nm", "mm²" as "mm2", "µm" as "um".
-QString plain(QString name) {
+QString plain_name(QString name) {
   static const QRegularExpression between(QString::fromUtf8("[\\s·*]"));
   name.remove(between);
   name.replace(QString::fromUtf8("²"), "2").replace(QString::fromUtf8("³"), "3");
@@ -121,7 +121,7 @@ std::optional<double> read_quantity(const QString& text, const QString& si_unit)
   const auto typed = split(text);
   if (!typed)
     return std::nullopt;
-  const auto name = plain(typed->unit.isEmpty() ? shown_as(si_unit).name : typed->unit);
+  const auto name = plain_name(typed->unit.isEmpty() ? shown_as(si_unit).name : typed->unit);
   if (name.isEmpty())
     return typed->value;
   for (const auto& one : units_of(si_unit))
@@ -132,7 +132,7 @@ std::optional<double> read_quantity(const QString& text, const QString& si_unit)
 
 QString other_units(const QString& si_unit) {
   QStringList names;
-  const auto shown = plain(shown_as(si_unit).name);
+  const auto shown = plain_name(shown_as(si_unit).name);
   for (const auto& one : units_of(si_unit))
     if (const auto name = QString::fromUtf8(one.name); one.offered && name != shown)
       names << written(name);

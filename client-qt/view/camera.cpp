@@ -15,11 +15,6 @@ namespace {
 
 constexpr double border = 1.12;  // Of what is seen, when it is made to fit.
 
-vec3 unit(const vec3& v) {
-  const double size = std::sqrt(dot(v, v));
-  return size > 0 ? v / size : vec3{0, 0, 1};
-}
-
 vec3 to_vec3(const double* p) {
   return {p[0], p[1], p[2]};
 }
@@ -63,11 +58,11 @@ void camera::turn(double dx, double dy) {
   auto now = get();
   const vec3 away = now.position - now.focus;
   const double distance = std::sqrt(dot(away, away));
-  const vec3 back = unit(away);
+  const vec3 back = unit_or_up(away);
   vec3 right = cross(now.up, back);
   right.z = 0;
   // Head over heels what is right on the screen is left of who stands upright.
-  right = dot(right, right) > 1e-18 ? unit(now.up.z < 0 ? -right : right) : vec3{1, 0, 0};
+  right = dot(right, right) > 1e-18 ? unit_or_up(now.up.z < 0 ? -right : right) : vec3{1, 0, 0};
   const double around = -std::numbers::pi * dx;
   right = {std::cos(around) * right.x - std::sin(around) * right.y,
            std::sin(around) * right.x + std::cos(around) * right.y, 0};
@@ -86,7 +81,7 @@ void camera::pan(double dx, double dy) {
   const auto now = get();
   const auto pixel = to_pixel(now.focus);
   const auto [from, to] = ray(pixel[0] - dx, pixel[1] - dy);
-  const vec3 ahead = unit(now.focus - now.position);
+  const vec3 ahead = unit_or_up(now.focus - now.position);
   const double along = dot(to - from, ahead);
   if (along == 0)
     return;
@@ -146,8 +141,8 @@ void camera::fit(const std::array<double, 6>& bounds) {
   if (bounds[0] > bounds[1])
     return;
   auto now = get();
-  const vec3 back = unit(now.position - now.focus);
-  const vec3 right = unit(cross(now.up, back));
+  const vec3 back = unit_or_up(now.position - now.focus);
+  const vec3 right = unit_or_up(cross(now.up, back));
   const vec3 up = cross(back, right);
   const double aspect = (1 - left_margin_) * width_ / height_;
   const double slope = std::tan(camera_->GetViewAngle() * std::numbers::pi / 360);
@@ -261,7 +256,7 @@ std::array<double, 2> camera::projection::apply(const vec3& at) const {
 /// Around the box with some room; VTK fits the planes anew to what it draws.
 void camera::adjust_depth() {
   const auto now = get();
-  const vec3 ahead = unit(now.focus - now.position);
+  const vec3 ahead = unit_or_up(now.focus - now.position);
   double near = std::numeric_limits<double>::max();
   double far = std::numeric_limits<double>::lowest();
   for (int corner = 0; corner < 8; ++corner) {

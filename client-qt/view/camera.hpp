@@ -5,12 +5,19 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cmath>
 
 #include "mesh/vec3.hpp"
 
 class vtkCamera;
 
 namespace tedit::desktop {
+
+/// `v / |v|`; up for the zero vector.
+[[nodiscard]] inline vec3 unit_or_up(const vec3& v) {
+  const double size = std::sqrt(dot(v, v));
+  return size > 0 ? v / size : vec3{0, 0, 1};
+}
 
 /// Where a view is looked at from, moved as a hand would: about the middle of what is seen. Pixels
 /// are the widget's, from its lower left. The renderer, which belongs to another thread, gets

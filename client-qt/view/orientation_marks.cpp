@@ -23,27 +23,22 @@ const std::array<axis, 3> axes{{{{1, 0, 0}, {214, 62, 54}, "x"},
                                 {{0, 1, 0}, {58, 158, 68}, "y"},
                                 {{0, 0, 1}, {64, 120, 220}, "z"}}};
 
-constexpr double words_size = 12;
+constexpr double letter_size = 12;
 constexpr double end_mark = 4;  // Half the height of the bar's ends.
 
 void use_size(QPainter& painter, double scale, bool bold) {
   QFont font = painter.font();
-  font.setPixelSize(std::max(1, qRound(words_size * scale)));
+  font.setPixelSize(std::max(1, qRound(letter_size * scale)));
   font.setBold(bold);
   painter.setFont(font);
-}
-
-vec3 unit(const vec3& v) {
-  const double size = std::sqrt(dot(v, v));
-  return size > 0 ? v / size : vec3{0, 0, 1};
 }
 
 }  // namespace
 
 void paint_triad(QPainter& painter, QPointF middle, double length, const camera::pose& from,
                  const QColor& ink, double scale) {
-  const vec3 back = unit(from.position - from.focus);
-  const vec3 right = unit(cross(from.up, back));
+  const vec3 back = unit_or_up(from.position - from.focus);
+  const vec3 right = unit_or_up(cross(from.up, back));
   const vec3 up = cross(back, right);
   auto sorted = axes;
   std::ranges::sort(sorted, {}, [&](const axis& one) { return dot(one.along, back); });

@@ -36,11 +36,6 @@ const std::array<side, 6> sides{{
    QT_TRANSLATE_NOOP("cube", "Bottom")},
 }};
 
-vec3 unit(const vec3& v) {
-  const double size = std::sqrt(dot(v, v));
-  return size > 0 ? v / size : vec3{0, 0, 1};
-}
-
 }  // namespace
 
 view_cube::view_cube(viewport& view) : QWidget(&view), view_(view) {
@@ -59,8 +54,8 @@ void view_cube::set_colours(const QColor& fill, const QColor& ink) {
 
 std::vector<view_cube::face> view_cube::visible_faces() const {
   const auto pose = view_.view().get();
-  const vec3 back = unit(pose.position - pose.focus);
-  const vec3 right = unit(cross(pose.up, back));
+  const vec3 back = unit_or_up(pose.position - pose.focus);
+  const vec3 right = unit_or_up(cross(pose.up, back));
   const vec3 up = cross(back, right);
   const double half = width() * 0.27;
   const QPointF middle(width() / 2.0, height() / 2.0);

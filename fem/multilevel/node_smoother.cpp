@@ -79,7 +79,7 @@ template void apply_inverse<cases_of<8>>(const node_smoother&, float, const floa
 
 namespace {
 
-Eigen::Matrix3d symmetric(const auto& s) {
+Eigen::Matrix3d filled(const auto& s) {
   Eigen::Matrix3d m;
   m << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
   return m;
@@ -93,7 +93,7 @@ Eigen::MatrixXd cluster_matrix(const block_matrix& k, std::span<const std::uint3
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto i = nodes[a];
     const auto at = static_cast<Eigen::Index>(3 * a);
-    m.block<3, 3>(at, at) = symmetric(diagonal_block(k, i));
+    m.block<3, 3>(at, at) = filled(diagonal_block(k, i));
     for (auto e = k.begin(i); e < k.end(i); ++e) {
       const auto found = std::ranges::lower_bound(nodes, k.column[e]);
       if (found == nodes.end() || *found != k.column[e])
@@ -110,7 +110,7 @@ std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
                                   std::span<const std::uint32_t> nodes) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto at = static_cast<Eigen::Index>(3 * a);
-    const Eigen::Matrix3d s = symmetric(filter[nodes[a]]);
+    const Eigen::Matrix3d s = filled(filter[nodes[a]]);
     const double scale = m.block<3, 3>(at, at).trace() / 3;
     m.middleRows<3>(at) = (s * m.middleRows<3>(at)).eval();
     m.middleCols<3>(at) = (m.middleCols<3>(at) * s).eval();
@@ -123,7 +123,7 @@ std::vector<float> invert_cluster(Eigen::MatrixXd m, filter_span filter,
   }
   Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(m.rows(), m.cols()));
   for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const Eigen::Matrix3d s = symmetric(filter[nodes[a]]);
+    const Eigen::Matrix3d s = filled(filter[nodes[a]]);
     const auto at = static_cast<Eigen::Index>(3 * a);
     inverse.middleRows<3>(at) = (s * inverse.middleRows<3>(at)).eval();
     inverse.middleCols<3>(at) = (inverse.middleCols<3>(at) * s).eval();

@@ -7,20 +7,20 @@ namespace tedit::fem {
 
 namespace {
 
-constexpr std::uint64_t entry_bytes = 48;
+constexpr std::uint64_t square_bytes = 48;
 
 /// Column and nine values by rows.
-using entry = std::array<std::uint32_t, 12>;
+using square_words = std::array<std::uint32_t, 12>;
 
 /// The blocks of the inverse of a cluster, row by row of its nodes.
-std::vector<entry> blocks_of(const std::vector<float>& inverse,
-                             std::span<const std::uint32_t> nodes, double scale) {
+std::vector<square_words> blocks_of(const std::vector<float>& inverse,
+                                    std::span<const std::uint32_t> nodes, double scale) {
   const std::size_t count = nodes.size();
-  std::vector<entry> result;
+  std::vector<square_words> result;
   result.reserve(count * count);
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b) {
-      auto& block = result.emplace_back(entry{nodes[b]});
+      auto& block = result.emplace_back(square_words{nodes[b]});
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           block[1 + 3 * i + j] = std::bit_cast<std::uint32_t>(static_cast<float>(
@@ -74,7 +74,7 @@ std::uint32_t vulkan_smoother::size_of(std::size_t cluster) const {
 }
 
 void vulkan_smoother::upload_clusters(vulkan_memory& memory) {
-  const std::uint64_t most = memory.most_per_piece() / entry_bytes;
+  const std::uint64_t most = memory.most_per_piece() / square_bytes;
   const auto clusters = static_cast<std::uint32_t>(smoother_.clusters.inverse.size());
   std::uint32_t first = 0;
   std::uint64_t blocks = 0;
@@ -96,7 +96,7 @@ void vulkan_smoother::add_part(vulkan_memory& memory, std::uint32_t first, std::
   part.count = last - first;
   std::vector<std::uint32_t> rows;
   std::vector<std::uint32_t> squares;
-  std::vector<entry> blocks;
+  std::vector<square_words> blocks;
   for (auto c = first; c < last; ++c) {
     check_cancelled();
     rows.push_back(size_of(c));
@@ -106,7 +106,7 @@ void vulkan_smoother::add_part(vulkan_memory& memory, std::uint32_t first, std::
     blocks.insert(blocks.end(), more.begin(), more.end());
   }
   part.rows = roomy_places(rows, 4, ~0ull);
-  part.places = roomy_places(squares, 4, memory.most_per_piece() / entry_bytes);
+  part.places = roomy_places(squares, 4, memory.most_per_piece() / square_bytes);
   part.host_table.resize(part.rows.used());
   for (std::uint32_t c = 0; c < part.count; ++c)
     fill_table(part, c);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/units.hpp"
 #include "mesh/features/rims.hpp"
 #include "mesh/features/surface_shape.hpp"
 
@@ -14,7 +15,6 @@ namespace tedit {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 /// Material angles within a degree of 180 are smooth.
 constexpr double smooth = degree;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/features/rims.hpp"
+#include "base/units.hpp"
 #include "mesh/place_text.hpp"
 
 #include <algorithm>
@@ -105,7 +106,6 @@ private:
     double length = 0;
     double concave = 0;
     double convex = 0;
-    constexpr double degree = std::numbers::pi / 180;
     for (std::size_t i = 0; i < n; ++i) {
       const vec3 p = mesh_.position(r.loop[i]);
       const vec3 next = mesh_.position(r.loop[(i + 1) % n]);

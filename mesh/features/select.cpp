@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/number_range.hpp"
+#include "base/units.hpp"
 #include "mesh/features/hole.hpp"
 #include "mesh/features/protrusion.hpp"
 #include "mesh/features/surface_shape.hpp"
@@ -15,8 +16,6 @@
 namespace tedit {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 std::vector<surface_id> sorted(const std::set<surface_id>& ids) {
   return {ids.begin(), ids.end()};

@@ -12,7 +12,7 @@ namespace tedit {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// A new facet must face at least so far (cosine) where the old ones did.
 constexpr double least_cosine = 0.2;
@@ -31,7 +31,7 @@ double distance_to_segment(vec3 p, vec3 a, vec3 b) {
 double distance_to_triangle(vec3 p, const triangle& t) {
   const vec3 n = cross(t[1] - t[0], t[2] - t[0]);
   const double square = dot(n, n);
-  double rim = infinity;
+  double rim = unbounded;
   bool inside = square > 0;
   for (int i = 0; i < 3; ++i) {
     const vec3 a = t[i];
@@ -47,7 +47,7 @@ double corners_off(const std::vector<triangle>& from, const std::vector<triangle
   double result = 0;
   for (const auto& t : from)
     for (const auto p : t) {
-      double nearest = infinity;
+      double nearest = unbounded;
       for (const auto& other : to)
         nearest = std::min(nearest, distance_to_triangle(p, other));
       result = std::max(result, nearest);
@@ -95,12 +95,12 @@ double patch_distance(const std::vector<triangle>& before, const std::vector<tri
   for (const auto& t : before)
     n += area_of(t);
   if (!(norm(n) > 0))
-    return infinity;
+    return unbounded;
   n = normalized(n);
   for (const auto& t : after) {
     const vec3 area = area_of(t);
     if (!(dot(area, n) > least_cosine * norm(area)))
-      return infinity;
+      return unbounded;
   }
   double result = std::max(corners_off(before, after), corners_off(after, before));
   for (const auto& s : before)

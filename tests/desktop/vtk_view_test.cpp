@@ -14,7 +14,7 @@
 namespace tedit::desktop {
 namespace {
 
-constexpr int patience_ms = 60'000;
+constexpr int longest_wait_ms = 60'000;
 
 class bare_view : public vtk_view {
 public:
@@ -41,7 +41,7 @@ protected:
   }
 
   [[nodiscard]] bool all_seen() {
-    return QTest::qWaitFor([&] { return view->seen() == view->asked(); }, patience_ms);
+    return QTest::qWaitFor([&] { return view->seen() == view->asked(); }, longest_wait_ms);
   }
 };
 
@@ -75,11 +75,11 @@ TEST_F(VtkView, TheWindowWorksOnWhileAFrameIsDrawn) {
   view->redraw();
 
   // The frame waits for what only this loop can do: drawn here, it would wait for ever.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return draws.load(); }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return draws.load(); }, longest_wait_ms));
   int events = 0;
   for (int i = 0; i < 3; ++i)
     QTimer::singleShot(0, view.get(), [&] { ++events; });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return events == 3; }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return events == 3; }, longest_wait_ms));
   EXPECT_EQ(view->frames(), before);
   EXPECT_LT(view->seen(), view->asked());
 
@@ -98,7 +98,7 @@ TEST_F(VtkView, ManyWishesDuringAFrameMakeOneFrameMore) {
   });
   const int before = view->frames();
   view->redraw();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return draws.load(); }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return draws.load(); }, longest_wait_ms));
   for (int i = 1; i <= 50; ++i)
     view->paint(0, 0, i / 50.0);
 
@@ -140,7 +140,7 @@ TEST_F(VtkView, AQuickFrameHasFewerPixelsAndAFineOneFollows) {
   view->redraw();
   ASSERT_TRUE(all_seen());
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view->is_fine(); }, patience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view->is_fine(); }, longest_wait_ms));
   EXPECT_EQ(view->last_picture().size(), QSize(64, 48));
 }
 

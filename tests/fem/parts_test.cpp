@@ -9,13 +9,12 @@
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
+#include "tests/support/parts.hpp"
 
 namespace tedit::fem {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path parts_folder = TEDIT_TEST_DATA "/parts";
 
 nlohmann::json read_json(const fs::path& file) {
   std::ifstream in(file);
@@ -95,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Open, PartsAgainstCalculix, ::testing::ValuesIn(parts_w
                          [](const auto& part) { return part.param.filename().string(); });
 
 TEST(BadElements, AreNamedAndRefused) {
-  const auto folder = parts_folder / "base_so101";
+  const auto folder = test::parts_folder / "base_so101";
   const auto mesh = import_mesh(folder / "base_so101.coarse.msh", "mm");
   const auto loads = protocol::load_case_from_file(folder / "load_case.json");
 

@@ -20,7 +20,7 @@ vec3 total(std::span<const double> x) {
   return sum;
 }
 
-double largest(std::span<const double> x) {
+double largest_entry(std::span<const double> x) {
   double result = 0;
   for (const double value : x)
     result = std::max(result, std::abs(value));
@@ -184,7 +184,7 @@ TEST_P(Operator, ALinearFieldIsInBalanceAndExact) {
 
   element_operator(p).apply(u, force);
 
-  const double scale = largest(force);
+  const double scale = largest_entry(force);
   for (std::size_t n = 0; n < p.node_count(); ++n)
     if (inside(p.nodes[n], {1, 1, 1})) {
       for (int i = 0; i < 3; ++i)
@@ -227,7 +227,7 @@ TEST(QuadraticOperator, PureBendingIsExact) {
 
   element_operator(p).apply(u, force);
 
-  const double scale = largest(force);
+  const double scale = largest_entry(force);
   double pull = 0;
   double moment = 0;
   for (std::size_t n = 0; n < p.node_count(); ++n) {

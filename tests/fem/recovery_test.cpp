@@ -22,7 +22,7 @@ solution recovered(const problem& p, std::vector<double> displacement) {
   return out;
 }
 
-solution solved(const problem& p) {
+solution solution_of(const problem& p) {
   auto s = recovered(p, test::solve_directly(p));
   s.converged = true;
   return s;
@@ -48,7 +48,7 @@ class Recovery : public ::testing::TestWithParam<int> {};
 TEST_P(Recovery, UniformTensionIsExactEverywhere) {
   const auto p = box_problem(GetParam(), {3, 2, 2}, {3, 1, 1}, tension());
 
-  const auto s = solved(p);
+  const auto s = solution_of(p);
 
   EXPECT_EQ(s.preview(), GetParam() == 1);
   ASSERT_EQ(s.nodal_stress.size(), 6 * p.corner_count);
@@ -74,7 +74,7 @@ TEST_P(Recovery, UniformTensionIsExactEverywhere) {
 TEST_P(Recovery, EachRollerGetsTheReactionAlongItsNormal) {
   const auto p = box_problem(GetParam(), {3, 2, 2}, {3, 1, 1}, tension());
 
-  const auto s = solved(p);
+  const auto s = solution_of(p);
 
   ASSERT_EQ(s.surface_reactions.size(), 3u);
   EXPECT_EQ(s.surface_reactions[0].surface, 1);
@@ -90,7 +90,7 @@ TEST_P(Recovery, ReactionsOfSurfacesThatShareNodesAddUp) {
   loads.loads = {{{2}, force{{10, -20, 30}}}, {{}, gravity{{1, 2, 3}}}};
   const auto p = box_problem(GetParam(), {3, 2, 2}, {2, 1, 1}, loads);
 
-  const auto s = solved(p);
+  const auto s = solution_of(p);
 
   vec3 sum;
   for (const auto& part : s.surface_reactions) {
@@ -146,8 +146,8 @@ load_case cantilever() {
 TEST_P(Recovery, TheErrorEstimateFallsWithTheMeshSize) {
   const int n = GetParam() == 1 ? 2 : 1;
   const vec3 size{4, 1, 1};
-  const auto coarse = solved(box_problem(GetParam(), {4 * n, n, n}, size, cantilever()));
-  const auto fine = solved(box_problem(GetParam(), {8 * n, 2 * n, 2 * n}, size, cantilever()));
+  const auto coarse = solution_of(box_problem(GetParam(), {4 * n, n, n}, size, cantilever()));
+  const auto fine = solution_of(box_problem(GetParam(), {8 * n, 2 * n, 2 * n}, size, cantilever()));
 
   EXPECT_GT(coarse.relative_error, 0.01);
   EXPECT_LT(fine.relative_error, 0.8 * coarse.relative_error);
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, Recovery, ::testing::Values(1, 2));
 TEST(QuadraticRecovery, ABentBeamIsNotTooStiff) {
   const auto p = box_problem(2, {20, 2, 2}, {10, 1, 1}, cantilever());
 
-  const auto s = solved(p);
+  const auto s = solution_of(p);
 
   EXPECT_NEAR(s.max_displacement_m, 19.193, 0.01 * 19.193);  // Timoshenko
   EXPECT_NEAR(s.strain_energy_j, 0.5 * s.compliance_j, 1e-8 * s.compliance_j);
@@ -168,7 +168,7 @@ TEST(QuadraticRecovery, ABentBeamIsNotTooStiff) {
 TEST(QuadraticRecovery, TheRimOfAClampIsCalledSingular) {
   const auto p = box_problem(2, {8, 4, 4}, {2, 1, 1}, cantilever());
 
-  const auto s = solved(p);
+  const auto s = solution_of(p);
 
   ASSERT_FALSE(s.singular_places.empty());
   EXPECT_NEAR(s.singular_places.front().von_mises_pa, s.max_von_mises_pa, 1e-9);
@@ -212,7 +212,7 @@ TEST(QuadraticRecovery, FieldsHoldTheCornerNodesOnly) {
   const auto mesh = box_mesh({2, 2, 2}, {3, 1, 1});
   const auto p = *make_problem(*mesh, tension(), 2);
 
-  const auto fields = make_fields(*mesh, p, solved(p));
+  const auto fields = make_fields(*mesh, p, solution_of(p));
 
   const auto* stress = find_field(fields, "principal_stress_pa");
   const auto* safety = find_field(fields, "safety_factor");
@@ -235,7 +235,7 @@ TEST(NodalError, AddsUpToTheErrorOfThePart) {
   loads.loads = {{{2}, traction{{0, 0, -1e5}}}};  // Bending, which linear tets miss.
   loads.constraints = {{{1}, fixed{}}};
   const auto p = *make_problem(*mesh, loads, 1);
-  const auto s = solved(p);
+  const auto s = solution_of(p);
 
   ASSERT_GT(s.relative_error, 0.1);
   double sum = 0;

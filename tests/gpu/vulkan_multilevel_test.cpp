@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, VulkanMultilevel, ::testing::Values(1, 2));
 
 /// Small enough bindings for about a dozen pieces of everything that can be cut, and three rigid
 /// levels.
-vulkan_settings in_pieces() {
+vulkan_settings small_pieces() {
   vulkan_settings result;
   result.most_bytes_per_binding = 40'000;
   result.multilevel.coarsest = 2;
@@ -142,7 +142,7 @@ TEST_P(VulkanMultilevel, OneCycleIsEquivalentToNative) {
 }
 
 TEST_P(VulkanMultilevel, OneCycleInManyPiecesAndLevelsIsEquivalentToNative) {
-  expect_cycle_as_native(p_, in_pieces());
+  expect_cycle_as_native(p_, small_pieces());
 }
 
 TEST_P(VulkanMultilevel, OperandsFromStorageOrFromTexelsGiveTheSameBits) {
@@ -234,7 +234,7 @@ TEST_P(VulkanMultilevel, AMatrixInManyPiecesGivesTheSame) {
   const auto x = wave(p_.dofs(), 0.7);
   std::vector<double> whole(p_.dofs());
   std::vector<double> cut(p_.dofs());
-  const auto pieces = open(p_, in_pieces());
+  const auto pieces = open(p_, small_pieces());
 
   ASSERT_TRUE(open(p_)->multiply(x, whole).has_value());
   ASSERT_TRUE(pieces->multiply(x, cut).has_value());

@@ -6,16 +6,15 @@
 
 #include "mesh/io/import.hpp"
 #include "mesh/quality.hpp"
+#include "tests/support/parts.hpp"
 
 namespace tedit {
 namespace {
 
-const std::filesystem::path parts_folder = TEDIT_TEST_DATA "/parts";
-
 class Parts : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Parts, LoadWithTheCountsOfTheirDescription) {
-  const auto folder = parts_folder / GetParam();
+  const auto folder = test::parts_folder / GetParam();
   std::ifstream in(folder / "meta.json");
   const auto meta = nlohmann::json::parse(in)["levels"]["coarse"];
 
@@ -40,7 +39,8 @@ INSTANTIATE_TEST_SUITE_P(Open, Parts,
                                            "holes_block", "inch_block"));
 
 TEST(PhysicalNames, BecomeSurfaceAndRegionNames) {
-  const auto mesh = import_mesh(parts_folder / "ctc01_plate/ctc01_plate.coarse.physical.msh", "mm");
+  const auto mesh =
+    import_mesh(test::parts_folder / "ctc01_plate/ctc01_plate.coarse.physical.msh", "mm");
 
   ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
   EXPECT_EQ(mesh->version->find_surface(98)->name, "load");

@@ -9,11 +9,10 @@
 #include "mesh/io/msh_writer.hpp"
 #include "mesh/io/stl_writer.hpp"
 #include "mesh/io/vtu_writer.hpp"
+#include "tests/support/parts.hpp"
 
 namespace tedit {
 namespace {
-
-const std::filesystem::path parts_folder = TEDIT_TEST_DATA "/parts";
 
 std::filesystem::path scratch(const std::string& name) {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -24,7 +23,7 @@ std::filesystem::path scratch(const std::string& name) {
 
 TEST(MshWriter, RoundTripKeepsMeshSurfacesAndNames) {
   const auto first =
-    import_mesh(parts_folder / "ctc01_plate/ctc01_plate.coarse.physical.msh", "mm");
+    import_mesh(test::parts_folder / "ctc01_plate/ctc01_plate.coarse.physical.msh", "mm");
   ASSERT_TRUE(first.has_value());
   const auto file = scratch("plate.msh");
 
@@ -42,7 +41,7 @@ TEST(MshWriter, RoundTripKeepsMeshSurfacesAndNames) {
 }
 
 TEST(MshWriter, KeepsInterfacesOfAnAssembly) {
-  const auto first = import_mesh(parts_folder / "as1_assembly/as1_assembly.coarse.msh", "mm");
+  const auto first = import_mesh(test::parts_folder / "as1_assembly/as1_assembly.coarse.msh", "mm");
   const auto file = scratch("assembly.msh");
 
   ASSERT_TRUE(write_msh(file, *first->version, "mm").has_value());

@@ -12,14 +12,6 @@
 namespace tedit {
 namespace {
 
-std::vector<tet_id> all_tets(const mesh_version& mesh) {
-  std::vector<tet_id> result;
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    if (mesh.is_live_tet(t))
-      result.push_back(t);
-  return result;
-}
-
 TEST(Builder, AnUnchangedBuilderFreezesToTheSameId) {
   const auto mesh = test::box_mesh({3, 3, 3}, {1, 1, 1});
 
@@ -116,7 +108,7 @@ TEST(BuilderProperty, RandomLocalMovesKeepAllInvariants) {
     };
     const auto mesh = test::box_mesh({4, 4, 4}, {1, 1, 1}, shake);
     mesh_builder builder(mesh);
-    const auto tets = all_tets(*mesh);
+    const auto tets = test::all_tets(*mesh);
     local_moves moves(builder, {tets.begin(), tets.end()});
     int done = 0;
     for (int i = 0; i < 300; ++i) {

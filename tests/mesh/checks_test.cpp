@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-version_ptr box() {
+version_ptr unit_box() {
   return test::box_mesh({2, 2, 2}, {1, 1, 1});
 }
 
@@ -33,11 +33,11 @@ std::string broken(const mesh_data& data) {
 }
 
 TEST(CheckVersion, ASoundMeshHasNoFinding) {
-  EXPECT_TRUE(check_version(*box()).ok());
+  EXPECT_TRUE(check_version(*unit_box()).ok());
 }
 
 TEST(CheckVersion, FindsAnInvertedTet) {
-  auto data = box()->data();
+  auto data = unit_box()->data();
   // The middle vertex (index 13 of 27) goes outside.
   data.positions = with(data.positions, 13, [](vec3& p) { p = {3, 3, 3}; });
 
@@ -45,7 +45,7 @@ TEST(CheckVersion, FindsAnInvertedTet) {
 }
 
 TEST(CheckVersion, FindsWrongNeighboursAndFacets) {
-  const auto mesh = box();
+  const auto mesh = unit_box();
   auto neighbours = mesh->data();
   neighbours.neighbours = with(neighbours.neighbours, 0, [](adjacency& row) {
     for (auto& behind : row)
@@ -69,7 +69,7 @@ TEST(CheckVersion, FindsWrongNeighboursAndFacets) {
 }
 
 TEST(CheckVersion, FindsWrongCounts) {
-  auto data = box()->data();
+  auto data = unit_box()->data();
   ++data.live_tets;
 
   EXPECT_THAT(broken(data), HasSubstr("48 live, 49 stated"));
@@ -93,7 +93,7 @@ TEST(CheckVersion, FindsABoundaryThatTouchesItself) {
 
 /// An edit that moves one vertex, reported as the caller says.
 check_report moved(vec3 by, bool reported, edit_claim claim = {}) {
-  const auto base = box();
+  const auto base = unit_box();
   mesh_builder builder(base);
   builder.set_position(13, base->position(13) + by);
   if (reported)

@@ -17,18 +17,11 @@ version_ptr spoiled() {
   });
 }
 
-std::vector<tet_id> all_tets(const mesh_version& mesh) {
-  std::vector<tet_id> result(mesh.tet_slots());
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    result[t] = t;
-  return result;
-}
-
 TEST(Improve, LiftsTheWorstTetAndKeepsTheBoundary) {
   const auto mesh = spoiled();
   mesh_builder builder(mesh);
 
-  const auto report = improve(builder, all_tets(*mesh), {}, {});
+  const auto report = improve(builder, test::all_tets(*mesh), {}, {});
   const auto after = builder.freeze();
 
   ASSERT_TRUE(report.has_value());
@@ -46,8 +39,8 @@ TEST(Improve, RepeatsItself) {
   mesh_builder first(mesh);
   mesh_builder second(mesh);
 
-  (void)improve(first, all_tets(*mesh), {}, {});
-  (void)improve(second, all_tets(*mesh), {}, {});
+  (void)improve(first, test::all_tets(*mesh), {}, {});
+  (void)improve(second, test::all_tets(*mesh), {}, {});
 
   EXPECT_EQ(first.freeze()->id(), second.freeze()->id());
 }
@@ -65,7 +58,7 @@ TEST(Improve, LeavesInterfacesBetweenRegionsAlone) {
   const auto mixed = build_version(std::move(raw), 1)->version;
   mesh_builder builder(mixed);
 
-  const auto report = improve(builder, all_tets(*mixed), {}, {});
+  const auto report = improve(builder, test::all_tets(*mixed), {}, {});
 
   ASSERT_TRUE(report.has_value());
   EXPECT_EQ(report->moves.relocations, 0u);
@@ -78,7 +71,7 @@ TEST(Improve, CancelIsObeyed) {
   execution run;
   run.cancel.cancel();
 
-  const auto report = improve(builder, all_tets(*mesh), {}, run);
+  const auto report = improve(builder, test::all_tets(*mesh), {}, run);
 
   ASSERT_FALSE(report.has_value());
   EXPECT_EQ(report.error().code, ec::cancelled);

@@ -17,14 +17,6 @@
 namespace tedit {
 namespace {
 
-std::vector<tet_id> all_tets(const mesh_version& mesh) {
-  std::vector<tet_id> result;
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    if (mesh.is_live_tet(t))
-      result.push_back(t);
-  return result;
-}
-
 std::map<surface_id, double> areas(const mesh_version& mesh) {
   std::map<surface_id, double> result;
   for (facet_id f = 0; f < mesh.facet_slots(); ++f)
@@ -35,7 +27,7 @@ std::map<surface_id, double> areas(const mesh_version& mesh) {
 
 /// No edge has ends of both signs; vertices without a value lie outside the region.
 bool separated(const mesh_version& mesh, const level_set_cut& cut) {
-  for (const auto t : all_tets(mesh)) {
+  for (const auto t : test::all_tets(mesh)) {
     double low = 0;
     double high = 0;
     for (const auto v : mesh.tet_at(t).v)
@@ -65,7 +57,7 @@ version_ptr two_regions() {
   raw_mesh raw;
   for (vertex_id v = 0; v < plain->vertex_slots(); ++v)
     raw.positions.push_back(plain->position(v));
-  for (const auto t : all_tets(*plain)) {
+  for (const auto t : test::all_tets(*plain)) {
     raw.tets.push_back(plain->tet_at(t));
     const auto c = plain->corners(t);
     const bool left = c[0].x + c[1].x + c[2].x + c[3].x < 4;
@@ -103,8 +95,8 @@ RC_GTEST_PROP(LevelSet, RandomValuesKeepThePart, (std::uint32_t seed, bool snaps
   // Without an exact function the values of moved vertices are the level's by definition.
   settings.snap = snaps ? 0.2 : 0;
 
-  const auto cut =
-    split_at_level(builder, all_tets(*base), [&](vertex_id v) { return values[v]; }, settings, {});
+  const auto cut = split_at_level(builder, test::all_tets(*base),
+                                  [&](vertex_id v) { return values[v]; }, settings, {});
 
   RC_ASSERT(cut.has_value());
   const auto after = builder.freeze();
@@ -123,8 +115,9 @@ RC_GTEST_PROP(LevelSet, PlanesAreMetExactly, (std::uint32_t seed)) {
   level_set_settings settings;
   settings.zero = 1e-12;
 
-  const auto cut = split_at_level(
-    builder, all_tets(*base), [&](vertex_id v) { return height(base->position(v)); }, settings, {});
+  const auto cut =
+    split_at_level(builder, test::all_tets(*base),
+                   [&](vertex_id v) { return height(base->position(v)); }, settings, {});
 
   RC_ASSERT(cut.has_value());
   const auto after = builder.freeze();
@@ -133,7 +126,7 @@ RC_GTEST_PROP(LevelSet, PlanesAreMetExactly, (std::uint32_t seed)) {
   for (const auto v : cut->on_level)
     RC_ASSERT(std::abs(height(after->position(v))) <= 1e-12);
   double below = 0;
-  for (const auto t : all_tets(*after)) {
+  for (const auto t : test::all_tets(*after)) {
     const auto c = after->corners(t);
     if (height(0.25 * (c[0] + c[1] + c[2] + c[3])) < 0)
       below += signed_volume(c);
@@ -149,7 +142,7 @@ RC_GTEST_PROP(LevelSet, TidyingKeepsThePartAndNeverLowersTheWorst, (std::uint32_
   mesh_builder builder(base);
   level_set_settings settings;
   settings.snap = 0;
-  const auto cut = split_at_level(builder, all_tets(*base),
+  const auto cut = split_at_level(builder, test::all_tets(*base),
                                   [&](vertex_id v) {
                                     return dot(normal, base->position(v) - vec3{0.5, 0.5, 0.5});
                                   },
@@ -186,7 +179,7 @@ TEST(LevelSet, AVertexBesideTheLevelIsMovedOntoIt) {
   const auto base = test::box_mesh({4, 4, 4}, {4, 4, 4});
   mesh_builder builder(base);
 
-  const auto cut = split_at_level(builder, all_tets(*base),
+  const auto cut = split_at_level(builder, test::all_tets(*base),
                                   [&](vertex_id v) { return base->position(v).z - 1.9; }, {}, {});
 
   ASSERT_TRUE(cut.has_value());
@@ -206,7 +199,7 @@ TEST(LevelSet, AVertexOnARoundWallIsNotMovedOffIt) {
   });
   mesh_builder builder(base);
 
-  const auto cut = split_at_level(builder, all_tets(*base),
+  const auto cut = split_at_level(builder, test::all_tets(*base),
                                   [&](vertex_id v) { return base->position(v).z - 1.9; }, {}, {});
 
   ASSERT_TRUE(cut.has_value());
@@ -226,8 +219,9 @@ TEST(LevelSet, AnExactFunctionIsMetOnEveryEdge) {
   level_set_settings settings;
   settings.exact = sphere;
 
-  const auto cut = split_at_level(
-    builder, all_tets(*base), [&](vertex_id v) { return sphere(base->position(v)); }, settings, {});
+  const auto cut =
+    split_at_level(builder, test::all_tets(*base),
+                   [&](vertex_id v) { return sphere(base->position(v)); }, settings, {});
 
   ASSERT_TRUE(cut.has_value());
   EXPECT_FALSE(cut->on_level.empty());
@@ -240,7 +234,7 @@ TEST(LevelSet, RegionsAndTheirInterfaceAreCutAlike) {
   ASSERT_EQ(base->data().interfaces.size(), 8u);
   mesh_builder builder(base);
 
-  const auto cut = split_at_level(builder, all_tets(*base),
+  const auto cut = split_at_level(builder, test::all_tets(*base),
                                   [&](vertex_id v) { return base->position(v).z - 0.6; }, {}, {});
 
   ASSERT_TRUE(cut.has_value());
@@ -249,7 +243,7 @@ TEST(LevelSet, RegionsAndTheirInterfaceAreCutAlike) {
   EXPECT_NEAR(interface_area(*after), interface_area(*base), 1e-12);
   EXPECT_GT(after->data().interfaces.size(), 8u);
   double left = 0;
-  for (const auto t : all_tets(*after)) {
+  for (const auto t : test::all_tets(*after)) {
     const auto c = after->corners(t);
     const bool on_left = c[0].x + c[1].x + c[2].x + c[3].x < 4;
     EXPECT_EQ(after->region_of(t), on_left ? 1 : 2);
@@ -261,7 +255,7 @@ TEST(LevelSet, RegionsAndTheirInterfaceAreCutAlike) {
 TEST(LevelSet, OnlyTheRegionIsCut) {
   const auto base = test::box_mesh({4, 1, 1}, {4, 1, 1});
   std::vector<tet_id> region;
-  for (const auto t : all_tets(*base)) {
+  for (const auto t : test::all_tets(*base)) {
     const auto c = base->corners(t);
     if (c[0].x + c[1].x + c[2].x + c[3].x < 4)
       region.push_back(t);

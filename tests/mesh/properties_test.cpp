@@ -67,7 +67,7 @@ std::vector<step> random_steps(int kinds) {
 
 /// So large that a page holds 16 of them: short sequences cross pages.
 using block = std::array<std::uint64_t, 512>;
-using blocks = paged_array<block>;
+using paged_blocks = paged_array<block>;
 
 block block_of(std::uint32_t value) {
   block result;
@@ -87,8 +87,8 @@ std::vector<block> blocks_of(const std::vector<std::uint32_t>& values) {
 /// wrong length, and equal content has equal page identities however it came about.
 RC_GTEST_PROP(PagedArrayProperty, ABuilderIsAVectorThatSharesPages,
               (std::vector<std::uint32_t> values)) {
-  std::vector<std::pair<blocks, std::vector<std::uint32_t>>> states;
-  states.emplace_back(blocks::from(blocks_of(values)), values);
+  std::vector<std::pair<paged_blocks, std::vector<std::uint32_t>>> states;
+  states.emplace_back(paged_blocks::from(blocks_of(values)), values);
   paged_array_builder<block> builder(states.back().first);
   std::set<std::size_t> written;
   const auto freeze = [&] {
@@ -104,23 +104,23 @@ RC_GTEST_PROP(PagedArrayProperty, ABuilderIsAVectorThatSharesPages,
       freeze();
     } else if (kind < 3 || values.empty()) {
       RC_ASSERT(builder.push_back(block_of(value)) == values.size());
-      written.insert(values.size() / blocks::items_per_page);
+      written.insert(values.size() / paged_blocks::items_per_page);
       values.push_back(value);
     } else {
       builder.write(where % values.size()) = block_of(value);
-      written.insert(where % values.size() / blocks::items_per_page);
+      written.insert(where % values.size() / paged_blocks::items_per_page);
       values[where % values.size()] = value;
     }
   }
   freeze();
   for (const auto& [array, model] : states) {
     RC_ASSERT((array.to_vector() == blocks_of(model)));
-    const auto back = blocks::from_pages(array.pages(), model.size());
+    const auto back = paged_blocks::from_pages(array.pages(), model.size());
     RC_ASSERT(back.has_value());
     RC_ASSERT(back->pages() == array.pages());
-    RC_ASSERT(!blocks::from_pages(array.pages(), model.size() + 1).has_value());
+    RC_ASSERT(!paged_blocks::from_pages(array.pages(), model.size() + 1).has_value());
   }
-  const auto again = blocks::from(blocks_of(values)).pages();
+  const auto again = paged_blocks::from(blocks_of(values)).pages();
   RC_ASSERT(std::ranges::equal(again, states.back().first.pages(), {}, &page::id, &page::id));
 }
 

@@ -9,16 +9,16 @@
 namespace tedit {
 namespace {
 
-version_ptr box() {
+version_ptr unit_box() {
   return test::box_mesh({2, 2, 2}, {1, 1, 1});
 }
 
 TEST(SurfaceMap, EqualVersionsHaveNoChange) {
-  EXPECT_TRUE(compare_surfaces(*box(), *box()).empty());
+  EXPECT_TRUE(compare_surfaces(*unit_box(), *unit_box()).empty());
 }
 
 TEST(SurfaceMap, AMergedSurfaceNamesWhereItWent) {
-  const auto before = box();
+  const auto before = unit_box();
   mesh_builder builder(before);
   const std::vector<surface_id> list{2};
   for (const auto f : facets_of(*before, list))
@@ -35,7 +35,7 @@ TEST(SurfaceMap, AMergedSurfaceNamesWhereItWent) {
 }
 
 TEST(SurfaceMap, ASplitSurfaceNamesWhereItCameFrom) {
-  const auto before = box();
+  const auto before = unit_box();
   mesh_builder builder(before);
   const auto fresh = builder.add_surface("part");
   const std::vector<surface_id> list{6};
@@ -53,7 +53,7 @@ TEST(SurfaceMap, ASplitSurfaceNamesWhereItCameFrom) {
 }
 
 TEST(SurfaceMap, ASurfaceBetweenRegionsThatGoesIsSaidToGo) {
-  const auto plain = box();
+  const auto plain = unit_box();
   mesh_builder with(plain);
   const auto seam = with.add_surface("seam");
   const auto corners = plain->tet_at(0).v;
@@ -71,7 +71,7 @@ TEST(SurfaceMap, ASurfaceBetweenRegionsThatGoesIsSaidToGo) {
 }
 
 TEST(SurfaceMap, AMovedVertexChangesItsSurfaces) {
-  const auto before = box();
+  const auto before = unit_box();
   mesh_builder builder(before);
   builder.set_position(4, before->position(4) + vec3{0, 0, -0.1});  // middle of z = 0
 

@@ -12,20 +12,19 @@
 #include "mesh/quality.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
+#include "tests/support/parts.hpp"
 
 namespace tedit::ops {
 namespace {
 
 using ::testing::ElementsAreArray;
 
-const std::filesystem::path parts_folder = TEDIT_TEST_DATA "/parts";
-
 class RealParts : public ::testing::TestWithParam<const char*> {
 protected:
   void SetUp() override {
     setenv("TEDIT_LIBEXEC", TEDIT_BIN, 1);
     plugins_.load_directory(TEDIT_BIN "/../lib/tedit/plugins");
-    const auto folder = parts_folder / GetParam();
+    const auto folder = test::parts_folder / GetParam();
     auto imported = import_mesh(folder / (std::string(GetParam()) + ".coarse.msh"), "mm");
     ASSERT_TRUE(imported.has_value());
     mesh_ = imported->version;

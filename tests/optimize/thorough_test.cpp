@@ -19,14 +19,6 @@
 namespace tedit {
 namespace {
 
-std::vector<tet_id> all_tets(const mesh_version& mesh) {
-  std::vector<tet_id> result;
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    if (mesh.is_live_tet(t))
-      result.push_back(t);
-  return result;
-}
-
 improve_settings thorough(double relative_tolerance = 0) {
   improve_settings settings;
   settings.thorough.emplace();
@@ -41,7 +33,7 @@ struct outcome {
 
 outcome improved(const version_ptr& mesh, const improve_settings& settings) {
   mesh_builder builder(mesh);
-  const auto report = improve(builder, all_tets(*mesh), settings, {});
+  const auto report = improve(builder, test::all_tets(*mesh), settings, {});
   if (!report)
     throw std::runtime_error(render(report.error()));
   return {*report, builder.freeze()};
@@ -87,7 +79,7 @@ TEST(WorstFirst, AVertexOnAnInteriorEdgeMendsAFlatTetOfFourBoundaryVertices) {
   const auto mesh = flat_tet();
   ASSERT_LT(radius_ratios(*mesh).min, 0.01);
   mesh_builder builder(mesh);
-  work_mesh work(builder, all_tets(*mesh));
+  work_mesh work(builder, test::all_tets(*mesh));
   move_counts counts;
   const surface_guard guard(work, {});
 
@@ -166,7 +158,7 @@ TEST(Thorough, ASurfaceThinnerThanTheToleranceKeepsAFacetAndTheVolumeIsAccounted
     return p.y == 1 && p.z == 2 ? vec3{p.x, 1.9999, 2.0001} : p;
   });
   edit_claim claim;
-  claim.touched = all_tets(*mesh);
+  claim.touched = test::all_tets(*mesh);
   improve_request wanted(improvement::thorough);
   wanted.thorough.tolerance.absolute = 1e-3;
 
@@ -203,13 +195,13 @@ TEST(Thorough, ACancelAtAnyPollLeavesTheBuilderAlone) {
   });
   mesh_builder builder(mesh);
   execution count;
-  ASSERT_TRUE(improve(builder, all_tets(*mesh), thorough(1e-3), count).has_value());
+  ASSERT_TRUE(improve(builder, test::all_tets(*mesh), thorough(1e-3), count).has_value());
 
   for (std::uint64_t poll = 1; poll <= count.cancel.polls(); ++poll) {
     mesh_builder stopped(mesh);
     execution run;
     run.cancel = cancel_token::at_poll(poll);
-    const auto report = improve(stopped, all_tets(*mesh), thorough(1e-3), run);
+    const auto report = improve(stopped, test::all_tets(*mesh), thorough(1e-3), run);
     ASSERT_FALSE(report.has_value()) << "poll " << poll;
     EXPECT_EQ(report.error().code, ec::cancelled);
     EXPECT_EQ(stopped.freeze()->id(), mesh->id());

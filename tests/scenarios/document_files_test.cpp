@@ -9,13 +9,12 @@
 #include "actors/store/documents_folder.hpp"
 #include "protocol/convert.hpp"
 #include "tests/scenarios/fixture.hpp"
+#include "tests/support/parts.hpp"
 
 namespace tedit::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-const std::filesystem::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
 
 class DocumentFiles : public ::testing::Test {
 protected:
@@ -27,7 +26,7 @@ protected:
   /// An imported cube that was thickened twice, the second edit undone.
   client::committed make_document(const std::string& name) {
     value(user->open(name, false, false));
-    value(user->import_file(cube_mesh, "mm", {}));
+    value(user->import_file(test::cube_mesh, "mm", {}));
     value(user->edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
     value(user->edit("thicken", {6}, {{"depth", 0.5e-3}}, {}));
     return value(user->undo());

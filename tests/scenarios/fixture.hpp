@@ -9,6 +9,7 @@
 #include "actors/node/server.hpp"
 #include "client/client.hpp"
 #include "protocol/convert.hpp"
+#include "tests/support/raw_client.hpp"
 
 namespace tedit::test {
 
@@ -74,7 +75,7 @@ inline void expect_same(const client::surface_model& a, const client::surface_mo
 inline server_options options_for(const scratch_folder& folder, bool processes) {
   server_options options;
   options.documents = folder.path();
-  options.token = "secret-of-the-test";
+  options.token = test::token;
   options.device = "cpu";
   options.worker_processes = processes;
   options.program = TEDIT_BIN "/tedit";
@@ -89,7 +90,7 @@ inline std::unique_ptr<client::client> connect(const std::string& url,
                                                client::events handlers = {}) {
   client::connect_options options;
   options.url = url;
-  options.token = "secret-of-the-test";
+  options.token = test::token;
   options.client_name = "test";
   options.timeout = patience;
   return value(client::client::connect(options, std::move(handlers)));

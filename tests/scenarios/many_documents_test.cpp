@@ -10,13 +10,12 @@
 
 #include "base/process.hpp"
 #include "tests/scenarios/fixture.hpp"
+#include "tests/support/parts.hpp"
 
 namespace tedit::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
 
 /// `tedit serve` that may have so many files open.
 class small_server {
@@ -84,7 +83,7 @@ TEST(ManyDocuments, AnIdleOneHasNoThreadAndNoDescriptor) {
   const small_server host(folder, number("TEDIT_NOFILE", 128));
   const auto user = host.connect();
   value(user->open("first", false, false));
-  value(user->import_file(cube_mesh, "mm", {}));
+  value(user->import_file(test::cube_mesh, "mm", {}));
   const auto threads = host.count("task");
   const auto descriptors = host.count("fd");
   host.print("1 document");
@@ -92,7 +91,7 @@ TEST(ManyDocuments, AnIdleOneHasNoThreadAndNoDescriptor) {
   const int documents = number("TEDIT_DOCUMENTS", 120);
   for (int i = 1; i < documents; ++i) {
     value(user->open("part-" + std::to_string(i), false, false));
-    value(user->import_file(cube_mesh, "mm", {}));
+    value(user->import_file(test::cube_mesh, "mm", {}));
   }
   host.print(std::to_string(documents) + " documents, just used");
 

@@ -5,10 +5,10 @@
 
 #include "tests/scenarios/disk_fault.hpp"
 
+#include "tests/support/parts.hpp"
+
 namespace tedit::test {
 namespace {
-
-const std::filesystem::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
 
 /// Documents that have a file.
 std::set<std::string> names_in(const scratch_folder& folder) {
@@ -32,7 +32,7 @@ protected:
     host.emplace(folder);
     user = host->connect();
     value(user->open("cube", false, false));
-    value(user->import_file(cube_mesh, "mm", {}));
+    value(user->import_file(test::cube_mesh, "mm", {}));
     value(user->edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
   }
 
@@ -101,7 +101,7 @@ TEST(RenameKills, AcknowledgedChangesAreThereUnderOneNameAfterAKillAtAnyMoment) 
     auto other = host.connect();
     if (round == 0) {
       value(user->open("name-0", false, false));
-      value(user->import_file(cube_mesh, "mm", {}));
+      value(user->import_file(test::cube_mesh, "mm", {}));
     }
     const auto there = names_in(folder);
     ASSERT_EQ(there.size(), 1U) << "round " << round;

@@ -7,14 +7,13 @@
 #include <thread>
 
 #include "tests/scenarios/fixture.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/raw_client.hpp"
 
 namespace tedit::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-const std::filesystem::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
 
 class Rename : public ::testing::Test {
 protected:
@@ -24,7 +23,7 @@ protected:
 
   void make(const std::string& name) {
     value(user->open(name, true, false));
-    value(user->import_file(cube_mesh, "mm", {}));
+    value(user->import_file(test::cube_mesh, "mm", {}));
   }
 
   /// The documents that have a file.
@@ -136,10 +135,10 @@ TEST_F(Rename, ADocumentWithoutANameOfItsOwnIsGivenOne) {
   value(user->rename_document("wing"));
   EXPECT_TRUE(names().empty());
 
-  value(user->import_file(cube_mesh, "mm", {}));
+  value(user->import_file(test::cube_mesh, "mm", {}));
   EXPECT_EQ(names(), std::set<std::string>{"wing"});
   value(user->open("", true, false));
-  value(user->import_file(cube_mesh, "mm", {}));
+  value(user->import_file(test::cube_mesh, "mm", {}));
   value(user->rename_document("tail"));
   EXPECT_EQ(names(), (std::set<std::string>{"tail", "wing"}));
 }
@@ -148,7 +147,7 @@ TEST_F(Rename, ADocumentWithoutANameOfItsOwnIsGivenOne) {
 TEST_F(Rename, ARequestWithTheNameBeforeIsStillUnderstood) {
   make("cube");
   raw_client raw(host->url());
-  raw.hello("secret-of-the-test");
+  raw.hello(test::token);
   v1::ClientMessage open;
   open.mutable_open_document()->set_name("cube");
   ASSERT_TRUE(raw.ask(open).has_document_state());

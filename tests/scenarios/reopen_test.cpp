@@ -7,12 +7,12 @@
 
 #include "tests/scenarios/fixture.hpp"
 
+#include "tests/support/parts.hpp"
+
 namespace tedit::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-const std::filesystem::path cube_mesh = TEDIT_TEST_DATA "/bad/good_six_tets_cube.msh";
 
 fem::load_case pull(double newton) {
   return value(protocol::load_case_from_json(
@@ -29,7 +29,7 @@ struct two_edits {
 
   explicit two_edits(client::client& user) {
     value(user.open("cube", false, false));
-    imported = value(user.import_file(cube_mesh, "mm", {}));
+    imported = value(user.import_file(test::cube_mesh, "mm", {}));
     value(user.set_load_case(pull(1000)));
     first = value(user.edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
     second = value(user.edit("thicken", {6}, {{"depth", 0.5e-3}}, {}));
@@ -56,7 +56,7 @@ TEST(Reopen, TheSurfaceOfAnyVersionIsThereWithoutMovingTheHead) {
   {
     auto user = connect(host->url());
     value(user->open("cube", true, false));
-    const auto imported = value(user->import_file(cube_mesh, "mm", {}));
+    const auto imported = value(user->import_file(test::cube_mesh, "mm", {}));
     value(user->wait_surface(imported.head.version_id, patience));
     as_heads.push_back(user->surface());
     const auto edited = value(user->edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
@@ -198,7 +198,7 @@ TEST(Reopen, AnImportThatFailedLeavesNoDocument) {
   for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     EXPECT_NE(entry.path().extension(), ".tedit") << entry.path();
 
-  value(user->import_file(cube_mesh, "mm", {}));  // Of a good file it becomes one.
+  value(user->import_file(test::cube_mesh, "mm", {}));  // Of a good file it becomes one.
 
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "wrong.tedit"));
 }

@@ -12,8 +12,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr auto token = "secret-of-the-test";
-
 std::string content_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -36,7 +34,7 @@ protected:
 
   std::unique_ptr<raw_client> introduced() {
     auto made = std::make_unique<raw_client>(server->url());
-    EXPECT_TRUE(made->hello(token).has_welcome());
+    EXPECT_TRUE(made->hello(test::token).has_welcome());
     return made;
   }
 

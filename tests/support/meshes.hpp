@@ -68,4 +68,12 @@ inline version_ptr box_mesh(std::array<int, 3> cells, vec3 size,
   return build_version(std::move(raw), 1)->version;
 }
 
+inline std::vector<tet_id> all_tets(const mesh_version& mesh) {
+  std::vector<tet_id> result;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t))
+      result.push_back(t);
+  return result;
+}
+
 }  // namespace tedit::test

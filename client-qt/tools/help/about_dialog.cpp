@@ -16,7 +16,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct about_dialog_phrases {
   Q_DECLARE_TR_FUNCTIONS(about)
 };
 
@@ -24,25 +24,32 @@ struct phrases {
 
 std::vector<used_library> used_libraries() {
   return {
-    {"Qt", qVersion(), "LGPL-3.0", phrases::tr("this window")},
-    {"VTK", vtkVersion::GetVTKVersion(), "BSD-3-Clause", phrases::tr("the picture of the part")},
-    {"Protocol Buffers", "3.21", "BSD-3-Clause", phrases::tr("messages between window and server")},
-    {"Boost", "1.74", "BSL-1.0", phrases::tr("the connection")},
+    {"Qt", qVersion(), "LGPL-3.0", about_dialog_phrases::tr("this window")},
+    {"VTK", vtkVersion::GetVTKVersion(), "BSD-3-Clause",
+     about_dialog_phrases::tr("the picture of the part")},
+    {"Protocol Buffers", "3.21", "BSD-3-Clause",
+     about_dialog_phrases::tr("messages between window and server")},
+    {"Boost", "1.74", "BSL-1.0", about_dialog_phrases::tr("the connection")},
     {"C++ Actor Framework", "0.17", "BSD-3-Clause or BSL-1.0",
-     phrases::tr("the server's processes")},
-    {"CGAL", "5.5", "GPL-3.0-or-later, LGPL-3.0-or-later", phrases::tr("exact geometry")},
-    {"TetGen", "1.5", "AGPL-3.0-or-later", phrases::tr("filling with tets, a program of its own")},
-    {"Eigen", "3.4", "MPL-2.0", phrases::tr("linear algebra")},
-    {"SQLite", {}, phrases::tr("public domain"), phrases::tr("documents")},
-    {"Zstandard", {}, "BSD-3-Clause", phrases::tr("documents")},
-    {"xxHash", {}, "BSD-2-Clause", phrases::tr("ids of versions")},
-    {"OpenSSL", {}, "Apache-2.0", phrases::tr("checksums of files and tokens")},
-    {"Vulkan headers, volk", {}, "Apache-2.0, MIT", phrases::tr("the solver on GPUs")},
-    {"spdlog, fmt", {}, "MIT", phrases::tr("the server's log")},
-    {"CLI11", {}, "BSD-3-Clause", phrases::tr("the command line")},
-    {"toml++", {}, "MIT", phrases::tr("configuration")},
-    {"nlohmann-json", {}, "MIT", phrases::tr("JSON")},
-    {"tl::expected", {}, "CC0-1.0", phrases::tr("errors")}};
+     about_dialog_phrases::tr("the server's processes")},
+    {"CGAL", "5.5", "GPL-3.0-or-later, LGPL-3.0-or-later",
+     about_dialog_phrases::tr("exact geometry")},
+    {"TetGen", "1.5", "AGPL-3.0-or-later",
+     about_dialog_phrases::tr("filling with tets, a program of its own")},
+    {"Eigen", "3.4", "MPL-2.0", about_dialog_phrases::tr("linear algebra")},
+    {"SQLite",
+     {},
+     about_dialog_phrases::tr("public domain"),
+     about_dialog_phrases::tr("documents")},
+    {"Zstandard", {}, "BSD-3-Clause", about_dialog_phrases::tr("documents")},
+    {"xxHash", {}, "BSD-2-Clause", about_dialog_phrases::tr("ids of versions")},
+    {"OpenSSL", {}, "Apache-2.0", about_dialog_phrases::tr("checksums of files and tokens")},
+    {"Vulkan headers, volk", {}, "Apache-2.0, MIT", about_dialog_phrases::tr("the solver on GPUs")},
+    {"spdlog, fmt", {}, "MIT", about_dialog_phrases::tr("the server's log")},
+    {"CLI11", {}, "BSD-3-Clause", about_dialog_phrases::tr("the command line")},
+    {"toml++", {}, "MIT", about_dialog_phrases::tr("configuration")},
+    {"nlohmann-json", {}, "MIT", about_dialog_phrases::tr("JSON")},
+    {"tl::expected", {}, "CC0-1.0", about_dialog_phrases::tr("errors")}};
 }
 
 about_dialog::about_dialog(QWidget* parent) : QDialog(parent) {

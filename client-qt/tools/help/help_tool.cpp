@@ -14,7 +14,7 @@
 
 namespace tedit::desktop {
 
-static constexpr int panel_width = 420;
+static constexpr int manual_width = 420;
 
 help_tool::help_tool(window_context& in, const context_panel& operations)
     : in_(in), operations_(operations), panel_(new help_panel) {
@@ -64,7 +64,7 @@ void help_tool::open() {
   dock.show();
   dock.raise();
   if (!was_shown)
-    in_.window.resizeDocks({&dock}, {panel_width}, Qt::Horizontal);
+    in_.window.resizeDocks({&dock}, {manual_width}, Qt::Horizontal);
   const auto [page, heading] = topic();
   panel_->show_page(page, heading);
   panel_->start_typing();

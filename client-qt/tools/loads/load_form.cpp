@@ -24,7 +24,7 @@ enum load_index : std::size_t {
   gravity,
   normal_force,
   moment,
-  remote,
+  remote_force,
   pin
 };
 
@@ -53,7 +53,7 @@ constexpr kind_row kinds[] = {
   {moment, QT_TRANSLATE_NOOP("tedit::desktop::load_form", "Moment"),
    QT_TRANSLATE_NOOP("tedit::desktop::load_form", "Turns about this direction, right-handed"),
    "N m"},
-  {remote, QT_TRANSLATE_NOOP("tedit::desktop::load_form", "Remote force, at a place apart"),
+  {remote_force, QT_TRANSLATE_NOOP("tedit::desktop::load_form", "Remote force, at a place apart"),
    QT_TRANSLATE_NOOP("tedit::desktop::load_form",
                      "As if a rigid lever led from the place to the surfaces"),
    "N"},
@@ -161,8 +161,8 @@ void load_form::show_fields() {
   scalar_row_->setVisible(along_normal(kind()));
   const bool gradient = kind() == pressure && by_place_->isChecked();
   show_row(by_place_, kind() == pressure);
-  show_row(second_, gradient || kind() == remote);
-  show_row(place_, gradient || kind() == remote);
+  show_row(second_, gradient || kind() == remote_force);
+  show_row(place_, gradient || kind() == remote_force);
   second_->set_unit(gradient ? "Pa/m" : "N m");
   auto* label = static_cast<QLabel*>(static_cast<QFormLayout*>(layout())->labelForField(second_));
   label->setText(gradient ? tr("Grows by") : tr("Moment"));
@@ -222,7 +222,7 @@ fem::load load_form::read() const {
       return {{}, fem::normal_force{scalar_->value()}};
     case moment:
       return {{}, fem::moment{vector}};
-    case remote:
+    case remote_force:
       return {{}, fem::remote_force{vector, place_->value(), second_->value()}};
     case pin:
       return {{}, fem::bearing_force{vector}};

@@ -25,7 +25,7 @@ namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct operation_form_phrases {
   Q_DECLARE_TR_FUNCTIONS(operation_form)
 };
 
@@ -83,14 +83,15 @@ QString what_it_is(const ops::parameter_description& parameter) {
                    text(parameter.help).toHtmlEscaped();
   const QString unit = text(parameter.unit);
   if (parameter.min && parameter.max)
-    result += "<br>" + phrases::tr("From %1 to %2")
+    result += "<br>" + operation_form_phrases::tr("From %1 to %2")
                          .arg(quantity(*parameter.min, unit), quantity(*parameter.max, unit));
   else if (parameter.min)
-    result += "<br>" + phrases::tr("At least %1").arg(quantity(*parameter.min, unit));
+    result +=
+      "<br>" + operation_form_phrases::tr("At least %1").arg(quantity(*parameter.min, unit));
   else if (parameter.max)
-    result += "<br>" + phrases::tr("At most %1").arg(quantity(*parameter.max, unit));
+    result += "<br>" + operation_form_phrases::tr("At most %1").arg(quantity(*parameter.max, unit));
   if (const auto* value = std::get_if<double>(&parameter.default_value))
-    result += "<br>" + phrases::tr("Usually %1").arg(quantity(*value, unit));
+    result += "<br>" + operation_form_phrases::tr("Usually %1").arg(quantity(*value, unit));
   return result;
 }
 

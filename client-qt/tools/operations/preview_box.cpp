@@ -15,6 +15,7 @@
 #include "client-qt/model/receipt_words.hpp"
 #include "client-qt/tools/receipt/receipt_panel.hpp"
 #include "client-qt/widgets/banner.hpp"
+#include "client-qt/widgets/rich_text.hpp"
 
 namespace tedit::desktop {
 
@@ -22,13 +23,9 @@ namespace {
 
 constexpr const char* setting = "preview";
 
-struct phrases {
+struct preview_box_phrases {
   Q_DECLARE_TR_FUNCTIONS(preview)
 };
-
-QString row(const QString& left, const QString& right) {
-  return "<tr><td>" + left + "&nbsp;&nbsp;</td><td>" + right + "</td></tr>";
-}
 
 QLabel* make_label(const char* role) {
   auto* label = new QLabel;
@@ -59,25 +56,27 @@ static bool asked_too_much(const error& reason) {
 QString preview_html(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html = "<table>";
-  html += row(phrases::tr("Volume"),
-              (report.volume_change > 0 ? "+" : "") + quantity(report.volume_change, "m3"));
-  html += row(phrases::tr("Tets"), phrases::tr("%1 (%2 new, %3 gone)")
-                                     .arg(count(static_cast<double>(made.tets)),
-                                          count(static_cast<double>(report.tets_added)),
-                                          count(static_cast<double>(report.tets_removed))));
+  html += table_row(preview_box_phrases::tr("Volume"),
+                    (report.volume_change > 0 ? "+" : "") + quantity(report.volume_change, "m3"));
+  html += table_row(
+    preview_box_phrases::tr("Tets"),
+    preview_box_phrases::tr("%1 (%2 new, %3 gone)")
+      .arg(count(static_cast<double>(made.tets)), count(static_cast<double>(report.tets_added)),
+           count(static_cast<double>(report.tets_removed))));
   if (const auto& ratios = report.ratios)
-    html += row(
-      phrases::tr("Worst tet here"),
-      phrases::tr("%1 before, %2 then").arg(number(ratios->min_before), number(ratios->min_after)));
+    html += table_row(preview_box_phrases::tr("Worst tet here"),
+                      preview_box_phrases::tr("%1 before, %2 then")
+                        .arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
-    html += row(escaped(figure.help), number(figure.value) + " " + escaped(figure.unit));
+    html += table_row(escaped(figure.help), number(figure.value) + " " + escaped(figure.unit));
   html += "</table>";
   const int changed = changed_loads(report);
   if (!report.receipt.empty())
-    html += "<p>" +
-            (changed == 0 ? phrases::tr("All loads and supports stay as they are.")
-                          : phrases::tr("Loads and supports that change: %1").arg(changed)) +
-            "</p>";
+    html +=
+      "<p>" +
+      (changed == 0 ? preview_box_phrases::tr("All loads and supports stay as they are.")
+                    : preview_box_phrases::tr("Loads and supports that change: %1").arg(changed)) +
+      "</p>";
   for (const auto& line : report.receipt)
     if (line.fate != fem::receipt_fate::kept)
       html += "<p>" + receipt_words(line).toHtmlEscaped() + "</p>";

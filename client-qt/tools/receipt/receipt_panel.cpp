@@ -10,37 +10,35 @@
 #include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/receipt_words.hpp"
+#include "client-qt/widgets/rich_text.hpp"
 
 namespace tedit::desktop {
 
 namespace {
 
-struct phrases {
+struct receipt_panel_phrases {
   Q_DECLARE_TR_FUNCTIONS(receipt)
 };
 
-QString row(const QString& left, const QString& right) {
-  return "<tr><td>" + left + "&nbsp;&nbsp;</td><td>" + right + "</td></tr>";
-}
-
 QString surface_link(surface_id id, const std::string& name) {
   const QString shown =
-    name.empty() ? phrases::tr("Surface %1").arg(id) : QString::fromStdString(name);
+    name.empty() ? receipt_panel_phrases::tr("Surface %1").arg(id) : QString::fromStdString(name);
   return QString("<a href=\"surface:%1\">%2</a>").arg(id).arg(shown.toHtmlEscaped());
 }
 
 QString fate_words(const surface_change& change) {
   switch (change.fate) {
     case surface_fate::added:
-      return phrases::tr("new, %1").arg(quantity(change.area_after, "m2"));
+      return receipt_panel_phrases::tr("new, %1").arg(quantity(change.area_after, "m2"));
     case surface_fate::removed:
-      return phrases::tr("gone");
+      return receipt_panel_phrases::tr("gone");
     case surface_fate::merged_into:
-      return phrases::tr("merged into surface %1").arg(change.other);
+      return receipt_panel_phrases::tr("merged into surface %1").arg(change.other);
     case surface_fate::split_from:
-      return phrases::tr("split from surface %1").arg(change.other);
+      return receipt_panel_phrases::tr("split from surface %1").arg(change.other);
     default:
-      return phrases::tr("area %1").arg(desktop::change(change.area_before, change.area_after));
+      return receipt_panel_phrases::tr("area %1").arg(
+        desktop::change(change.area_before, change.area_after));
   }
 }
 
@@ -68,9 +66,10 @@ QString receipt_html(const edit_report& report) {
   QString html;
   const int changed = changed_loads(report);
   html += "<p><b>" +
-          (report.receipt.empty() ? phrases::tr("There are no loads yet.")
-           : changed == 0         ? phrases::tr("All loads and supports are as before.")
-                          : phrases::tr("Loads and supports that changed: %1").arg(changed)) +
+          (report.receipt.empty() ? receipt_panel_phrases::tr("There are no loads yet.")
+           : changed == 0
+             ? receipt_panel_phrases::tr("All loads and supports are as before.")
+             : receipt_panel_phrases::tr("Loads and supports that changed: %1").arg(changed)) +
           "</b></p>";
   if (changed > 0) {
     html += "<ul>";
@@ -84,32 +83,35 @@ QString receipt_html(const edit_report& report) {
       html += "<p><b>" + words_of(line.warning).toHtmlEscaped() + "</b></p>";
   html += "<table>";
   if (report.volume_change != 0)
-    html += row(phrases::tr("Volume"), quantity(report.volume_change, "m3"));
+    html += table_row(receipt_panel_phrases::tr("Volume"), quantity(report.volume_change, "m3"));
   if (report.tets_added + report.tets_removed > 0)
-    html += row(phrases::tr("Tets"), phrases::tr("%1 new, %2 gone")
-                                       .arg(count(static_cast<double>(report.tets_added)),
-                                            count(static_cast<double>(report.tets_removed))));
+    html += table_row(receipt_panel_phrases::tr("Tets"),
+                      receipt_panel_phrases::tr("%1 new, %2 gone")
+                        .arg(count(static_cast<double>(report.tets_added)),
+                             count(static_cast<double>(report.tets_removed))));
   if (const auto& ratios = report.ratios)
-    html += row(
-      phrases::tr("Worst tet here"),
-      phrases::tr("%1 before, %2 now").arg(number(ratios->min_before), number(ratios->min_after)));
+    html += table_row(receipt_panel_phrases::tr("Worst tet here"),
+                      receipt_panel_phrases::tr("%1 before, %2 now")
+                        .arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
-    html += row(QString::fromStdString(figure.help).toHtmlEscaped(),
-                number(figure.value) + " " + words_of(figure.unit));
+    html += table_row(QString::fromStdString(figure.help).toHtmlEscaped(),
+                      number(figure.value) + " " + words_of(figure.unit));
   html +=
-    row(phrases::tr("Time"),
-        (was_previewed(report) ? phrases::tr("%1, made by the preview (operation %2, mesh %3, "
+    table_row(receipt_panel_phrases::tr("Time"),
+              (was_previewed(report)
+                 ? receipt_panel_phrases::tr("%1, made by the preview (operation %2, mesh %3, "
                                              "checks %4)")
-                               : phrases::tr("%1 (operation %2, mesh %3, checks %4)"))
-          .arg(duration(report.total_ms), duration(report.operation_ms),
-               duration(report.improve_ms), duration(report.check_ms)));
+                 : receipt_panel_phrases::tr("%1 (operation %2, mesh %3, checks %4)"))
+                .arg(duration(report.total_ms), duration(report.operation_ms),
+                     duration(report.improve_ms), duration(report.check_ms)));
   html += "</table>";
   QString surfaces;
   for (const auto& one : report.surface_map)
     if (matters(one))
-      surfaces += row(surface_link(one.id, one.name), fate_words(one));
+      surfaces += table_row(surface_link(one.id, one.name), fate_words(one));
   if (!surfaces.isEmpty())
-    html += "<p><b>" + phrases::tr("Surfaces") + "</b></p><table>" + surfaces + "</table>";
+    html +=
+      "<p><b>" + receipt_panel_phrases::tr("Surfaces") + "</b></p><table>" + surfaces + "</table>";
   for (const auto& text : report.notices)
     html += "<p>" + words_of(text).toHtmlEscaped() + "</p>";
   return html;

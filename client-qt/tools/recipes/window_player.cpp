@@ -15,7 +15,7 @@ namespace tedit::desktop {
 
 namespace {
 
-constexpr int poll_ms = 20;
+constexpr int step_poll_ms = 20;
 
 expected<const offered_operation*> find_operation(const document& part, const std::string& id) {
   if (const auto* found = part.operations().find(QString::fromStdString(id)))
@@ -53,7 +53,7 @@ window_player::window_player(window_context& in, toolbox& tools,
         waited_ms_ = 0;
         emit began(step_name(), player_.fraction());
       }) {
-  poll_.setInterval(poll_ms);
+  poll_.setInterval(step_poll_ms);
   connect(&poll_, &QTimer::timeout, this, &window_player::next);
   connect(&in_.part, &document::opened, this, [this] { imports_ = false; });
   connect(&in_.part, &document::failed, this, [this](const QString&, const error& reason) {
@@ -90,7 +90,7 @@ QString window_player::step_name() const {
 void window_player::next() {
   if (drags_left_ > 0)  // One move each time the loop is idle.
     return drag(in_.view, drags_left_--);
-  waited_ms_ += poll_ms;
+  waited_ms_ += step_poll_ms;
   const auto more = player_.advance();
   if (!is_running())
     return;

@@ -21,7 +21,7 @@ namespace tedit::desktop {
 
 namespace {
 
-constexpr int least_width = 900;  // Pixels of a report's pictures.
+constexpr int least_picture_width = 900;  // Pixels of a report's pictures.
 
 std::array<double, 3> key_of(const vec3& at) {
   return {at.x, at.y, at.z};
@@ -252,7 +252,7 @@ pictured_part results_summary_tool::pictured() const {
   what.hidden = selecting_.hidden();
   what.note = in_.truth.verdict();
   const QSize screen = in_.view.size();
-  const int width = std::max(least_width, screen.width());
+  const int width = std::max(least_picture_width, screen.width());
   what.size = {width, std::max(1, width * screen.height() / std::max(1, screen.width()))};
   return what;
 }

@@ -12,7 +12,7 @@ namespace tedit::desktop {
 
 namespace {
 
-constexpr int least_width = 320;
+constexpr int card_width = 320;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void tour_card::show_step(const QString& title, const QString& words, int step, 
     button->setVisible(step < of);
   close_->setText(step < of ? tr("End the tour") : tr("Close"));
   layout()->activate();
-  const int wide = std::max(least_width, layout()->totalMinimumSize().width());
+  const int wide = std::max(card_width, layout()->totalMinimumSize().width());
   setFixedSize(wide, layout()->totalHeightForWidth(wide));
   show();
   raise();
