@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/features/rims.hpp"
-#include "base/units.hpp"
-#include "mesh/place_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unordered_set>
+
+#include "base/units.hpp"
+#include "mesh/place_text.hpp"
 
 namespace tedit {
 

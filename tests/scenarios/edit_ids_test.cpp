@@ -22,7 +22,7 @@ protected:
   std::unique_ptr<client::client> connect_as(const std::string& name) {
     client::connect_options line;
     line.url = server->url();
-    line.token = test::token;
+    line.token = test::server_token;
     line.client_name = name;
     line.timeout = patience;
     auto made = value(client::client::connect(line, {}));
@@ -169,7 +169,7 @@ TEST_F(EditIds, AConflictHasFields) {
   const auto made = value(fill(*anna, ""));
   value(anna->undo());
   raw_client raw(server->url());
-  ASSERT_TRUE(raw.hello(test::token).has_welcome());
+  ASSERT_TRUE(raw.hello(test::server_token).has_welcome());
   v1::ClientMessage open;
   open.mutable_open_document()->set_name("part");
   ASSERT_TRUE(raw.ask(open).has_document_state());

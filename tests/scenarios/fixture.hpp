@@ -75,7 +75,7 @@ inline void expect_same(const client::surface_model& a, const client::surface_mo
 inline server_options options_for(const scratch_folder& folder, bool processes) {
   server_options options;
   options.documents = folder.path();
-  options.token = test::token;
+  options.token = test::server_token;
   options.device = "cpu";
   options.worker_processes = processes;
   options.program = TEDIT_BIN "/tedit";
@@ -90,7 +90,7 @@ inline std::unique_ptr<client::client> connect(const std::string& url,
                                                client::events handlers = {}) {
   client::connect_options options;
   options.url = url;
-  options.token = test::token;
+  options.token = test::server_token;
   options.client_name = "test";
   options.timeout = patience;
   return value(client::client::connect(options, std::move(handlers)));

@@ -147,7 +147,7 @@ TEST_F(Rename, ADocumentWithoutANameOfItsOwnIsGivenOne) {
 TEST_F(Rename, ARequestWithTheNameBeforeIsStillUnderstood) {
   make("cube");
   raw_client raw(host->url());
-  raw.hello(test::token);
+  raw.hello(test::server_token);
   v1::ClientMessage open;
   open.mutable_open_document()->set_name("cube");
   ASSERT_TRUE(raw.ask(open).has_document_state());

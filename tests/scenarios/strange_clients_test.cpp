@@ -34,7 +34,7 @@ protected:
 
   std::unique_ptr<raw_client> introduced() {
     auto made = std::make_unique<raw_client>(server->url());
-    EXPECT_TRUE(made->hello(test::token).has_welcome());
+    EXPECT_TRUE(made->hello(test::server_token).has_welcome());
     return made;
   }
 

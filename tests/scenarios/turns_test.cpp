@@ -35,7 +35,7 @@ protected:
     const auto owner = connect(host->url());
     value(owner->open("theirs", false, false));
     value(owner->import_file(plate_mesh, "mm", {}));
-    ASSERT_TRUE(neighbour.hello(test::token).has_welcome());
+    ASSERT_TRUE(neighbour.hello(test::server_token).has_welcome());
     ASSERT_TRUE(neighbour.ask(open_of("theirs")).has_document_state());
   }
 
@@ -76,11 +76,11 @@ TEST_F(Turns, WhoKnowsTheTokenIsLetInWhileOthersGuess) {
     guess.mutable_hello()->set_token("guess " + std::to_string(i));
     guessers.push_back(std::make_unique<raw_client>(host->url()));
     guessers.back()->start(guess);
-    guess.mutable_hello()->set_token(test::token);
+    guess.mutable_hello()->set_token(test::server_token);
     guessers.back()->start(guess);  // One attempt a connection.
   }
   raw_client honest(host->url());
-  EXPECT_TRUE(honest.hello(test::token).has_welcome());
+  EXPECT_TRUE(honest.hello(test::server_token).has_welcome());
   const auto refused = guessers.front()->answer(1).error();
   EXPECT_EQ(refused.code(), "invalid_argument");
   EXPECT_EQ(refused.message(), "the token is wrong");
@@ -130,7 +130,7 @@ TEST_F(Turns, TheSurfaceIsTheSameForOldAndNewClients) {
   std::vector<std::string> values;
   for (const std::uint32_t minor : {6U, 7U}) {
     raw_client reader(host->url());
-    ASSERT_TRUE(reader.hello(test::token, minor).has_welcome());
+    ASSERT_TRUE(reader.hello(test::server_token, minor).has_welcome());
     auto open = open_of("theirs");
     open.mutable_open_document()->set_watch_surface(true);
     ASSERT_TRUE(reader.ask(open).has_document_state());

@@ -18,7 +18,7 @@
 namespace tedit::test {
 
 /// What servers of tests ask for.
-inline constexpr auto token = "secret-of-the-test";
+inline constexpr auto server_token = "secret-of-the-test";
 
 /// A connection on which a test says whatever it likes, also what no client should.
 class raw_client {
