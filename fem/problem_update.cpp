@@ -6,6 +6,7 @@
 
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
+#include "mesh/changes.hpp"
 
 namespace tedit::fem {
 
@@ -14,9 +15,9 @@ namespace {
 /// Adds the slots of a paged array that differ, or that only one version has, to `slots`.
 template <class T>
 void list_different(const paged_array<T>& from, const paged_array<T>& to,
-                    std::span<const std::size_t> dirty_pages, std::vector<std::uint32_t>& slots) {
+                    std::vector<std::uint32_t>& slots) {
   using array = paged_array<T>;
-  for (const auto page : dirty_pages) {
+  for (const auto page : dirty_pages(from, to)) {
     const auto items = [&](const array& a) {
       return page < a.pages().size() ? a.page_items(page) : std::span<const T>{};
     };
@@ -28,12 +29,6 @@ void list_different(const paged_array<T>& from, const paged_array<T>& to,
         slots.push_back(static_cast<std::uint32_t>(page * array::items_per_page + i));
   }
 }
-
-// Rows of a manifest, in the order of `mesh_data`.
-constexpr std::size_t positions_row = 0;
-constexpr std::size_t vertex_tet_row = 1;
-constexpr std::size_t tets_row = 2;
-constexpr std::size_t regions_row = 3;
 
 bool has_vertex(const mesh_version& mesh, vertex_id v) {
   return v < mesh.vertex_slots() && mesh.is_live_vertex(v);
@@ -54,15 +49,9 @@ struct problem_updater::difference {
 problem_updater::difference problem_updater::compare(const mesh_version& from,
                                                      const mesh_version& to) {
   difference d;
-  const auto& a = from.pages();
-  const auto& b = to.pages();
-  const auto list = [&](const auto& before, const auto& after, std::size_t row,
-                        std::vector<std::uint32_t>& slots) {
-    list_different(before, after, dirty_pages(a.arrays[row], b.arrays[row]), slots);
-  };
   std::vector<std::uint32_t> vertices;
-  list(from.data().positions, to.data().positions, positions_row, vertices);
-  list(from.data().vertex_tet, to.data().vertex_tet, vertex_tet_row, vertices);
+  list_different(from.data().positions, to.data().positions, vertices);
+  list_different(from.data().vertex_tet, to.data().vertex_tet, vertices);
   sort_unique(vertices);
   for (const auto v : vertices) {
     const bool before = has_vertex(from, v);
@@ -75,8 +64,8 @@ problem_updater::difference problem_updater::compare(const mesh_version& from,
       d.moved.push_back(v);
   }
   std::vector<std::uint32_t> tets;
-  list(from.data().tets, to.data().tets, tets_row, tets);
-  list(from.data().tet_regions, to.data().tet_regions, regions_row, tets);
+  list_different(from.data().tets, to.data().tets, tets);
+  list_different(from.data().tet_regions, to.data().tet_regions, tets);
   sort_unique(tets);
   for (const auto t : tets) {
     const bool before = has_tet(from, t);

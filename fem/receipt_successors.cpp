@@ -5,6 +5,8 @@
 #include <array>
 #include <set>
 
+#include "mesh/changes.hpp"
+
 namespace tedit::fem {
 
 namespace {
@@ -25,20 +27,16 @@ struct differing_facets {
 
 differing_facets compare_slots(const mesh_version& from, const mesh_version& to) {
   differing_facets result;
-  constexpr std::size_t facet_row = 5;  // Of `manifest::arrays`.
-  constexpr auto per_page = paged_array<boundary_facet>::items_per_page;
-  for (const auto p : dirty_pages(from.pages().arrays[facet_row], to.pages().arrays[facet_row]))
-    for (std::size_t slot = p * per_page; slot < (p + 1) * per_page; ++slot) {
-      const auto f = static_cast<facet_id>(slot);
-      const bool was = f < from.facet_slots() && from.is_live_facet(f);
-      const bool is = f < to.facet_slots() && to.is_live_facet(f);
-      if (was && is && from.facet(f).v == to.facet(f).v)
-        continue;
-      if (was)
-        result.before.push_back(f);
-      if (is)
-        result.after.push_back(f);
-    }
+  for_each_dirty_slot(from.data().facets, to.data().facets, [&](facet_id f) {
+    const bool was = f < from.facet_slots() && from.is_live_facet(f);
+    const bool is = f < to.facet_slots() && to.is_live_facet(f);
+    if (was && is && from.facet(f).v == to.facet(f).v)
+      return;
+    if (was)
+      result.before.push_back(f);
+    if (is)
+      result.after.push_back(f);
+  });
   return result;
 }
 

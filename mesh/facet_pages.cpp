@@ -8,18 +8,16 @@ namespace tedit {
 
 namespace {
 
-constexpr std::size_t positions_row = 0;  // Of `manifest::arrays`.
-
 bool is_of(const facet_page& facts, const mesh_version& mesh) {
-  const auto& pages = mesh.pages().arrays[positions_row].pages;
+  const auto& pages = mesh.data().positions.pages();
   return std::ranges::all_of(facts.positions, [&](const auto& was) {
-    return was.first < pages.size() && pages[was.first] == was.second;
+    return was.first < pages.size() && pages[was.first]->id() == was.second;
   });
 }
 
 std::shared_ptr<facet_page> read_page(const mesh_version& mesh, std::size_t p) {
   auto result = std::make_shared<facet_page>();
-  const auto& pages = mesh.pages().arrays[positions_row].pages;
+  const auto& pages = mesh.data().positions.pages();
   std::vector<bool> used(pages.size(), false);
   std::map<surface_id, surface_size> sizes;
   auto now = sizes.end();  // Facets of one surface mostly follow each other.
@@ -48,7 +46,7 @@ std::shared_ptr<facet_page> read_page(const mesh_version& mesh, std::size_t p) {
     result->parts.push_back({surface, size});
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i])
-      result->positions.emplace_back(i, pages[i]);
+      result->positions.emplace_back(i, pages[i]->id());
   return result;
 }
 

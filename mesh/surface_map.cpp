@@ -8,23 +8,12 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "mesh/changes.hpp"
 #include "mesh/facet_pages.hpp"
 
 namespace tedit {
 
 namespace {
-
-/// Calls `visit(slot)` for every slot below `slots` in pages of facets that differ.
-template <class Visit>
-void for_each_dirty_facet(const mesh_version& before, const mesh_version& after, std::size_t slots,
-                          const Visit& visit) {
-  constexpr std::size_t facet_row = 5;  // Of `manifest::arrays`.
-  constexpr auto per_page = paged_array<boundary_facet>::items_per_page;
-  for (const auto p :
-       dirty_pages(before.pages().arrays[facet_row], after.pages().arrays[facet_row]))
-    for (std::size_t i = p * per_page; i < std::min(slots, (p + 1) * per_page); ++i)
-      visit(static_cast<facet_id>(i));
-}
 
 /// Facets between regions by surface and corners, ascending.
 std::vector<std::tuple<surface_id, std::array<vertex_id, 3>>> sorted_interfaces(
@@ -61,8 +50,7 @@ bool has_corners_in(const facet_page& page, const std::vector<std::size_t>& dirt
 /// vertex that moved.
 std::set<surface_id> touched_surfaces(const mesh_version& before, const mesh_version& after) {
   std::set<surface_id> result;
-  const auto slots = std::max(before.facet_slots(), after.facet_slots());
-  for_each_dirty_facet(before, after, slots, [&](facet_id i) {
+  for_each_dirty_slot(before.data().facets, after.data().facets, [&](facet_id i) {
     const auto* was = i < before.facet_slots() ? &before.facet(i) : nullptr;
     const auto* is = i < after.facet_slots() ? &after.facet(i) : nullptr;
     if (was && is && was->v == is->v && was->surface == is->surface)
@@ -73,7 +61,7 @@ std::set<surface_id> touched_surfaces(const mesh_version& before, const mesh_ver
       result.insert(is->surface);
   });
   add_touched_interfaces(before, after, result);
-  const auto moved = dirty_pages(before.pages().arrays[0], after.pages().arrays[0]);
+  const auto moved = dirty_pages(before.data().positions, after.data().positions);
   const auto pages =
     std::min(before.data().facets.pages().size(), after.data().facets.pages().size());
   for (std::size_t p = 0; p < pages; ++p) {
@@ -101,7 +89,9 @@ std::map<surface_id, std::map<surface_id, double>> overlaps(const mesh_version& 
   if (surfaces.empty())
     return result;
   const auto slots = std::min(from.facet_slots(), to.facet_slots());
-  for_each_dirty_facet(from, to, slots, [&](facet_id f) {
+  for_each_dirty_slot(from.data().facets, to.data().facets, [&](facet_id f) {
+    if (f >= slots)
+      return;
     const auto& here = from.facet(f);
     const auto& there = to.facet(f);
     if (from.is_live_facet(f) && to.is_live_facet(f) && here.surface != there.surface &&

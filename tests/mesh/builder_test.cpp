@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/builder.hpp"
+#include "mesh/changes.hpp"
 
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mesh/checks.hpp"
@@ -89,9 +91,13 @@ TEST(Builder, ALocalChangeTouchesFewPages) {
   builder.set_position(8000, mesh->position(8000) + vec3{1e-4, 0, 0});
   const auto after = builder.freeze();
 
-  EXPECT_EQ(dirty_pages(mesh->pages().arrays[0], after->pages().arrays[0]).size(), 1u);
-  for (std::size_t row = 1; row < 7; ++row)
-    EXPECT_TRUE(dirty_pages(mesh->pages().arrays[row], after->pages().arrays[row]).empty());
+  const auto dirty = [&](auto... arrays) {
+    return std::vector{dirty_pages(mesh->data().*arrays, after->data().*arrays).size()...};
+  };
+  EXPECT_THAT(
+    dirty(&mesh_data::positions, &mesh_data::vertex_tet, &mesh_data::tets, &mesh_data::tet_regions,
+          &mesh_data::neighbours, &mesh_data::facets, &mesh_data::interfaces),
+    testing::ElementsAre(1, 0, 0, 0, 0, 0, 0));
 }
 
 /// Random flips, removals of edges, insertions and moves keep every invariant, the volume and the
