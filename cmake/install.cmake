@@ -1,5 +1,5 @@
 # What "cmake --install" puts under a prefix: programs, plugins, and what it takes to build a plugin (docs/plugins.md)
-# or a client (docs/protocol.md) outside this tree. bin/ finds lib/tedit/plugins beside itself, so the prefix may be moved. The build tree offers the
+# or a client (docs/integrate.md) outside this tree. bin/ finds lib/tedit/plugins beside itself, so the prefix may be moved. The build tree offers the
 # same package in lib/cmake/TEdit.
 include(CMakePackageConfigHelpers)
 
@@ -38,18 +38,26 @@ foreach(name IN ITEMS options base mesh io sdk services)
   install(TARGETS tedit_${name} EXPORT TEditTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
 # What an integrator links: a set of its own, so that plugins need no protobuf.
-foreach(name IN ITEMS fem_receipt fem_core messages protocol client)
+foreach(name IN ITEMS fem_receipt messages protocol client)
   set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tedit_${name} EXPORT TEditClientTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
-foreach(room IN ITEMS client fem protocol)
-  file(GLOB headers CONFIGURE_DEPENDS ${room}/*.hpp)
-  install(FILES ${headers} DESTINATION include/tedit/${room} COMPONENT dev)
-endforeach()
+# Headers: what docs/plugins.md and docs/protocol.md tell of, and what these include. Nothing else of base/ and mesh/ is
+# for others, nor what the operations of this tree share (ops/shapes).
+set(plugin_headers
+    ops/sdk/operation.hpp
+    # Documented beside it.
+    base/parallel.hpp mesh/checks.hpp mesh/features/hole.hpp mesh/features/rims.hpp mesh/quality.hpp
+    # For tests of plugins.
+    mesh/finish_edit.hpp mesh/io/import.hpp ops/services/host_services.hpp tests/support/meshes.hpp)
+file(GLOB client_headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_SOURCE_DIR}" client/*.hpp protocol/*.hpp)
+install(
+  CODE "set(tree \"${CMAKE_SOURCE_DIR}\")
+  set(prefix_folder include/tedit)
+  set(headers ${plugin_headers} ${client_headers})
+  include(\"${CMAKE_SOURCE_DIR}/cmake/install_headers.cmake\")"
+  COMPONENT dev)
 install(DIRECTORY protocol/tedit DESTINATION share/tedit/protocol FILES_MATCHING PATTERN "*.proto")
-install(DIRECTORY base mesh DESTINATION include/tedit COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY ops/sdk ops/services DESTINATION include/tedit/ops COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY tests/support DESTINATION include/tedit/tests COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 
 set(package "${CMAKE_BINARY_DIR}/lib/cmake/TEdit")
 configure_file(cmake/TEditConfig.cmake.in "${package}/TEditConfig.cmake" @ONLY)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/optimize/improve.hpp"
+#include "mesh/optimize/worst_first.hpp"
 
 namespace tedit {
 

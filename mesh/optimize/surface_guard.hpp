@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mesh/optimize/improvement.hpp"
 #include "mesh/optimize/work_mesh.hpp"
 
 namespace tedit {
-
-/// How far the boundary may go from where it was: absolute + relative * (mean length of the edges
-/// of the facets that change). Both 0: the boundary stays as it is.
-struct surface_tolerance {
-  double absolute = 0;  ///< m.
-  double relative = 0;  ///< Of the local edge length.
-
-  [[nodiscard]] bool allows_any() const { return absolute > 0 || relative > 0; }
-};
 
 using triangle = std::array<vec3, 3>;
 

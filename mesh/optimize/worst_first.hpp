@@ -6,24 +6,6 @@
 
 namespace tedit {
 
-/// How often each move was made.
-struct move_counts {
-  std::size_t flips = 0;        ///< 2-3, and removals of interior edges.
-  std::size_t relocations = 0;  ///< Interior vertices.
-  std::size_t collapses = 0;    ///< Interior vertices gone.
-  std::size_t insertions = 0;   ///< New vertices on edges.
-  std::size_t harmonic_flips = 0;
-  std::size_t harmonic_relocations = 0;
-  std::size_t boundary_flips = 0;
-  std::size_t boundary_relocations = 0;
-  std::size_t boundary_collapses = 0;
-
-  [[nodiscard]] std::size_t all() const {
-    return flips + relocations + collapses + insertions + harmonic_flips + harmonic_relocations +
-           boundary_flips + boundary_relocations + boundary_collapses;
-  }
-};
-
 /// What is worse than this is lifted only where that lowers the badness.
 inline constexpr double decent_quality = 0.15;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/sdk/round_edges.hpp"
+#include "ops/shapes/rounding/round_edges.hpp"
 
 namespace {
 
@@ -18,10 +18,16 @@ public:
       "Two or more walls that meet: the concave edges between them; one wall alone: all its "
       "concave edges.";
     d.parameters = ops::round_parameters();
+    d.icon =
+      ops::line_icon(R"(<path d="M5 4 V19.5 H20.5"/><path d="M5 10 A9.5 9.5 0 0 0 14.5 19.5"/>)");
+    d.guide =
+      "Use it where two walls meet in a sharp inner corner: the stress there grows with every "
+      "finer mesh, in a fillet it does not. Pick the walls on both sides. A fillet needs room: "
+      "where a wall is narrower than it, the edit is refused with the largest radius that works.";
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     constexpr double side = 1;  // The ball rolls in the open space.

@@ -45,14 +45,19 @@ public:
     return fstat(fd_, &info) == 0 ? static_cast<std::size_t>(info.st_size) : 0;
   }
 
-  [[nodiscard]] std::string content(std::size_t most) const {
+  [[nodiscard]] std::string content(std::size_t most) const { return part(0, most); }
+  [[nodiscard]] std::string end(std::size_t most) const {
+    return part(size() - std::min(size(), most), most);
+  }
+
+private:
+  [[nodiscard]] std::string part(std::size_t from, std::size_t most) const {
     std::string text(std::min(size(), most), '\0');
-    const auto got = pread(fd_, text.data(), text.size(), 0);
+    const auto got = pread(fd_, text.data(), text.size(), static_cast<off_t>(from));
     text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
     return text;
   }
 
-private:
   int fd_;
 };
 
@@ -111,12 +116,16 @@ std::string wait_for(pid_t child, const shared_file& report, const sandbox_limit
   return {};
 }
 
-std::string last_line(const std::string& text) {
-  const auto end = text.find_last_not_of("\n ");
-  if (end == std::string::npos)
-    return {};
-  const auto begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1, 0x100).substr(0, end - begin);
+std::vector<std::string> last_lines(const std::string& text) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(' ') != std::string::npos)
+      result.push_back(line.substr(0, 0x100));
+  result.erase(result.begin(),
+               result.end() - static_cast<std::ptrdiff_t>(std::min(most, result.size())));
+  return result;
 }
 
 }  // namespace
@@ -154,7 +163,7 @@ child_outcome run_forked(const std::function<void(const child_reporter&)>& work,
     else if (line.starts_with('='))
       result.lines.push_back(line.substr(1));
   }
-  result.last_stderr = last_line(err.content(65536));
+  result.last_stderr = last_lines(err.end(65536));
   result.out = out.content(4096);
   return result;
 }

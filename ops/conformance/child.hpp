@@ -37,9 +37,9 @@ private:
 struct child_outcome {
   std::vector<std::string> lines;  ///< What it said, also when it died later.
   std::string doing;               ///< The last mark.
-  std::string death;        ///< "crashed with signal 11 (Segmentation fault)"; empty when it ended.
-  std::string last_stderr;  ///< The last line that it wrote there.
-  std::string out;          ///< What it wrote to stdout, at most 4096 characters.
+  std::string death;  ///< "crashed with signal 11 (Segmentation fault)"; empty when it ended.
+  std::vector<std::string> last_stderr;  ///< The last lines that it wrote there, at most 20.
+  std::string out;                       ///< What it wrote to stdout, at most 4096 characters.
 };
 
 /// Calls `work` in a forked child of this process, in `folder`, and waits for it. The child and

@@ -46,7 +46,7 @@ constexpr std::string_view tag_skip = "skip ";
 
 /// The child's side of a check.
 void run_check(const check& c, const plan& p, const child_reporter& reporter) {
-  bench b(p, reporter);
+  plugin_trial b(p, reporter);
   try {
     const auto seen = c.run(b);
     reporter.say(std::string(tag_pass) + seen);
@@ -63,14 +63,14 @@ void run_check(const check& c, const plan& p, const child_reporter& reporter) {
 }
 
 conformance_row row_of(const check& c) {
-  return {c.name, c.rule, verdict::not_run, {}, {}};
+  return {c.name, c.rule, verdict::not_run, {}, {}, {}};
 }
 
 void judge_death(const child_outcome& child, conformance_row& row) {
   row.outcome = verdict::fail;
   row.seen = "it " + child.death + " while " + (child.doing.empty() ? "starting" : child.doing);
   if (!child.last_stderr.empty())
-    row.seen += "; its last words: " + child.last_stderr;
+    row.seen += "; its last words: " + child.last_stderr.back();
   row.remedy = child.death.starts_with("did not end")
                  ? "Bound every loop and ask ctx.run.cancel.cancelled() in it"
                  : "Run the same edit under a debugger: docs/plugins.md says how";
@@ -95,6 +95,7 @@ conformance_row perform(const check& c, const plan& p, std::vector<std::string>&
     else
       other_lines.push_back(line);
   }
+  row.log = child.last_stderr;
   if (child.death.empty() && child.doing != last_mark)
     child.death = "ended the process";  // By exit(): the check never came to its end.
   if (!child.death.empty())

@@ -20,8 +20,10 @@ struct conformance_row {
   std::string check;  ///< Stable, for example "volume_claim".
   std::string rule;   ///< What must hold, one sentence.
   verdict outcome = verdict::not_run;
-  std::string seen;             ///< What was seen, or why the check was not run.
-  std::string remedy;           ///< What the author can do; empty unless it failed.
+  std::string seen;    ///< What was seen, or why the check was not run.
+  std::string remedy;  ///< What the author can do; empty unless it failed.
+  /// What the plugin wrote meanwhile to `context::log` and to stderr: the last 20 lines.
+  std::vector<std::string> log;
   std::uint32_t operation = 0;  ///< Index in the plugin.
 };
 

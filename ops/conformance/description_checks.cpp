@@ -16,7 +16,7 @@ bool is_snake_case(const std::string& id) {
   return id.size() <= 40 && std::regex_match(id, form);
 }
 
-std::string ids(bench& b) {
+std::string ids(plugin_trial& b) {
   b.load();
   const auto& d = b.description();
   std::set<std::string> seen;
@@ -34,7 +34,7 @@ std::string ids(bench& b) {
   return d.id + " with " + std::to_string(d.parameters.size()) + " parameter(s)";
 }
 
-std::string texts(bench& b) {
+std::string texts(plugin_trial& b) {
   b.load();
   const auto& d = b.description();
   const auto judge = [](const std::string& what, const std::string& text) {
@@ -52,7 +52,7 @@ std::string texts(bench& b) {
   return "all there";
 }
 
-std::string version_text(bench& b) {
+std::string version_text(plugin_trial& b) {
   b.load();
   static const std::regex form("[0-9]+\\.[0-9]+\\.[0-9]+(-[0-9A-Za-z.-]+)?");
   const auto& version = b.description().version;
@@ -62,7 +62,7 @@ std::string version_text(bench& b) {
   return version;
 }
 
-std::string units(bench& b) {
+std::string units(plugin_trial& b) {
   b.load();
   static const std::set<std::string> si{
     "m",   "m^2", "m^3", "1/m",   "rad", "s", "1/s", "Hz",  "kg",    "kg/m^3", "N",
@@ -95,7 +95,7 @@ void judge_range(const parameter_description& p) {
                   "Fill `choices` for parameter_type::choice, and only for it"};
 }
 
-std::string defaults(bench& b) {
+std::string defaults(plugin_trial& b) {
   b.load();
   for (const auto& p : b.description().parameters)
     judge_range(p);
@@ -115,7 +115,8 @@ std::string defaults(bench& b) {
 std::string flat(const operation_description& d) {
   std::string text = d.id + "|" + d.name + "|" + d.summary + "|" + d.version + "|" +
                      d.selection.help + "|" + std::to_string(d.selection.minimum) + "|" +
-                     std::to_string(d.selection.maximum);
+                     std::to_string(d.selection.maximum) + "|" + d.icon + "|" + d.guide + "|" +
+                     std::to_string(d.rank) + "|" + d.best_for;
   for (const auto& p : d.parameters) {
     text += "\n" + p.id + "|" + p.name + "|" + p.help + "|" + p.unit + "|" +
             std::to_string(static_cast<int>(p.type)) + "|" + std::to_string(p.min.value_or(0)) +
@@ -127,7 +128,7 @@ std::string flat(const operation_description& d) {
   return text;
 }
 
-std::string same_twice(bench& b) {
+std::string same_twice(plugin_trial& b) {
   b.load();
   const auto other = b.make();
   const auto first = flat(b.description());

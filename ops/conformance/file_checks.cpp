@@ -1,63 +1,62 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <cstring>
-
 #include "ops/conformance/kit.hpp"
+#include "ops/loader/plugin_fit.hpp"
 
 namespace tedit::ops::kit {
 
 namespace {
 
-std::string opens(bench& b) {
+std::string opens(plugin_trial& b) {
   b.open();
   return "it opens";
 }
 
-std::string entry(bench& b) {
+std::string entry(plugin_trial& b) {
   b.find_entry();
   return "tedit_plugin_query answers";
 }
 
-std::string magic(bench& b) {
+/// Throws a fault as the failure that it is.
+void refuse(const std::string& fault, const std::string& remedy) {
+  if (!fault.empty())
+    throw failure{fault, remedy};
+}
+
+std::string sdk_version(plugin_trial& b) {
   b.find_entry();
   const auto& d = b.descriptor();
-  if (d.magic != plugin_magic)
-    throw failure{
-      "the magic number is " + std::to_string(d.magic) + ", not " + std::to_string(plugin_magic),
-      "Fill the descriptor by the macro TEDIT_PLUGIN"};
-  if (d.descriptor_size != sizeof(plugin_descriptor))
-    throw failure{"descriptor_size is " + std::to_string(d.descriptor_size) + ", not " +
-                    std::to_string(sizeof(plugin_descriptor)),
-                  "Rebuild against this version's ops/sdk/operation.hpp"};
-  if (!d.plugin_name || !*d.plugin_name || !d.plugin_version || !d.create || !d.destroy ||
-      d.operation_count == 0)
-    throw failure{"the descriptor is incomplete", "Fill it by the macro TEDIT_PLUGIN"};
+  refuse(magic_fault(&d), "Write TEDIT_PLUGIN(name, version, class)");
+  refuse(sdk_fault(d), "Rebuild against this version, or install the version it was built for");
+  return "built for SDK " + std::to_string(d.sdk_major) + "." + std::to_string(d.sdk_minor) +
+         ", this host offers " + std::to_string(sdk_major) + "." + std::to_string(sdk_minor);
+}
+
+std::string compiler(plugin_trial& b) {
+  b.find_entry();
+  refuse(compiler_fault(b.descriptor()),
+         "Build with a compiler of the host's series: C++ types cross the border");
+  return b.descriptor().compiler;
+}
+
+std::string descriptor(plugin_trial& b) {
+  b.find_entry();
+  const auto& d = b.descriptor();
+  refuse(completeness_fault(d),
+         "Fill it by the macro TEDIT_PLUGIN, or from tedit::ops::make_descriptor");
   b.say("operations " + std::to_string(d.operation_count));
   return std::string(d.plugin_name) + " " + d.plugin_version + ", " +
          std::to_string(d.operation_count) + " operation(s)";
 }
 
-std::string sdk_version(bench& b) {
+std::string layout(plugin_trial& b) {
   b.find_entry();
   const auto& d = b.descriptor();
-  const auto built = std::to_string(d.sdk_major) + "." + std::to_string(d.sdk_minor);
-  const auto offered = std::to_string(sdk_major) + "." + std::to_string(sdk_minor);
-  if (d.sdk_major != sdk_major || d.sdk_minor > sdk_minor)
-    throw failure{"it was built for SDK " + built + ", this host offers " + offered,
-                  "Rebuild against this version, or install the version it was built for"};
-  return "built for SDK " + built + ", this host offers " + offered;
+  refuse(layout_fault(d),
+         "Rebuild against this version's headers and libraries, with the flags of TEdit::options");
+  return std::to_string(d.layout_count) + " facts of types are the host's";
 }
 
-std::string compiler(bench& b) {
-  b.find_entry();
-  const auto& d = b.descriptor();
-  if (!d.compiler || std::strcmp(d.compiler, compiler_tag) != 0)
-    throw failure{std::string("it was built with ") + (d.compiler ? d.compiler : "nothing named") +
-                    ", this host with " + compiler_tag,
-                  "Build with the host's compiler: C++ types cross the border"};
-  return d.compiler;
-}
-
-std::string makes_operations(bench& b) {
+std::string makes_operations(plugin_trial& b) {
   b.load();
   for (std::uint32_t i = 0; i < b.descriptor().operation_count; ++i) {
     auto* made = b.descriptor().create(i);
@@ -77,10 +76,10 @@ const std::vector<check>& file_checks() {
     {"file_opens", "The file is a shared library whose dependencies are there", need::nothing,
      opens},
     {"entry", "It exports tedit_plugin_query", need::nothing, entry},
-    {"descriptor", "The descriptor has the right magic number and size and is complete",
-     need::nothing, magic},
     {"sdk_version", "It was built for an SDK that this host offers", need::nothing, sdk_version},
-    {"compiler", "It was built with this host's compiler", need::nothing, compiler},
+    {"compiler", "It was built with a compiler of this host's series", need::nothing, compiler},
+    {"descriptor", "The descriptor has the right size and is complete", need::nothing, descriptor},
+    {"layout", "The types that cross the border are laid out as the host's", need::nothing, layout},
     {"makes_operations", "Every operation can be made, described and destroyed", need::nothing,
      makes_operations}};
   return list;

@@ -36,9 +36,9 @@ struct not_applicable {
 };
 
 /// The plugin as one check sees it, inside the child.
-class bench {
+class plugin_trial {
 public:
-  bench(const plan& p, const child_reporter& reporter) : plan_(p), reporter_(reporter) {}
+  plugin_trial(const plan& p, const child_reporter& reporter) : plan_(p), reporter_(reporter) {}
 
   // -- loading, step by step: each throws `failure` ---------------------------------------------
 
@@ -66,13 +66,13 @@ public:
   [[nodiscard]] parameters values() const;
 
   /// One call of `apply` as the host makes it. Throws `failure` when the plugin throws.
-  [[nodiscard]] expected<edit_result> apply(const mesh_version& mesh,
+  [[nodiscard]] expected<edit_result> apply(const version_ptr& mesh,
                                             const std::vector<surface_id>& surfaces,
                                             const parameters& with,
                                             const execution& run = {}) const {
     return apply_by(*code_, mesh, surfaces, with, run);
   }
-  [[nodiscard]] expected<edit_result> apply_by(const operation& code, const mesh_version& mesh,
+  [[nodiscard]] expected<edit_result> apply_by(const operation& code, const version_ptr& mesh,
                                                const std::vector<surface_id>& surfaces,
                                                const parameters& with,
                                                const execution& run = {}) const;
@@ -87,6 +87,7 @@ private:
   const plugin_descriptor* descriptor_ = nullptr;
   std::shared_ptr<const operation> code_;
   operation_description description_;
+  std::function<void(std::string_view)> log_;  ///< To the child's stderr.
 };
 
 /// What a check needs before it makes sense.
@@ -97,7 +98,7 @@ struct check {
   const char* rule;
   need needs;
   /// Returns what was seen. Throws `failure` or `not_applicable`.
-  std::string (*run)(bench&);
+  std::string (*run)(plugin_trial&);
 };
 
 // -- the checks by topic, each list in its own file -----------------------------------------------
@@ -115,7 +116,7 @@ struct check {
 // ---------------------------------------------------------------------------------------
 
 /// "11, 12 of the drilled block".
-[[nodiscard]] std::string where(const bench& b, const working_case& c);
+[[nodiscard]] std::string where(const plugin_trial& b, const working_case& c);
 
 /// What a candidate breaks, apart from quality and from what its base broke already.
 [[nodiscard]] std::vector<finding> faults_of(const mesh_version& base, const edit_result& edit);
@@ -125,8 +126,8 @@ struct check {
 
 /// An answer that the host could use: a candidate without faults, or an error with a message.
 /// Throws `failure` otherwise. Returns true for a candidate.
-bool check_answer(const bench& b, const mesh_version& mesh, const expected<edit_result>& answer,
-                  const std::string& what);
+bool check_answer(const plugin_trial& b, const mesh_version& mesh,
+                  const expected<edit_result>& answer, const std::string& what);
 
 /// An error says what is wrong and what to do; `cancelled` and `out_of_memory` need no remedy.
 void check_refusal(const error& e, const std::string& what);

@@ -24,7 +24,8 @@ std::string text_of(const parameter_value& value) {
 }
 
 /// Tries one value where the others have theirs; what the host refuses does not reach the plugin.
-void try_value(bench& b, const std::string& id, const parameter_value& value, int& answered) {
+void try_value(plugin_trial& b, const std::string& id, const parameter_value& value,
+               int& answered) {
   auto given = b.values();
   given[id] = value;
   const auto completed = complete_parameters(b.description(), given);
@@ -33,7 +34,7 @@ void try_value(bench& b, const std::string& id, const parameter_value& value, in
   const auto& c = b.the_plan().cases.front();
   const auto what = id + " = " + text_of(value) + " on surface " + where(b, c);
   b.mark("applying with " + what);
-  check_answer(b, *b.sample_of(c).mesh, b.apply(*b.sample_of(c).mesh, c.surfaces, *completed),
+  check_answer(b, *b.sample_of(c).mesh, b.apply(b.sample_of(c).mesh, c.surfaces, *completed),
                "with " + what);
   ++answered;
 }
@@ -58,7 +59,7 @@ std::vector<parameter_value> limits_of(const parameter_description& p) {
   return result;
 }
 
-std::string at_limits(bench& b) {
+std::string at_limits(plugin_trial& b) {
   b.load();
   int answered = 0;
   for (const auto& p : b.description().parameters)
@@ -67,7 +68,7 @@ std::string at_limits(bench& b) {
   return std::to_string(answered) + " values answered";
 }
 
-std::string hostile(bench& b) {
+std::string hostile(plugin_trial& b) {
   b.load();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<parameter_value> values{std::nan(""),
@@ -94,7 +95,7 @@ std::string hostile(bench& b) {
          " refused by the host";
 }
 
-std::string described_rightly(bench& b) {
+std::string described_rightly(plugin_trial& b) {
   b.load();
   if (complete_parameters(b.description(), {{"no_such_parameter", true}}))
     throw failure{"an unknown parameter is accepted", "Do not describe no_such_parameter"};

@@ -15,12 +15,12 @@ namespace tedit::ops::kit {
 
 namespace {
 
-void apply_all(bench& b) {
+void apply_all(plugin_trial& b) {
   for (const auto& c : b.the_plan().cases)
     (void)b.succeed(c);
 }
 
-std::string quiet(bench& b) {
+std::string quiet(plugin_trial& b) {
   const auto before = bytes_on_stdout();
   b.load();
   apply_all(b);
@@ -30,7 +30,7 @@ std::string quiet(bench& b) {
   return "nothing was written";
 }
 
-std::string no_files(bench& b) {
+std::string no_files(plugin_trial& b) {
   namespace fs = std::filesystem;
   b.load();
   apply_all(b);
@@ -70,7 +70,7 @@ std::map<std::string, std::string> surroundings() {
   return result;
 }
 
-std::string no_traces(bench& b) {
+std::string no_traces(plugin_trial& b) {
   const auto before = surroundings();
   b.load();
   apply_all(b);
@@ -90,7 +90,7 @@ std::size_t entries_of(const char* folder) {
     std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-std::string no_handles(bench& b) {
+std::string no_handles(plugin_trial& b) {
   b.load();
   apply_all(b);  // What is made once, on first use, may stay.
   const auto files = entries_of("/proc/self/fd");

@@ -11,7 +11,7 @@ namespace tedit::ops::kit {
 namespace {
 
 /// Runs the working cases and fails when a candidate breaks one of these rules of `check_edit`.
-std::string judge(bench& b, const std::set<std::string>& rules, const char* remedy) {
+std::string judge(plugin_trial& b, const std::set<std::string>& rules, const char* remedy) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto edit = b.succeed(c);
@@ -23,7 +23,7 @@ std::string judge(bench& b, const std::set<std::string>& rules, const char* reme
   return "holds in " + std::to_string(b.the_plan().cases.size()) + " edits";
 }
 
-std::string complete(bench& b) {
+std::string complete(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto edit = b.succeed(c);
@@ -46,34 +46,34 @@ std::string complete(bench& b) {
   return "touched tets, volume, surfaces and notices are filled in";
 }
 
-std::string positive_tets(bench& b) {
+std::string positive_tets(plugin_trial& b) {
   return judge(b, {"positive orientation"},
                "Check signed_volume of every touched tet and refuse the edit before it gets here");
 }
 
-std::string adjacency_right(bench& b) {
+std::string adjacency_right(plugin_trial& b) {
   return judge(b,
                {"corners exist", "neighbours share a face", "boundary face has its facet",
                 "facet lies on its tet", "incident tet holds the vertex"},
                "Change topology through mesh_builder::apply only: it keeps adjacency up to date");
 }
 
-std::string manifold(bench& b) {
+std::string manifold(plugin_trial& b) {
   return judge(b, {"boundary is a 2-manifold"},
                "Put back tets at the edge or vertex named until its facets form one fan");
 }
 
-std::string surfaces_total(bench& b) {
+std::string surfaces_total(plugin_trial& b) {
   return judge(b, {"facet has a surface of the table", "surface table ascends"},
                "Name new facets in cavity_change::facets, with ids of the table or from "
                "mesh_builder::add_surface");
 }
 
-std::string counts(bench& b) {
+std::string counts(plugin_trial& b) {
   return judge(b, {"counts are right"}, "Build the candidate by mesh_builder only");
 }
 
-std::string regions(bench& b) {
+std::string regions(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto edit = b.succeed(c);
@@ -87,23 +87,23 @@ std::string regions(bench& b) {
                "Give each new tet the region of the tet that it lies against");
 }
 
-std::string untouched(bench& b) {
+std::string untouched(plugin_trial& b) {
   return judge(b, {"untouched tets are identical"},
                "Hand back mesh_builder::touched(), which lists every new or moved tet");
 }
 
-std::string volume_claim(bench& b) {
+std::string volume_claim(plugin_trial& b) {
   return judge(b, {"volume changes as the operation says"},
                "Compute the change apart from the tets, for example by the divergence theorem over "
                "the facets that changed");
 }
 
-std::string no_void(bench& b) {
+std::string no_void(plugin_trial& b) {
   return judge(b, {"no new closed void or separate boundary"},
                "Refuse an edit that would close off a void or cut the part in pieces");
 }
 
-std::string quality(bench& b) {
+std::string quality(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto edit = b.succeed(c);
@@ -124,7 +124,7 @@ std::string quality(bench& b) {
   return "after the host's improvement, q is at least min(the operation's floor, before)";
 }
 
-std::string changes_something(bench& b) {
+std::string changes_something(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto edit = b.succeed(c);
@@ -138,7 +138,7 @@ std::string changes_something(bench& b) {
 }
 
 /// Whether the operation was tried on a mesh, and what became of it.
-std::string on_sample(bench& b, std::size_t index) {
+std::string on_sample(plugin_trial& b, std::size_t index) {
   b.load();
   const auto& s = b.the_plan().samples[index];
   std::size_t accepted = 0;
@@ -149,21 +149,21 @@ std::string on_sample(bench& b, std::size_t index) {
     const working_case c{index, {row.id}};
     b.mark("applying to surface " + where(b, c));
     accepted +=
-      check_answer(b, *s.mesh, b.apply(*s.mesh, c.surfaces, b.values()), "surface " + where(b, c));
+      check_answer(b, *s.mesh, b.apply(s.mesh, c.surfaces, b.values()), "surface " + where(b, c));
   }
   return std::to_string(accepted) + " edits hold, " +
          std::to_string(std::min<std::size_t>(tried, 40) - accepted) + " refused";
 }
 
-std::string two_regions(bench& b) {
+std::string two_regions(plugin_trial& b) {
   return on_sample(b, 2);
 }
 
-std::string free_slots(bench& b) {
+std::string free_slots(plugin_trial& b) {
   return on_sample(b, 3);
 }
 
-std::string on_part(bench& b) {
+std::string on_part(plugin_trial& b) {
   if (!b.the_plan().settings->part)
     throw not_applicable{"no part was given; try --mesh FILE"};
   return on_sample(b, 4);

@@ -26,7 +26,7 @@ bool is_intact(const mesh_version& mesh, const hash128& id) {
          mesh.regions() == mesh.pages().regions && hash_bytes(mesh.pages().to_bytes()) == id;
 }
 
-std::string deterministic(bench& b) {
+std::string deterministic(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto first = b.succeed(c).candidate->id();
@@ -40,13 +40,13 @@ std::string deterministic(bench& b) {
   return "four runs of each edit give one version";
 }
 
-std::string other_instance(bench& b) {
+std::string other_instance(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto mine = b.succeed(c).candidate->id();
     const auto other = b.make();
     b.mark("applying by a second instance to surface " + where(b, c));
-    const auto theirs = b.apply_by(*other, *b.sample_of(c).mesh, c.surfaces, b.values());
+    const auto theirs = b.apply_by(*other, b.sample_of(c).mesh, c.surfaces, b.values());
     const bool same = theirs && theirs->candidate && theirs->candidate->id() == mine;
     if (!same || b.succeed(c).candidate->id() != mine)
       throw failure{"a second instance gives another version on surface " + where(b, c) +
@@ -56,7 +56,7 @@ std::string other_instance(bench& b) {
   return "instances do not know of each other";
 }
 
-std::string thread_count(bench& b) {
+std::string thread_count(plugin_trial& b) {
   cpu_set_t one;
   CPU_ZERO(&one);
   cpu_set_t all;
@@ -78,7 +78,7 @@ std::string thread_count(bench& b) {
   return std::to_string(CPU_COUNT(&all)) + " processors and 1 give the same versions";
 }
 
-std::string input_unchanged(bench& b) {
+std::string input_unchanged(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     const auto& mesh = *b.sample_of(c).mesh;
@@ -91,13 +91,13 @@ std::string input_unchanged(bench& b) {
   return "bytes and identity are as before";
 }
 
-std::string cancelled_at_start(bench& b) {
+std::string cancelled_at_start(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     execution run;
     run.cancel.cancel();
     b.mark("applying, cancelled, to surface " + where(b, c));
-    const auto answer = b.apply(*b.sample_of(c).mesh, c.surfaces, b.values(), run);
+    const auto answer = b.apply(b.sample_of(c).mesh, c.surfaces, b.values(), run);
     if (answer)
       throw failure{
         "an edit that was cancelled before it began was made (surface " + where(b, c) + ")",
@@ -112,11 +112,11 @@ std::string cancelled_at_start(bench& b) {
 
 /// Cancels at the poll with this number. False when this run was over before: how often an edit
 /// asks while it waits for the host depends on what else the machine does.
-bool cancel_at(bench& b, const working_case& c, std::uint64_t poll) {
+bool cancel_at(plugin_trial& b, const working_case& c, std::uint64_t poll) {
   execution run;
   run.cancel = cancel_token::at_poll(poll);
   b.mark("cancelling at poll " + std::to_string(poll) + " on surface " + where(b, c));
-  const auto answer = b.apply(*b.sample_of(c).mesh, c.surfaces, b.values(), run);
+  const auto answer = b.apply(b.sample_of(c).mesh, c.surfaces, b.values(), run);
   const bool was_cancelled = run.cancel.polls() >= poll;
   if (answer && was_cancelled)
     throw failure{"cancelled at poll " + std::to_string(poll) + " on surface " + where(b, c) +
@@ -131,7 +131,7 @@ bool cancel_at(bench& b, const working_case& c, std::uint64_t poll) {
   return true;
 }
 
-std::string cancelled_anywhere(bench& b) {
+std::string cancelled_anywhere(plugin_trial& b) {
   b.load();
   std::uint64_t points = 0;
   for (const auto& c : b.the_plan().cases) {
@@ -196,7 +196,7 @@ private:
   std::thread watcher_;
 };
 
-std::string polls_often(bench& b) {
+std::string polls_often(plugin_trial& b) {
   b.load();
   double longest = 0;
   for (const auto& c : b.the_plan().cases) {
@@ -213,7 +213,7 @@ std::string polls_often(bench& b) {
   return "at most " + std::to_string(std::lround(longest)) + " ms between two questions";
 }
 
-std::string progress(bench& b) {
+std::string progress(plugin_trial& b) {
   b.load();
   std::size_t reports = 0;
   for (const auto& c : b.the_plan().cases) {
@@ -242,7 +242,7 @@ std::string progress(bench& b) {
   return std::to_string(reports) + " reports";
 }
 
-std::string two_at_once(bench& b) {
+std::string two_at_once(plugin_trial& b) {
   b.load();
   const auto& cases = b.the_plan().cases;
   std::vector<hash128> alone;
@@ -277,7 +277,7 @@ std::size_t heap_bytes() {
   return info.uordblks + info.hblkhd;
 }
 
-std::string repeats(bench& b) {
+std::string repeats(plugin_trial& b) {
   b.load();
   const auto& c = b.the_plan().cases.front();
   constexpr int round = 10;

@@ -13,7 +13,8 @@ constexpr std::size_t most_alone = 40;
 /// The smallest selections that the operation's description allows: for most operations every
 /// surface alone, and for those that need none nothing. Of many, some spread evenly. What
 /// `check_selection` refuses no plugin gets to see: it is not tried.
-std::vector<std::vector<surface_id>> smallest_selections(const bench& b, const mesh_version& mesh) {
+std::vector<std::vector<surface_id>> smallest_selections(const plugin_trial& b,
+                                                         const mesh_version& mesh) {
   const auto size = std::max<std::size_t>(1, b.description().selection.minimum);
   const auto& table = mesh.surfaces();
   std::vector<std::vector<surface_id>> all;
@@ -32,7 +33,7 @@ std::vector<std::vector<surface_id>> smallest_selections(const bench& b, const m
   return some;
 }
 
-std::vector<surface_id> whole(const bench& b, const mesh_version& mesh) {
+std::vector<surface_id> whole(const plugin_trial& b, const mesh_version& mesh) {
   std::vector<surface_id> result;
   for (const auto& row : mesh.surfaces())
     result.push_back(row.id);
@@ -42,7 +43,7 @@ std::vector<surface_id> whole(const bench& b, const mesh_version& mesh) {
 }
 
 /// Tells the parent that this selection works.
-void say_case(const bench& b, const working_case& c) {
+void say_case(const plugin_trial& b, const working_case& c) {
   std::string line = std::to_string(c.sample);
   for (const auto id : c.surfaces)
     line += " " + std::to_string(id);
@@ -50,9 +51,9 @@ void say_case(const bench& b, const working_case& c) {
 }
 
 /// Tries one selection; true when it was accepted.
-bool accepts(const bench& b, const working_case& c) {
+bool accepts(const plugin_trial& b, const working_case& c) {
   b.mark("applying to surface " + where(b, c));
-  const auto answer = b.apply(*b.sample_of(c).mesh, c.surfaces, b.values());
+  const auto answer = b.apply(b.sample_of(c).mesh, c.surfaces, b.values());
   if (!answer)
     return false;
   if (!answer->candidate)
@@ -61,7 +62,7 @@ bool accepts(const bench& b, const working_case& c) {
   return true;
 }
 
-std::string alone(bench& b) {
+std::string alone(plugin_trial& b) {
   b.load();
   std::size_t tried = 0;
   std::size_t accepted = 0;
@@ -89,7 +90,7 @@ std::string alone(bench& b) {
          " meshes answered, " + std::to_string(accepted) + " accepted";
 }
 
-std::string accepts_something(bench& b) {
+std::string accepts_something(plugin_trial& b) {
   b.load();
   const auto& p = b.the_plan();
   const auto part_case = [&](const working_case& c) {
@@ -98,7 +99,7 @@ std::string accepts_something(bench& b) {
   if (!p.settings->selected.empty() && std::ranges::none_of(p.cases, part_case)) {
     const working_case c{p.samples.size() - 1, p.settings->selected};
     b.mark("applying to surface " + where(b, c));
-    const auto answer = b.apply(*b.sample_of(c).mesh, c.surfaces, b.values());
+    const auto answer = b.apply(b.sample_of(c).mesh, c.surfaces, b.values());
     throw failure{"the given selection " + where(b, c) + " is refused" +
                     (answer ? "" : ": " + render(answer.error())),
                   "Give a selection that the operation accepts"};
@@ -109,27 +110,27 @@ std::string accepts_something(bench& b) {
            where(b, p.cases.front());
   const working_case c{1, {11}};
   b.mark("applying to surface " + where(b, c));
-  const auto answer = b.apply(*b.sample_of(c).mesh, c.surfaces, b.values());
+  const auto answer = b.apply(b.sample_of(c).mesh, c.surfaces, b.values());
   throw failure{"no selection of any mesh was accepted; on surface " + where(b, c) + ": " +
                   (answer ? "accepted now, refused before" : render(answer.error())),
                 "Give a mesh and a selection that the operation accepts: --mesh FILE --select IDS; "
                 "--set NAME=VALUE sets parameters"};
 }
 
-std::string whole_selection(bench& b) {
+std::string whole_selection(plugin_trial& b) {
   b.load();
   int accepted = 0;
   const auto& samples = b.the_plan().samples;
   for (const auto& s : samples) {
     b.mark("applying to all surfaces of " + s.name);
-    accepted += check_answer(b, *s.mesh, b.apply(*s.mesh, whole(b, *s.mesh), b.values()),
+    accepted += check_answer(b, *s.mesh, b.apply(s.mesh, whole(b, *s.mesh), b.values()),
                              "all surfaces of " + s.name);
   }
   return "answered on " + std::to_string(samples.size()) + " meshes, accepted on " +
          std::to_string(accepted);
 }
 
-std::string duplicates(bench& b) {
+std::string duplicates(plugin_trial& b) {
   b.load();
   for (const auto& c : b.the_plan().cases) {
     if (c.surfaces.empty())
@@ -138,7 +139,7 @@ std::string duplicates(bench& b) {
     auto twice = c;
     twice.surfaces.push_back(c.surfaces.front());
     b.mark("applying to surface " + where(b, twice));
-    const auto answer = b.apply(*b.sample_of(c).mesh, twice.surfaces, b.values());
+    const auto answer = b.apply(b.sample_of(c).mesh, twice.surfaces, b.values());
     if (check_answer(b, *b.sample_of(c).mesh, answer, "surface " + where(b, twice)) &&
         answer->candidate->id() != once)
       throw failure{"naming surface " + std::to_string(c.surfaces.front()) +
@@ -149,7 +150,7 @@ std::string duplicates(bench& b) {
 }
 
 /// Two surfaces that work together, or nothing.
-std::optional<working_case> pair_case(const bench& b) {
+std::optional<working_case> pair_case(const plugin_trial& b) {
   const auto& p = b.the_plan();
   for (const auto& c : p.cases) {
     if (c.surfaces.size() > 1)
@@ -160,15 +161,14 @@ std::optional<working_case> pair_case(const bench& b) {
         continue;
       both.surfaces.push_back(row.id);
       b.mark("applying to surface " + where(b, both));
-      if (const auto a = b.apply(*b.sample_of(c).mesh, both.surfaces, b.values());
-          a && a->candidate)
+      if (const auto a = b.apply(b.sample_of(c).mesh, both.surfaces, b.values()); a && a->candidate)
         return both;
     }
   }
   return std::nullopt;
 }
 
-std::string order(bench& b) {
+std::string order(plugin_trial& b) {
   b.load();
   if (b.description().selection.maximum == 1)
     return "it takes one surface only";
@@ -183,7 +183,7 @@ std::string order(bench& b) {
   return "surfaces " + where(b, *c) + " in either order give one version";
 }
 
-std::string refusals(bench& b) {
+std::string refusals(plugin_trial& b) {
   b.load();
   std::size_t refused = 0;
   for (const auto& s : b.the_plan().samples) {
@@ -193,7 +193,7 @@ std::string refusals(bench& b) {
       const auto what =
         "surface " + where(b, {std::size_t(&s - b.the_plan().samples.data()), surfaces});
       b.mark("applying to " + what);
-      const auto answer = b.apply(*s.mesh, surfaces, b.values());
+      const auto answer = b.apply(s.mesh, surfaces, b.values());
       if (answer)
         continue;
       ++refused;

@@ -8,7 +8,7 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/shift_patch.hpp"
 #include "ops/erode/slab.hpp"
-#include "ops/sdk/shift_walls.hpp"
+#include "ops/shapes/walls/shift_walls.hpp"
 
 namespace tedit::ops {
 

@@ -6,8 +6,8 @@
 
 #include "ops/erode/depth.hpp"
 #include "ops/erode/layers.hpp"
-#include "ops/sdk/most_that_works.hpp"
-#include "ops/sdk/shift_walls.hpp"
+#include "ops/shapes/most_that_works.hpp"
+#include "ops/shapes/walls/shift_walls.hpp"
 
 namespace tedit::ops {
 
@@ -62,10 +62,9 @@ double enclosed_volume(const mesh_version& mesh) {
 /// One way to take material off.
 using erosion = std::function<expected<void>(mesh_builder& mesh, erosion_sum& sum)>;
 
-expected<edit_result> eroded_by(const erosion& way, const mesh_version& mesh,
+expected<edit_result> eroded_by(const erosion& way, const version_ptr& mesh,
                                 const std::vector<surface_id>& surfaces, piece_policy policy) {
-  // The version outlives the call; the builder only needs a handle without ownership.
-  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
+  mesh_builder builder(mesh);
   erosion_sum sum;
   sum.policy = policy;
   if (const auto done = way(builder, sum); !done)
@@ -73,7 +72,7 @@ expected<edit_result> eroded_by(const erosion& way, const mesh_version& mesh,
   edit_result result;
   result.candidate = builder.freeze();
   result.touched = builder.touched();
-  result.volume_change = boundary_volume_change(mesh, *result.candidate);
+  result.volume_change = boundary_volume_change(*mesh, *result.candidate);
   result.surfaces_used = surfaces;
   // The host does not move the new surface's vertices, so its worst tets stay as the cut left them.
   result.quality_floor = 0.1;
@@ -86,7 +85,7 @@ expected<edit_result> eroded_by(const erosion& way, const mesh_version& mesh,
 
 /// Flat surfaces are cut free or lowered one by one; where that does not work they move together,
 /// with the fillets around them.
-expected<edit_result> lowered(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+expected<edit_result> lowered(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               bool flat, double depth, piece_policy policy, context& ctx) {
   auto result = eroded_by(
     [&](mesh_builder& to, erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
@@ -109,7 +108,7 @@ expected<edit_result> lowered(const mesh_version& mesh, const std::vector<surfac
 
 }  // namespace
 
-expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+expected<edit_result> erode(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                             const erode_settings& settings, context& ctx) {
   if (surfaces.empty())
     return fail(ec::empty_selection, "no surface was selected", "Select what to take material off");
@@ -119,7 +118,7 @@ expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
   ctx.run.report(0.05, "looking at the surfaces");
-  const auto flat = all_flat(mesh_builder(version_ptr(version_ptr{}, &mesh)), surfaces);
+  const auto flat = all_flat(mesh_builder(mesh), surfaces);
   if (settings.depth > 0 && !flat)
     return fail(flat.error());
   auto result = settings.depth > 0
@@ -137,7 +136,7 @@ expected<edit_result> erode(const mesh_version& mesh, const std::vector<surface_
   if (!result)
     return result;
   result->figures.push_back({"volume_change_percent",
-                             100 * result->volume_change / enclosed_volume(mesh), "%",
+                             100 * result->volume_change / enclosed_volume(*mesh), "%",
                              "of the part's volume"});
   if (settings.depth > 0 && settings.layers > 0)
     result->notices.push_back("the depth was taken off; layers count where the depth is 0");

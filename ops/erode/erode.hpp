@@ -18,7 +18,7 @@ struct erode_settings {
 /// the depth is more than the wall (with the most that works), when the part would fall apart
 /// (unless allowed) or the cut would leave the wall; `degenerate_tet`, `cancelled`. Cost:
 /// O(boundary + cut), O(bodies touched).
-[[nodiscard]] expected<edit_result> erode(const mesh_version& mesh,
+[[nodiscard]] expected<edit_result> erode(const version_ptr& mesh,
                                           const std::vector<surface_id>& surfaces,
                                           const erode_settings& settings, context& ctx);
 

@@ -44,10 +44,17 @@ public:
        {"refuse", "keep_largest", "allow"},
        std::string("refuse")},
     };
+    d.icon = ops::line_icon(
+      R"(<path d="M4 18 H20 V13 H4 Z"/><path d="M4 9 H20" stroke-dasharray="2 2.4"/><path d="M12 4 V11 M9.4 8.6 L12 11 L14.6 8.6"/>)");
+    d.guide =
+      "Flat, cylindrical and conical surfaces move by exactly the depth and keep their names, so "
+      "loads on them stay. Layers of tets come off any surface, but a layer is no length. A cut "
+      "that would split the part is refused unless \"Pieces\" allows it.";
+    d.rank = 50;
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     ops::erode_settings settings;

@@ -6,7 +6,7 @@
 
 #include "mesh/quality.hpp"
 #include "ops/fill_hole/gates.hpp"
-#include "ops/sdk/caps.hpp"
+#include "ops/shapes/caps/caps.hpp"
 
 namespace tedit::ops {
 
@@ -100,21 +100,20 @@ std::string list_of(const std::vector<surface_id>& ids) {
 
 }  // namespace
 
-expected<edit_result> fill_holes(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+expected<edit_result> fill_holes(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                                  const completion_settings& settings, context& ctx) {
   ctx.run.report(0.05, "finding rims");
-  auto selected = complete_hole(mesh, surfaces, settings);
+  auto selected = complete_hole(*mesh, surfaces, settings);
   if (!selected)
     return fail(selected.error());
-  // The version outlives the call; the builder only needs a handle without ownership.
-  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
-  plug_merger merger(mesh, builder);
+  mesh_builder builder(mesh);
+  plug_merger merger(*mesh, builder);
   edit_result result;
   double done = 0;
   for (const auto& part : selected->shells) {
     ctx.run.report(0.1 + 0.8 * done / static_cast<double>(selected->shells.size()),
                    "meshing the plug");
-    const auto plug = mesh_plug(mesh, part, ctx);
+    const auto plug = mesh_plug(*mesh, part, ctx);
     if (!plug)
       return fail(plug.error());
     const auto added = merger.merge(part, *plug);

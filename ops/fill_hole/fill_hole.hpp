@@ -12,7 +12,7 @@ namespace tedit::ops {
 /// flat or second-order surface around it which it goes on. Errors: `mixed_rim`, `non_planar_rim`,
 /// `not_a_hole`, `flat_plug`, `cap_intersects`, `mesher_failed`, `timeout`, `cancelled`. Cost:
 /// O(boundary) for the gates, else O(plug).
-[[nodiscard]] expected<edit_result> fill_holes(const mesh_version& mesh,
+[[nodiscard]] expected<edit_result> fill_holes(const version_ptr& mesh,
                                                const std::vector<surface_id>& surfaces,
                                                const completion_settings& settings, context& ctx);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "ops/sdk/caps.hpp"
+#include "ops/shapes/caps/caps.hpp"
 
 namespace tedit::ops {
 

@@ -34,10 +34,18 @@ public:
        {},
        false},
     };
+    d.icon = ops::line_icon(
+      R"(<circle cx="12" cy="12" r="8.5"/><path d="M7 9.5 L14.5 17 M6.2 13 L11 17.8 M9.5 6.2 L17.8 14.5 M13 5.6 L18.4 11"/>)");
+    d.guide =
+      "Pick one wall of the hole: what belongs to it is found. A countersink is filled only with "
+      "\"Include the entry\". The closed place becomes part of the surface around it where it "
+      "continues that one, and is a surface of its own elsewhere.";
+    d.rank = 30;
+    d.best_for = "hole";
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     completion_settings settings;

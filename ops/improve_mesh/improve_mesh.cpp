@@ -55,26 +55,25 @@ expected<void> check_tolerance(const mesh_version& mesh, double tolerance) {
 
 }  // namespace
 
-expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& picked,
+expected<edit_result> improve_mesh(const version_ptr& mesh, const selection& picked,
                                    const thorough_settings& settings, context& ctx) {
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
-  if (auto ok = check_tolerance(mesh, settings.tolerance.absolute); !ok)
+  if (auto ok = check_tolerance(*mesh, settings.tolerance.absolute); !ok)
     return fail(ok.error());
   ctx.run.report(0.1, "finding the region");
   edit_result result;
   if (picked.surfaces.empty()) {
-    for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-      if (mesh.is_live_tet(t))
+    for (tet_id t = 0; t < mesh->tet_slots(); ++t)
+      if (mesh->is_live_tet(t))
         result.touched.push_back(t);
   } else {
-    auto region = near_surfaces(mesh, picked.surfaces, ctx);
+    auto region = near_surfaces(*mesh, picked.surfaces, ctx);
     if (!region)
       return fail(region.error());
     result.touched = std::move(*region);
   }
-  // The caller's version may not outlive the result: the same pages under a handle of its own.
-  result.candidate = mesh_builder(version_ptr(version_ptr{}, &mesh)).freeze();
+  result.candidate = mesh_builder(mesh).freeze();
   result.surfaces_used = picked.surfaces;
   result.improve = improvement::thorough;
   result.thorough = settings;

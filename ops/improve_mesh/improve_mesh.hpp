@@ -8,7 +8,7 @@ namespace tedit::ops {
 /// The version as it is, with the region that the host's optimizer shall work on: all tets, or
 /// those within three rings of the surfaces picked.
 /// Errors: `cancelled`. Cost: O(mesh).
-[[nodiscard]] expected<edit_result> improve_mesh(const mesh_version& mesh, const selection& picked,
+[[nodiscard]] expected<edit_result> improve_mesh(const version_ptr& mesh, const selection& picked,
                                                  const thorough_settings& settings, context& ctx);
 
 }  // namespace tedit::ops

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 
 #include "base/child_process.hpp"
 
@@ -14,25 +13,6 @@ namespace tedit::ops {
 namespace {
 
 using query_function = const plugin_descriptor* (*)();
-
-/// Empty when the descriptor fits this host, else what does not.
-std::string descriptor_fault(const plugin_descriptor* d) {
-  if (!d || d->magic != plugin_magic)
-    return "it is no TEdit plugin (wrong magic number)";
-  if (d->descriptor_size != sizeof(plugin_descriptor))
-    return "its descriptor has " + std::to_string(d->descriptor_size) + " bytes, this host's has " +
-           std::to_string(sizeof(plugin_descriptor));
-  if (d->sdk_major != sdk_major || d->sdk_minor > sdk_minor)
-    return "it was built for SDK " + std::to_string(d->sdk_major) + "." +
-           std::to_string(d->sdk_minor) + ", this host offers " + std::to_string(sdk_major) + "." +
-           std::to_string(sdk_minor);
-  if (!d->compiler || std::strcmp(d->compiler, compiler_tag) != 0)
-    return std::string("it was built with ") + (d->compiler ? d->compiler : "an unnamed compiler") +
-           ", this host with " + compiler_tag;
-  if (!d->create || !d->destroy || !d->plugin_name || !d->plugin_version || d->operation_count == 0)
-    return "its descriptor is incomplete";
-  return {};
-}
 
 }  // namespace
 
@@ -50,7 +30,7 @@ expected<void> catalogue::load_file(const std::filesystem::path& file) {
     if (!query)
       return refuse("it has no entry tedit_plugin_query");
     const auto* descriptor = query();
-    if (const auto fault = descriptor_fault(descriptor); !fault.empty())
+    if (const auto fault = descriptor_fault(descriptor, offer_); !fault.empty())
       return refuse(fault);
     std::vector<entry> fresh;
     for (std::uint32_t i = 0; i < descriptor->operation_count; ++i) {
@@ -162,7 +142,7 @@ expected<void> check_selection(const operation_description& description, const m
 }
 
 expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
-                                    const mesh_version& mesh, const selection& picked,
+                                    const version_ptr& mesh, const selection& picked,
                                     const parameters& given, context& ctx) {
   const auto found = plugins.find(id);
   if (!found)
@@ -171,8 +151,10 @@ expected<edit_result> run_operation(const catalogue& plugins, const std::string&
   auto values = complete_parameters(entry.description, given);
   if (!values)
     return fail(values.error());
-  if (auto fits = check_selection(entry.description, mesh, picked); !fits)
+  if (auto fits = check_selection(entry.description, *mesh, picked); !fits)
     return fail(std::move(fits.error()));
+  if (!ctx.log)
+    ctx.log = [](std::string_view) {};
   const auto name = "the operation \"" + id + "\" of the plugin " + entry.plugin;
   const char* const to_author =
     "The version is unchanged. \"tedit plugin test\" looks for such "

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/sdk/operation.hpp"
+#include "ops/loader/plugin_fit.hpp"
 
 namespace tedit::ops {
 
@@ -41,6 +41,8 @@ public:
     std::string plugin;  ///< Name and version.
   };
 
+  explicit catalogue(const sdk_offer& offer = {}) : offer_(offer) {}
+
   /// Loads one plugin. Errors: `plugin_refused` naming the file and what is wrong with it.
   [[nodiscard]] expected<void> load_file(const std::filesystem::path& file);
 
@@ -55,6 +57,7 @@ public:
   [[nodiscard]] expected<const entry*> find(const std::string& id) const;
 
 private:
+  sdk_offer offer_;
   std::vector<entry> entries_;
   std::vector<refused_plugin> refused_;
 };
@@ -90,10 +93,13 @@ private:
 [[nodiscard]] expected<void> check_selection(const operation_description& description,
                                              const mesh_version& mesh, const selection& picked);
 
+/// What hosts give an edit as `context::search_s`, s: a person waits so long for a refusal.
+inline constexpr double refusal_search_s = 3;
+
 /// Finds and applies an operation: validation first, then `apply`; an exception from the plugin is
-/// an error that names it, and so is an edit without a candidate.
+/// an error that names it, and so is an edit without a candidate. An empty `ctx.log` is filled.
 [[nodiscard]] expected<edit_result> run_operation(const catalogue& plugins, const std::string& id,
-                                                  const mesh_version& mesh, const selection& picked,
+                                                  const version_ptr& mesh, const selection& picked,
                                                   const parameters& given, context& ctx);
 
 /// `operation_not_found`, with the nearest of the ids that there are.

@@ -45,7 +45,8 @@ void take(std::uint32_t kind, std::span<const std::byte> bytes, const context& c
     const auto fraction = in.number<double>();
     ctx.run.report(fraction, in.text());
   } else if (kind == log_message) {
-    ctx.log({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (ctx.log)
+      ctx.log({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   } else {
     answer.assign(bytes.begin(), bytes.end());
   }
@@ -66,7 +67,7 @@ error named(error e, const catalogue::entry& entry) {
 }  // namespace
 
 expected<edit_result> run_operation_in_child(const catalogue& plugins, const std::string& id,
-                                             const mesh_version& mesh, const selection& picked,
+                                             const version_ptr& mesh, const selection& picked,
                                              const parameters& given, const context& ctx,
                                              const operation_limits& limits) {
   const auto found = plugins.find(id);
@@ -77,7 +78,7 @@ expected<edit_result> run_operation_in_child(const catalogue& plugins, const std
     [&](const caller_line& line) {
       auto in_child = context_in_child(ctx, line);
       line.send(answer_message,
-                to_bytes(run_operation(plugins, id, mesh, picked, given, in_child), mesh));
+                to_bytes(run_operation(plugins, id, mesh, picked, given, in_child), *mesh));
     },
     {limits.time, available_memory().bytes}, ctx.run,
     [&](std::uint32_t kind, std::span<const std::byte> message) {
@@ -85,7 +86,7 @@ expected<edit_result> run_operation_in_child(const catalogue& plugins, const std
     });
   if (!done)
     return fail(named(done.error(), **found));
-  auto answer = answer_from_bytes(bytes, mesh);
+  auto answer = answer_from_bytes(bytes, *mesh);
   if (!answer && answer.error().code == ec::protocol_error)
     return fail(named(answer.error(), **found));
   return answer;

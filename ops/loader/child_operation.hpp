@@ -20,8 +20,7 @@ struct operation_limits {
 /// Errors: those of `run_operation`; `internal` and `timeout` as above; `service_unavailable`.
 /// Cost beyond that of the operation: a millisecond, and the copy of the pages that are new.
 [[nodiscard]] expected<edit_result> run_operation_in_child(
-  const catalogue& plugins, const std::string& id, const mesh_version& mesh,
-  const selection& picked, const parameters& given, const context& ctx,
-  const operation_limits& limits);
+  const catalogue& plugins, const std::string& id, const version_ptr& mesh, const selection& picked,
+  const parameters& given, const context& ctx, const operation_limits& limits);
 
 }  // namespace tedit::ops

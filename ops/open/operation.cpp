@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/sdk/round_edges.hpp"
+#include "ops/shapes/rounding/round_edges.hpp"
 
 namespace {
 
@@ -18,10 +18,15 @@ public:
       "Two or more walls that meet: the convex edges between them; one wall alone: all its convex "
       "edges.";
     d.parameters = ops::round_parameters();
+    d.icon = ops::line_icon(
+      R"(<path d="M4 20 V13 A8 8 0 0 1 12 5 H20" /><path d="M4 5 V9 M4 5 H8" stroke-dasharray="2 2"/>)");
+    d.guide =
+      "Use it on sharp outer edges. Pick the walls on both sides of an edge, or one wall for all "
+      "its edges. It takes material off; loads and supports on the walls stay.";
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     constexpr double side = -1;  // The ball rolls inside the material.

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "mesh/place_text.hpp"
-#include "ops/sdk/caps.hpp"
+#include "ops/shapes/caps/caps.hpp"
 
 namespace tedit::ops {
 

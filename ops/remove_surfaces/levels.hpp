@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/features/protrusion.hpp"
-#include "ops/sdk/quadric.hpp"
+#include "ops/shapes/caps/quadric.hpp"
 
 namespace tedit::ops {
 

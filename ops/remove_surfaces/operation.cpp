@@ -26,10 +26,18 @@ public:
        {},
        false},
     };
+    d.icon = ops::line_icon(
+      R"(<path d="M3.5 18.5 H20.5 M8 18.5 V9 H16 V18.5"/><path d="M9.2 4 L14.8 7.5 M14.8 4 L9.2 7.5"/>)");
+    d.guide =
+      "Pick any one side: the other sides, the top and the fillets that belong to it are found, "
+      "and the surface under it runs on. Loads and supports on what is taken off go with it, "
+      "unless the form says otherwise.";
+    d.rank = 20;
+    d.best_for = "protrusion";
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     return ops::remove_surfaces(mesh, picked.surfaces, std::get<bool>(values.at("exact")), ctx);

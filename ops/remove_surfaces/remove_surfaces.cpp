@@ -16,11 +16,11 @@ namespace {
 
 class remover {
 public:
-  remover(const mesh_version& mesh, const protrusion& feature, const std::vector<level>& levels)
-      : mesh_(mesh),
+  remover(const version_ptr& mesh, const protrusion& feature, const std::vector<level>& levels)
+      : mesh_(*mesh),
         own_(feature.surfaces.begin(), feature.surfaces.end()),
         levels_(levels),
-        builder_(version_ptr(version_ptr{}, &mesh)) {}
+        builder_(mesh) {}
 
   /// Splits the tets where the levels run through the protrusion.
   expected<void> split(const execution& run) {
@@ -189,16 +189,16 @@ std::string list_of(const std::vector<surface_id>& ids) {
 
 }  // namespace
 
-expected<edit_result> remove_surfaces(const mesh_version& mesh,
+expected<edit_result> remove_surfaces(const version_ptr& mesh,
                                       const std::vector<surface_id>& surfaces, bool exact,
                                       context& ctx) {
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
   ctx.run.report(0.05, "finding the foot");
-  const auto feature = complete_protrusion(mesh, surfaces, exact);
+  const auto feature = complete_protrusion(*mesh, surfaces, exact);
   if (!feature)
     return fail(feature.error());
-  const auto levels = levels_of(mesh, *feature);
+  const auto levels = levels_of(*mesh, *feature);
   if (!levels)
     return fail(levels.error());
   remover work(mesh, *feature, *levels);

@@ -7,6 +7,7 @@
 #pragma GCC diagnostic ignored "-Wrestrict"
 #endif
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,20 +21,21 @@
 
 #include "base/execution.hpp"
 #include "mesh/builder.hpp"
-#include "mesh/optimize/improve.hpp"
+#include "mesh/layout.hpp"
+#include "mesh/optimize/improvement.hpp"
 #include "mesh/version.hpp"
 
-/// What a plugin author includes: everything else is internal. An operation is a pure function from
-/// a mesh version, a selection and parameters to a candidate version. No actors, no protobuf, no
-/// GPU: the host carries the result, checks it and throws it away when a check fails.
-/// docs/plugins.md is the manual. The smallest plugin that does something:
+/// The SDK: what a plugin author includes, and all that a plugin's file depends on. An operation is
+/// a pure function from a mesh version, a selection and parameters to a candidate version. No
+/// actors, no protobuf, no GPU: the host carries the result, checks it and throws it away when a
+/// check fails. docs/plugins.md is the manual. The smallest plugin that does something:
 ///
 ///     class lift final : public tedit::ops::operation {
 ///       tedit::ops::operation_description describe() const override { ... }
 ///       tedit::expected<tedit::ops::edit_result> apply(
-///         const tedit::mesh_version& mesh, const tedit::ops::selection& picked,
+///         const tedit::version_ptr& mesh, const tedit::ops::selection& picked,
 ///         const tedit::ops::parameters& values, tedit::ops::context& ctx) const override {
-///         tedit::mesh_builder builder(tedit::version_ptr(tedit::version_ptr{}, &mesh));
+///         tedit::mesh_builder builder(mesh);
 ///         ...  // builder.set_position, builder.apply
 ///         tedit::ops::edit_result result;
 ///         result.touched = builder.touched();
@@ -84,7 +86,21 @@ struct operation_description {
   std::string version;  ///< The operation's own, semantic.
   selection_description selection;
   std::vector<parameter_description> parameters;
+  // How a window shows it, beside all of the above; each may be left out.
+  std::string icon = {};   ///< SVG, 24 by 24, drawn in #000: the window puts its own colour there.
+  std::string guide = {};  ///< For people: when to use it and what it cannot do. Markdown.
+  int rank = 0;            ///< Among what fits a selection: the larger, the earlier it is offered.
+  std::string best_for = {};  ///< "hole" or "protrusion": offered first where one was picked.
 };
+
+/// An icon of lines like those of this program's own, from the elements of an SVG: "<path d=.../>".
+[[nodiscard]] inline std::string line_icon(const std::string& elements) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"24\" height=\"24\" viewBox=\"0 0 24 "
+         "24\" "
+         "fill=\"none\" stroke=\"#000\" stroke-width=\"1.6\" stroke-linecap=\"round\" "
+         "stroke-linejoin=\"round\">" +
+         elements + "</svg>";
+}
 
 // -- applying it ----------------------------------------------------------------
 
@@ -153,8 +169,9 @@ public:
 struct context {
   execution run;             ///< `run.cancel.cancelled()` and `run.report(fraction, stage)`.
   services* host = nullptr;  ///< Never null when the host calls; lives as long as the call.
-  /// Takes a line for whoever runs the program: the server's log, stderr of the command line. The
-  /// host puts the operation's name before it. Thread-safe; never empty.
+  /// Takes a line for whoever runs the program: the server's log, stderr of the command line, what
+  /// the conformance kit tells of a check. The host puts the operation's name before it.
+  /// Thread-safe; never empty.
   std::function<void(std::string_view)> log = [](std::string_view) {};
   /// How long a refusal may look for what would work instead, beside the time of one trial; 0: not
   /// at all, as for a preview, whose answer must come at once.
@@ -200,9 +217,10 @@ public:
 
   /// Makes a candidate from `mesh`, or says why not: an error with message and remedy. The same
   /// arguments give the same candidate. Polls `ctx.run.cancel` at least every 200 ms and then
-  /// answers `cancelled`; throws nothing. `mesh` outlives the call; it may hold free slots, several
-  /// regions, and the faults that it was imported with.
-  [[nodiscard]] virtual expected<edit_result> apply(const mesh_version& mesh,
+  /// answers `cancelled`; throws nothing. `mesh` is never null: the handle that the host holds, so
+  /// that a builder or a candidate may keep it. The version may hold free slots, several regions,
+  /// and the faults that it was imported with.
+  [[nodiscard]] virtual expected<edit_result> apply(const version_ptr& mesh,
                                                     const selection& picked,
                                                     const parameters& values,
                                                     context& ctx) const = 0;
@@ -211,18 +229,39 @@ public:
 // -- handing it to the host --------------------------------------------------------
 
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
-inline constexpr std::uint32_t sdk_major = 5;
+/// A host takes plugins of its own major number and at most its own minor number. The major number
+/// goes up with any change of what plugins were compiled with; the minor one when `context` gets a
+/// member or `services` a function, each at its end. No number of a release of the program is in a
+/// plugin: a patch release changes neither.
+inline constexpr std::uint32_t sdk_major = 6;
 inline constexpr std::uint32_t sdk_minor = 0;
 
-/// Compiler and standard library that built the plugin: C++ types cross the border.
+#define TEDIT_TEXT_OF(x) #x
+#define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
+
+/// Compiler and standard library, as far as C++ types depend on them. Without minor and patch
+/// numbers: within one series (12.1 to 12.5) GCC keeps the C++ ABI (-fabi-version) and libstdc++
+/// the layout of its types, and the shared library is the newer one on the machine that loads both.
+/// Between series neither is promised for C++20. The old std::string and debug mode's containers
+/// are other types.
 inline constexpr const char* compiler_tag =
 #if defined(__clang__)
-  "clang-" __clang_version__;
+  "clang-" TEDIT_TEXT(__clang_major__)
 #else
-  "gcc-" __VERSION__;
+  "gcc-" TEDIT_TEXT(__GNUC__)
 #endif
+#if defined(_LIBCPP_VERSION)
+    " libc++-" TEDIT_TEXT(_LIBCPP_ABI_VERSION)
+#else
+    " libstdc++-" TEDIT_TEXT(_GLIBCXX_RELEASE) " strings-" TEDIT_TEXT(_GLIBCXX_USE_CXX11_ABI)
+#endif
+#ifdef _GLIBCXX_DEBUG
+      " debug"
+#endif
+  ;
 
 /// What the C entry `tedit_plugin_query` returns: plain data, readable before any C++ is trusted.
+/// Members are only ever added at its end.
 struct plugin_descriptor {
   std::uint32_t magic;
   std::uint32_t descriptor_size;
@@ -234,25 +273,119 @@ struct plugin_descriptor {
   std::uint32_t operation_count;
   operation* (*create)(std::uint32_t index);
   void (*destroy)(operation*);
+  const layout_fact* layout;  ///< `layout_facts()` of the plugin.
+  std::uint32_t layout_count;
 };
+
+/// All types that cross the border. A plugin has mesh code of its own (the library is linked into
+/// it), which works on what the host's made: where one of these differs, neither may touch what the
+/// other holds. Types without a fact of their own lie in one that has. What a minor release adds is
+/// a new fact. Cost: microseconds, once.
+__attribute__((visibility("hidden"))) const std::vector<layout_fact>& layout_facts();
+
+/// A descriptor with these operations; the entry returns it.
+template <class... Operations>
+[[nodiscard]] plugin_descriptor make_descriptor(const char* name, const char* version);
 
 }  // namespace tedit::ops
 
-/// Registers one operation class as a plugin; stands once in the plugin's operation.cpp, outside
-/// all namespaces: TEDIT_PLUGIN("fill_hole", "1.1.0", fill_hole).
-#define TEDIT_PLUGIN(name, version, operation_type)                                      \
-  extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor* \
-  tedit_plugin_query() {                                                                 \
-    static const tedit::ops::plugin_descriptor descriptor{                               \
-      tedit::ops::plugin_magic,                                                          \
-      sizeof(tedit::ops::plugin_descriptor),                                             \
-      tedit::ops::sdk_major,                                                             \
-      tedit::ops::sdk_minor,                                                             \
-      tedit::ops::compiler_tag,                                                          \
-      name,                                                                              \
-      version,                                                                           \
-      1,                                                                                 \
-      [](std::uint32_t) -> tedit::ops::operation* { return new operation_type(); },      \
-      [](tedit::ops::operation* made) { delete made; }};                                 \
-    return &descriptor;                                                                  \
+/// Registers operation classes as a plugin; stands once in the plugin's operation.cpp, outside all
+/// namespaces: TEDIT_PLUGIN("fill_hole", "1.1.0", fill_hole).
+#define TEDIT_PLUGIN(name, version, ...)                                                    \
+  extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor*    \
+  tedit_plugin_query() {                                                                    \
+    static const auto descriptor = tedit::ops::make_descriptor<__VA_ARGS__>(name, version); \
+    return &descriptor;                                                                     \
   }
+
+// -- how that is done: nothing that an author needs ---------------------------------------------
+
+namespace tedit::ops {
+namespace layout {
+
+using namespace tedit::layout;
+
+inline void add_description(std::vector<layout_fact>& facts) {
+  const operation_description d;
+  const auto& [id, name, summary, version, selects, takes, icon, guide, rank, best_for] = d;
+  facts.push_back(of("operation_description", d, id, name, summary, version, selects, takes, icon,
+                     guide, rank, best_for));
+  const auto& [help, minimum, maximum] = selects;
+  facts.push_back(of("selection_description", selects, help, minimum, maximum));
+  const parameter_description p;
+  const auto& [p_id, p_name, p_help, type, unit, min, max, choices, default_value, instead] = p;
+  facts.push_back(of("parameter_description", p, p_id, p_name, p_help, type, unit, min, max,
+                     choices, default_value, instead));
+  facts.push_back(last("parameter_type", parameter_type::choice));
+}
+
+inline void add_edit(std::vector<layout_fact>& facts) {
+  const context c;
+  auto known = of("context", c, c.run, c.host, c.log, c.search_s);
+  known.size = 0;
+  facts.push_back(known);
+  const expected<edit_result> answer;
+  const auto& r = *answer;
+  const auto& [candidate, touched, change, improve, thorough, used, notices, figures, floor,
+               bodies] = r;
+  facts.push_back(of("edit_result", r, candidate, touched, change, improve, thorough, used, notices,
+                     figures, floor, bodies));
+  facts.push_back(of("expected<edit_result>", answer, r));
+  const figure f;
+  const auto& [id, value, unit, help] = f;
+  facts.push_back(of("figure", f, id, value, unit, help));
+  const auto& [target, insert_below, harmonic, tolerance, rounds] = thorough;
+  facts.push_back(of("thorough_settings", thorough, target, insert_below, harmonic,
+                     tolerance.absolute, tolerance.relative, rounds));
+  facts.push_back(last("improvement", improvement::thorough));
+}
+
+inline void add_services(std::vector<layout_fact>& facts) {
+  const closed_surface shell;
+  facts.push_back(of("closed_surface", shell, shell.points, shell.triangles));
+  const tet_filling tets;
+  facts.push_back(of("tet_filling", tets, tets.points, tets.tets));
+  const planar_polygon polygon;
+  facts.push_back(of("planar_polygon", polygon, polygon.points, polygon.loops));
+  const planar_filling plane;
+  facts.push_back(of("planar_filling", plane, plane.points, plane.triangles));
+  facts.push_back(table("services", &services::tetrahedralise, &services::triangulate));
+  facts.push_back(table("operation", &operation::describe, &operation::apply));
+}
+
+template <class Operation>
+operation* make_one() {
+  return new Operation;
+}
+
+}  // namespace layout
+
+inline const std::vector<layout_fact>& layout_facts() {
+  static const auto facts = [] {
+    std::vector<layout_fact> result;
+    layout::add_base(result);
+    layout::add_mesh(result);
+    layout::add_description(result);
+    layout::add_edit(result);
+    layout::add_services(result);
+    return result;
+  }();
+  return facts;
+}
+
+template <class... Operations>
+plugin_descriptor make_descriptor(const char* name, const char* version) {
+  const auto create = [](std::uint32_t index) -> operation* {
+    static constexpr std::array makers{&layout::make_one<Operations>...};
+    return index < makers.size() ? makers[index]() : nullptr;
+  };
+  const auto& facts = layout_facts();
+  return {plugin_magic, sizeof(plugin_descriptor),
+          sdk_major,    sdk_minor,
+          compiler_tag, name,
+          version,      sizeof...(Operations),
+          create,       [](operation* made) { delete made; },
+          facts.data(), static_cast<std::uint32_t>(facts.size())};
+}
+
+}  // namespace tedit::ops

@@ -24,10 +24,17 @@ public:
                      1.0,
                      {},
                      0.001}};
+    d.icon = ops::line_icon(
+      R"(<path d="M4 19 H20 V14 H4 Z"/><path d="M4 9 H20" stroke-dasharray="2 2.4"/><path d="M12 11.4 V4.6 M9.4 7 L12 4.6 L14.6 7"/>)");
+    d.guide =
+      "The surfaces keep their names, so loads and supports on them stay. Pick both halves of a "
+      "bore together. Where something is in the way, the edit is refused with the greatest "
+      "thickness that works.";
+    d.rank = 40;
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     return ops::thicken(mesh, ops::as_set(picked), std::get<double>(values.at("depth")), ctx);

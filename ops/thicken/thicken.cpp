@@ -7,8 +7,8 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/shift_patch.hpp"
-#include "ops/sdk/most_that_works.hpp"
-#include "ops/sdk/shift_walls.hpp"
+#include "ops/shapes/most_that_works.hpp"
+#include "ops/shapes/walls/shift_walls.hpp"
 #include "ops/thicken/slab_shell.hpp"
 
 namespace tedit::ops {
@@ -156,17 +156,16 @@ expected<void> raise_walls(mesh_builder& mesh, const std::vector<surface_id>& su
 using raising = expected<void> (*)(mesh_builder&, const std::vector<surface_id>&, double, context&,
                                    edit_result&);
 
-expected<edit_result> raised_by(raising way, const mesh_version& mesh,
+expected<edit_result> raised_by(raising way, const version_ptr& mesh,
                                 const std::vector<surface_id>& surfaces, double height,
                                 context& ctx) {
-  // The version outlives the call; the builder only needs a handle without ownership.
-  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
+  mesh_builder builder(mesh);
   edit_result result;
   if (auto ok = way(builder, surfaces, height, ctx, result); !ok)
     return fail(ok.error());
   result.candidate = builder.freeze();
   result.touched = builder.touched();
-  result.volume_change = boundary_volume_change(mesh, *result.candidate);
+  result.volume_change = boundary_volume_change(*mesh, *result.candidate);
   result.surfaces_used = surfaces;
   // The triangles that the slab stands on were made for another height.
   result.quality_floor = 0.1;
@@ -175,7 +174,7 @@ expected<edit_result> raised_by(raising way, const mesh_version& mesh,
 
 /// Flat surfaces get a slab; where that does not work, as with a height far below the edge length,
 /// they move by their own vertices, with the fillets around them.
-expected<edit_result> raised(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+expected<edit_result> raised(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                              bool flat, double height, context& ctx) {
   if (!flat)
     return raised_by(raise_walls, mesh, surfaces, height, ctx);
@@ -196,13 +195,13 @@ expected<edit_result> raised(const mesh_version& mesh, const std::vector<surface
 
 }  // namespace
 
-expected<edit_result> thicken(const mesh_version& mesh, const std::vector<surface_id>& surfaces,
+expected<edit_result> thicken(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               double height, context& ctx) {
   if (surfaces.empty())
     return fail(ec::empty_selection, "no surface was selected", "Select what to put material on");
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
-  const auto flat = all_flat(mesh_builder(version_ptr(version_ptr{}, &mesh)), surfaces);
+  const auto flat = all_flat(mesh_builder(mesh), surfaces);
   if (!flat)
     return fail(flat.error());
   auto result = at_most(

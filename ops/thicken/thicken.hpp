@@ -13,7 +13,7 @@ namespace tedit::ops {
 /// `invalid_argument` for a surface of free form or one without room, `cap_intersects` where the
 /// slab would run into another part of the boundary, `not_a_hole` where it does not close,
 /// `mesher_failed`, `timeout`, `cancelled`. Cost: O(boundary + slab).
-[[nodiscard]] expected<edit_result> thicken(const mesh_version& mesh,
+[[nodiscard]] expected<edit_result> thicken(const version_ptr& mesh,
                                             const std::vector<surface_id>& surfaces, double height,
                                             context& ctx);
 

@@ -4,36 +4,12 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <thread>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/misdeed.hpp"
 
 namespace tedit::test {
 namespace {
-
-const std::string block = parts + "holes_block/holes_block.coarse.msh";
-
-/// One edit by the plugin that does what `deed` says.
-class Misdeed {
-public:
-  explicit Misdeed(const std::string& deed) {
-    setenv("TEDIT_BREAK", deed.c_str(), 1);
-    setenv("TEDIT_PLUGIN_PATH", TEDIT_RULE_BREAKER, 1);
-    setenv("XDG_CACHE_HOME", scratch("cache").c_str(), 1);
-    std::filesystem::remove(output);
-  }
-  ~Misdeed() {
-    unsetenv("TEDIT_BREAK");
-    unsetenv("TEDIT_PLUGIN_PATH");
-    unsetenv("XDG_CACHE_HOME");
-  }
-
-  const std::filesystem::path output = scratch("edited.msh");
-  const std::string arguments = "edit --json " + block +
-                                " --op rule_breaker --surfaces 4 --param distance=0.0001 -o " +
-                                output.string();
-};
 
 struct deed_and_words {
   const char* deed;
@@ -140,37 +116,6 @@ TEST(PluginEdit, ARecipeTellsWhatThePluginDid) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.parsed()["error"].value("message", ""),
               ::testing::AllOf(HasSubstr("rule_breaker"), HasSubstr("signal 6 (Aborted)")));
-}
-
-/// What a command writes to stderr, and whether it ended well.
-std::pair<std::string, bool> errors_of(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1 >/dev/null").c_str(), "r");
-  std::string errors(4096, ' ');
-  errors.resize(fread(errors.data(), 1, errors.size(), pipe));
-  return {errors, pclose(pipe) == 0};
-}
-
-TEST(PluginEdit, WhatItLogsComesOnStderrWithItsName) {
-  const Misdeed misdeed("logs");
-
-  const auto [errors, ok] = errors_of(program + " " + misdeed.arguments);
-
-  EXPECT_TRUE(ok);
-  EXPECT_THAT(errors, HasSubstr("rule_breaker: two\nrule_breaker: lines of "));
-}
-
-TEST(PluginEdit, WhatItLogsInAWorkerComesInTheServersLog) {
-  const Misdeed misdeed("logs");
-  const auto recipe = scratch("recipe.json");
-  const json edit{
-    {"operation", "rule_breaker"}, {"surfaces", {4}}, {"parameters", {{"distance", 0.0001}}}};
-  std::ofstream(recipe) << json{{"steps", {{{"import", {{"mesh", block}}}}, {{"edit", edit}}}}};
-
-  const auto [errors, ok] =
-    errors_of(program + " run " + recipe.string() + " --out " + scratch("out").string());
-
-  EXPECT_TRUE(ok) << errors;
-  EXPECT_THAT(errors, HasSubstr("rule_breaker: two\n"));
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // They reserve terabytes.

@@ -20,41 +20,67 @@ public:
     d.id = "fill_hole";  // taken by the built-in operation
     return d;
   }
-  expected<ops::edit_result> apply(const mesh_version&, const ops::selection&,
+  expected<ops::edit_result> apply(const version_ptr&, const ops::selection&,
                                    const ops::parameters&, ops::context&) const override {
     return fail(ec::internal, "never called");
   }
 };
 
-[[maybe_unused]] const ops::plugin_descriptor descriptor{
-#ifdef TEDIT_BAD_WRONG_MAGIC
-  1,
-#else
-  ops::plugin_magic,
+/// What this plugin says of its types.
+[[maybe_unused]] std::vector<layout_fact> facts() {
+  auto result = ops::layout_facts();
+#ifdef TEDIT_BAD_OTHER_LAYOUT
+  for (auto& fact : result)
+    if (std::string_view(fact.type) == "edit_result")
+      fact.size += 8;
 #endif
-  sizeof(ops::plugin_descriptor),
-  ops::sdk_major,
+#ifdef TEDIT_BAD_OTHER_MEMBERS
+  for (auto& fact : result)
+    if (std::string_view(fact.type) == "mesh_version")
+      ++fact.places;
+#endif
+#ifdef TEDIT_BAD_NEW_TYPE
+  result.push_back({"stress_view", 24, 0});
+#endif
+  return result;
+}
+
+[[maybe_unused]] ops::plugin_descriptor make() {
+  auto result = ops::make_descriptor<faulty>("faulty", "1.0");
+  static const auto layout = facts();
+  result.layout = layout.data();
+  result.layout_count = static_cast<std::uint32_t>(layout.size());
+#ifdef TEDIT_BAD_WRONG_MAGIC
+  result.magic = 1;
+#endif
 #ifdef TEDIT_BAD_NEWER_SDK
-  ops::sdk_minor + 1,
-#else
-  ops::sdk_minor,
+  ++result.sdk_minor;
+#endif
+#ifdef TEDIT_BAD_NEXT_SDK
+  ++result.sdk_major;
+  result.descriptor_size += 8;
+#endif
+#ifdef TEDIT_BAD_LAST_SDK
+  // As SDK 5 had it: nothing after `destroy`.
+  --result.sdk_major;
+  result.descriptor_size = offsetof(ops::plugin_descriptor, layout);
+  result.layout = reinterpret_cast<const layout_fact*>(1);
 #endif
 #ifdef TEDIT_BAD_OTHER_COMPILER
-  "gcc-1.0",
-#else
-  ops::compiler_tag,
+  result.compiler = "gcc-1 libstdc++-1 strings-0";
 #endif
-  "faulty",
-  "1.0",
-  1,
-  [](std::uint32_t) -> ops::operation* { return new faulty; },
-  [](ops::operation* made) { delete made; }};
+#ifdef TEDIT_BAD_NO_LAYOUT
+  result.layout = nullptr;
+#endif
+  return result;
+}
 
 }  // namespace
 
 #ifndef TEDIT_BAD_NO_ENTRY
 extern "C" __attribute__((visibility("default"))) const tedit::ops::plugin_descriptor*
 tedit_plugin_query() {
+  static const auto descriptor = make();
   return &descriptor;
 }
 #endif

@@ -38,7 +38,19 @@ TEST(Catalogue, EachFaultyPluginIsRefusedWithItsReason) {
   };
   EXPECT_THAT(refusal("newer_sdk.so"),
               HasSubstr("SDK " + sdk(sdk_minor + 1) + ", this host offers " + sdk(sdk_minor)));
-  EXPECT_THAT(refusal("other_compiler.so"), HasSubstr("built with gcc-1.0"));
+  EXPECT_THAT(refusal("next_sdk.so"),
+              HasSubstr("SDK " + std::to_string(sdk_major + 1) + ".0, this host offers"));
+  EXPECT_THAT(refusal("last_sdk.so"), HasSubstr("SDK " + std::to_string(sdk_major - 1) + "."));
+  EXPECT_THAT(refusal("other_compiler.so"), HasSubstr("built with gcc-1 libstdc++-1 strings-0"));
+  EXPECT_THAT(refusal("no_layout.so"), HasSubstr("its descriptor is incomplete"));
+  const auto size = std::to_string(sizeof(edit_result));
+  const auto larger = std::to_string(sizeof(edit_result) + 8);
+  EXPECT_THAT(refusal("other_layout.so"),
+              HasSubstr("another layout of edit_result (" + larger + " bytes, " + size + " here)"));
+  EXPECT_THAT(refusal("other_members.so"),
+              HasSubstr("another layout of mesh_version (as large, but its members differ)"));
+  EXPECT_THAT(refusal("new_type.so"),
+              HasSubstr("a type that this host does not have (stress_view)"));
   EXPECT_THAT(refusal("throws.so"), HasSubstr("no licence file"));
   EXPECT_THAT(refusal("duplicate.so"), HasSubstr("fill_hole is taken"));
   EXPECT_THAT(refusal("not_there.so"), HasSubstr("not_there.so"));

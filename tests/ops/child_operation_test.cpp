@@ -28,11 +28,11 @@ protected:
   expected<edit_result> here(const char* deed, std::vector<surface_id> surfaces) {
     setenv("TEDIT_BREAK", deed, 1);
     context ctx;
-    return run_operation(plugins_, "rule_breaker", *mesh_, {std::move(surfaces)}, {}, ctx);
+    return run_operation(plugins_, "rule_breaker", mesh_, {std::move(surfaces)}, {}, ctx);
   }
   expected<edit_result> in_child(const char* deed, std::vector<surface_id> surfaces) {
     setenv("TEDIT_BREAK", deed, 1);
-    return run_operation_in_child(plugins_, "rule_breaker", *mesh_, {std::move(surfaces)}, {},
+    return run_operation_in_child(plugins_, "rule_breaker", mesh_, {std::move(surfaces)}, {},
                                   context_, {});
   }
 
@@ -101,6 +101,16 @@ TEST_F(HostAndPlugin, AChildGivesTheSameRefusal) {
   ASSERT_FALSE(mine.has_value() || theirs.has_value());
   EXPECT_EQ(render(theirs.error()), render(mine.error()));
   EXPECT_EQ(in_child("nothing", {}).error().code, ec::empty_selection);
+}
+
+TEST_F(HostAndPlugin, AHostWithoutALogIsNoTrap) {
+  setenv("TEDIT_BREAK", "logs", 1);
+  context ctx{{}, nullptr, nullptr};
+
+  EXPECT_TRUE(run_operation(plugins_, "rule_breaker", mesh_, {{1}}, {}, ctx).has_value());
+  ctx.log = nullptr;
+  EXPECT_TRUE(
+    run_operation_in_child(plugins_, "rule_breaker", mesh_, {{1}}, {}, ctx, {}).has_value());
 }
 
 TEST_F(HostAndPlugin, ProgressAndLogOfAChildArriveHere) {

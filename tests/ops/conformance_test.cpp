@@ -58,6 +58,14 @@ TEST(Conformance, APluginThatKeepsTheRulesPasses) {
       << row.check << ": " << row.seen;
 }
 
+TEST(Conformance, WhatThePluginLogsIsToldWithTheCheck) {
+  const auto report = report_of("logs", std::chrono::seconds(30), {"every_surface_alone"});
+
+  EXPECT_THAT(row_of(report, "every_surface_alone").log, ::testing::Contains("rule_breaker: two"));
+  EXPECT_LE(row_of(report, "every_surface_alone").log.size(), 20u);
+  EXPECT_TRUE(row_of(report, "entry").log.empty());
+}
+
 class BrokenRule : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BrokenRule, IsNamed) {
@@ -155,13 +163,19 @@ TEST(Conformance, ACancelEndsTheCheckThatRuns) {
   conformance_settings settings;
   settings.file = breaker;
   settings.limit = std::chrono::hours(1);
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    settings.cancel.cancel();
+  const auto checks = conformance_checks();
+  const auto hangs = std::ranges::find(checks, "every_surface_alone", &conformance_row::check);
+  std::thread later;
+
+  const auto report = test_plugin(settings, [&](const conformance_row& row) {
+    if (row.check == std::prev(hangs)->check)
+      later = std::thread([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        settings.cancel.cancel();
+      });
   });
 
-  const auto report = test_plugin(settings, {});
-
+  ASSERT_TRUE(later.joinable());
   later.join();
   unsetenv("TEDIT_BREAK");
   EXPECT_THAT(report.rows.back().seen, HasSubstr("was cancelled"));

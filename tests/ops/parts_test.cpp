@@ -35,7 +35,7 @@ protected:
   expected<edit_result> fill(const std::vector<surface_id>& walls) {
     context ctx;
     ctx.host = host_.get();
-    return run_operation(plugins_, "fill_hole", *mesh_, {walls}, {}, ctx);
+    return run_operation(plugins_, "fill_hole", mesh_, {walls}, {}, ctx);
   }
 
   /// What the host makes of a candidate.
@@ -89,7 +89,7 @@ TEST_P(RealParts, EveryFinComesOffFromOneOfItsFaces) {
     SCOPED_TRACE(face);
     context ctx;
     ctx.host = host_.get();
-    const auto result = run_operation(plugins_, "remove_surfaces", *mesh_, {{face}}, {}, ctx);
+    const auto result = run_operation(plugins_, "remove_surfaces", mesh_, {{face}}, {}, ctx);
     ASSERT_TRUE(result.has_value()) << render(result.error());
 
     const auto done = finish(*result);

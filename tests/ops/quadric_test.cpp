@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/sdk/quadric.hpp"
+#include "ops/shapes/caps/quadric.hpp"
 
 #include <gtest/gtest.h>
 

@@ -210,9 +210,10 @@ void ask_by_the_clock(const ops::context& ctx) {
     usleep(static_cast<unsigned>(std::rand() % 1000));
 }
 
-expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
+expected<ops::edit_result> move_surfaces(const version_ptr& base,
                                          const std::vector<surface_id>& given, double distance,
                                          std::int64_t layers, ops::context& ctx) {
+  const auto& mesh = *base;
   misbehave(mesh, ctx);
   if (breaks("surface_two") && given.size() == 1 && given[0] == 2)
     crash();
@@ -245,7 +246,7 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
     distance = -0.03;
   if (breaks("quality_floor"))
     distance = -0.0099999;
-  mesh_builder builder(version_ptr(version_ptr{}, &mesh));
+  mesh_builder builder(base);
   ops::edit_result result;
   if (breaks("no_void"))
     dig_void(builder, mesh, result);
@@ -272,7 +273,7 @@ expected<ops::edit_result> move_surfaces(const mesh_version& mesh,
 
 class rule_breaker final : public ops::operation {
 public:
-  explicit rule_breaker(std::uint32_t index) : index_(index) {}
+  explicit rule_breaker(std::uint32_t index = 0) : index_(index) {}
 
   ops::operation_description describe() const override {
     static int calls = 0;
@@ -311,7 +312,7 @@ public:
     return d;
   }
 
-  expected<ops::edit_result> apply(const mesh_version& mesh, const ops::selection& picked,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     return move_surfaces(mesh, picked.surfaces, std::get<double>(values.at("distance")),
@@ -326,16 +327,14 @@ private:
 
 extern "C" __attribute__((visibility("default"))) const ops::plugin_descriptor*
 tedit_plugin_query() {
-  static const ops::plugin_descriptor descriptor{
-    ops::plugin_magic,
-    sizeof(ops::plugin_descriptor),
-    ops::sdk_major,
-    ops::sdk_minor,
-    ops::compiler_tag,
-    "rule_breaker",
-    "1.0.0",
-    breaks("second_operation") ? 2u : 1u,
-    [](std::uint32_t index) -> ops::operation* { return new rule_breaker(index); },
-    [](ops::operation* made) { delete made; }};
+  static const auto descriptor = [] {
+    auto made = ops::make_descriptor<rule_breaker>("rule_breaker", "1.0.0");
+    made.operation_count = breaks("second_operation") ? 2 : 1;
+    made.create = [](std::uint32_t index) -> ops::operation* { return new rule_breaker(index); };
+#ifdef TEDIT_OLD_PLUGIN
+    --made.layout_count;  // As before a minor release that added a fact.
+#endif
+    return made;
+  }();
   return &descriptor;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/sdk/shift_walls.hpp"
+#include "ops/shapes/walls/shift_walls.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ protected:
                               double distance) {
     context ctx;
     ctx.host = host_.get();
-    return run_operation(plugins_, distance < 0 ? "erode" : "thicken", *mesh, {surfaces},
+    return run_operation(plugins_, distance < 0 ? "erode" : "thicken", mesh, {surfaces},
                          {{"depth", std::abs(distance)}}, ctx);
   }
 

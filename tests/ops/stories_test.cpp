@@ -54,7 +54,7 @@ protected:
     context ctx;
     ctx.host = host_.get();
     ctx.search_s = 1e9;  // What is found does not depend on the clock.
-    const auto made = run_operation(plugins_, operation, *base, {surfaces}, values, ctx);
+    const auto made = run_operation(plugins_, operation, base, {surfaces}, values, ctx);
     if (!made)
       return fail(made.error());
     edit_claim claim;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/sdk/surface_tree.hpp"
+#include "ops/shapes/rounding/surface_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,8 @@
 #include "mesh/checks.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/io/import.hpp"
+#include "mesh/optimize/improve.hpp"
+#include "mesh/optimize/worst_first.hpp"
 #include "mesh/surface_map.hpp"
 #include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"

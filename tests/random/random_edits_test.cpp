@@ -10,8 +10,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
-#include "mesh/io/msh_writer.hpp"
 #include "tests/support/blocks.hpp"
 #include "tests/support/random_edits.hpp"
 
@@ -68,7 +68,7 @@ void check_sequence(const version_ptr& start, const std::string& name, std::size
       const auto folder = std::filesystem::temp_directory_path();
       const auto part = folder / ("tedit_" + name + ".msh");
       const auto recipe = folder / ("tedit_" + name + ".json");
-      RC_ASSERT(write_msh(part, *start, "mm").has_value());
+      RC_ASSERT(formats::msh::write(part, *start, {"mm"}).has_value());
       write_recipe(recipe, part, tried.fault, edits);
       RC_FAIL(tried.fault + "; tedit run " + recipe.string());
     }

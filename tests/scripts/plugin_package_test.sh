@@ -17,6 +17,20 @@ tedit=$work/prefix/bin/tedit
 "$tedit" plugin test "$work/prefix/lib/tedit/plugins/fill_hole.so" --json >"$work/kit.json" ||
   { echo "the installed plugin fails the kit" >&2; cat "$work/kit.json" >&2; exit 1; }
 
+# Headers: those that the manual names and what these include; each is whole, also for who has all warnings on.
+headers=$work/prefix/include/tedit
+cd "$headers"
+[ "$(find ops -type f | LC_ALL=C sort | tr '\n' ' ')" = "ops/sdk/operation.hpp ops/services/host_services.hpp " ] ||
+  { echo "other headers of operations are installed:" >&2; find ops -type f >&2; exit 1; }
+for header in $(grep -oE '`(base|mesh|ops|tests)/[a-z_/]+\.hpp`' "$source/docs/plugins.md" | tr -d '`' | sort -u) \
+  $(grep -rhoE '^#include "[^"]+"' . | cut -d'"' -f2 | sort -u); do
+  [ -f "$header" ] || [ ! -f "$source/$header" ] || { echo "$header is not installed" >&2; exit 1; }
+done
+[ ! -e mesh/level_set.hpp ] || { echo "the mesh library's own headers are installed" >&2; exit 1; }
+find base mesh ops tests -name '*.hpp' | sed 's/.*/#include "&"/' |
+  c++ -std=c++20 -fsyntax-only -Wall -Wextra -Wshadow -Werror -I. -x c++ - || { echo "an installed header does not stand alone" >&2; exit 1; }
+echo "$(find base mesh ops tests -name '*.hpp' | wc -l) headers of base, mesh, ops and tests"
+
 "$tedit" plugin new probe_offset --dir "$work"
 cd "$work/probe_offset"
 {

@@ -22,12 +22,12 @@ class Erode : public ::testing::Test {
 protected:
   expected<edit_result> lower(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               double depth) {
-    return erode(*mesh, surfaces, {depth, 1, piece_policy::refuse}, ctx_);
+    return erode(mesh, surfaces, {depth, 1, piece_policy::refuse}, ctx_);
   }
 
   expected<edit_result> peel(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                              int layers, piece_policy pieces = piece_policy::refuse) {
-    return erode(*mesh, surfaces, {0, layers, pieces}, ctx_);
+    return erode(mesh, surfaces, {0, layers, pieces}, ctx_);
   }
 
   /// The postconditions of an edit, with the host's improvement, and the worst q below `floor`.
@@ -256,7 +256,7 @@ TEST_F(Erode, AWallThatIsTooThinIsRefusedWithoutAnotherTry) {
 }
 
 TEST_F(Erode, WithoutDepthAndLayersThereIsNothingToDo) {
-  const auto refused = erode(*test::box_mesh({4, 4, 2}, {1, 1, 1}), {6}, {}, ctx_);
+  const auto refused = erode(test::box_mesh({4, 4, 2}, {1, 1, 1}), {6}, {}, ctx_);
 
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ec::invalid_parameter);
@@ -266,7 +266,7 @@ TEST_F(Erode, WithoutDepthAndLayersThereIsNothingToDo) {
 TEST_F(Erode, TheShareOfThePartIsToldAndThatADepthGoesBeforeLayers) {
   const auto base = test::box_mesh({4, 4, 4}, {1, 1, 1});
 
-  const auto result = erode(*base, {6}, {0.3, 2, piece_policy::refuse}, ctx_);
+  const auto result = erode(base, {6}, {0.3, 2, piece_policy::refuse}, ctx_);
 
   ASSERT_TRUE(result) << render(result.error());
   EXPECT_NEAR(figure_of(*result, "volume_change_percent"), -30, 1e-9);

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/finish_edit.hpp"
-#include "ops/sdk/caps.hpp"
 #include "ops/services/host_services.hpp"
+#include "ops/shapes/caps/caps.hpp"
 #include "tests/support/blocks.hpp"
 
 namespace tedit::ops {
@@ -28,7 +28,7 @@ filled fill(const version_ptr& mesh, std::vector<surface_id> surfaces,
   const auto host = make_host_services();
   context ctx;
   ctx.host = host.get();
-  filled result{fill_holes(*mesh, surfaces, settings, ctx)};
+  filled result{fill_holes(mesh, surfaces, settings, ctx)};
   if (result.edit) {
     edit_claim claim;
     claim.touched = result.edit->touched;
@@ -100,7 +100,7 @@ TEST(FillHole, CancelStopsTheEdit) {
   ctx.host = host.get();
   ctx.run.cancel.cancel();
 
-  const auto result = fill_holes(*mesh, {7}, {}, ctx);
+  const auto result = fill_holes(mesh, {7}, {}, ctx);
 
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ec::cancelled);
@@ -113,7 +113,7 @@ TEST(FillHole, MissingMesherIsNamed) {
   context ctx;
   ctx.host = host.get();
 
-  const auto result = fill_holes(*mesh, {7}, {}, ctx);
+  const auto result = fill_holes(mesh, {7}, {}, ctx);
 
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ec::service_unavailable);

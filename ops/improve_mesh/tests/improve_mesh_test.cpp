@@ -28,7 +28,7 @@ TEST(ImproveMesh, WithoutASelectionTheWholeMeshIsTheRegion) {
   const auto mesh = spoiled();
   context ctx;
 
-  const auto edit = improve_mesh(*mesh, {}, {}, ctx);
+  const auto edit = improve_mesh(mesh, {}, {}, ctx);
 
   ASSERT_TRUE(edit.has_value());
   EXPECT_EQ(edit->candidate->id(), mesh->id());
@@ -40,7 +40,7 @@ TEST(ImproveMesh, ASelectionTakesTheTetsAroundItOnly) {
   const auto mesh = spoiled();
   context ctx;
 
-  const auto edit = improve_mesh(*mesh, {{1}}, {}, ctx);
+  const auto edit = improve_mesh(mesh, {{1}}, {}, ctx);
 
   ASSERT_TRUE(edit.has_value());
   for (const auto t : edit->touched)
@@ -56,10 +56,10 @@ TEST(ImproveMesh, TheBoundaryMayNotMoveAcrossThePart) {
   const double most = 0.01 * std::sqrt(16.0 + 1 + 1);  // Of the bar's diagonal.
 
   settings.tolerance.absolute = 0.999 * most;
-  EXPECT_TRUE(improve_mesh(*mesh, {}, settings, ctx).has_value());
+  EXPECT_TRUE(improve_mesh(mesh, {}, settings, ctx).has_value());
   for (const double far : {1.001 * most, 1e308}) {
     settings.tolerance.absolute = far;
-    const auto refused = improve_mesh(*mesh, {}, settings, ctx);
+    const auto refused = improve_mesh(mesh, {}, settings, ctx);
     ASSERT_FALSE(refused.has_value()) << far;
     EXPECT_EQ(refused.error().code, ec::invalid_parameter);
     EXPECT_NE(refused.error().remedy.find("0 to 42.43 mm"), std::string::npos);
@@ -69,7 +69,7 @@ TEST(ImproveMesh, TheBoundaryMayNotMoveAcrossThePart) {
 TEST(ImproveMesh, TheHostTakesTheResultAndSaysWhatBecameBetter) {
   const auto mesh = spoiled();
   context ctx;
-  const auto edit = improve_mesh(*mesh, {}, {}, ctx);
+  const auto edit = improve_mesh(mesh, {}, {}, ctx);
   ASSERT_TRUE(edit.has_value());
 
   const auto done =

@@ -20,7 +20,7 @@ class Thicken : public ::testing::Test {
 protected:
   expected<edit_result> raise(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               double height) {
-    return thicken(*mesh, surfaces, height, ctx_);
+    return thicken(mesh, surfaces, height, ctx_);
   }
 
   static void expect_good(const version_ptr& base, const edit_result& result) {

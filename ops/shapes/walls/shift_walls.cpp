@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/shapes/walls/shift_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "mesh/level_set_freedom.hpp"
+#include "mesh/level_set_patch.hpp"
+#include "mesh/level_set_tidy.hpp"
+#include "mesh/optimize/improve.hpp"
+#include "mesh/place_text.hpp"
+#include "mesh/predicates.hpp"
+#include "mesh/quality.hpp"
+#include "ops/shapes/walls/carried_surfaces.hpp"
+#include "ops/shapes/walls/facet_sheet.hpp"
+#include "ops/shapes/walls/swept_facets.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// A step may leave tets as bad as this (q = 3 r_in/R_circ); they are mended before the next one.
+constexpr double step_floor = 0.05;
+/// Mended is what is worse than this.
+constexpr double mend_below = 0.3;
+/// A curved neighbour may be left by this share of the longest edge around, where its vertices are
+/// in the way of a wall that trims it.
+constexpr double neighbour_tolerance = 0.1;
+/// Steps are halved down to this share of the whole way.
+constexpr double least_step = 1.0 / 128;
+/// Surfaces that meet at less than this sine run on flush with each other.
+constexpr double least_sine = 0.05;
+/// What such surfaces may be off each other's way, as a share of it.
+constexpr double flush_tolerance = 0.1;
+constexpr int newton_steps = 30;
+
+std::string text_of(const char* format, double a) {
+  char text[96];
+  std::snprintf(text, sizeof(text), format, a);
+  return text;
+}
+
+/// A surface as the shift sees it: its exact shape where it has one.
+struct known_surface {
+  std::optional<wall_shape> shape;
+  std::optional<facet_sheet> sheet;
+};
+
+/// What a moved vertex must fulfil: so far off one surface, m.
+struct condition {
+  std::optional<wall_shape> exact;
+  const facet_sheet* sheet = nullptr;  ///< Where there is no exact shape.
+  double target = 0;
+  surface_id surface = 0;
+  bool moves = false;
+  vec3 carried = {};  ///< How far the surface has gone with a wall, m.
+
+  [[nodiscard]] wall_shape shape_at(vec3 p) const {
+    auto shape = exact ? *exact : sheet->plane_at(p - carried);
+    shape.point += carried;
+    return shape;
+  }
+};
+
+class shifter {
+public:
+  shifter(mesh_builder& mesh, const wall_set& walls, const carried_set& carried, double distance,
+          const execution& run)
+      : mesh_(mesh), walls_(walls), carried_(carried), distance_(distance), run_(run) {
+    for (const auto& [id, shape] : walls)
+      surfaces_.emplace(id, known_surface{shape, {}});
+  }
+
+  expected<void> shift() {
+    double step = 1;
+    while (reached_ < 1) {
+      if (run_.cancel.cancelled())
+        return fail(ec::cancelled, "the edit was cancelled");
+      step = std::min(step, 1 - reached_);
+      const double to = step == 1 - reached_ ? 1 : reached_ + step;
+      const auto places = places_at(to);
+      if (!places)
+        return fail(places.error());
+      if (!fits(*places)) {
+        if (0.5 * step < least_step)
+          return no_room();
+        step *= 0.5;
+        continue;
+      }
+      if (auto ok = move(*places); !ok)
+        return fail(ok.error());
+      reached_ = to;
+      run_.report(0.1 + 0.8 * reached_, "moving the surfaces");
+      step *= 2;
+    }
+    return {};
+  }
+
+private:
+  using vertex_places = std::map<vertex_id, vec3>;
+
+  [[nodiscard]] bool goes(surface_id id) const {
+    return walls_.contains(id) || carried_.contains(id);
+  }
+
+  /// Where the vertices of the walls, and of what goes with them, belong at a share of the way.
+  expected<vertex_places> places_at(double share) {
+    vertex_places places;
+    for (facet_id f = 0; f < mesh_.facet_slots(); ++f) {
+      if (!mesh_.is_live_facet(f) || !goes(mesh_.facet(f).surface))
+        continue;
+      for (const auto v : mesh_.facet(f).v) {
+        if (places.contains(v))
+          continue;
+        const auto place = place_at(v, share);
+        if (!place)
+          return fail(place.error());
+        places.emplace(v, *place);
+      }
+    }
+    return places;
+  }
+
+  expected<vec3> place_at(vertex_id v, double share) {
+    const auto conditions = conditions_at(v, share);
+    const vec3 start = mesh_.position(v);
+    const double close = 1e-10 * std::abs(distance_);
+    // Where a sheet's facets meet the nearest one may change to and fro.
+    const double loose = 1e-3 * std::abs(distance_);
+    vec3 x = start + first_way(conditions, share);
+    for (int n = 0; n < newton_steps; ++n) {
+      const auto move = newton_step(conditions, x, share);
+      if (!move)
+        return fail(move.error());
+      x += *move;
+      if (norm(*move) <= close || (n + 1 == newton_steps && norm(*move) <= loose))
+        return x;
+      if (!is_finite(x) || norm(x - start) > 50 * std::abs(distance_))
+        break;
+    }
+    return fail(ec::invalid_argument, "surface " + std::to_string(conditions.front().surface) +
+                                        " at " + place_text(start) +
+                                        " finds no place on its neighbours so far away");
+  }
+
+  /// What goes along keeps its place on its surface.
+  [[nodiscard]] vec3 first_way(const std::vector<condition>& conditions, double share) const {
+    for (const auto& c : conditions)
+      if (const auto row = carried_.find(c.surface); row != carried_.end())
+        return (share - reached_) * row->second;
+    return {};
+  }
+
+  /// The shortest step that fulfils all conditions to first order; moving walls come first.
+  expected<vec3> newton_step(const std::vector<condition>& conditions, vec3 x, double share) const {
+    std::vector<vec3> basis;
+    vec3 move;
+    for (const auto& c : conditions) {
+      const auto shape = c.shape_at(x);
+      const vec3 slope = shape.normal(x);
+      const double missing = c.target - shape.distance(x) - dot(slope, move);
+      vec3 rest = slope;
+      for (const auto& b : basis)
+        rest = rest - dot(rest, b) * b;
+      const double size = norm(rest);
+      if (size >= least_sine && basis.size() < 3) {
+        basis.push_back(rest / size);
+        move += missing / size * basis.back();
+        continue;
+      }
+      // What is fulfilled along with the others is no further condition.
+      if (std::abs(missing) > std::max(flush_tolerance * share * std::abs(distance_), slack_of(c)))
+        return flush(c, x, conditions.front().surface);
+    }
+    return move;
+  }
+
+  /// How far a fitted shape may be off its surface, m.
+  [[nodiscard]] static double slack_of(const condition& c) {
+    return c.exact ? 2 * round_enough.roundness * c.exact->radius : 0;
+  }
+
+  [[nodiscard]] static tl::unexpected<error> flush(const condition& c, vec3 x, surface_id moved) {
+    return fail(
+      ec::invalid_argument,
+      "surface " + std::to_string(c.surface) + " runs on flush with surface " +
+        std::to_string(moved) + " or leaves it no way at " + place_text(x),
+      c.moves ? "Select fewer surfaces" : "Select surface " + std::to_string(c.surface) + ", too");
+  }
+
+  std::vector<condition> conditions_at(vertex_id v, double share) {
+    std::vector<condition> result;
+    const auto star = mesh_.star(v);
+    std::vector<surface_id> beside;
+    for (const auto f : facets_at(mesh_, v, star)) {
+      const auto id = mesh_.facet(f).surface;
+      if (std::ranges::count(beside, id))
+        continue;
+      beside.push_back(id);
+      const auto& known = surface_of(id);
+      condition next{known.shape, known.sheet ? &*known.sheet : nullptr, 0, id,
+                     walls_.contains(id)};
+      const vec3 here = mesh_.position(v);
+      const auto along = carried_.find(id);
+      if (along != carried_.end())
+        next.carried = reached_ * along->second;
+      next.target =
+        next.moves ? share * distance_ + offset_of(v, id) : next.shape_at(here).distance(here);
+      if (along != carried_.end())
+        next.carried = share * along->second;
+      result.push_back(next);
+    }
+    add_interfaces(v, star, result);
+    std::ranges::stable_sort(result, std::ranges::greater{}, &condition::moves);
+    return result;
+  }
+
+  /// How far a vertex of a moving wall was off its shape at first, m.
+  double offset_of(vertex_id v, surface_id wall) {
+    const auto [row, fresh] = offsets_.try_emplace({v, wall}, 0.0);
+    if (fresh && reached_ == 0)
+      row->second = walls_.at(wall).distance(mesh_.position(v));
+    return row->second;
+  }
+
+  /// Faces between regions stay in their planes.
+  void add_interfaces(vertex_id v, const std::vector<tet_id>& star,
+                      std::vector<condition>& result) const {
+    for (const auto t : star)
+      for (int face = 0; face < 4; ++face) {
+        const auto behind = mesh_.neighbours(t)[face];
+        if (mesh_.tet_at(t).v[face] == v || is_facet(behind) || behind < t ||
+            mesh_.region_of(behind) == mesh_.region_of(t))
+          continue;
+        const auto p = mesh_.corners(t);
+        const auto& [a, b, c] = tet_faces[face];
+        wall_shape plane;
+        plane.point = mesh_.position(v);
+        plane.axis = normalized(area_vector(p[a], p[b], p[c]));
+        result.push_back({plane, nullptr, 0, 0, false});
+      }
+  }
+
+  /// A surface as it was before the edit.
+  const known_surface& surface_of(surface_id id) {
+    const auto [row, fresh] = surfaces_.try_emplace(id);
+    if (fresh) {
+      const auto& base = *mesh_.base();
+      row->second.shape = fit_wall(base, facets_of(base, std::vector{id}), round_enough);
+      if (!row->second.shape)
+        row->second.sheet.emplace(base, id);
+    }
+    return row->second;
+  }
+
+  /// Would all tets around stay as good as they must, and the boundary clear of itself?
+  bool fits(const vertex_places& places) {
+    std::unordered_set<tet_id> seen;
+    for (const auto& [v, place] : places)
+      for (const auto t : mesh_.star(v)) {
+        if (!seen.insert(t).second)
+          continue;
+        auto p = mesh_.corners(t);
+        const double before = radius_ratio(p);
+        for (int i = 0; i < 4; ++i)
+          if (const auto found = places.find(mesh_.tet_at(t).v[i]); found != places.end())
+            p[i] = found->second;
+        if (orient3d(p[0], p[1], p[2], p[3]) <= 0 ||
+            radius_ratio(p) < std::min(step_floor, before)) {
+          obstacle_ =
+            "the mesh at " + place_text(0.25 * (p[0] + p[1] + p[2] + p[3])) + " leaves no room";
+          return false;
+        }
+      }
+    const auto met = first_meeting(mesh_, places);
+    if (met)
+      obstacle_ =
+        "surface " + std::to_string(met->surface) + " is in the way at " + place_text(met->place);
+    return !met;
+  }
+
+  expected<void> move(const vertex_places& places) {
+    std::unordered_set<tet_id> around;
+    double worst = 1;
+    for (const auto& [v, place] : places)
+      mesh_.set_position(v, place);
+    for (const auto& [v, place] : places)
+      for (const auto t : mesh_.star(v))
+        if (around.insert(t).second)
+          worst = std::min(worst, radius_ratio(mesh_.corners(t)));
+    if (worst >= mend_below)
+      return {};
+    std::vector<tet_id> region(around.begin(), around.end());
+    std::ranges::sort(region);
+    tidy_settings tidy;
+    tidy.target = mend_below;
+    tidy.tolerance_of = [&](surface_id id) {
+      return goes(id) ? tidy.tolerance : neighbour_tolerance;
+    };
+    if (const auto done = tidy_cut(mesh_, region, tidy, run_); !done)
+      return fail(done.error());
+    std::erase_if(region, [&](tet_id t) { return !mesh_.is_live_tet(t); });
+    improve_settings improving;
+    improving.rings = 1;
+    improving.sweeps = 3;
+    if (const auto done = improve(mesh_, region, improving, run_); !done)
+      return fail(done.error());
+    return {};
+  }
+
+  [[nodiscard]] tl::unexpected<error> no_room() const {
+    std::string ids;
+    for (const auto& [id, shape] : walls_)
+      ids += (ids.empty() ? "" : ", ") + std::to_string(id);
+    return fail(ec::invalid_argument, (walls_.size() == 1 ? "surface " : "surfaces ") + ids +
+                                        " cannot be moved so far: " + obstacle_);
+  }
+
+  mesh_builder& mesh_;
+  const wall_set& walls_;
+  const carried_set& carried_;
+  double distance_;
+  const execution& run_;
+  double reached_ = 0;  ///< Share of the way.
+  std::string obstacle_;
+  std::map<surface_id, known_surface> surfaces_;
+  std::map<std::pair<vertex_id, surface_id>, double> offsets_;
+};
+
+/// Does the wall have room for its shift? A boss has its radius, a bore likewise.
+expected<void> check_radii(const wall_set& walls, double distance) {
+  for (const auto& [id, shape] : walls)
+    if (shape.type == wall_shape::kind::cylinder &&
+        shape.radius + shape.side * distance <= 1e-3 * shape.radius)
+      return fail(
+        ec::invalid_argument,
+        "surface " + std::to_string(id) + " is round with a radius of " +
+          text_of("%.4g mm; it cannot be moved by as much towards its axis", 1e3 * shape.radius),
+        distance < 0 ? "" : "Fill the hole (fill_hole) instead");
+  return {};
+}
+
+/// Mean radius change of the cylinders, each fitted anew to where its vertices are now; nothing
+/// without.
+std::optional<double> radius_change(const mesh_version& after, const wall_set& walls) {
+  double sum = 0;
+  int round = 0;
+  for (const auto& [id, shape] : walls) {
+    if (shape.type != wall_shape::kind::cylinder)
+      continue;
+    const auto fitted = fit_wall(after, facets_of(after, std::vector{id}), round_enough);
+    if (!fitted || fitted->type != wall_shape::kind::cylinder)
+      return std::nullopt;
+    sum += fitted->radius - shape.radius;
+    ++round;
+  }
+  return round > 0 ? std::optional(sum / round) : std::nullopt;
+}
+
+}  // namespace
+
+expected<wall_set> fit_walls(const mesh_version& mesh, const std::vector<surface_id>& surfaces) {
+  wall_set walls;
+  for (const auto id : surfaces) {
+    const auto facets = facets_of(mesh, std::vector{id});
+    if (facets.empty())
+      return fail(ec::empty_selection,
+                  "surface " + std::to_string(id) +
+                    " has no outer side: it lies between two regions, or is gone already",
+                  "Select surfaces of the outside");
+    const auto shape = fit_wall(mesh, facets, round_enough);
+    if (!shape)
+      return fail(ec::invalid_argument,
+                  "surface " + std::to_string(id) + " is neither flat nor a round cylinder or cone",
+                  "Select flat and round surfaces; erode takes layers of tets off any other");
+    walls.emplace(id, *shape);
+  }
+  return walls;
+}
+
+expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
+  for (const auto surface : surfaces) {
+    const auto patch = find_patch(mesh, surface);
+    if (!patch)
+      return fail(patch.error());
+    if (!patch->flat())
+      return false;
+  }
+  return true;
+}
+
+expected<void> shift_walls(mesh_builder& mesh, const wall_set& walls, double distance,
+                           const execution& run) {
+  if (auto ok = check_radii(walls, distance); !ok)
+    return fail(ok.error());
+  auto moving = walls;
+  const auto carried = find_carried(*mesh.base(), moving, distance);
+  return shifter(mesh, moving, carried, distance, run).shift();
+}
+
+std::vector<figure> measure_shift(const mesh_version& base, const mesh_version& mesh,
+                                  const wall_set& selected, double distance) {
+  auto walls = selected;
+  find_carried(base, walls, distance);
+  double area = 0;
+  double mean = 0;
+  double worst = distance;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    const auto& facet = mesh.facet(f);
+    const auto wall = walls.find(facet.surface);
+    if (wall == walls.end())
+      continue;
+    const double share = norm(
+      area_vector(mesh.position(facet.v[0]), mesh.position(facet.v[1]), mesh.position(facet.v[2])));
+    area += share;
+    for (const auto v : facet.v) {
+      // Walls make no vertices of their own: each was on the wall before.
+      const double rise =
+        wall->second.distance(mesh.position(v)) - wall->second.distance(base.position(v));
+      mean += share * rise / 3;
+      if (std::abs(rise - distance) > std::abs(worst - distance))
+        worst = rise;
+    }
+  }
+  const double sign = distance < 0 ? -1 : 1;
+  const char* what = distance < 0 ? "thickness taken off" : "thickness put on";
+  std::vector<figure> figures;
+  if (area == 0)
+    return figures;
+  figures.push_back({"thickness_change_mm", sign * 1e3 * mean / area, "mm", what});
+  figures.push_back(
+    {"thickness_change_worst_mm", sign * 1e3 * worst, "mm",
+     distance < 0 ? "taken off at the least exact place" : "put on at the least exact place"});
+  if (const auto change = radius_change(mesh, walls))
+    figures.push_back({"radius_change_mm", 1e3 * *change, "mm", "change of the radius, fitted"});
+  return figures;
+}
+
+}  // namespace tedit::ops
