@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -13,7 +14,16 @@ namespace tedit {
 /// A flag shared between who may cancel and who works. Copies share the flag; setting it is
 /// idempotent and thread-safe. Workers poll it at least every 50 ms.
 class cancel_token {
+  struct state {
+    std::atomic<bool> set{false};
+    std::atomic<std::uint64_t> polls{0};
+    std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+  };
+
 public:
+  /// Bytes of what the copies share: for mesh/layout.hpp.
+  static constexpr std::size_t state_size = sizeof(state);
+
   cancel_token() : state_(std::make_shared<state>()) {}
 
   /// Cancels itself at the `poll`-th call of `cancelled`, from 1: for tests that stop work at each
@@ -38,12 +48,6 @@ public:
   }
 
 private:
-  struct state {
-    std::atomic<bool> set{false};
-    std::atomic<std::uint64_t> polls{0};
-    std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
-  };
-
   std::shared_ptr<state> state_;
 };
 
@@ -59,6 +63,16 @@ struct execution {
   void report(double fraction, std::string_view stage) const {
     if (progress)
       progress(fraction, stage);
+  }
+
+  /// For a step of the work: its progress from 0 to 1 is this one's from `first` to `last`.
+  [[nodiscard]] execution part(double first, double last) const {
+    execution step{cancel, {}};
+    if (progress)
+      step.progress = [tell = progress, first, last](double fraction, std::string_view stage) {
+        tell(first + (last - first) * fraction, stage);
+      };
+    return step;
   }
 };
 

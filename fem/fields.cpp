@@ -60,6 +60,19 @@ field at_vertices(const mesh_version& mesh, const problem& p, const char* name,
   return {name, field_location::vertex, static_cast<int>(width), array.freeze()};
 }
 
+/// At each corner node. A tensor's shears are half of the engineering shears.
+std::vector<double> largest_strains(const solution& result) {
+  std::vector<double> largest(result.nodal_strain.size() / 6);
+  parallel_for(largest.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t n = first; n < last; ++n) {
+      const double* e = &result.nodal_strain[6 * n];
+      const std::array<double, 6> strain{e[0], e[1], e[2], e[3] / 2, e[4] / 2, e[5] / 2};
+      largest[n] = principal_values(strain.data())[0];
+    }
+  });
+  return largest;
+}
+
 void add_at_tets(const mesh_version& mesh, const problem& p, const solution& result,
                  std::vector<field>& fields) {
   slot_array largest(mesh.tet_slots(), 1);
@@ -81,6 +94,10 @@ void add_at_tets(const mesh_version& mesh, const problem& p, const solution& res
 
 }  // namespace
 
+bool is_shown(const field& one) {
+  return one.location == field_location::vertex && !one.name.starts_with("strain");
+}
+
 std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const solution& result,
                                field_range range) {
   const auto vertices = [&](const char* name, const auto& values, std::size_t width = 1,
@@ -92,7 +109,8 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
                             vertices("stress_pa", result.nodal_stress, 6),
                             vertices("reaction_n", result.reactions, 3),
                             vertices("principal_stress_pa", result.principal_stress, 1, 3),
-                            vertices("relative_error", result.nodal_error)};
+                            vertices("relative_error", result.nodal_error),
+                            vertices("largest_strain", largest_strains(result))};
   if (!result.safety_factor.empty())
     fields.push_back(vertices("safety_factor", result.safety_factor));
   if (range == field_range::all) {

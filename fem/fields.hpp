@@ -14,13 +14,14 @@ namespace tedit::fem {
 /// nor strains.
 enum class field_range { vertices, all };
 
-/// The arrays of a solution by the slots of its version: displacement_m (3), von_mises_pa,
-/// stress_pa (6), reaction_n (3), principal_stress_pa (the largest), relative_error
-/// (`solution::nodal_error`) and, when a yield strength is known, safety_factor at vertices; of
-/// `all`, strain (6, engineering shears) there, too, and element_von_mises_pa, element_stress_pa
-/// (6), element_error_sqrt_j at tets. Mid nodes of order 2
-/// have no vertex and are left out: their reactions, too, so take totals from the solution. Cost:
-/// O(mesh), on all cores.
+/// Whether `field_range::vertices` has an array of this name and place, of one load case or
+/// several.
+[[nodiscard]] bool is_shown(const field& one);
+
+/// The arrays of a solution by the slots of its version, as fem/quantities.hpp lists them; of
+/// `vertices` without the strain tensor and those at tets. Mid nodes of order 2 have no vertex and
+/// are left out: their reactions, too, so take totals from the solution. Cost: O(mesh), on all
+/// cores.
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const problem& p,
                                              const solution& result,
                                              field_range range = field_range::all);

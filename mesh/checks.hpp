@@ -27,7 +27,7 @@ struct check_report {
   [[nodiscard]] bool ok() const { return total == 0; }
 };
 
-/// What an edit promises and the host checks (architecture: an edit is a transaction).
+/// What an edit promises and the host checks (docs/architecture.md: an edit is a transaction).
 struct edit_claim {
   /// m^3: what the operation says it added (plug) or took off; the check compares with the tets.
   double volume_change = 0;

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/stopwatch.hpp"
+#include "mesh/optimize/improve.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
 

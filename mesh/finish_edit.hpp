@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/checks.hpp"
-#include "mesh/optimize/improve.hpp"
+#include "mesh/optimize/improvement.hpp"
 
 namespace tedit {
 

@@ -153,13 +153,4 @@ vec3 area_vector(const mesh_version& mesh, const boundary_facet& facet) {
                      mesh.position(facet.v[2]));
 }
 
-std::vector<std::size_t> dirty_pages(const manifest::array_row& before,
-                                     const manifest::array_row& after) {
-  std::vector<std::size_t> result;
-  for (std::size_t p = 0; p < std::max(before.pages.size(), after.pages.size()); ++p)
-    if (p >= before.pages.size() || p >= after.pages.size() || before.pages[p] != after.pages[p])
-      result.push_back(p);
-  return result;
-}
-
 }  // namespace tedit

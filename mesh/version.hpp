@@ -142,9 +142,4 @@ void grow_star(const mesh_version& mesh, vertex_id v, tet_id from, std::vector<t
 [[nodiscard]] vec3 area_vector(vec3 a, vec3 b, vec3 c);
 [[nodiscard]] vec3 area_vector(const mesh_version& mesh, const boundary_facet& facet);
 
-/// Which slots of an array may differ between two versions, as page numbers: equal page
-/// identities are skipped. Cost: O(pages).
-[[nodiscard]] std::vector<std::size_t> dirty_pages(const manifest::array_row& before,
-                                                   const manifest::array_row& after);
-
 }  // namespace tedit

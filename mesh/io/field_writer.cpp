@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/io/field_writer.hpp"
+#include <algorithm>
 
+#include "mesh/io/compaction.hpp"
+#include "mesh/io/formats.hpp"
 #include "mesh/io/vtu_writer.hpp"
 
 namespace tedit {
 
 namespace {
 
-/// The slots in use, and for each slot its place among them.
-struct numbering {
-  std::vector<std::uint32_t> slots;
-  std::vector<std::uint32_t> index;
-};
-
-template <class IsLive>
-numbering number(std::uint32_t slots, const IsLive& is_live) {
-  numbering result;
-  result.index.assign(slots, no_id);
-  for (std::uint32_t s = 0; s < slots; ++s)
-    if (is_live(s)) {
-      result.index[s] = static_cast<std::uint32_t>(result.slots.size());
-      result.slots.push_back(s);
-    }
-  return result;
-}
-
-std::vector<double> compact(const field& f, const std::vector<std::uint32_t>& slots) {
+std::vector<double> pick(const field& f, const std::vector<std::uint32_t>& slots) {
   std::vector<double> values;
   values.reserve(slots.size() * static_cast<std::size_t>(f.components));
   for (const auto slot : slots)
@@ -36,12 +20,18 @@ std::vector<double> compact(const field& f, const std::vector<std::uint32_t>& sl
 
 }  // namespace
 
-expected<void> write_vtu(const file_target& to, const mesh_version& mesh,
-                         const std::vector<field>& fields,
-                         const std::vector<std::pair<std::string, std::string>>& notes) {
+namespace formats {
+
+bool vtu::recognises(std::span<const char> bytes) {
+  const std::string_view text(bytes.data(), std::min<std::size_t>(bytes.size(), 1000));
+  return text.starts_with("<") && text.find("<VTKFile") != text.npos;
+}
+
+expected<void> vtu::write(const file_target& to, const mesh_version& mesh,
+                          const file_terms& terms) {
   const auto vertices =
-    number(mesh.vertex_slots(), [&](vertex_id v) { return mesh.is_live_vertex(v); });
-  const auto tets = number(mesh.tet_slots(), [&](tet_id t) { return mesh.is_live_tet(t); });
+    compact(mesh.vertex_slots(), [&](vertex_id v) { return mesh.is_live_vertex(v); });
+  const auto tets = compact(mesh.tet_slots(), [&](tet_id t) { return mesh.is_live_tet(t); });
   std::vector<vec3> points;
   points.reserve(vertices.slots.size());
   for (const auto v : vertices.slots)
@@ -57,17 +47,19 @@ expected<void> write_vtu(const file_target& to, const mesh_version& mesh,
   vtu_grid grid;
   grid.points = points;
   grid.cells = cells;
-  grid.notes = notes;
+  grid.notes = terms.notes;
   grid.cell_data.push_back({"region", 1, regions});
   std::vector<std::vector<double>> values;
-  values.reserve(fields.size());
-  for (const auto& f : fields) {
+  values.reserve(terms.fields.size());
+  for (const auto& f : terms.fields) {
     const bool on_vertices = f.location == field_location::vertex;
-    values.push_back(compact(f, on_vertices ? vertices.slots : tets.slots));
+    values.push_back(pick(f, on_vertices ? vertices.slots : tets.slots));
     (on_vertices ? grid.point_data : grid.cell_data)
       .push_back({f.name, f.components, values.back()});
   }
   return write_vtu(to, grid);
 }
+
+}  // namespace formats
 
 }  // namespace tedit

@@ -8,7 +8,7 @@
 #include "base/units.hpp"
 #include "mesh/build_version.hpp"
 #include "mesh/io/file.hpp"
-#include "mesh/io/msh_reader.hpp"
+#include "mesh/io/formats.hpp"
 
 namespace tedit {
 
@@ -40,7 +40,7 @@ expected<imported_mesh> read_and_build(std::span<const char> bytes,
   if (!unit)
     return fail(unit.error());
   stopwatch clock;
-  auto read = read_msh(bytes);
+  auto read = read_any(bytes);
   if (!read)
     return fail(read.error());
   imported_mesh result;

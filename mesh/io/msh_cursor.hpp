@@ -11,7 +11,7 @@
 
 namespace tedit {
 
-/// Thrown inside the MSH reader only; `read_msh` turns it into an `expected`.
+/// Thrown inside the MSH reader only; `formats::msh::read` turns it into an `expected`.
 struct msh_failure {
   error reason;
 };

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/io/msh_reader.hpp"
-
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>
 
+#include "mesh/formats.hpp"
 #include "mesh/io/edge_nodes.hpp"
 #include "mesh/io/msh_cursor.hpp"
 #include "mesh/io/msh_elements.hpp"
+#include "mesh/io/read_mesh.hpp"
 
 namespace tedit {
 
@@ -54,8 +54,6 @@ private:
     if (text.starts_with("ISO-10303-21"))
       refuse("a STEP file (CAD geometry)",
              "Mesh it first: gmsh part.step -3 -format msh41 -o part.msh");
-    if (text.starts_with("solid "))
-      refuse("an STL surface", "Mesh its volume first, for example with Gmsh");
     const auto first = text.substr(0, 4096).find_first_not_of(" \t\r\n");
     if (first == text.npos || !text.substr(first).starts_with("$"))
       refuse("no text that starts with $MeshFormat", "Choose a .msh file of version 2.2 or 4.1");
@@ -486,7 +484,7 @@ private:
 
 }  // namespace
 
-expected<read_mesh> read_msh(std::span<const char> bytes) {
+expected<read_mesh> formats::msh::read(std::span<const char> bytes) {
   try {
     return msh_reader(bytes).run();
   } catch (const msh_failure& failure) {

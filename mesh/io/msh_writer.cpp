@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/io/msh_writer.hpp"
-
 #include <map>
 #include <ostream>
 
 #include "base/units.hpp"
 #include "mesh/box.hpp"
-#include "mesh/io/file.hpp"
+#include "mesh/io/compaction.hpp"
+#include "mesh/io/formats.hpp"
 
 namespace tedit {
 
@@ -22,14 +21,18 @@ using triangle_list = std::vector<std::array<vertex_id, 3>>;
 class msh_writer {
 public:
   msh_writer(const mesh_version& mesh, double scale)
-      : mesh_(mesh), scale_(scale), slots_(compact(mesh)) {
+      : mesh_(mesh),
+        scale_(scale),
+        vertices_(
+          compact(mesh.vertex_slots(), [&](vertex_id v) { return mesh.is_live_vertex(v); })),
+        live_tets_(compact(mesh.tet_slots(), [&](tet_id t) { return mesh.is_live_tet(t); })) {
     for (facet_id f = 0; f < mesh.facet_slots(); ++f)
       if (mesh.is_live_facet(f))
         triangles_[mesh.facet(f).surface].push_back(mesh.facet(f).v);
     const auto& interfaces = mesh.data().interfaces;
     for (std::size_t i = 0; i < interfaces.size(); ++i)
       triangles_[interfaces[i].surface].push_back(interfaces[i].v);
-    for (const auto t : slots_.tets)
+    for (const auto t : live_tets_.slots)
       tets_[mesh.region_of(t)].push_back(t);
   }
 
@@ -112,7 +115,7 @@ private:
   }
 
   void write_nodes(std::ostream& out) const {
-    const auto count = static_cast<std::uint64_t>(slots_.vertices.size());
+    const auto count = static_cast<std::uint64_t>(vertices_.slots.size());
     out << "$Nodes\n";
     for (const std::uint64_t number : {std::uint64_t{1}, count, std::uint64_t{1}, count})
       put(out, number);
@@ -122,7 +125,7 @@ private:
     put(out, count);
     for (std::uint64_t i = 1; i <= count; ++i)
       put(out, i);
-    for (const auto v : slots_.vertices) {
+    for (const auto v : vertices_.slots) {
       const auto p = point(v);
       put(out, p.x);
       put(out, p.y);
@@ -131,7 +134,7 @@ private:
     out << "\n$EndNodes\n";
   }
 
-  [[nodiscard]] std::uint64_t node(vertex_id v) const { return slots_.file_index[v] + 1ull; }
+  [[nodiscard]] std::uint64_t node(vertex_id v) const { return vertices_.index[v] + 1ull; }
 
   void begin_block(std::ostream& out, int dimension, std::int32_t tag, int type,
                    std::size_t count) const {
@@ -142,7 +145,7 @@ private:
   }
 
   void write_elements(std::ostream& out) const {
-    std::uint64_t total = slots_.tets.size();
+    std::uint64_t total = live_tets_.slots.size();
     for (const auto& [surface, list] : triangles_)
       total += list.size();
     out << "$Elements\n";
@@ -172,31 +175,17 @@ private:
 
   const mesh_version& mesh_;
   double scale_;
-  compaction slots_;
+  compaction vertices_;
+  compaction live_tets_;
   std::map<surface_id, triangle_list> triangles_;
   std::map<region_id, std::vector<tet_id>> tets_;
 };
 
 }  // namespace
 
-compaction compact(const mesh_version& mesh) {
-  compaction result;
-  result.file_index.assign(mesh.vertex_slots(), no_id);
-  for (vertex_id v = 0; v < mesh.vertex_slots(); ++v) {
-    if (!mesh.is_live_vertex(v))
-      continue;
-    result.file_index[v] = static_cast<std::uint32_t>(result.vertices.size());
-    result.vertices.push_back(v);
-  }
-  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
-    if (mesh.is_live_tet(t))
-      result.tets.push_back(t);
-  return result;
-}
-
-expected<void> write_msh(const file_target& to, const mesh_version& mesh,
-                         const std::string& length_unit) {
-  const auto unit = metres_per_unit(length_unit);
+expected<void> formats::msh::write(const file_target& to, const mesh_version& mesh,
+                                   const file_terms& terms) {
+  const auto unit = metres_per_unit(terms.length_unit);
   if (!unit)
     return fail(unit.error());
   for (const auto& row : mesh.surfaces())

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/io/stl_writer.hpp"
-
+#include <cstring>
 #include <ostream>
 
 #include "base/units.hpp"
-#include "mesh/io/file.hpp"
+#include "mesh/io/formats.hpp"
 
 namespace tedit {
 
 namespace {
+
+// A binary file: text, the number of triangles, the triangles.
+constexpr std::size_t header_bytes = 80;
+constexpr std::size_t triangle_bytes = 50;
 
 void put_float3(std::ostream& out, vec3 value) {
   const std::array<float, 3> f{static_cast<float>(value.x), static_cast<float>(value.y),
@@ -18,14 +21,26 @@ void put_float3(std::ostream& out, vec3 value) {
 
 }  // namespace
 
-expected<void> write_stl(const file_target& to, const mesh_version& mesh,
-                         const std::string& length_unit) {
-  const auto unit = metres_per_unit(length_unit);
+namespace formats {
+
+bool stl::recognises(std::span<const char> bytes) {
+  if (std::string_view(bytes.data(), bytes.size()).starts_with("solid "))
+    return true;
+  std::uint32_t count = 0;
+  if (bytes.size() < header_bytes + sizeof(count))
+    return false;
+  std::memcpy(&count, bytes.data() + header_bytes, sizeof(count));
+  return bytes.size() == header_bytes + sizeof(count) + std::size_t{count} * triangle_bytes;
+}
+
+expected<void> stl::write(const file_target& to, const mesh_version& mesh,
+                          const file_terms& terms) {
+  const auto unit = metres_per_unit(terms.length_unit);
   if (!unit)
     return fail(unit.error());
   return to.write([&](std::ostream& out) {
-    std::string header = "TEdit boundary, unit " + length_unit;
-    header.resize(80, ' ');
+    std::string header = "TEdit boundary, unit " + terms.length_unit;
+    header.resize(header_bytes, ' ');
     out << header;
     const std::uint32_t count = mesh.facet_count();
     out.write(reinterpret_cast<const char*>(&count), sizeof(count));
@@ -40,5 +55,7 @@ expected<void> write_stl(const file_target& to, const mesh_version& mesh,
     }
   });
 }
+
+}  // namespace formats
 
 }  // namespace tedit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "fem/energy_bound.hpp"
+#include "fem/multilevel/energy_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "fem/element.hpp"
 #include "fem/error_estimate.hpp"
 #include "fem/fields.hpp"
+#include "fem/quantities.hpp"
 #include "tests/fem/quadrature.hpp"
 
 namespace tedit::fem {
@@ -227,6 +228,59 @@ TEST(QuadraticRecovery, FieldsHoldTheCornerNodesOnly) {
     EXPECT_NEAR(strain->at(v, 0), 5e-6, 1e-14);
     EXPECT_NEAR(strain->at(v, 1), -1.5e-6, 1e-14);
   }
+}
+
+TEST(Fields, AreThoseOfTheTableOfTheirFormAndPlace) {
+  const auto mesh = box_mesh({2, 2, 2}, {3, 1, 1});
+  const auto p = *make_problem(*mesh, tension(), 2);
+
+  const auto fields = make_fields(*mesh, p, solution_of(p));
+
+  EXPECT_EQ(fields.size(), std::size(result_arrays));
+  for (const auto& array : result_arrays) {
+    const auto* found = find_field(fields, array.name);
+    ASSERT_NE(found, nullptr) << array.name;
+    EXPECT_EQ(found->components, array.components) << array.name;
+    EXPECT_EQ(found->location == field_location::tet, array.place == array_place::tets);
+  }
+  for (const auto& shown : shown_quantities) {
+    const auto* array = find_array(shown.array);
+    ASSERT_NE(array, nullptr) << shown.id;
+    EXPECT_NE(array->sent, array_sent::in_files) << shown.id;
+    EXPECT_LT(shown.index, array->components) << shown.id;
+    // Differences of what is made of several components are shown as the first of them.
+    EXPECT_TRUE(std::ranges::any_of(shown_quantities,
+                                    [&](const auto& one) {
+                                      return one.array == shown.array &&
+                                             one.part == shown_part::component && one.index == 0;
+                                    }))
+      << shown.id;
+  }
+}
+
+TEST(LargestStrain, OfABarInTensionIsStressOverYoungsModulus) {
+  const auto mesh = box_mesh({3, 2, 2}, {3, 1, 1});
+  const auto p = *make_problem(*mesh, tension(), 2);
+
+  const auto fields = make_fields(*mesh, p, solution_of(p));
+
+  const auto* strain = find_field(fields, "largest_strain");
+  ASSERT_NE(strain, nullptr);
+  for (vertex_id v = 0; v < mesh->vertex_slots(); ++v)
+    EXPECT_NEAR(strain->at(v), 1e6 / 200e9, 1e-14);  // Across it is -0.3 times that.
+}
+
+TEST(LargestStrain, IsHalfOfTheEngineeringShear) {
+  const auto mesh = box_mesh({2, 2, 2}, {1, 1, 1});
+  const auto p = *make_problem(*mesh, tension(), 1);
+  std::vector<double> sheared(p.dofs());
+  for (std::size_t n = 0; n < p.node_count(); ++n)
+    sheared[3 * n] = 1e-3 * p.nodes[n].y;  // gamma_xy = 1e-3: principal +-5e-4.
+
+  const auto fields = make_fields(*mesh, p, recovered(p, sheared));
+
+  for (vertex_id v = 0; v < mesh->vertex_slots(); ++v)
+    EXPECT_NEAR(find_field(fields, "largest_strain")->at(v), 5e-4, 1e-12);
 }
 
 TEST(NodalError, AddsUpToTheErrorOfThePart) {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/for_people.hpp"
+#include "mesh/field.hpp"
+
+/// The table of file formats: what the command line, the server, recipes and the window know of
+/// them. A new format is a row here and its writer in `mesh/io`; docs and translations beside it.
+/// Who needs no more than what a format is, as a client does, includes this alone; what reads and
+/// writes them is in `mesh/io/formats.hpp`.
+namespace tedit {
+
+class file_target;
+class mesh_version;
+struct read_mesh;
+
+/// What a file has beside the mesh itself.
+struct file_terms {
+  std::string length_unit = "mm";  ///< Of coordinates; formats that keep fields take metres.
+  std::vector<field> fields = {};
+  std::vector<std::pair<std::string, std::string>> notes = {};  ///< What the fields are worth.
+};
+
+/// Errors: `io_error`; `invalid_argument` for the unit or for what the format cannot hold.
+using file_writer = expected<void>(const file_target&, const mesh_version&, const file_terms&);
+/// Errors: `bad_input`, `unsupported_format`.
+using file_reader = expected<read_mesh>(std::span<const char> bytes);
+/// Whether bytes are a file of the format. Cheap: it looks at the beginning and the size.
+using file_recogniser = bool(std::span<const char> bytes);
+
+/// What a file of the format keeps of a version, beside its boundary.
+struct kept_in_file {
+  bool tets = false;
+  bool surfaces = false;  ///< Their ids.
+  bool fields = false;    ///< Of the last solve.
+};
+
+struct file_format {
+  std::string_view name;   ///< Also the suffix of such files, without its dot.
+  std::string_view title;  ///< For people who choose one: "Mesh".
+  std::string_view kind;   ///< For sentences about a file: "an STL surface".
+  kept_in_file keeps;
+  bool reads = false;  ///< A version can be made from such a file.
+  bool writes = false;
+};
+
+/// The rows. A format is read when it has a `read`, written when it has a `write`; `mesh/io` has
+/// the functions.
+namespace formats {
+
+/// Gmsh 4.1, binary: surface ids as entity tags of dimension 2, region ids of dimension 3, names as
+/// physical groups, interface triangles. Refuses ids beyond 32 bits. Read are MSH 2.2 and 4.1,
+/// ASCII and binary (either byte order), ids and names as they are written (2.2: second tag of an
+/// element); quadratic tets become their corner tets with a notice, points and lines are skipped,
+/// other volume elements refused by name.
+struct msh {
+  static constexpr file_format about{
+    "msh", for_people("formats", "Mesh"), "a Gmsh mesh", {.tets = true, .surfaces = true}};
+  static file_writer write;
+  static file_reader read;
+};
+
+/// Live vertices and tets in slot order, in metres, with the region of each tet.
+struct vtu {
+  static constexpr file_format about{"vtu",
+                                     for_people("formats", "Fields for ParaView"),
+                                     "a VTU file",
+                                     {.tets = true, .fields = true}};
+  static file_writer write;
+  static file_recogniser recognises;
+};
+
+/// Binary; it says neither surfaces nor the unit.
+struct stl {
+  static constexpr file_format about{
+    "stl", for_people("formats", "Boundary"), "an STL surface", {}};
+  static file_writer write;
+  static file_recogniser recognises;
+};
+
+/// Wavefront, text: a group for each surface, of its name and id.
+struct obj {
+  static constexpr file_format about{
+    "obj", for_people("formats", "Boundary with surfaces"), "an OBJ surface", {.surfaces = true}};
+  static file_writer write;
+  static file_recogniser recognises;
+};
+
+/// In the order in which people are offered them.
+using all = std::tuple<msh, vtu, stl, obj>;
+
+template <class Format>
+consteval file_format describe() {
+  auto result = Format::about;
+  result.reads = requires {
+    Format::read;
+  };
+  result.writes = requires {
+    Format::write;
+  };
+  return result;
+}
+
+template <class... Format>
+consteval auto describe(const std::tuple<Format...>*) {
+  return std::array{describe<Format>()...};
+}
+
+}  // namespace formats
+
+inline constexpr auto file_formats = formats::describe(static_cast<formats::all*>(nullptr));
+
+/// A whole document as one file; the server keeps and writes it, not `mesh/io`.
+inline constexpr std::string_view document_format = "tedit";
+
+/// The format of this name, or null.
+[[nodiscard]] const file_format* find_format(std::string_view name);
+
+/// The format to write a file in, by its suffix in any case. Errors: `invalid_argument` for one
+/// that is not written, naming those that are.
+[[nodiscard]] expected<const file_format*> format_for(const std::filesystem::path& file);
+
+/// That there is no such format to write, but these: "Take msh, vtu or stl".
+[[nodiscard]] error no_such_format(std::string_view name,
+                                   std::span<const std::string_view> there_are);
+
+/// The names of the formats that are written, in the table's order.
+[[nodiscard]] std::vector<std::string_view> written_formats();
+
+/// Those for a help text: ".msh (mesh), .vtu (fields for ParaView) or .stl (boundary)".
+[[nodiscard]] std::string written_formats_text();
+
+}  // namespace tedit
