@@ -42,13 +42,13 @@ using modeling_actor = caf::typed_actor<
   // Reads a mesh file.
   caf::replies_to<job_id, import_order>::with<import_result>,
   // Runs an operation; what it yields is checked elsewhere.
-  caf::replies_to<job_id, edit_order>::with<edit_candidate>,
+  caf::replies_to<job_id, edit_order>::with<operation_result>,
   // Writes a file.
   caf::replies_to<job_id, export_order>::with<export_result>,
   // Finds surfaces that belong together.
   caf::replies_to<job_id, select_order>::with<select_result>,
-  // The operations there are, as JSON of the protocol's Catalogue.
-  caf::replies_to<catalog_atom>::with<std::string>,
+  // The operations there are.
+  caf::replies_to<catalog_atom>::with<shared_catalogue>,
   // Ends a job early; it is then answered with `cancelled`.
   caf::reacts_to<cancel_atom, job_id>,
   // How it is.
@@ -57,7 +57,7 @@ using modeling_actor = caf::typed_actor<
 /// Improves the region of an edit and checks the postconditions; runs no plugin.
 using optimizer_actor = caf::typed_actor<
   // Improves and checks a candidate; carries the load cases over.
-  caf::replies_to<job_id, finish_order>::with<finish_result>,
+  caf::replies_to<job_id, check_order>::with<check_result>,
   // Ends a job early.
   caf::reacts_to<cancel_atom, job_id>,
   // How it is.
@@ -123,7 +123,7 @@ using session_actor = caf::typed_actor<
   // Reads a mesh and makes it the head.
   caf::replies_to<import_request>::with<head_moved>,
   // Applies an operation to the head.
-  caf::replies_to<edit_request>::with<head_moved>,
+  caf::replies_to<apply_request>::with<head_moved>,
   // Shows what an operation would make of the head; superseded by whatever changes the document.
   caf::replies_to<preview_request>::with<previewed>,
   // Undo and redo.
@@ -164,6 +164,6 @@ using hub_actor = caf::typed_actor<
   // How the workers are, and how many documents are open.
   caf::replies_to<status_atom>::with<server_status>,
   // The operations there are.
-  caf::replies_to<catalog_atom>::with<std::string>>;
+  caf::replies_to<catalog_atom>::with<shared_catalogue>>;
 
 }  // namespace tedit::actors

@@ -36,6 +36,22 @@ struct page_set {
   }
 };
 
+/// Values that several hold; never null unless it is said.
+using shared_report = std::shared_ptr<const edit_report>;
+using shared_load_cases = std::shared_ptr<const load_case_list>;
+
+[[nodiscard]] inline shared_load_cases no_load_cases() {
+  static const auto none = std::make_shared<const load_case_list>();
+  return none;
+}
+
+[[nodiscard]] inline std::vector<std::string> names_of(const load_case_list& load_cases) {
+  std::vector<std::string> names;
+  for (const auto& one : load_cases)
+    names.push_back(one.name);
+  return names;
+}
+
 /// One row of a document's version list.
 struct version_info {
   std::uint32_t number = 0;
@@ -50,7 +66,9 @@ struct version_info {
   std::string note;
 };
 
-// -- requests to a session; `ticket` names the request for progress and cancel -----------------
+// -- requests to a session; `ticket` names the request for progress and cancel, `client` who hears
+// of the change by the answer and not as an event, too
+// ---------------------------------------------
 
 struct attach_request {
   caf::actor subscriber;
@@ -74,19 +92,16 @@ struct import_request {
   std::string length_unit;
 };
 
-struct edit_request {
+struct apply_request {
   std::uint64_t ticket = 0;
   caf::actor client;
-  std::string operation;
-  std::vector<std::int64_t> surfaces;
-  std::string parameters;  ///< JSON.
-  fem::carry_settings loads;
+  edit_request wanted;
   change_terms terms;
 };
 
 /// An edit that is only looked at.
 struct preview_request {
-  edit_request edit;
+  apply_request edit;
   bool find_most = false;  ///< Where it is refused, look for the most that works.
 };
 
@@ -96,10 +111,11 @@ struct move_request {
   move_kind kind = move_kind::undo;
   std::uint32_t number = 0;  ///< For go_to.
   change_terms terms;
+  caf::actor client = {};
 };
 
 struct load_case_request {
-  std::string load_case;  ///< JSON.
+  fem::load_case load_case;
   change_terms terms;
 };
 
@@ -146,7 +162,7 @@ struct version_request {
 struct select_request {
   std::uint64_t ticket = 0;
   caf::actor client;
-  std::string query;  ///< JSON, see protocol/selection_message.hpp.
+  selection_query query;
 };
 
 // -- what a session answers and tells its subscribers ---------------------------------------------
@@ -155,8 +171,8 @@ struct session_snapshot {
   std::string document;
   std::optional<version_info> head;
   version_ptr version;
-  std::string report;                   ///< Of the edit that made the head; JSON.
-  std::vector<std::string> load_cases;  ///< JSON each.
+  shared_report report;  ///< Of the edit that made the head; null when none did.
+  shared_load_cases load_cases = no_load_cases();
   bool can_undo = false;
   bool can_redo = false;
 };
@@ -166,8 +182,8 @@ struct head_moved {
   version_info head;
   version_ptr version;
   std::string cause;
-  std::string report;                   ///< JSON of EditReport; empty unless `cause` is "edit".
-  std::vector<std::string> load_cases;  ///< JSON each.
+  shared_report report;  ///< Null unless `cause` is "edit".
+  shared_load_cases load_cases = no_load_cases();
   std::vector<std::string> warnings;
   bool can_undo = false;
   bool can_redo = false;
@@ -180,14 +196,14 @@ struct previewed {
   std::string document;
   version_ptr base;
   version_ptr version;
-  std::string report;                   ///< JSON of EditReport.
-  std::vector<std::string> load_cases;  ///< JSON each.
+  shared_report report;
+  shared_load_cases load_cases = no_load_cases();
 };
 
 struct load_cases_changed {
   std::string document;
-  std::string version;                  ///< Hexadecimal.
-  std::vector<std::string> load_cases;  ///< JSON each.
+  std::string version;  ///< Hexadecimal.
+  shared_load_cases load_cases = no_load_cases();
 };
 
 struct version_annotated {
@@ -216,8 +232,9 @@ struct solve_note {
 struct solved {
   std::string document;
   version_ptr version;
-  std::string outcome;  ///< JSON of Solved; the document is not set.
+  std::shared_ptr<const solve_outcome> outcome;
   std::shared_ptr<const std::vector<field>> fields;
+  std::uint64_t number = 0;  ///< Of the solve: no two of a server have one.
 };
 
 /// The result of the head as it is held, when it is; `solving`: it is on its way.
@@ -240,8 +257,8 @@ struct exported {
 
 struct selected {
   std::string document;
-  std::string version;   ///< Hexadecimal.
-  std::string features;  ///< JSON of SurfacesSelected.
+  std::string version;  ///< Hexadecimal.
+  std::shared_ptr<const std::vector<found_feature>> features;
 };
 
 /// A version as it is, whether it is the head or not.
@@ -254,7 +271,7 @@ struct session_version {
 struct session_history {
   std::string document;
   std::vector<version_info> versions;
-  std::vector<std::string> reports;  ///< JSON, one for each version; none unless asked for.
+  std::vector<shared_report> reports;  ///< One for each version; none unless asked for.
   std::uint32_t head = 0;
 };
 
@@ -282,9 +299,9 @@ using shared_file = std::shared_ptr<document_file>;
 struct graph_node {
   version_info info;
   version_ptr mesh;
-  std::vector<std::string> load_cases;  ///< JSON each.
-  std::string report;                   ///< JSON of EditReport; empty for imports.
-  std::optional<std::uint32_t> redo;    ///< The child that a redo goes to.
+  shared_load_cases load_cases = no_load_cases();
+  shared_report report;               ///< Null for imports.
+  std::optional<std::uint32_t> redo;  ///< The child that a redo goes to.
 };
 
 /// What a document holds when it is opened.
@@ -331,7 +348,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::acknowledged)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::page_set)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::attach_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::import_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::edit_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::apply_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::preview_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::previewed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::move_request)

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,18 +12,48 @@
 #include <caf/error.hpp>
 #include <caf/meta/type_name.hpp>
 
+#include "actors/wire_value.hpp"
+#include "edit/report.hpp"
+#include "fem/load_case.hpp"
+#include "fem/solve_report.hpp"
+#include "mesh/features/select.hpp"
 #include "mesh/field.hpp"
 #include "mesh/version.hpp"
+#include "protocol/operation_message.hpp"
 
 /// What travels between nodes: small control messages. Mesh bytes travel only as `page_batch`.
 namespace tedit {
+
+using load_case_list = std::vector<fem::load_case>;
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, hash128& h) {
   return f(caf::meta::type_name("hash128"), h.high, h.low);
 }
 
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, thorough_settings& x) {
+  return f(caf::meta::type_name("thorough_settings"), x.target, x.insert_below, x.harmonic,
+           x.tolerance.absolute, x.tolerance.relative, x.rounds);
+}
+
 }  // namespace tedit
+
+namespace tedit::ops {
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, figure& x) {
+  return f(caf::meta::type_name("figure"), x.id, x.value, x.unit, x.help);
+}
+
+/// All but the candidate.
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, edit_result& x) {
+  return f(caf::meta::type_name("edit_result"), x.touched, x.volume_change, x.improve, x.thorough,
+           x.surfaces_used, x.notices, x.figures, x.quality_floor, x.bodies_added);
+}
+
+}  // namespace tedit::ops
 
 namespace tedit::actors {
 
@@ -40,15 +72,30 @@ typename Inspector::result_type inspect(Inspector& f, job_id& x) {
   return f(caf::meta::type_name("job_id"), x.value);
 }
 
-/// A version without its pages: the manifest's bytes and the hash that they must have.
+/// A version without its pages: the list of them, whose hash is the id.
 struct version_ref {
   hash128 id;
-  std::vector<char> manifest;
+  std::shared_ptr<const manifest> pages;  ///< Null when it was damaged on its way.
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, version_ref& x) {
-  return f(caf::meta::type_name("version_ref"), x.id, x.manifest);
+  std::vector<char> bytes;
+  if constexpr (Inspector::reads_state) {
+    if (x.pages) {
+      const auto list = x.pages->to_bytes();
+      bytes.resize(list.size());
+      std::memcpy(bytes.data(), list.data(), list.size());
+    }
+    return f(caf::meta::type_name("version_ref"), x.id, bytes);
+  } else {
+    if (auto failed = f(caf::meta::type_name("version_ref"), x.id, bytes))
+      return failed;
+    const auto list = std::as_bytes(std::span(bytes));
+    if (auto read = manifest::from_bytes(list); read && hash_bytes(list) == x.id)
+      x.pages = std::make_shared<const manifest>(std::move(*read));
+    return caf::none;
+  }
 }
 
 /// Pages in the order in which they were asked for.
@@ -103,11 +150,9 @@ typename Inspector::result_type inspect(Inspector& f, import_result& x) {
 struct edit_order {
   order_base base;
   version_ref version;
-  std::string operation;
-  std::vector<std::int64_t> surfaces;
-  std::string parameters;  ///< JSON, see protocol/operation_message.hpp.
-  bool preview = false;    ///< Gives way to all other work.
-  bool find_most = true;   ///< Where it is refused, look for the most that works.
+  wire_value<edit_request> wanted;
+  bool preview = false;   ///< Gives way to all other work.
+  bool find_most = true;  ///< Where it is refused, look for the most that works.
   /// Whose edit this is, for the quarantine. They do not travel: workers need not know.
   std::string document;
   std::string client;
@@ -115,96 +160,56 @@ struct edit_order {
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, edit_order& x) {
-  return f(caf::meta::type_name("edit_order"), x.base.source, x.base.listener, x.version,
-           x.operation, x.surfaces, x.parameters, x.preview, x.find_most);
-}
-
-/// A number that only this operation has (`ops::figure`).
-struct figure_row {
-  std::string id;
-  double value = 0;
-  std::string unit;
-  std::string help;
-};
-
-template <class Inspector>
-typename Inspector::result_type inspect(Inspector& f, figure_row& x) {
-  return f(caf::meta::type_name("figure_row"), x.id, x.value, x.unit, x.help);
-}
-
-/// What an operation asks of the optimizer (`improve_request`).
-struct improve_order {
-  std::int32_t how = 1;  ///< As in `improvement`.
-  double target = 0;
-  double insert_below = 0;
-  bool harmonic = true;
-  double absolute_tolerance = 0;  ///< m.
-  double relative_tolerance = 0;
-  std::int32_t rounds = 0;
-};
-
-template <class Inspector>
-typename Inspector::result_type inspect(Inspector& f, improve_order& x) {
-  return f(caf::meta::type_name("improve_order"), x.how, x.target, x.insert_below, x.harmonic,
-           x.absolute_tolerance, x.relative_tolerance, x.rounds);
+  return f(caf::meta::type_name("edit_order"), x.base.source, x.base.listener, x.version, x.wanted,
+           x.preview, x.find_most);
 }
 
 /// What an operation made and what it says about it; nothing of it is trusted before the checks.
-struct edit_candidate {
+struct operation_result {
   version_ref version;
-  std::vector<char> touched;  ///< Tet ids, 4 bytes each.
-  double volume_change = 0;
-  improve_order improve;
-  std::vector<surface_id> surfaces_used;
-  std::vector<std::string> notices;
-  std::vector<figure_row> figures;
-  double quality_floor = 0.15;
-  std::uint64_t bodies_added = 0;
-  caf::actor source;
+  ops::edit_result said;  ///< Without the candidate, which is `version`.
   double operation_ms = 0;
+  caf::actor source;
 };
 
 template <class Inspector>
-typename Inspector::result_type inspect(Inspector& f, edit_candidate& x) {
-  return f(caf::meta::type_name("edit_candidate"), x.version, x.touched, x.volume_change, x.improve,
-           x.surfaces_used, x.notices, x.figures, x.quality_floor, x.bodies_added, x.source,
-           x.operation_ms);
+typename Inspector::result_type inspect(Inspector& f, operation_result& x) {
+  return f(caf::meta::type_name("operation_result"), x.version, x.said, x.operation_ms, x.source);
 }
 
 /// A candidate to improve and to check.
-struct finish_order {
+struct check_order {
   order_base base;
   version_ref before;
-  edit_candidate candidate;
-  std::vector<std::string> load_cases;  ///< JSON each; carried over by surface ids.
-  int load_policy = 0;                  ///< Number of a `fem::load_policy`.
-  bool keep_traction = false;
-  bool preview = false;  ///< Gives way to all other work.
+  operation_result candidate;
+  wire_value<edit_request> wanted;
+  wire_value<load_case_list> load_cases;  ///< Carried over by surface ids.
+  bool preview = false;                   ///< Gives way to all other work.
 };
 
 template <class Inspector>
-typename Inspector::result_type inspect(Inspector& f, finish_order& x) {
-  return f(caf::meta::type_name("finish_order"), x.base.source, x.base.listener, x.before,
-           x.candidate, x.load_cases, x.load_policy, x.keep_traction, x.preview);
+typename Inspector::result_type inspect(Inspector& f, check_order& x) {
+  return f(caf::meta::type_name("check_order"), x.base.source, x.base.listener, x.before,
+           x.candidate, x.wanted, x.load_cases, x.preview);
 }
 
 /// A version that passed every postcondition.
-struct finish_result {
+struct check_result {
   version_ref version;
-  std::vector<std::string> load_cases;
-  std::string report;  ///< JSON of EditReport; operation, selection and total time are not set.
+  wire_value<load_case_list> load_cases;
+  wire_value<edit_report> report;  ///< Without `total_ms`.
   caf::actor source;
 };
 
 template <class Inspector>
-typename Inspector::result_type inspect(Inspector& f, finish_result& x) {
-  return f(caf::meta::type_name("finish_result"), x.version, x.load_cases, x.report, x.source);
+typename Inspector::result_type inspect(Inspector& f, check_result& x) {
+  return f(caf::meta::type_name("check_result"), x.version, x.load_cases, x.report, x.source);
 }
 
 struct solve_order {
   order_base base;
   version_ref version;
-  std::vector<std::string> load_cases;  ///< JSON each; several are solved together.
+  wire_value<load_case_list> load_cases;  ///< Several are solved together.
   std::string device;
   double tolerance = 1e-6;
   double energy_tolerance = 0;  ///< 0: none.
@@ -232,14 +237,15 @@ typename Inspector::result_type inspect(Inspector& f, field_ref& x) {
 }
 
 struct solve_result {
-  std::string outcome;  ///< JSON of Solved; the document is not set.
+  wire_value<solve_outcome> outcome;
   std::vector<field_ref> fields;
+  std::vector<field_ref> more;  ///< That only files have; they stay where they are until asked for.
   caf::actor source;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, solve_result& x) {
-  return f(caf::meta::type_name("solve_result"), x.outcome, x.fields, x.source);
+  return f(caf::meta::type_name("solve_result"), x.outcome, x.fields, x.more, x.source);
 }
 
 /// A version, with fields when there are any, to write as a file.
@@ -247,8 +253,8 @@ struct export_order {
   order_base base;
   version_ref version;
   std::vector<field_ref> fields;
-  std::string outcome;  ///< JSON of the fields' Solved; empty without fields.
-  std::string format;   ///< "msh", "stl", "vtu".
+  wire_value<solve_outcome> outcome;  ///< Of the fields; none without them.
+  std::string format;                 ///< A name in mesh/formats.hpp.
   std::string length_unit;
 };
 
@@ -274,7 +280,7 @@ typename Inspector::result_type inspect(Inspector& f, export_result& x) {
 struct select_order {
   order_base base;
   version_ref version;
-  std::string query;  ///< JSON, see protocol/selection_message.hpp.
+  wire_value<selection_query> query;
 };
 
 template <class Inspector>
@@ -284,13 +290,16 @@ typename Inspector::result_type inspect(Inspector& f, select_order& x) {
 }
 
 struct select_result {
-  std::string features;  ///< JSON of SurfacesSelected; document and version are not set.
+  wire_value<std::vector<found_feature>> features;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, select_result& x) {
   return f(caf::meta::type_name("select_result"), x.features);
 }
+
+/// The operations there are.
+using shared_catalogue = wire_value<operation_catalogue>;
 
 // -- notes on the way ------------------------------------------------------------------------
 

@@ -3,32 +3,20 @@
 
 namespace tedit::actors {
 
-namespace {
-
-expected<manifest> read_manifest(const version_ref& ref) {
-  const auto bytes = std::as_bytes(std::span(ref.manifest));
-  if (hash_bytes(bytes) != ref.id)
-    return fail(ec::protocol_error, "a version's manifest was damaged on its way");
-  return manifest::from_bytes(bytes);
-}
-
-}  // namespace
-
-version_ref make_ref(const mesh_version& version) {
-  const auto bytes = version.pages().to_bytes();
-  const auto* first = reinterpret_cast<const char*>(bytes.data());
-  return {version.id(), {first, first + bytes.size()}};
+version_ref make_ref(const version_ptr& version) {
+  return {version->id(), {version, &version->pages()}};
 }
 
 expected<hash_list> pages_of(const version_ref& ref) {
-  return read_manifest(ref).map([](const manifest& list) { return list.page_ids(); });
+  if (!ref.pages)
+    return fail(ec::protocol_error, "a version's manifest was damaged on its way");
+  return ref.pages->page_ids();
 }
 
 expected<version_ptr> open_version(const version_ref& ref, const page_set& pages) {
-  const auto list = read_manifest(ref);
-  if (!list)
-    return fail(list.error());
-  return mesh_version::from_manifest(*list, [&](const hash128& id) { return pages.find(id); });
+  if (!ref.pages)
+    return fail(ec::protocol_error, "a version's manifest was damaged on its way");
+  return mesh_version::from_manifest(*ref.pages, [&](const hash128& id) { return pages.find(id); });
 }
 
 field_ref make_ref(const field& f) {
@@ -36,6 +24,13 @@ field_ref make_ref(const field& f) {
   for (const auto& p : f.values.pages())
     ref.pages.push_back(p->id());
   return ref;
+}
+
+hash_list pages_of(const std::vector<field_ref>& fields) {
+  hash_list ids;
+  for (const auto& f : fields)
+    ids.insert(ids.end(), f.pages.begin(), f.pages.end());
+  return ids;
 }
 
 expected<field> open_field(const field_ref& ref, const page_set& pages) {

@@ -5,7 +5,7 @@
 
 namespace tedit::actors {
 
-[[nodiscard]] version_ref make_ref(const mesh_version& version);
+[[nodiscard]] version_ref make_ref(const version_ptr& version);
 
 /// The pages that a version needs. Errors: `protocol_error` when the manifest is damaged or is not
 /// the one that the id names.
@@ -16,6 +16,9 @@ namespace tedit::actors {
 [[nodiscard]] expected<version_ptr> open_version(const version_ref& ref, const page_set& pages);
 
 [[nodiscard]] field_ref make_ref(const field& f);
+
+/// The pages of all of them.
+[[nodiscard]] hash_list pages_of(const std::vector<field_ref>& fields);
 
 /// Errors: `not_found`, `invalid_mesh`.
 [[nodiscard]] expected<field> open_field(const field_ref& ref, const page_set& pages);

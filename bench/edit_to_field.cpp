@@ -14,7 +14,7 @@
 
 #include "base/memory.hpp"
 #include "base/stopwatch.hpp"
-#include "cli/local_edit.hpp"
+#include "edit/make_edit.hpp"
 #include "fem/fields.hpp"
 #include "fem/solve_session.hpp"
 #include "mesh/io/import.hpp"
@@ -164,7 +164,7 @@ expected<void> measure(const version_ptr& base, const fem::load_case& loads,
     return fail(ok.error());
   out.cold.add("uploaded_bytes", device.uploaded_bytes());
   const stopwatch clock;
-  const auto edited = cli::apply_edit(plugins, base, {"fill_hole", o.surfaces, {}}, {loads}, {});
+  const auto edited = make_edit(plugins, base, {"fill_hole", o.surfaces, {}, {}}, {loads}, {}, {});
   if (!edited)
     return fail(edited.error());
   out.edit.add("total_ms", clock.milliseconds());

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "bench/sweep.hpp"
+#include "cli/parameters.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"

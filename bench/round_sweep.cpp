@@ -14,11 +14,11 @@
 #include <set>
 
 #include "cli/command.hpp"
-#include "cli/local_edit.hpp"
+#include "edit/make_edit.hpp"
 #include "mesh/features/rims.hpp"
 #include "mesh/io/import.hpp"
 #include "mesh/quality.hpp"
-#include "ops/sdk/round_chains.hpp"
+#include "ops/shapes/rounding/round_chains.hpp"
 
 namespace {
 
@@ -127,14 +127,14 @@ void try_pair(const ops::catalogue& plugins, const version_ptr& base, double bas
               const ops::round_plan& plan, std::pair<surface_id, surface_id> pair, double factor,
               bool verbose, tally& sum) {
   const double radius = factor * plan.chains.front().mean_edge;
-  cli::edit_request request{plan.side > 0 ? "close" : "open", {pair.first, pair.second}, {}};
+  edit_request request{plan.side > 0 ? "close" : "open", {pair.first, pair.second}, {}};
   request.parameters["radius"] = radius;
   ++sum.tried;
   const auto name = "surfaces " + std::to_string(pair.first) + " and " +
                     std::to_string(pair.second) + ", r " + cli::pretty(1e3 * radius, 3) + " mm";
   const double start = cpu_ms();
   const auto before_id = base->id();
-  const auto outcome = cli::apply_edit(plugins, base, request, {}, {});
+  const auto outcome = make_edit(plugins, base, request, {}, {}, {});
   const double ms = cpu_ms() - start;
   if (base->id() != before_id)
     ++sum.faults;

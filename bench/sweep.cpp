@@ -158,10 +158,10 @@ sweep::sweep(version_ptr base)
 attempt_result sweep::attempt(const version_ptr& mesh, const planned_feature& feature) {
   attempt_result result;
   const auto id = mesh->id();
-  cli::edit_request request{feature.operation, feature.surfaces, feature.parameters};
+  edit_request request{feature.operation, feature.surfaces, feature.parameters};
   request.loads.policy = fem::load_policy::move;
   const double start = cpu_ms();
-  auto outcome = cli::apply_edit(plugins_, mesh, request, loads, {});
+  auto outcome = make_edit(plugins_, mesh, request, loads, {}, {});
   result.cpu_ms = cpu_ms() - start;
   const auto fault = [&](const std::string& what) {
     ++faults_;

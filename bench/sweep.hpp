@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/local_edit.hpp"
+#include "edit/make_edit.hpp"
 #include "mesh/quality.hpp"
 
 /// Edits of a part's listed features, each checked and measured (bench/feature_sweep).
@@ -43,7 +43,7 @@ struct part_features {
 
 /// An edit with what was measured of it.
 struct attempt_result {
-  std::optional<cli::edit_outcome> outcome;
+  std::optional<checked_edit> outcome;
   error refusal;             ///< When there is none.
   double cpu_ms = 0;         ///< Of this process and the mesher's.
   double median_before = 0;  ///< q of the base's tets in and around what was touched.

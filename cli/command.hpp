@@ -15,6 +15,10 @@ namespace CLI {
 class App;
 }
 
+namespace tedit {
+struct file_format;
+}
+
 namespace tedit::cli {
 
 /// What all commands share. `main` fills it from the options that stand before or behind the
@@ -34,6 +38,7 @@ void add_ops(CLI::App& app, action& chosen);
 void add_select(CLI::App& app, action& chosen);
 void add_plugin(CLI::App& app, action& chosen);
 void add_edit(CLI::App& app, action& chosen);
+void add_convert(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);
 void add_export(CLI::App& app, action& chosen);
 void add_run(CLI::App& app, action& chosen);
@@ -42,6 +47,9 @@ void add_worker(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
 void add_verify(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);
+
+/// The format of a file to write, by its suffix. Errors: `usage`, naming those that there are.
+[[nodiscard]] expected<const file_format*> output_format(const std::string& file);
 
 // -- output ------------------------------------------------------------------------
 

@@ -8,11 +8,11 @@
 
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
-#include "cli/local_edit.hpp"
+#include "cli/parameters.hpp"
 #include "cli/reports.hpp"
+#include "edit/make_edit.hpp"
+#include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
-#include "mesh/io/msh_writer.hpp"
-#include "mesh/io/stl_writer.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::cli {
@@ -55,6 +55,9 @@ operation_place place_of(const edit_options& options, const session& s) {
 
 int run_edit(const edit_options& options, session& s) {
   stopwatch clock;
+  const auto format = output_format(options.output);
+  if (!options.output.empty() && !format)
+    return print_error(s, format.error());
   auto request = options.request;
   auto parameters = parse_parameters(options.pairs);
   if (!parameters)
@@ -78,15 +81,14 @@ int run_edit(const edit_options& options, session& s) {
     notice(s, "note: " + warning);
   const double import_ms = clock.restart();
   const auto plugins = ops::load_default_catalogue();
-  const auto outcome = apply_edit(plugins, imported->version, request, load_cases,
-                                  make_execution(s), place_of(options, s));
+  const auto outcome = make_edit(plugins, imported->version, request, load_cases,
+                                 place_of(options, s), make_execution(s));
   if (!outcome)
     return print_error(s, outcome.error());
   clock.restart();
   if (!options.output.empty()) {
-    const bool stl = std::filesystem::path(options.output).extension() == ".stl";
-    const auto written = stl ? write_stl(options.output, *outcome->version, options.length_unit)
-                             : write_msh(options.output, *outcome->version, options.length_unit);
+    const auto written = write_as((*format)->name, options.output, *outcome->version,
+                                  {.length_unit = options.length_unit});
     if (!written)
       return print_error(s, written.error());
   }
@@ -121,7 +123,7 @@ void add_edit(CLI::App& app, action& chosen) {
   command->add_flag("--keep-traction", options->request.loads.keep_traction,
                     "A traction or pressure that moves keeps its Pa, not its N");
   command->add_option("-o,--output", options->output,
-                      "Write the new mesh: .msh (MSH 4.1 binary) or .stl (boundary)");
+                      "Write the new mesh: " + written_formats_text());
   command->add_option("--length-unit", options->length_unit, "Unit of coordinates in both files")
     ->capture_default_str();
   command

@@ -2,7 +2,7 @@
 #include "cli/field_file.hpp"
 
 #include "fem/fields.hpp"
-#include "mesh/io/field_writer.hpp"
+#include "mesh/formats.hpp"
 
 namespace tedit::cli {
 
@@ -20,7 +20,9 @@ std::vector<std::pair<std::string, std::string>> notes_of(const mesh_version& me
 
 expected<void> write_field(const std::filesystem::path& path, const mesh_version& mesh,
                            const fem::problem& problem, const fem::solution& result) {
-  return write_vtu(path, mesh, fem::make_fields(mesh, problem, result), notes_of(mesh, result));
+  return formats::vtu::write(
+    path, mesh,
+    {.fields = fem::make_fields(mesh, problem, result), .notes = notes_of(mesh, result)});
 }
 
 expected<void> write_field(const std::filesystem::path& path, const mesh_version& mesh,
@@ -28,7 +30,8 @@ expected<void> write_field(const std::filesystem::path& path, const mesh_version
   auto notes = notes_of(mesh, result.cases.front());
   for (std::size_t c = 0; c < set.cases.size(); ++c)
     notes.emplace_back("case_" + std::to_string(c), set.cases[c].name);
-  return write_vtu(path, mesh, fem::make_fields(mesh, set, result), notes);
+  return formats::vtu::write(path, mesh,
+                             {.fields = fem::make_fields(mesh, set, result), .notes = notes});
 }
 
 }  // namespace tedit::cli

@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
 
   tedit::cli::add_info(app, chosen);
   tedit::cli::add_edit(app, chosen);
+  tedit::cli::add_convert(app, chosen);
   tedit::cli::add_solve(app, chosen);
   tedit::cli::add_export(app, chosen);
   tedit::cli::add_run(app, chosen);

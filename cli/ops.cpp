@@ -34,9 +34,9 @@ nlohmann::ordered_json to_json(const ops::parameter_value& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
 }
 
-nlohmann::ordered_json to_json(const ops::catalogue::entry& entry) {
+nlohmann::ordered_json to_json(const offered_operation& one) {
   using json = nlohmann::ordered_json;
-  const auto& d = entry.description;
+  const auto& d = one.about;
   json parameters = json::array();
   for (const auto& p : d.parameters) {
     json row{{"id", p.id},     {"name", p.name}, {"type", type_name(p.type)},
@@ -55,8 +55,7 @@ nlohmann::ordered_json to_json(const ops::catalogue::entry& entry) {
           {"name", d.name},
           {"summary", d.summary},
           {"version", d.version},
-          {"plugin", entry.plugin},
-          {"file", entry.file.lexically_normal().string()},
+          {"plugin", one.plugin},
           {"selection", d.selection.help},
           {"parameters", std::move(parameters)}};
 }
@@ -80,16 +79,24 @@ std::string times(unsigned crashes) {
   return std::to_string(crashes) + (crashes == 1 ? " crash" : " crashes");
 }
 
+nlohmann::ordered_json to_json(const refused_operation& one) {
+  nlohmann::ordered_json row{{"file", one.file}, {"reason", one.reason}};
+  if (one.crashes == 0)
+    return row;
+  if (!one.operation.empty())
+    row["operation"] = one.operation;
+  row["crashes"] = one.crashes;
+  row["remedy"] = one.remedy;
+  return row;
+}
+
 /// A line for a plugin that is not used; one in quarantine says how to lift it.
-std::string describe_refused(const nlohmann::ordered_json& row) {
-  const auto text = [&](const char* field) { return row.value(field, std::string()); };
-  const auto crashes = row.value("crashes", 0U);
-  if (crashes == 0)
-    return "not used: " + text("file") + ": " + text("reason") + "\n";
-  const auto operation = text("operation");
+std::string describe(const refused_operation& one) {
+  if (one.crashes == 0)
+    return "not used: " + one.file + ": " + one.reason + "\n";
   return "quarantined: " +
-         (operation.empty() ? text("file") : operation + " (" + text("file") + ")") + ", " +
-         times(crashes) + ": " + text("reason") + "\n    to lift it: " + text("remedy") + "\n";
+         (one.operation.empty() ? one.file : one.operation + " (" + one.file + ")") + ", " +
+         times(one.crashes) + ": " + one.reason + "\n    to lift it: " + one.remedy + "\n";
 }
 
 struct ops_options {
@@ -107,31 +114,27 @@ int run_on_server(const ops_options& options, session& s) {
   auto connected = client::client::connect(*how, {});
   if (!connected)
     return print_error(s, connected.error());
-  const auto catalogue = (*connected)->catalogue_json();
-  if (!catalogue)
-    return print_error(s, catalogue.error());
-  const auto operations = protocol::catalogue_from_json(*catalogue);
-  if (!operations)
-    return print_error(s, operations.error());
+  const auto all = (*connected)->operations();
+  if (!all)
+    return print_error(s, all.error());
+  using json = nlohmann::ordered_json;
+  json result{{"server", options.server}, {"operations", json::array()}};
   std::string text;
   std::vector<std::string> ids;
-  for (const auto& [description, plugin] : *operations) {
-    ids.push_back(description.id);
-    if (options.only.empty() || options.only == description.id)
-      text += describe(description);
+  for (const auto& one : all->operations) {
+    ids.push_back(one.about.id);
+    if (!options.only.empty() && options.only != one.about.id)
+      continue;
+    text += describe(one.about);
+    result["operations"].push_back(to_json(one));
   }
   if (!options.only.empty() && text.empty())
     return print_error(s, ops::unknown_operation(options.only, ids));
-  using json = nlohmann::ordered_json;
-  const auto sent = json::parse(*catalogue, nullptr, false);
-  json result{{"server", options.server},
-              {"operations", json::array()},
-              {"refused", sent.value("refused", json::array())}};
-  for (const auto& row : sent.value("operations", json::array()))
-    if (options.only.empty() || row.value("id", std::string()) == options.only)
-      result["operations"].push_back(row);
-  for (const auto& row : result["refused"])
-    text += describe_refused(row);
+  result["refused"] = json::array();
+  for (const auto& one : all->refused) {
+    result["refused"].push_back(to_json(one));
+    text += describe(one);
+  }
   print_result(s, result, text.empty() ? "There are no operations.\n" : text);
   return 0;
 }
@@ -148,17 +151,15 @@ int run_ops(const std::string& only, session& s) {
   for (const auto& entry : plugins.entries()) {
     if (!only.empty() && entry.description.id != only)
       continue;
-    json["operations"].push_back(to_json(entry));
+    json["operations"].push_back(to_json(offered_operation{entry.description, entry.plugin}));
+    json["operations"].back()["file"] = entry.file.lexically_normal().string();
     text += describe(entry.description);
   }
   for (const auto& refused : plugins.refused()) {
-    nlohmann::ordered_json row{{"file", refused.file.string()}, {"reason", refused.reason}};
-    if (refused.crashes > 0) {
-      row["crashes"] = refused.crashes;
-      row["remedy"] = refused.remedy;
-    }
-    text += describe_refused(row);
-    json["refused"].push_back(std::move(row));
+    const refused_operation row{
+      refused.file.string(), refused.reason, {}, refused.crashes, refused.remedy};
+    text += describe(row);
+    json["refused"].push_back(to_json(row));
   }
   print_result(s, json, text.empty() ? "There are no operations.\n" : text);
   return 0;

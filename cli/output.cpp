@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "mesh/formats.hpp"
 
 namespace tedit::cli {
 
@@ -59,6 +60,13 @@ execution make_execution(const session& s) {
                  static_cast<int>(stage.size()), stage.data());
   };
   return run;
+}
+
+expected<const file_format*> output_format(const std::string& file) {
+  auto format = format_for(file);
+  if (!format)
+    format.error().code = ec::usage;
+  return format;
 }
 
 void end_progress(const session& s) {

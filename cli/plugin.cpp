@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "cli/local_edit.hpp"
+#include "cli/number_option.hpp"
+#include "cli/parameters.hpp"
 #include "cli/plugin_new.hpp"
-#include "cli/render/number_option.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/conformance/conformance.hpp"
 
@@ -47,6 +47,9 @@ std::string line_of(const ops::conformance_row& row) {
   text += "  " + row.seen + "\n";
   if (row.outcome == ops::verdict::fail)
     text += "        rule: " + row.rule + "\n        do:   " + row.remedy + "\n";
+  if (row.outcome == ops::verdict::fail)
+    for (const auto& line : row.log)
+      text += "        log:  " + line + "\n";
   return text;
 }
 
@@ -55,7 +58,8 @@ nlohmann::ordered_json to_json(const ops::conformance_row& row) {
                         : row.outcome == ops::verdict::fail ? "fail"
                                                             : "not_run";
   return {{"check", row.check}, {"rule", row.rule},     {"outcome", outcome},
-          {"seen", row.seen},   {"remedy", row.remedy}, {"operation", row.operation}};
+          {"seen", row.seen},   {"remedy", row.remedy}, {"operation", row.operation},
+          {"log", row.log}};
 }
 
 expected<void> check_names(const std::vector<std::string>& names) {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <fstream>
-#include <thread>
 
 #include "base/child_process.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/reports.hpp"
+#include "mesh/formats.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::cli {
@@ -37,15 +37,6 @@ solve_outcome outcome_of(const std::vector<client::field_event>& fields) {
     else
       outcome.cases.push_back(field.report);
   return outcome;
-}
-
-/// Whether these are the fields of that solve: no two have the same numbers.
-bool are_of(const std::vector<client::field_event>& fields, const solve_outcome& answer) {
-  const auto same = [](const solve_report& a, const solve_report& b) {
-    return a.load_case == b.load_case && a.iterations == b.iterations &&
-           a.true_relative_residual == b.true_relative_residual;
-  };
-  return std::ranges::equal(outcome_of(fields).cases, answer.cases, same);
 }
 
 /// Of load cases that were solved together: their shares make up the whole.
@@ -275,30 +266,21 @@ expected<solve_outcome> recipe_runner::ask(const client::solve_settings& setting
 expected<std::vector<client::field_event>> recipe_runner::await_fields(
   const client::solve_settings& settings) {
   constexpr auto interval = std::chrono::milliseconds(200);
-  std::optional<solve_outcome> answer;
-  if (followed_ != settings) {
-    auto done = ask(settings);
-    if (!done)
-      return fail(done.error());
-    answer = std::move(*done);
-  }
+  std::uint64_t solve = 0;  // That was asked for: fields of another may be on their way.
+  bool asks = followed_ != settings;
   while (true) {
-    auto fields = server_.wait_fields(head_.version_id, interval);
-    if (!fields && fields.error().code != ec::timeout)
-      return fields;
-    // Fields of what was asked for before may have been on their way.
-    if (fields && (!answer || are_of(*fields, *answer)))
+    if (asks) {
+      const auto done = ask(settings);
+      if (!done)  // Says why.
+        return fail(done.error());
+      solve = done->solve;
+    }
+    auto fields = server_.wait_fields(head_.version_id, interval, solve);
+    if (fields || fields.error().code != ec::timeout)
       return fields;
     if (session_.cancel.cancelled())
       return fail(ec::cancelled, "interrupted");
-    if (fields)
-      std::this_thread::sleep_for(interval / 10);
-    if (!answer && failures_->contains(head_.version_id)) {
-      auto again = ask(settings);
-      if (!again)  // Says why.
-        return fail(again.error());
-      answer = std::move(*again);
-    }
+    asks = solve == 0 && failures_->contains(head_.version_id);
   }
 }
 
@@ -362,7 +344,7 @@ std::filesystem::path recipe_runner::path_of(const std::string& name) const {
   return out_ / text;
 }
 
-expected<void> recipe_runner::write(client::file_format format, const std::filesystem::path& path) {
+expected<void> recipe_runner::write(const std::string& format, const std::filesystem::path& path) {
   const auto bytes = server_.export_file(format, head_.version_id, "mm", make_execution(session_));
   end_progress(session_);
   if (!bytes)
@@ -378,9 +360,11 @@ expected<void> recipe_runner::write(client::file_format format, const std::files
 }
 
 expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::path& png) {
-  const auto vtu = s.vtu.empty() ? std::filesystem::path(png.string() + ".vtu") : path_of(s.vtu);
-  if (s.vtu.empty())
-    if (auto ok = write(client::file_format::vtu, vtu); !ok)
+  const auto wanted = s.files.find("vtu");
+  const bool aside = wanted == s.files.end();
+  const auto vtu = aside ? std::filesystem::path(png.string() + ".vtu") : path_of(wanted->second);
+  if (aside)
+    if (auto ok = write("vtu", vtu); !ok)
       return ok;
   const auto& shown = solved_.at(head_.version_id).outcome;
   const auto caption = caption_of(shown, s);
@@ -402,7 +386,7 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
   }
   const auto drawn = run_child(command, {}, {std::chrono::minutes(2), 0}, make_execution(session_));
   std::error_code ignored;
-  if (s.vtu.empty())
+  if (aside)
     std::filesystem::remove(vtu, ignored);
   if (!drawn)
     return fail(drawn.error().code,
@@ -412,18 +396,17 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
 }
 
 expected<void> recipe_runner::step(const export_step& s) {
-  if ((!s.vtu.empty() || !s.png.empty()) && !solved_.contains(head_.version_id))
+  const auto keeps_fields = [](const auto& file) {
+    const auto* format = find_format(file.first);
+    return format && format->keeps.fields;
+  };
+  if ((!s.png.empty() || std::ranges::any_of(s.files, keeps_fields)) &&
+      !solved_.contains(head_.version_id))
     return fail(ec::bad_input, "this version has no field to export", "Put a solve step first");
-  const std::array<std::pair<const std::string*, client::file_format>, 3> wanted{
-    {{&s.msh, client::file_format::msh},
-     {&s.stl, client::file_format::stl},
-     {&s.vtu, client::file_format::vtu}}};
-  for (const auto& [name, format] : wanted) {
-    if (name->empty())
-      continue;
-    if (auto ok = write(format, path_of(*name)); !ok)
+  for (const auto& [format, name] : s.files) {
+    if (auto ok = write(format, path_of(name)); !ok)
       return ok;
-    files_.push_back(path_of(*name).string());
+    files_.push_back(path_of(name).string());
   }
   if (s.png.empty())
     return {};

@@ -76,7 +76,7 @@ private:
   expected<solve_outcome> ask(const client::solve_settings& settings);
   expected<std::vector<client::field_event>> await_fields(const client::solve_settings& settings);
   void add_rows(const std::vector<client::field_event>& fields, bool known);
-  expected<void> write(client::file_format format, const std::filesystem::path& path);
+  expected<void> write(const std::string& format, const std::filesystem::path& path);
   expected<void> draw(const export_step& s, const std::filesystem::path& png);
   [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
   [[nodiscard]] std::string version_name() const { return "v" + std::to_string(head_.number); }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "fem/solver.hpp"
 
 namespace tedit::cli {
 

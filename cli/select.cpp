@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "cli/render/number_option.hpp"
+#include "cli/number_option.hpp"
 #include "mesh/features/select.hpp"
 #include "mesh/io/import.hpp"
 

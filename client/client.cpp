@@ -45,10 +45,6 @@ bool client::connected() const noexcept {
   return impl_->link.connected();
 }
 
-bool client::knows_edit_ids() const noexcept {
-  return impl_->link.server_minor() >= minor_of_change_terms;
-}
-
 std::string make_edit_id() {
   std::random_device source;
   std::string id;
@@ -64,13 +60,13 @@ void client::abort() {
   impl_->link.abort();
 }
 
-expected<std::string> client::catalogue_json() {
+expected<operation_catalogue> client::operations() {
   v1::ClientMessage request;
   request.mutable_list_operations();
   const auto got = impl_->ask(std::move(request), body::kCatalogue);
   if (!got)
     return fail(got.error());
-  return protocol::message_to_json(got->message.catalogue());
+  return protocol::from_message(got->message.catalogue());
 }
 
 expected<server_status> client::status() {
@@ -115,8 +111,7 @@ expected<document_state> client::open(const std::string& name, bool watch_surfac
   return state;
 }
 
-/// The message ApplyEdit for the open document. Errors: `invalid_argument` when none is open,
-/// `protocol_error` when the server is too old for what is to become of loads.
+/// The message ApplyEdit for the open document. Errors: `invalid_argument` when none is open.
 expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation,
                                                     const std::vector<surface_id>& surfaces,
                                                     const ops::parameters& values,
@@ -125,19 +120,10 @@ expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation
   auto name = open_document();
   if (!name)
     return fail(std::move(name.error()));
-  if (loads.policy != fem::load_policy::drop && link.server_minor() < 3)
-    return fail(ec::protocol_error,
-                "the server is too old to " + std::string(fem::policy_name(loads.policy)) +
-                  " loads in an edit: it drops those whose surface goes",
-                "Update the server, or let the edit drop them.");
   v1::ApplyEdit edit;
+  protocol::to_message({operation, surfaces, values, loads}, &edit);
   edit.set_document(*name);
-  edit.set_operation(operation);
-  edit.mutable_surfaces()->Add(surfaces.begin(), surfaces.end());
-  for (const auto& [id, value] : values)
-    protocol::to_message(value, &(*edit.mutable_parameters())[id]);
   edit.set_expected_version(expected_version);
-  protocol::to_message(loads, edit.mutable_loads());
   return edit;
 }
 
@@ -160,12 +146,6 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
                                             const ops::parameters& values, const execution& run,
                                             const std::string& expected_version,
                                             const fem::carry_settings& loads, bool find_most) {
-  if (find_most && impl_->link.server_minor() < 8)
-    return fail(ec::protocol_error, "the server is too old to look for the most that works",
-                "Update the server, or try smaller values.");
-  if (impl_->link.server_minor() < 5)
-    return fail(ec::protocol_error, "the server is too old to preview an edit",
-                "Update the server, or apply the edit and undo it.");
   auto edit = impl_->describe_edit(operation, surfaces, values, expected_version, loads);
   if (!edit)
     return fail(std::move(edit.error()));
@@ -179,7 +159,7 @@ expected<edit_preview> client::preview_edit(const std::string& operation,
 }
 
 expected<surface_model> client::surface_of(std::uint32_t number, const execution& run) {
-  auto document = impl_->open_document(8, "show a version that is not the head");
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -195,7 +175,7 @@ expected<surface_model> client::surface_of(std::uint32_t number, const execution
 }
 
 expected<committed> client::undo(const change_terms& terms) {
-  auto document = impl_->open_document(terms);
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -205,7 +185,7 @@ expected<committed> client::undo(const change_terms& terms) {
 }
 
 expected<committed> client::redo(const change_terms& terms) {
-  auto document = impl_->open_document(terms);
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -215,7 +195,7 @@ expected<committed> client::redo(const change_terms& terms) {
 }
 
 expected<committed> client::go_to(std::uint32_t number, const change_terms& terms) {
-  auto document = impl_->open_document(4, "go to a version", terms);
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -227,7 +207,7 @@ expected<committed> client::go_to(std::uint32_t number, const change_terms& term
 
 expected<section> client::cut(const vec3& at, const vec3& normal, const std::string& load_case,
                               const execution& run) {
-  auto document = impl_->open_document(4, "cut sections");
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -267,15 +247,12 @@ expected<solve_outcome> client::solve_cases(const solve_settings& settings, cons
   if (!got)
     return fail(got.error());
   auto outcome = protocol::from_message(got->message.solved());
-  if (settings.load_cases.size() > 1 && outcome.cases.size() != settings.load_cases.size())
-    return fail(ec::protocol_error, "the server does not solve several load cases together",
-                "Use a server of this client's release");
   return outcome;
 }
 
 expected<std::vector<found_feature>> client::select(const selection_query& query,
                                                     const execution& run) {
-  auto document = impl_->open_document(2, "find surfaces");
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
@@ -308,10 +285,12 @@ expected<surface_event> client::wait_surface(const std::string& version_id,
 }
 
 expected<std::vector<field_event>> client::wait_fields(const std::string& version_id,
-                                                       std::chrono::milliseconds patience) {
+                                                       std::chrono::milliseconds patience,
+                                                       std::uint64_t solve) {
   if (impl_->link.on_io_thread())
     return fail(ec::internal, "a blocking call from one of the client's own events");
-  return impl_->link.arrivals().wait_fields(version_id, patience).map([](const auto& fields) {
+  auto arrived = impl_->link.arrivals().wait_fields(version_id, solve, patience);
+  return arrived.map([](const auto& fields) {
     std::vector<field_event> copies;
     for (const auto& field : fields)
       copies.push_back(*field);
@@ -323,7 +302,7 @@ expected<field_event> client::wait_field(const std::string& version_id,
                                          std::chrono::milliseconds patience) {
   if (impl_->link.on_io_thread())
     return fail(ec::internal, "a blocking call from one of the client's own events");
-  return impl_->link.arrivals().wait_fields(version_id, patience).map([](const auto& fields) {
+  return impl_->link.arrivals().wait_fields(version_id, 0, patience).map([](const auto& fields) {
     return *fields.back();
   });
 }

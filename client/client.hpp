@@ -15,6 +15,7 @@
 #include "fem/receipt.hpp"
 #include "mesh/features/select.hpp"
 #include "ops/sdk/operation.hpp"
+#include "protocol/operation_message.hpp"
 
 namespace tedit::client {
 
@@ -43,14 +44,11 @@ public:
 
   [[nodiscard]] bool connected() const noexcept;
 
-  /// Whether the server makes a change that is asked for again with its edit id only once.
-  [[nodiscard]] bool knows_edit_ids() const noexcept;
-
   /// Ends the connection at once; calls that run fail with `service_unavailable`. Thread-safe.
   void abort();
 
-  /// The operations that the server offers: the message Catalogue as canonical JSON.
-  [[nodiscard]] expected<std::string> catalogue_json();
+  /// The operations that the server offers, and the plugins that it does not use.
+  [[nodiscard]] expected<operation_catalogue> operations();
 
   [[nodiscard]] expected<server_status> status();
 
@@ -71,7 +69,7 @@ public:
   /// Uploads a document file (.tedit) and makes it a document of the server, which is not opened;
   /// returns its name: `name`, or with `or_next_free` the next one that is free (NAME-2, ...).
   /// Errors: also `conflict` for a name that is taken, `storage_error` for a file that is no
-  /// document or damaged, `io_error`, `protocol_error` from a server with protocol_minor below 9.
+  /// document or damaged, `io_error`.
   [[nodiscard]] expected<std::string> add_document(const std::filesystem::path& path,
                                                    const std::string& name, bool or_next_free,
                                                    const execution& run);
@@ -79,38 +77,33 @@ public:
   /// Gives the open document another name, also one that the server made up; all who have it open
   /// hear of it. Nothing when it has that name already. `before`: refused (`conflict`) when its
   /// name is another by now; empty: any. Errors: also `invalid_argument` for a name that no
-  /// document can have, `conflict` for one that is taken, `protocol_error` from a server with
-  /// protocol_minor below 9.
+  /// document can have, `conflict` for one that is taken.
   [[nodiscard]] expected<void> rename_document(const std::string& name,
                                                const std::string& before = {});
 
   /// Replaces the load case of this name at the head, or adds it. A running solve of the old one
-  /// ends with `superseded`; the new one is solved by itself then. Errors: also `protocol_error`
-  /// for moments, remote, bearing and normal forces and a pressure's gradient from a server with
-  /// protocol_minor below 8.
+  /// ends with `superseded`; the new one is solved by itself then.
   [[nodiscard]] expected<void> set_load_case(const fem::load_case& loads,
                                              const change_terms& terms = {});
 
-  /// Takes a load case from the head, the last one, too. Errors: also `not_found`,
-  /// `protocol_error` from a server with protocol_minor below 5.
+  /// Takes a load case from the head, the last one, too. Errors: also `not_found`.
   [[nodiscard]] expected<void> remove_load_case(const std::string& name,
                                                 const change_terms& terms = {});
 
   /// Gives a version a name (one line, 80 characters) and a note (4000) instead of those it had.
-  /// Errors: also `not_found`, `invalid_argument`, `protocol_error` as above.
+  /// Errors: also `not_found`, `invalid_argument`.
   [[nodiscard]] expected<void> annotate(std::uint32_t number, const std::string& name,
                                         const std::string& note, const change_terms& terms = {});
 
   /// What every field event and section has from now on beside the usual; until the document is
   /// opened again. The fields of the head come again with it; when they cannot, the result says
   /// why, else it is empty. Fields that arrived before the call are forgotten. Errors:
-  /// `protocol_error` as above.
+  /// `invalid_argument` for a name that is none, naming those that there are.
   [[nodiscard]] expected<std::string> watch_fields(const watched_quantities& wanted);
 
   /// Applies an operation to the head and returns once the new version is durable. When
   /// `expected_version` is given and not the head, the edit is refused (`conflict`). `loads` says
-  /// what becomes of loads and supports whose surface goes. Errors: also `protocol_error` when the
-  /// server can only drop them (protocol_minor below 3) and something else is asked for.
+  /// what becomes of loads and supports whose surface goes.
   [[nodiscard]] expected<committed> edit(const std::string& operation,
                                          const std::vector<surface_id>& surfaces,
                                          const ops::parameters& values, const execution& run,
@@ -122,54 +115,55 @@ public:
   /// those of `edit`, which takes the result over at once when it follows with the same. Applied
   /// to a copy of `surface()`, the answer's difference gives the surface to show. Errors: those of
   /// `edit`, and `superseded` when the document is changed or another preview is asked for
-  /// meanwhile; `protocol_error` also from a server with protocol_minor below 5. With `find_most`
-  /// (protocol_minor 8) a refusal takes up to 3 s longer and may know the most that works.
+  /// meanwhile. With `find_most` a refusal takes up to 3 s longer and may know the most that works.
   [[nodiscard]] expected<edit_preview> preview_edit(
     const std::string& operation, const std::vector<surface_id>& surfaces,
     const ops::parameters& values, const execution& run, const std::string& expected_version = {},
     const fem::carry_settings& loads = {}, bool find_most = false);
 
   /// The surface of any version, by its number; head and `surface()` stay as they are. Errors: also
-  /// `not_found`, `protocol_error` from a server with protocol_minor below 8.
+  /// `not_found`.
   [[nodiscard]] expected<surface_model> surface_of(std::uint32_t number, const execution& run = {});
 
   [[nodiscard]] expected<committed> undo(const change_terms& terms = {});
   [[nodiscard]] expected<committed> redo(const change_terms& terms = {});
 
   /// Makes any version the head, by its number; undo and redo go along its branch from then on.
-  /// Errors: also `not_found`, `protocol_error` from a server with protocol_minor below 4.
+  /// Errors: also `not_found`.
   [[nodiscard]] expected<committed> go_to(std::uint32_t number, const change_terms& terms = {});
 
   /// Cuts the head with the plane through `at` (m) across `normal`, with the field of a load case;
   /// an empty name: the only one, or the envelope of several. Errors: also `superseded` when
-  /// another section was asked for meanwhile, `protocol_error` as above.
+  /// another section was asked for meanwhile.
   [[nodiscard]] expected<section> cut(const vec3& at, const vec3& normal,
                                       const std::string& load_case, const execution& run);
 
   /// Solves on the head, one load case or several together; from then on the server solves every
   /// new head with these settings. Fields that arrived before the call are forgotten.
-  /// Errors: also `protocol_error` when the server is too old to solve several.
   [[nodiscard]] expected<solve_outcome> solve_cases(const solve_settings& settings,
                                                     const execution& run);
 
   /// Ends the solve that runs, whoever asked for it, also one that followed a new head by itself;
   /// calls that wait for it fail with `cancelled`. Later heads are solved as before. Nothing when
-  /// none runs. Errors: also `protocol_error` from a server with protocol_minor below 6.
+  /// none runs.
   [[nodiscard]] expected<void> cancel_solve();
 
   /// The same, for the report of the first load case or the only one.
   [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
 
-  /// A version as a file's bytes; `version_id` empty: the head; `unit` as for import. Of
-  /// `file_format::document` the whole document, both must be empty then. Errors: also
-  /// `protocol_error` for it from a server with protocol_minor below 9.
-  [[nodiscard]] expected<std::vector<char>> export_file(file_format format,
+  /// The formats of mesh files that the server reads and writes, as it said when it was connected
+  /// to.
+  [[nodiscard]] std::vector<offered_format> formats() const;
+
+  /// A version as a file's bytes; `format` is the name of one that the server writes, `version_id`
+  /// empty: the head; `unit` as for import. With `document_format` the whole document, both must be
+  /// empty then. Errors: also `invalid_argument` for the format, naming those that there are.
+  [[nodiscard]] expected<std::vector<char>> export_file(const std::string& format,
                                                         const std::string& version_id,
                                                         const std::string& unit,
                                                         const execution& run);
 
-  /// Surfaces of the head that belong together. Errors: also `protocol_error` from a server that
-  /// does not know the question (protocol_minor below 2).
+  /// Surfaces of the head that belong together.
   [[nodiscard]] expected<std::vector<found_feature>> select(const selection_query& query,
                                                             const execution& run);
 
@@ -189,8 +183,10 @@ public:
   /// those of several in their order and then their envelope's. Of several solves the latest. The
   /// last four solves are kept, but none from before the version became the head. Errors:
   /// `timeout`, `service_unavailable`. Cost: a copy of the arrays.
+  /// `solve`: of that solve (`solve_outcome::solve`); 0: of any.
   [[nodiscard]] expected<std::vector<field_event>> wait_fields(const std::string& version_id,
-                                                               std::chrono::milliseconds patience);
+                                                               std::chrono::milliseconds patience,
+                                                               std::uint64_t solve = 0);
 
   /// The same, for the last of them: the load case's, or the envelope's of several.
   [[nodiscard]] expected<field_event> wait_field(const std::string& version_id,

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "protocol/version.hpp"
+
 namespace tedit::client {
 
 namespace {
 
-constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 9;
 constexpr std::size_t max_queued = std::size_t{4} << 20;
 constexpr std::chrono::milliseconds cancel_poll{20};
 /// How long a cancelled request may take to end.
@@ -41,23 +41,18 @@ expected<void> connection::start(const connect_options& options) {
 expected<void> connection::hello(const connect_options& options) {
   v1::ClientMessage request;
   auto* hello = request.mutable_hello();
-  hello->set_protocol_major(protocol_major);
-  hello->set_protocol_minor(protocol_minor);
+  hello->set_protocol_major(protocol::major_version);
+  hello->set_protocol_minor(protocol::minor_version);
   hello->set_client(options.client_name);
   hello->set_token(options.token);
   auto got = ask(std::move(request), v1::ServerMessage::kWelcome, options.timeout, {});
   if (!got)
     return fail(std::move(got.error()));
   const auto& welcome = got->message.welcome();
-  if (welcome.protocol_major() != protocol_major)
-    return fail(ec::protocol_error,
-                "the server at " + options.url + " speaks protocol version " +
-                  std::to_string(welcome.protocol_major()) + ", this client version " +
-                  std::to_string(protocol_major),
-                "Use a client and a server of the same release.");
   if (welcome.max_message_bytes() != 0)
     max_message_ = welcome.max_message_bytes();
-  server_minor_ = welcome.protocol_minor();
+  for (const auto& format : welcome.formats())
+    formats_.push_back(from_message(format));
   return {};
 }
 
@@ -313,22 +308,23 @@ expected<void> connection::dispatch_event(v1::ServerMessage& message, std::size_
   return {};
 }
 
+/// The answer to a request tells of the new head as the event does that all others get.
 void connection::committed_came(v1::ServerMessage& message) {
   const auto& what = message.committed();
-  const bool ours = inbox_.is_open(what.document());
-  if (ours)
+  if (inbox_.is_open(what.document()) && !what.repeated()) {
     inbox_.head_moved(what.head().version_id());
+    if (handlers_.on_committed)
+      handlers_.on_committed(from_message(what));
+  }
   if (message.request_id() != 0)
     answer_came(message);
-  else if (ours && handlers_.on_committed)
-    handlers_.on_committed(from_message(what));
 }
 
 void connection::solved_came(v1::ServerMessage& message) {
+  if (handlers_.on_solved && inbox_.is_open(message.solved().document()))
+    handlers_.on_solved(protocol::from_message(message.solved()));
   if (message.request_id() != 0)
     answer_came(message);
-  else if (handlers_.on_solved && inbox_.is_open(message.solved().document()))
-    handlers_.on_solved(protocol::from_message(message.solved()));
 }
 
 connection::shared_pending connection::find(std::uint64_t id) {

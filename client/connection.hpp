@@ -69,8 +69,8 @@ public:
 
   /// The largest message that the server takes, bytes.
   [[nodiscard]] std::uint64_t max_message() const noexcept { return max_message_; }
-  /// What the server knows; see `tedit.v1.Welcome.protocol_minor`.
-  [[nodiscard]] std::uint32_t server_minor() const noexcept { return server_minor_; }
+  /// Those of mesh files that the server reads and writes.
+  [[nodiscard]] const std::vector<offered_format>& formats() const noexcept { return formats_; }
 
 private:
   using clock = std::chrono::steady_clock;
@@ -118,7 +118,7 @@ private:
   inbox inbox_;
   std::atomic<std::uint64_t> next_id_{1};
   std::atomic<std::uint64_t> max_message_{std::uint64_t{1} << 20};
-  std::atomic<std::uint32_t> server_minor_{0};
+  std::vector<offered_format> formats_;  ///< Not changed once `start` is done.
 
   std::mutex mutex_;  ///< Guards the three below and all `pending`.
   std::condition_variable changed_;

@@ -71,9 +71,28 @@ expected<connection::answer> client::impl::ask_with_file(std::ifstream& file, st
   return got;
 }
 
+std::vector<offered_format> usual_formats() {
+  std::vector<offered_format> result;
+  for (const auto& format : file_formats)
+    result.push_back({std::string(format.name), std::string(format.title), format.reads,
+                      format.writes, format.keeps});
+  return result;
+}
+
+expected<void> check_format(const std::vector<offered_format>& offered, const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const auto& format : offered)
+    if (format.writes)
+      known.push_back(format.name);
+  known.push_back(document_format);
+  if (std::ranges::find(known, name) == known.end())
+    return fail(no_such_format(name, known));
+  return {};
+}
+
 expected<committed> client::import_file(const std::filesystem::path& path, const std::string& unit,
                                         const execution& run, const change_terms& terms) {
-  auto document = impl_->open_document(terms);
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   auto file = open_to_send(path);
@@ -97,8 +116,6 @@ expected<committed> client::import_file(const std::filesystem::path& path, const
 expected<std::string> client::add_document(const std::filesystem::path& path,
                                            const std::string& name, bool or_next_free,
                                            const execution& run) {
-  if (auto known = impl_->expect_minor(minor_of_documents, "take documents"); !known)
-    return fail(std::move(known.error()));
   auto file = open_to_send(path);
   if (!file)
     return fail(std::move(file.error()));
@@ -115,18 +132,21 @@ expected<std::string> client::add_document(const std::filesystem::path& path,
   return got->message.document_added().document();
 }
 
-expected<std::vector<char>> client::export_file(file_format format, const std::string& version_id,
+std::vector<offered_format> client::formats() const {
+  return impl_->link.formats();
+}
+
+expected<std::vector<char>> client::export_file(const std::string& format,
+                                                const std::string& version_id,
                                                 const std::string& unit, const execution& run) {
-  const bool whole = format == file_format::document;
-  auto document =
-    impl_->open_document(whole ? minor_of_documents : 0, "write a document as one file");
+  auto document = impl_->open_document();
   if (!document)
     return fail(std::move(document.error()));
   v1::ClientMessage request;
   auto* wanted = request.mutable_export_file();
   wanted->set_document(*document);
   wanted->set_version_id(version_id);
-  wanted->set_format(static_cast<v1::ExportFile::Format>(format));
+  wanted->set_format(format);
   wanted->set_length_unit(unit);
   auto got = impl_->ask(std::move(request), body::kFileReady, run);
   if (!got)

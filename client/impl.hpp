@@ -13,11 +13,6 @@ namespace tedit::client {
 
 using body = v1::ServerMessage;
 
-/// Servers that know `change_terms`.
-inline constexpr unsigned minor_of_change_terms = 7;
-inline constexpr unsigned minor_of_spread_loads = 8;
-inline constexpr unsigned minor_of_documents = 9;
-
 template <class Request>
 void set_terms(const change_terms& terms, Request& request) {
   request.set_expected_version(terms.expected_version);
@@ -52,30 +47,6 @@ struct client::impl {
   expected<connection::answer> ask(v1::ClientMessage request, body::BodyCase wanted,
                                    const execution& run) {
     return link.ask(std::move(request), wanted, options.long_request_timeout, run);
-  }
-
-  /// Errors: `protocol_error` from a server that does not know what came with a protocol_minor.
-  expected<void> expect_minor(unsigned since, const char* what) const {
-    if (link.server_minor() < since)
-      return fail(ec::protocol_error, std::string("the server is too old to ") + what,
-                  "Use a server of this client's release.");
-    return {};
-  }
-
-  /// The open document, for requests that servers know since a protocol_minor. Errors: as above;
-  /// `invalid_argument` when no document is open.
-  expected<std::string> open_document(unsigned since, const char* what) {
-    return expect_minor(since, what).and_then([&] { return open_document(); });
-  }
-
-  /// The same, for changes that such a server would make of any head: they are not asked for.
-  expected<std::string> open_document(unsigned since, const char* what, const change_terms& terms) {
-    if (!terms.expected_version.empty() && link.server_minor() < minor_of_change_terms)
-      return open_document(minor_of_change_terms, "look at the version that a change is made of");
-    return open_document(since, what);
-  }
-  expected<std::string> open_document(const change_terms& terms) {
-    return open_document(0, "", terms);
   }
 
   /// Errors: `invalid_argument` when no document is open.

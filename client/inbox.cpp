@@ -292,12 +292,14 @@ expected<surface_event> inbox::wait_surface(const std::string& version_id,
 }
 
 expected<inbox::solved_fields> inbox::wait_fields(const std::string& version_id,
+                                                  std::uint64_t solve,
                                                   std::chrono::milliseconds patience) {
   solved_fields found;
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, patience, [&] {
     for (const auto& fields : fields_in_)
-      if (fields.back()->version_id() == version_id)
+      if (fields.back()->version_id() == version_id &&
+          (solve == 0 || fields.back()->solve == solve))
         found = fields;
     return !found.empty() || closed_;
   });

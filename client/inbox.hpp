@@ -66,7 +66,9 @@ public:
   /// All fields of one solve, in the order of their arrival.
   using solved_fields = std::vector<shared_field>;
 
+  /// `solve` 0: of any.
   [[nodiscard]] expected<solved_fields> wait_fields(const std::string& version_id,
+                                                    std::uint64_t solve,
                                                     std::chrono::milliseconds patience);
 
 private:

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "protocol/convert.hpp"
-#include "protocol/json.hpp"
+#include "fem/quantities.hpp"
+#include "protocol/load_case_message.hpp"
 
 namespace tedit::client {
 
@@ -19,39 +19,51 @@ void take(expected<std::vector<T>> array, std::vector<T>& to, expected<void>& st
     status = fail(std::move(array.error()));
 }
 
-/// Errors: `protocol_error` when an array has not a value for each vertex, or a case no name.
-expected<void> check_sizes(const field_event& field) {
-  const auto n = field.vertices.size();
-  const auto cases = field.envelope ? field.envelope->load_cases.size() : 0;
-  const auto fits = [&](const char* name, std::size_t size, std::size_t wanted) -> expected<void> {
-    if (size == wanted)
-      return {};
-    return fail(ec::protocol_error, "a field update has " + std::to_string(n) + " vertices and " +
-                                      std::to_string(size) + " values of " + name);
-  };
-  const auto known = [&](std::uint32_t c) { return c < cases; };
-  if (!std::ranges::all_of(field.von_mises_case, known) ||
-      !std::ranges::all_of(field.safety_factor_case, known))
+/// Errors: `protocol_error` when an array has neither a row for each of `items` nor none, or none
+/// though it is `needed`.
+expected<void> check_rows(const fem::result_array& array, std::size_t values, std::size_t items,
+                          bool needed, const char* what) {
+  if (values == items * static_cast<std::size_t>(array.components) || (values == 0 && !needed))
+    return {};
+  return fail(ec::protocol_error, std::string(what) + " has " + std::to_string(items) +
+                                    " points and " + std::to_string(values) + " values of " +
+                                    std::string(array.name));
+}
+
+/// The array of an envelope, with the case that each value is of. Errors: `protocol_error`, also
+/// when it has not a case for each value, or a case no name.
+expected<void> read_worst(const fem::result_array& array, const incoming_stream& stream,
+                          field_event& to) {
+  expected<void> status;
+  std::vector<std::uint32_t> cases;
+  take(stream.u32(array.envelope.sent_cases, 1), cases, status);
+  if (!status)
+    return status;
+  const auto count = to.envelope->load_cases.size();
+  if (cases.size() != to.values.of(array.name).size() ||
+      !std::ranges::all_of(cases, [&](std::uint32_t c) { return c < count; }))
     return fail(ec::protocol_error, "a field update names a load case that it does not list");
-  const bool safety = field.envelope && field.envelope->min_safety_factor;
-  const auto watched = [&](const auto& array, std::size_t each) {  // Of a load case, or empty.
-    return array.empty() || field.envelope ? 0 : each * n;
-  };
-  expected<void> ok = fits("von_mises_pa", field.von_mises.size(), n);
-  if (ok)
-    ok = fits("displacement_m", field.displacement.size(), field.envelope ? 0 : 3 * n);
-  if (ok)
-    ok = fits("von_mises_case", field.von_mises_case.size(), field.envelope ? n : 0);
-  if (ok)
-    ok = fits("safety_factor", field.safety_factor.size(),
-              safety ? n : watched(field.safety_factor, 1));
-  if (ok)
-    ok = fits("safety_factor_case", field.safety_factor_case.size(), safety ? n : 0);
-  if (ok)
-    ok = fits("stress_pa", field.stress.size(), watched(field.stress, 6));
-  if (ok)
-    ok = fits("relative_error", field.relative_error.size(), watched(field.relative_error, 1));
-  return ok;
+  if (!cases.empty())
+    to.worst_cases[array.name] = std::move(cases);
+  return {};
+}
+
+/// Every array that is sent and there, for so many points. Errors: `protocol_error`.
+template <class Needed>
+expected<void> read_arrays(const incoming_stream& stream, std::size_t points, const char* what,
+                           const Needed& is_needed, named_arrays<float>& to) {
+  for (const auto& array : fem::result_arrays) {
+    if (array.sent == fem::array_sent::in_files)
+      continue;
+    auto values = stream.f32(array.name, static_cast<unsigned>(array.components));
+    if (!values)
+      return fail(std::move(values.error()));
+    if (auto ok = check_rows(array, values->size(), points, is_needed(array), what); !ok)
+      return ok;
+    if (!values->empty())
+      to[array.name] = std::move(*values);
+  }
+  return {};
 }
 
 }  // namespace
@@ -65,7 +77,7 @@ std::vector<fem::load_case> load_cases_from(
   std::vector<std::string>& warnings) {
   std::vector<fem::load_case> result;
   for (const auto& one : messages)
-    if (auto known = protocol::load_case_from_json(protocol::message_to_json(one), "the server"))
+    if (auto known = protocol::from_message(one))
       result.push_back(std::move(*known));
     else
       warnings.push_back("the load case \"" + one.name() +
@@ -168,6 +180,14 @@ server_status from_message(const v1::ServerStatus& message) {
   return result;
 }
 
+offered_format from_message(const v1::FileFormat& message) {
+  return {message.name(),
+          message.title(),
+          message.reads(),
+          message.writes(),
+          {message.keeps_tets(), message.keeps_surfaces(), message.keeps_fields()}};
+}
+
 stream_header from_message(const v1::Stream& message) {
   stream_header result{message.stream(), message.bytes(), {}};
   for (const auto& array : message.arrays()) {
@@ -223,25 +243,23 @@ expected<field_event> read_field(const v1::FieldUpdate& message, const incoming_
   field_event result;
   result.moved = stream.moved();
   result.remaining = message.remaining();
+  result.solve = message.solve();
   expected<void> status;
   take(stream.u32("vertices", 1), result.vertices, status);
-  take(stream.f32("von_mises_pa", 1), result.von_mises, status);
-  if (message.has_envelope()) {
+  if (message.has_envelope())
     result.envelope = protocol::from_message(message.envelope());
-    take(stream.u32("von_mises_case", 1), result.von_mises_case, status);
-    if (result.envelope->min_safety_factor) {
-      take(stream.f32("safety_factor", 1), result.safety_factor, status);
-      take(stream.u32("safety_factor_case", 1), result.safety_factor_case, status);
-    }
-  } else {
+  else
     result.report = protocol::from_message(message.report());
-    take(stream.f32("displacement_m", 3), result.displacement, status);
-    take(stream.f32("stress_pa", 6), result.stress, status);
-    take(stream.f32("safety_factor", 1), result.safety_factor, status);
-    take(stream.f32("relative_error", 1), result.relative_error, status);
-  }
+  const auto is_needed = [&](const fem::result_array& array) {
+    return array.sent == fem::array_sent::always &&
+           (!result.envelope || !array.envelope.values.empty());
+  };
   if (status)
-    status = check_sizes(result);
+    status =
+      read_arrays(stream, result.vertices.size(), "a field update", is_needed, result.values);
+  for (const auto& array : fem::result_arrays)
+    if (status && result.envelope && !array.envelope.values.empty())
+      status = read_worst(array, stream, result);
   if (!status)
     return fail(std::move(status.error()));
   return result;
@@ -253,24 +271,15 @@ expected<section> read_section(const v1::SectionReady& message, const incoming_s
   expected<void> status;
   take(stream.f32("positions", 3), result.positions, status);
   take(stream.u32("triangles", 3), result.triangles, status);
-  take(stream.f32("von_mises_pa", 1), result.von_mises, status);
-  take(stream.f32("displacement_m", 3), result.displacement, status);
-  take(stream.f32("stress_pa", 6), result.stress, status);
-  take(stream.f32("safety_factor", 1), result.safety_factor, status);
-  take(stream.f32("relative_error", 1), result.relative_error, status);
+  const auto points = result.positions.size() / 3;
+  if (status)
+    status = read_arrays(
+      stream, points, "a section", [](const fem::result_array&) { return false; }, result.values);
   if (!status)
     return fail(status.error());
-  const auto points = result.positions.size() / 3;
-  const auto whole = [&](const std::vector<float>& values, std::size_t each) {
-    return values.empty() || values.size() == each * points;
-  };
-  const bool fits =
-    whole(result.von_mises, 1) && whole(result.displacement, 3) && whole(result.stress, 6) &&
-    whole(result.safety_factor, 1) && whole(result.relative_error, 1) &&
-    std::ranges::all_of(result.triangles, [&](std::uint32_t p) { return p < points; });
-  if (!fits)
+  if (!std::ranges::all_of(result.triangles, [&](std::uint32_t p) { return p < points; }))
     return fail(ec::protocol_error,
-                "a section's arrays do not fit to its " + std::to_string(points) + " points");
+                "a section's triangles do not fit to its " + std::to_string(points) + " points");
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,24 +10,14 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "edit/report.hpp"
 #include "fem/load_case.hpp"
-#include "fem/receipt.hpp"
 #include "mesh/types.hpp"
 #include "ops/sdk/operation.hpp"
 
 /// Recipes: the one language of steps that the command line and the desktop client carry out, and
 /// that the desktop client records. docs/recipes.md describes the file.
 namespace tedit::client {
-
-/// One edit to make.
-struct edit_request {
-  std::string operation;
-  std::vector<surface_id> surfaces;
-  ops::parameters parameters;
-  fem::carry_settings loads;  ///< What becomes of loads whose surface goes.
-
-  friend bool operator==(const edit_request&, const edit_request&) = default;
-};
 
 // -- steps that work on the part ---------------------------------------------------------
 
@@ -74,10 +65,9 @@ struct solve_step {
 /// Files with `{version}` in their names get the number of the version in the session (0 is the
 /// imported one).
 struct export_step {
-  std::string vtu;
+  /// By their format, a name in mesh/formats.hpp; in the file the keys `msh`, `stl`, `vtu`, ...
+  std::map<std::string, std::string> files;
   std::string png;
-  std::string msh;
-  std::string stl;
   std::string title;
   std::optional<std::pair<double, double>> range_mpa;  ///< Legend of the picture.
 

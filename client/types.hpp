@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "client/named_arrays.hpp"
 #include "fem/load_case.hpp"
+#include "mesh/formats.hpp"
 #include "protocol/report.hpp"
 
 /// What the client hands to its caller: the protocol's messages as plain data.
@@ -45,16 +48,15 @@ struct field_event {
   solve_report report;                     ///< Not of an envelope.
   std::optional<solve_envelope> envelope;  ///< Only of an envelope.
   std::uint32_t remaining = 0;             ///< Field events of the same solve that still come.
-  std::vector<std::uint32_t> vertices;     ///< Slots, ascending.
-  std::vector<float> displacement;         ///< m, 3 per vertex; none of an envelope.
-  std::vector<float> von_mises;            ///< Pa, 1 per vertex.
-  // Of an envelope, 1 per vertex; cases are places in `envelope->load_cases`.
-  std::vector<std::uint32_t> von_mises_case;
-  std::vector<float> safety_factor;  ///< Empty when no yield strength is known; 0 where it is not.
-  std::vector<std::uint32_t> safety_factor_case;
-  // Only of a load case, and empty unless they are watched. `safety_factor` as above.
-  std::vector<float> stress;          ///< Pa, 6 per vertex: xx, yy, zz, xy, yz, zx.
-  std::vector<float> relative_error;  ///< 1 per vertex, see docs/results.md.
+  std::uint64_t solve = 0;              ///< `solve_outcome::solve` of the solve that they are of.
+  std::vector<std::uint32_t> vertices;  ///< Slots, ascending.
+  /// By the names of `fem::result_arrays`, SI, rows as `vertices`: those that are always sent,
+  /// which an envelope has only as far as there is a worst one, and those that are watched and
+  /// there.
+  named_arrays<float> values;
+  /// Of an envelope, by the same names: the case that each value is of, a place in
+  /// `envelope->load_cases`.
+  named_arrays<std::uint32_t> worst_cases;
   traffic moved;
 
   [[nodiscard]] const std::string& version_id() const {
@@ -76,22 +78,14 @@ struct version_info {
   std::string name;  ///< That somebody gave it; mostly empty.
   std::string note;
   /// Of the edit that made it: in `document_state`, and in a `history` that was asked for with it.
-  /// Servers with protocol_minor below 7 do not say it.
   std::optional<edit_report> report;
 };
 
-/// What can be had with every field beside displacement and von Mises stress.
-struct watched_quantities {
-  bool stress = false;
-  bool safety_factor = false;
-  bool relative_error = false;
+/// Names of `fem::result_arrays` that are wanted with every field beside those that are always
+/// sent.
+using watched_quantities = std::set<std::string>;
 
-  friend bool operator==(const watched_quantities&, const watched_quantities&) = default;
-};
-
-/// What a change of a document says beside what it wants. Servers with protocol_minor 7 know both;
-/// older ones are not asked for a change with an expected version (but for edits, which they know),
-/// and make a change that is asked for twice twice.
+/// What a change of a document says beside what it wants.
 struct change_terms {
   std::string expected_version;  ///< The head must be this version (`conflict` else); empty: any.
   /// Names the change, so that asking again (`make_edit_id`) after a connection broke makes it
@@ -157,12 +151,7 @@ struct section {
   std::string version_id;
   std::vector<float> positions;          ///< m, 3 per point.
   std::vector<std::uint32_t> triangles;  ///< 3 points each, counter-clockwise from the normal.
-  std::vector<float> von_mises;          ///< Pa, 1 per point; empty when it is not solved.
-  std::vector<float> displacement;       ///< m, 3 per point; empty also for an envelope.
-  // Empty unless they are watched and there; an envelope has the safety factor only.
-  std::vector<float> stress;
-  std::vector<float> safety_factor;
-  std::vector<float> relative_error;
+  named_arrays<float> values;            ///< As of a field, rows as points; none without a solve.
 };
 
 struct history {
@@ -186,8 +175,22 @@ struct server_status {
   std::uint32_t connections = 0;
 };
 
-/// What a document's file is asked for as; the numbers of `tedit.v1.ExportFile.Format`.
-enum class file_format { msh = 1, stl = 2, vtu = 3, document = 4 };
+/// A kind of mesh file that the server reads or writes (message `tedit.v1.FileFormat`).
+struct offered_format {
+  std::string name;   ///< Also the suffix of such files: "msh".
+  std::string title;  ///< For people who choose one, in English.
+  bool reads = false;
+  bool writes = false;
+  kept_in_file keeps;
+};
+
+/// Those that servers of this release offer, for who has no connection.
+[[nodiscard]] std::vector<offered_format> usual_formats();
+
+/// Whether a file of this format, or a whole document, can be asked for. Errors:
+/// `invalid_argument`, naming those that can.
+[[nodiscard]] expected<void> check_format(const std::vector<offered_format>& offered,
+                                          const std::string& name);
 
 /// What to solve, and how exactly.
 struct solve_settings {
@@ -215,7 +218,7 @@ struct events {
   std::function<void(const version_info&)> on_annotated;       ///< By any client.
   /// By any client: the document's name from now on, which requests use already.
   std::function<void(const std::string& name)> on_renamed;
-  std::function<void(const solve_outcome&)> on_solved;  ///< Not the answer to `client::solve`.
+  std::function<void(const solve_outcome&)> on_solved;  ///< Whoever asked for it.
 };
 
 }  // namespace tedit::client

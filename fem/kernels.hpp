@@ -109,10 +109,11 @@ public:
 
   [[nodiscard]] virtual const device_info& info() const = 0;
 
-  /// Builds sparsity pattern, stiffness blocks (by gather, no atomics) and preconditioner on the
-  /// device. The problem must outlive the system. Errors: `out_of_memory` (estimated before
-  /// allocating), `device_lost`, `device_unavailable` for a part in more separate pieces than the
-  /// device takes, `not_converged` when the preconditioner cannot be set up, `cancelled`.
+  /// Builds sparsity pattern, stiffness blocks (by gather, no atomics) and preconditioner, all on
+  /// the host, and sends a device what it needs of them (docs/decisions/0007). The problem must
+  /// outlive the system. Errors: `out_of_memory` (estimated before allocating), `device_lost`,
+  /// `device_unavailable` for a part in more separate pieces than the device takes,
+  /// `not_converged` when the preconditioner cannot be set up, `cancelled`.
   [[nodiscard]] virtual expected<std::unique_ptr<linear_system>> assemble(const problem& p,
                                                                           const execution& run) = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "fem/element_operator.hpp"
 #include "fem/kernels.hpp"
+#include "fem/solve_report.hpp"
 
 namespace tedit::fem {
 
@@ -42,9 +43,6 @@ struct surface_reaction {
   surface_id surface = 0;
   vec3 force_n;
 };
-
-/// Why the stress at a node does not converge.
-enum class singularity { clamp_rim, reentrant_edge };
 
 /// A node whose stress says how fine the mesh is, not how strong the part is. Rule and weakness:
 /// fem/error_estimate.hpp.
@@ -87,7 +85,7 @@ struct solution {
   bool converged = false;  ///< The true residual is within the tolerance.
   int iterations = 0;
   /// Relative error in the energy norm against the exact solution of the equations: an upper bound
-  /// as far as the system knows its smallest eigenvalue (fem/energy_bound.hpp).
+  /// as far as the system knows its smallest eigenvalue (fem/multilevel/energy_bound.hpp).
   double energy_error = 1;
   double true_relative_residual =
     1;  ///< Computed in fp64 on the host from the elements, independent of the device.
@@ -115,8 +113,8 @@ struct solution {
   double recovery_ms = 0;
   std::string device;
 
-  /// T4 locks in bending (docs/decisions): results of order 1 are previews wherever they show, and
-  /// so is what has not converged.
+  /// Linear tets lock in bending (docs/decisions/0004): results of order 1 are previews wherever
+  /// they show, and so is what has not converged.
   [[nodiscard]] bool preview() const { return element_order < 2 || !converged; }
 };
 

@@ -9,6 +9,8 @@
 #include <google/protobuf/util/json_util.h>
 
 #include "base/text.hpp"
+#include "protocol/json.hpp"
+#include "protocol/load_case_message.hpp"
 #include "protocol/numbers.hpp"
 #include "protocol/vector_message.hpp"
 #include "tedit/v1/load_case.pb.h"
@@ -126,8 +128,13 @@ expected<void> check_names(const v1::LoadCase& message) {
   return ok;
 }
 
+}  // namespace
+
 expected<fem::load_case> from_message(const v1::LoadCase& message) {
-  if (auto ok = check_names(message); !ok)
+  auto ok = check_numbers(message, any_number(), ec::bad_input);
+  if (ok)
+    ok = check_names(message);
+  if (!ok)
     return fail(ok.error());
   fem::load_case result;
   result.name = message.name();
@@ -151,6 +158,8 @@ expected<fem::load_case> from_message(const v1::LoadCase& message) {
   }
   return result;
 }
+
+namespace {
 
 struct constraint_writer {
   v1::Constraint* out;
@@ -206,34 +215,32 @@ struct load_writer {
   }
 };
 
-v1::LoadCase to_message(const fem::load_case& loads) {
-  v1::LoadCase message;
-  message.set_name(loads.name);
+}  // namespace
+
+void to_message(const fem::load_case& loads, v1::LoadCase* out) {
+  out->set_name(loads.name);
   for (const auto& m : loads.materials) {
-    auto* out = message.add_materials();
-    out->set_name(m.name);
-    out->set_young_modulus_pa(m.young_modulus_pa);
-    out->set_poisson_ratio(m.poisson_ratio);
-    out->set_density_kg_m3(m.density_kg_m3);
-    out->set_yield_strength_pa(m.yield_strength_pa);
-    out->mutable_regions()->Assign(m.regions.begin(), m.regions.end());
+    auto* row = out->add_materials();
+    row->set_name(m.name);
+    row->set_young_modulus_pa(m.young_modulus_pa);
+    row->set_poisson_ratio(m.poisson_ratio);
+    row->set_density_kg_m3(m.density_kg_m3);
+    row->set_yield_strength_pa(m.yield_strength_pa);
+    row->mutable_regions()->Assign(m.regions.begin(), m.regions.end());
   }
   for (const auto& c : loads.constraints) {
-    auto* out = message.add_constraints();
-    out->mutable_surfaces()->Assign(c.surfaces.begin(), c.surfaces.end());
-    std::visit(constraint_writer{out}, c.kind);
-    out->set_warning(c.warning);
+    auto* row = out->add_constraints();
+    row->mutable_surfaces()->Assign(c.surfaces.begin(), c.surfaces.end());
+    std::visit(constraint_writer{row}, c.kind);
+    row->set_warning(c.warning);
   }
   for (const auto& l : loads.loads) {
-    auto* out = message.add_loads();
-    out->mutable_surfaces()->Assign(l.surfaces.begin(), l.surfaces.end());
-    std::visit(load_writer{out}, l.kind);
-    out->set_warning(l.warning);
+    auto* row = out->add_loads();
+    row->mutable_surfaces()->Assign(l.surfaces.begin(), l.surfaces.end());
+    std::visit(load_writer{row}, l.kind);
+    row->set_warning(l.warning);
   }
-  return message;
 }
-
-}  // namespace
 
 expected<fem::load_case> load_case_from_json(std::string_view json, const std::string& source) {
   v1::LoadCase message;
@@ -244,8 +251,7 @@ expected<fem::load_case> load_case_from_json(std::string_view json, const std::s
   if (!status.ok())
     return fail(ec::bad_input, "this is no load case: " + std::string(status.message()),
                 "See the message LoadCase in protocol/tedit/v1/load_case.proto", source);
-  auto sound = check_numbers(message, any_number(), ec::bad_input);
-  auto result = sound ? from_message(message) : fail(sound.error());
+  auto result = from_message(message);
   if (!result) {
     auto failure = result.error();
     failure.where = source;
@@ -270,12 +276,9 @@ expected<fem::load_case> load_case_from_file(const std::filesystem::path& path) 
 }
 
 std::string load_case_to_json(const fem::load_case& loads) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  (void)google::protobuf::util::MessageToJsonString(to_message(loads), &json, options);
-  return json;
+  v1::LoadCase message;
+  to_message(loads, &message);
+  return message_to_json(message, true);
 }
 
 }  // namespace tedit::protocol

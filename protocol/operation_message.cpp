@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "protocol/operation_message.hpp"
 
-#include "protocol/json.hpp"
+#include "protocol/load_policy_message.hpp"
 #include "tedit/v1/operation.pb.h"
 #include "tedit/v1/session.pb.h"
 
@@ -66,6 +66,10 @@ ops::operation_description from_message(const v1::Operation& m) {
   d.selection = {m.selection_help(), m.selection_minimum(), m.selection_maximum()};
   for (const auto& p : m.parameters())
     d.parameters.push_back(from_message(p));
+  d.icon = m.icon();
+  d.guide = m.guide();
+  d.rank = m.rank();
+  d.best_for = m.best_for();
   return d;
 }
 
@@ -97,73 +101,85 @@ ops::parameter_value from_message(const v1::ParameterValue& message) {
   }
 }
 
-void to_message(const ops::operation_description& description, const std::string& plugin,
-                v1::Operation* out) {
-  out->set_id(description.id);
-  out->set_name(description.name);
-  out->set_summary(description.summary);
-  out->set_version(description.version);
-  out->set_plugin(plugin);
-  out->set_selection_help(description.selection.help);
-  out->set_selection_minimum(static_cast<std::uint32_t>(description.selection.minimum));
-  out->set_selection_maximum(static_cast<std::uint32_t>(description.selection.maximum));
-  for (const auto& p : description.parameters) {
-    auto* row = out->add_parameters();
-    row->set_id(p.id);
-    row->set_name(p.name);
-    row->set_help(p.help);
-    row->set_type(type_to(p.type));
-    row->set_unit(p.unit);
-    if (p.min)
-      row->set_min(*p.min);
-    if (p.max)
-      row->set_max(*p.max);
-    row->mutable_choices()->Assign(p.choices.begin(), p.choices.end());
-    to_message(p.default_value, row->mutable_default_value());
-    row->set_instead_of(p.instead_of);
-  }
+namespace {
+
+void to_message(const ops::parameter_description& p, v1::Parameter* out) {
+  out->set_id(p.id);
+  out->set_name(p.name);
+  out->set_help(p.help);
+  out->set_type(type_to(p.type));
+  out->set_unit(p.unit);
+  if (p.min)
+    out->set_min(*p.min);
+  if (p.max)
+    out->set_max(*p.max);
+  out->mutable_choices()->Assign(p.choices.begin(), p.choices.end());
+  protocol::to_message(p.default_value, out->mutable_default_value());
+  out->set_instead_of(p.instead_of);
 }
 
-std::string parameters_to_json(const ops::parameters& values) {
-  v1::ApplyEdit message;
-  for (const auto& [name, value] : values)
-    to_message(value, &(*message.mutable_parameters())[name]);
-  return message_to_json(message);
+void to_message(const offered_operation& one, v1::Operation* out) {
+  const auto& about = one.about;
+  out->set_id(about.id);
+  out->set_name(about.name);
+  out->set_summary(about.summary);
+  out->set_version(about.version);
+  out->set_plugin(one.plugin);
+  out->set_selection_help(about.selection.help);
+  out->set_selection_minimum(static_cast<std::uint32_t>(about.selection.minimum));
+  out->set_selection_maximum(static_cast<std::uint32_t>(about.selection.maximum));
+  for (const auto& p : about.parameters)
+    to_message(p, out->add_parameters());
+  out->set_icon(about.icon);
+  out->set_guide(about.guide);
+  out->set_rank(about.rank);
+  out->set_best_for(about.best_for);
 }
 
-expected<ops::parameters> parameters_from_json(const std::string& json) {
-  const auto message = message_from_json<v1::ApplyEdit>(json);
-  if (!message)
-    return fail(message.error());
-  ops::parameters values;
-  for (const auto& [name, value] : message->parameters())
-    values[name] = from_message(value);
-  return values;
+void to_message(const refused_operation& one, v1::RefusedPlugin* out) {
+  out->set_file(one.file);
+  out->set_reason(one.reason);
+  out->set_operation(one.operation);
+  out->set_crashes(one.crashes);
+  out->set_remedy(one.remedy);
 }
 
-std::string catalogue_to_json(
-  const std::vector<std::pair<ops::operation_description, std::string>>& operations,
-  const std::vector<std::pair<std::string, std::string>>& refused) {
-  v1::Catalogue message;
-  for (const auto& [description, plugin] : operations)
-    to_message(description, plugin, message.add_operations());
-  for (const auto& [file, reason] : refused) {
-    auto* row = message.add_refused();
-    row->set_file(file);
-    row->set_reason(reason);
-  }
-  return message_to_json(message);
+}  // namespace
+
+void to_message(const operation_catalogue& all, v1::Catalogue* out) {
+  for (const auto& one : all.operations)
+    to_message(one, out->add_operations());
+  for (const auto& one : all.refused)
+    to_message(one, out->add_refused());
 }
 
-expected<std::vector<std::pair<ops::operation_description, std::string>>> catalogue_from_json(
-  const std::string& json) {
-  const auto message = message_from_json<v1::Catalogue>(json);
-  if (!message)
-    return fail(message.error());
-  std::vector<std::pair<ops::operation_description, std::string>> result;
-  for (const auto& row : message->operations())
-    result.emplace_back(from_message(row), row.plugin());
+operation_catalogue from_message(const v1::Catalogue& message) {
+  operation_catalogue result;
+  for (const auto& row : message.operations())
+    result.operations.push_back({from_message(row), row.plugin()});
+  for (const auto& row : message.refused())
+    result.refused.push_back(
+      {row.file(), row.reason(), row.operation(), row.crashes(), row.remedy()});
   return result;
+}
+
+void to_message(const edit_request& wanted, v1::ApplyEdit* out) {
+  out->set_operation(wanted.operation);
+  out->mutable_surfaces()->Assign(wanted.surfaces.begin(), wanted.surfaces.end());
+  for (const auto& [name, value] : wanted.parameters)
+    to_message(value, &(*out->mutable_parameters())[name]);
+  to_message(wanted.loads, out->mutable_loads());
+}
+
+expected<edit_request> from_message(const v1::ApplyEdit& message) {
+  const auto loads = from_message(message.loads());
+  if (!loads)
+    return fail(loads.error());
+  edit_request wanted{
+    message.operation(), {message.surfaces().begin(), message.surfaces().end()}, {}, *loads};
+  for (const auto& [name, value] : message.parameters())
+    wanted.parameters[name] = from_message(value);
+  return wanted;
 }
 
 }  // namespace tedit::protocol

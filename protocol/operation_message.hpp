@@ -1,42 +1,57 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "ops/sdk/operation.hpp"
+#include "edit/report.hpp"
 
 namespace tedit::v1 {
-class Operation;
+class ApplyEdit;
+class Catalogue;
 class ParameterValue;
 }  // namespace tedit::v1
 
-namespace tedit::protocol {
+namespace tedit {
 
-/// The catalogue's row for an operation; `plugin` is the plugin's name and version.
-void to_message(const ops::operation_description& description, const std::string& plugin,
-                v1::Operation* out);
+/// An operation that a server offers: all that forms, menus and help need to know.
+struct offered_operation {
+  ops::operation_description about;
+  std::string plugin;  ///< Name and version of the plugin that brings it.
+};
+
+/// A plugin that is not in use (message `tedit.v1.RefusedPlugin`).
+struct refused_operation {
+  std::string file;  ///< Its path on the server.
+  std::string reason;
+  // Only of a plugin in quarantine: it broke the process that ran or loaded it.
+  std::string operation = {};  ///< The one that is switched off; empty: the whole file.
+  unsigned crashes = 0;
+  std::string remedy = {};
+};
+
+/// All operations that a server offers (message `tedit.v1.Catalogue`).
+struct operation_catalogue {
+  std::vector<offered_operation> operations;
+  std::vector<refused_operation> refused;
+};
+
+namespace protocol {
 
 void to_message(const ops::parameter_value& value, v1::ParameterValue* out);
 
 /// An unset value becomes an empty text, which the parameter's type then judges.
 [[nodiscard]] ops::parameter_value from_message(const v1::ParameterValue& message);
 
-/// Parameters as JSON, the form in which they travel between actors and stand in the operation log.
-[[nodiscard]] std::string parameters_to_json(const ops::parameters& values);
+/// The document and `expected_version` are not set.
+void to_message(const edit_request& wanted, v1::ApplyEdit* out);
 
-/// Errors: `protocol_error`.
-[[nodiscard]] expected<ops::parameters> parameters_from_json(const std::string& json);
+/// Errors: `invalid_argument` for what becomes of loads.
+[[nodiscard]] expected<edit_request> from_message(const v1::ApplyEdit& message);
 
-/// The message Catalogue as JSON: operations with their plugins, and refused files with reasons.
-[[nodiscard]] std::string catalogue_to_json(
-  const std::vector<std::pair<ops::operation_description, std::string>>& operations,
-  const std::vector<std::pair<std::string, std::string>>& refused);
+void to_message(const operation_catalogue& all, v1::Catalogue* out);
+[[nodiscard]] operation_catalogue from_message(const v1::Catalogue& message);
 
-/// The operations of such a JSON, with their plugins, in its order. Errors: `protocol_error`.
-[[nodiscard]] expected<std::vector<std::pair<ops::operation_description, std::string>>>
-catalogue_from_json(const std::string& json);
+}  // namespace protocol
 
-}  // namespace tedit::protocol
+}  // namespace tedit

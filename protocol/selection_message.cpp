@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "protocol/selection_message.hpp"
 
-#include "protocol/json.hpp"
 #include "protocol/vector_message.hpp"
 #include "tedit/v1/session.pb.h"
 
@@ -70,31 +69,6 @@ void to_message(const std::vector<found_feature>& features, v1::SurfacesSelected
     write_vector(found.centre, row->mutable_centre_m());
     write_vector(found.axis, row->mutable_axis());
   }
-}
-
-std::string to_json(const selection_query& query) {
-  v1::SelectSurfaces message;
-  to_message(query, &message);
-  return message_to_json(message);
-}
-
-expected<selection_query> selection_query_from_json(const std::string& json) {
-  const auto message = message_from_json<v1::SelectSurfaces>(json);
-  return message ? from_message(*message)
-                 : expected<selection_query>(tl::unexpected(message.error()));
-}
-
-std::string to_json(const std::vector<found_feature>& features) {
-  v1::SurfacesSelected message;
-  to_message(features, &message);
-  return message_to_json(message);
-}
-
-expected<std::vector<found_feature>> features_from_json(const std::string& json) {
-  const auto message = message_from_json<v1::SurfacesSelected>(json);
-  if (!message)
-    return fail(message.error());
-  return from_message(*message);
 }
 
 }  // namespace tedit::protocol

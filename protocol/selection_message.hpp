@@ -20,10 +20,4 @@ void to_message(const selection_query& query, v1::SelectSurfaces* out);
 [[nodiscard]] std::vector<found_feature> from_message(const v1::SurfacesSelected& message);
 void to_message(const std::vector<found_feature>& features, v1::SurfacesSelected* out);
 
-/// The forms in which they travel between actors: JSON of the messages, without the document.
-[[nodiscard]] std::string to_json(const selection_query& query);
-[[nodiscard]] expected<selection_query> selection_query_from_json(const std::string& json);
-[[nodiscard]] std::string to_json(const std::vector<found_feature>& features);
-[[nodiscard]] expected<std::vector<found_feature>> features_from_json(const std::string& json);
-
 }  // namespace tedit::protocol

@@ -13,7 +13,7 @@ layout(set = 0, binding = 9) buffer b9 { uvec4 gates[]; };  // group counts of t
 // The scalars of one case; those of the others beside them.
 uint place(uint c, uint which) { return TEDIT_CG_SCALARS * c + which; }
 
-// As energy_bound in fem/energy_bound.hpp.
+// As energy_bound in fem/multilevel/energy_bound.hpp.
 void turn_bound(uint c, float alpha, float beta) {
   const float smallest = scalars[place(c, TEDIT_CG_SMALLEST)];
   const float rest = scalars[place(c, TEDIT_CG_RADAU)] - alpha;

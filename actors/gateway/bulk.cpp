@@ -87,8 +87,7 @@ bool outbox::begin_next() {
     if (!current_)
       continue;
     current_->stream->set_stream(++last_stream_);
-    if (aligned_)
-      align(*current_);
+    align(*current_);
     offset_ = 0;
     part_ = 0;
     part_offset_ = 0;

@@ -28,8 +28,8 @@ struct bulk {
 class bulk_builder {
 public:
   template <class T>
-  void add(v1::Stream* stream, const char* name, v1::ArrayInfo::Type type, unsigned components,
-           const std::vector<T>& values) {
+  void add(v1::Stream* stream, const std::string& name, v1::ArrayInfo::Type type,
+           unsigned components, const std::vector<T>& values) {
     auto* info = stream->add_arrays();
     info->set_name(name);
     info->set_type(type);
@@ -69,9 +69,6 @@ public:
   /// Bytes that are kept in memory for this client: prepared, on their way, or in the connection.
   [[nodiscard]] std::uint64_t prepared() const;
 
-  /// Whether arrays are to begin at multiples of 8 bytes, as clients of protocol_minor 7 expect.
-  void align_arrays(bool yes) { aligned_ = yes; }
-
   /// Sends until the client has enough to take; call it after `add` and when the queue has drained.
   void pump();
 
@@ -85,7 +82,6 @@ private:
   void send_chunk();
 
   std::shared_ptr<connection> to_;
-  bool aligned_ = false;
   std::deque<item> waiting_;
   std::uint64_t held_ = 0;  ///< By those that wait.
   std::optional<bulk> current_;

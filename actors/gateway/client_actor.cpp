@@ -149,15 +149,30 @@ std::uint64_t client_state::begin(std::uint64_t id, const actors::session_actor&
 // -- events ----------------------------------------------------------------------------------
 
 void client_state::on_head(const actors::head_moved& event) {
-  const auto found = documents.find(event.document);
-  if (found == documents.end())
+  if (!documents.contains(event.document))
     return;
-  found->second.head = event.version;
-  found->second.last_solved.reset();  // Versions of one content may have other loads.
   v1::ServerMessage message;
   to_message(event, message.mutable_committed());
   send(*to, message);
-  want_surface(event.document, event.version);
+  follow(event);
+}
+
+/// An answer that repeats an earlier one moves nothing: others may have gone on since.
+void client_state::answer_head(std::uint64_t id, const actors::head_moved& moved) {
+  v1::ServerMessage message;
+  to_message(moved, message.mutable_committed());
+  answer(id, std::move(message));
+  if (!moved.repeated)
+    follow(moved);
+}
+
+void client_state::follow(const actors::head_moved& moved) {
+  const auto found = look_up(moved.document);
+  if (found == documents.end())
+    return;
+  found->second.head = moved.version;
+  found->second.last_solved.reset();  // Versions of one content may have other loads.
+  want_surface(moved.document, moved.version);
 }
 
 void client_state::on_load_cases(const actors::load_cases_changed& event) {

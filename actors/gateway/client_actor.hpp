@@ -14,6 +14,7 @@
 #include "actors/gateway/token_guard.hpp"
 #include "actors/gateway/uploads.hpp"
 #include "actors/interfaces.hpp"
+#include "mesh/formats.hpp"
 
 namespace tedit::gateway {
 
@@ -155,9 +156,12 @@ struct client_state {
   void begin_section(open_document& document, const section_request& request);
   void on_section(const section_cut& cut);
 
-  // -- events and answers ----------------------------------------------------------------------
+  // -- events and answers: what is told to all but who asked, and the same as that one's answer
+  // ----
 
   void on_head(const actors::head_moved& event);
+  void answer_head(std::uint64_t id, const actors::head_moved& moved);
+  void follow(const actors::head_moved& moved);
   void on_solved(const actors::solved& event);
   void on_load_cases(const actors::load_cases_changed& event);
   void on_annotated(const actors::version_annotated& event);
@@ -222,18 +226,16 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to, g
 // --------------------------------
 
 void to_message(const actors::version_info& info, v1::VersionInfo* out);
-/// What the edit that made a version reported, JSON; nothing when it is empty.
-void add_report(const std::string& json, v1::VersionInfo* out);
+/// What the edit that made a version reported, if one did.
+void add_report(const actors::shared_report& report, v1::VersionInfo* out);
 void to_message(const actors::head_moved& moved, v1::Committed* out);
 void to_message(const actors::load_cases_changed& event, v1::LoadCasesChanged* out);
-/// Load cases as they travel between actors, JSON each.
-void to_messages(const std::vector<std::string>& load_cases,
-                 google::protobuf::RepeatedPtrField<v1::LoadCase>* out);
 void to_message(const actors::solve_note& note, v1::SolveStatus* out);
 void to_message(const actors::solved& done, v1::Solved* out);
 void to_message(const error& e, v1::Error* out);
 void to_message(const actors::rival& other, v1::Conflict* out);
 void to_message(const actors::server_status& status, v1::ServerStatus* out);
+void to_message(const file_format& format, v1::FileFormat* out);
 
 }  // namespace tedit::gateway
 

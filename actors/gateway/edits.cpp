@@ -3,8 +3,6 @@
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
-#include "protocol/json.hpp"
-#include "protocol/load_policy_message.hpp"
 #include "protocol/operation_message.hpp"
 
 namespace tedit::gateway {
@@ -17,25 +15,16 @@ constexpr int most_surfaces = 100'000;
 
 /// Without ticket and client. Errors: `invalid_argument` for what becomes of loads and for too many
 /// surfaces.
-expected<edit_request> read_edit(const v1::ApplyEdit& body, change_terms terms) {
+expected<apply_request> read_edit(const v1::ApplyEdit& body, change_terms terms) {
   if (body.surfaces_size() > most_surfaces)
     return fail(ec::invalid_argument,
                 "an edit takes at most " + std::to_string(most_surfaces) + " surfaces, not " +
                   std::to_string(body.surfaces_size()),
                 "Select fewer");
-  ops::parameters parameters;
-  for (const auto& [key, value] : body.parameters())
-    parameters[key] = protocol::from_message(value);
-  const auto loads = protocol::from_message(body.loads());
-  if (!loads)
-    return fail(loads.error());
-  edit_request request;
-  request.operation = body.operation();
-  request.surfaces.assign(body.surfaces().begin(), body.surfaces().end());
-  request.parameters = protocol::parameters_to_json(parameters);
-  request.terms = std::move(terms);
-  request.loads = *loads;
-  return request;
+  auto wanted = protocol::from_message(body);
+  if (!wanted)
+    return fail(wanted.error());
+  return apply_request{0, {}, std::move(*wanted), std::move(terms)};
 }
 
 }  // namespace
@@ -50,13 +39,8 @@ void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
   request->ticket = begin(id, document->session);
   request->client = caf::actor_cast<caf::actor>(self);
   self->request(document->session, answer_limit, std::move(*request))
-    .then(
-      [=, this](const head_moved& moved) {
-        v1::ServerMessage message;
-        to_message(moved, message.mutable_committed());
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, e, "the edit"); });
+    .then([=, this](const head_moved& moved) { answer_head(id, moved); },
+          [=, this](const caf::error& e) { refuse(id, e, "the edit"); });
 }
 
 // -- previews ------------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
+#include "base/text.hpp"
+#include "mesh/formats.hpp"
 
 namespace tedit::gateway {
 
@@ -15,6 +17,9 @@ using namespace actors;
 /// One is written while another is on its way; more would only wait in front of other clients.
 constexpr unsigned exports_at_once = 2;
 
+/// Of a format's name, where it is told that there is none; bytes.
+constexpr std::size_t longest_name = 40;
+
 /// A client for which more is prepared gets no further file written until it has taken some.
 constexpr std::uint64_t most_prepared = std::uint64_t{32} << 20;
 
@@ -24,17 +29,14 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
   const auto* document = find(id, body.document());
   if (!document)
     return;
-  const std::map<v1::ExportFile::Format, std::string> formats{{v1::ExportFile::MSH, "msh"},
-                                                              {v1::ExportFile::STL, "stl"},
-                                                              {v1::ExportFile::VTU, "vtu"},
-                                                              {v1::ExportFile::DOCUMENT, "tedit"}};
-  const auto format = formats.find(body.format());
-  if (format == formats.end())
-    return refuse(
-      id,
-      {ec::invalid_argument, "there is no such file format", "Take MSH, STL, VTU or DOCUMENT", {}});
-  if (body.format() == v1::ExportFile::DOCUMENT &&
-      !(body.version_id().empty() && body.length_unit().empty()))
+  const bool whole = body.format() == document_format;
+  const auto* format = find_format(body.format());
+  if (!whole && !(format && format->writes)) {
+    auto known = written_formats();
+    known.push_back(document_format);
+    return refuse(id, no_such_format(cut_text(body.format(), longest_name), known));
+  }
+  if (whole && !(body.version_id().empty() && body.length_unit().empty()))
     return refuse(id, {ec::invalid_argument,
                        "a document is written with all its versions, as they are",
                        "Leave version_id and length_unit out",
@@ -43,7 +45,7 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
   request.version = body.version_id();
-  request.format = format->second;
+  request.format = body.format();
   request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
   exports.push_back({id, document->session, std::move(request)});
   start_exports();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/gateway/client_actor.hpp"
-#include "protocol/json.hpp"
+#include "protocol/load_case_message.hpp"
+#include "protocol/report.hpp"
+#include "tedit/v1/session.pb.h"
 
 namespace tedit::gateway {
 
@@ -18,39 +20,29 @@ void to_message(const actors::version_info& info, v1::VersionInfo* out) {
   out->set_note(info.note);
 }
 
-void add_report(const std::string& json, v1::VersionInfo* out) {
-  if (json.empty())
-    return;
-  if (auto report = protocol::message_from_json<v1::EditReport>(json))
-    *out->mutable_report() = std::move(*report);
-}
-
-void to_messages(const std::vector<std::string>& load_cases,
-                 google::protobuf::RepeatedPtrField<v1::LoadCase>* out) {
-  for (const auto& json : load_cases)
-    if (auto one = protocol::message_from_json<v1::LoadCase>(json))
-      *out->Add() = std::move(*one);
+void add_report(const actors::shared_report& report, v1::VersionInfo* out) {
+  if (report)
+    protocol::to_message(*report, out->mutable_report());
 }
 
 void to_message(const actors::load_cases_changed& event, v1::LoadCasesChanged* out) {
   out->set_document(event.document);
   out->set_version_id(event.version);
-  to_messages(event.load_cases, out->mutable_load_cases());
+  protocol::to_messages(*event.load_cases, out->mutable_load_cases());
 }
 
 void to_message(const actors::head_moved& moved, v1::Committed* out) {
   out->set_document(moved.document);
   to_message(moved.head, out->mutable_head());
   out->set_cause(moved.cause);
-  if (!moved.report.empty())
-    if (auto report = protocol::message_from_json<v1::EditReport>(moved.report))
-      *out->mutable_report() = std::move(*report);
+  if (moved.report)
+    protocol::to_message(*moved.report, out->mutable_report());
   out->mutable_warnings()->Assign(moved.warnings.begin(), moved.warnings.end());
   out->set_can_undo(moved.can_undo);
   out->set_can_redo(moved.can_redo);
   out->set_commit_ms(moved.commit_ms);
   out->set_repeated(moved.repeated);
-  to_messages(moved.load_cases, out->mutable_load_cases());
+  protocol::to_messages(*moved.load_cases, out->mutable_load_cases());
 }
 
 void to_message(const actors::solve_note& note, v1::SolveStatus* out) {
@@ -69,9 +61,9 @@ void to_message(const actors::solve_note& note, v1::SolveStatus* out) {
 }
 
 void to_message(const actors::solved& done, v1::Solved* out) {
-  if (auto outcome = protocol::message_from_json<v1::Solved>(done.outcome))
-    *out = std::move(*outcome);
+  protocol::to_message(*done.outcome, out);
   out->set_document(done.document);
+  out->set_solve(done.number);
 }
 
 void to_message(const error& e, v1::Error* out) {
@@ -92,6 +84,16 @@ void to_message(const actors::rival& other, v1::Conflict* out) {
   out->set_cause(other.cause);
   out->set_operation(other.operation);
   out->set_made_at(other.time);
+}
+
+void to_message(const file_format& format, v1::FileFormat* out) {
+  out->set_name(std::string(format.name));
+  out->set_title(std::string(format.title));
+  out->set_reads(format.reads);
+  out->set_writes(format.writes);
+  out->set_keeps_tets(format.keeps.tets);
+  out->set_keeps_surfaces(format.keeps.surfaces);
+  out->set_keeps_fields(format.keeps.fields);
 }
 
 void to_message(const actors::server_status& status, v1::ServerStatus* out) {

@@ -3,8 +3,8 @@
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
-#include "protocol/convert.hpp"
-#include "protocol/json.hpp"
+#include "base/text.hpp"
+#include "protocol/load_case_message.hpp"
 
 namespace tedit::gateway {
 
@@ -15,21 +15,20 @@ using namespace actors;
 /// Former names of a document that a request may have: those that its client has not heard of yet.
 constexpr std::size_t most_former = 16;
 
+/// Of a quantity's name, where it is told that there is none; bytes.
+constexpr std::size_t longest_shown = 40;
+
 /// Errors: `invalid_argument` for a quantity that this server does not know.
 expected<watched_quantities> read_quantities(const v1::WatchFields& body) {
-  watched_quantities result;
-  for (const auto one : body.quantities()) {
-    if (one == v1::WatchFields::STRESS)
-      result.stress = true;
-    else if (one == v1::WatchFields::SAFETY_FACTOR)
-      result.safety_factor = true;
-    else if (one == v1::WatchFields::RELATIVE_ERROR)
-      result.relative_error = true;
-    else
-      return fail(ec::invalid_argument, "there is no quantity " + std::to_string(one) + " to watch",
-                  "Ask for STRESS, SAFETY_FACTOR or RELATIVE_ERROR");
+  for (const auto& one : body.quantities()) {
+    const auto* array = fem::find_array(one);
+    if (!array || array->sent == fem::array_sent::in_files)
+      return fail(
+        ec::invalid_argument,
+        "there is no quantity \"" + std::string(cut_text(one, longest_shown)) + "\" to watch",
+        "Ask for some of " + fem::arrays_on_request());
   }
-  return result;
+  return watched_quantities(body.quantities().begin(), body.quantities().end());
 }
 
 }  // namespace
@@ -52,11 +51,12 @@ void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) 
   const auto* document = find(id, body.document());
   if (!document)
     return;
-  const auto json = protocol::message_to_json(body.load_case());
-  const auto checked = protocol::load_case_from_json(json, "load case");
-  if (!checked)
-    return refuse(id, checked.error());
-  carry_out(id, document->session, load_case_request{json, terms_of(body)},
+  auto given = protocol::from_message(body.load_case());
+  if (!given) {
+    given.error().where = "load case";
+    return refuse(id, given.error());
+  }
+  carry_out(id, document->session, load_case_request{std::move(*given), terms_of(body)},
             "setting the load case");
 }
 

@@ -7,10 +7,11 @@
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
 #include "base/text.hpp"
-#include "protocol/convert.hpp"
-#include "protocol/json.hpp"
+#include "protocol/load_case_message.hpp"
 #include "protocol/numbers.hpp"
+#include "protocol/operation_message.hpp"
 #include "protocol/selection_message.hpp"
+#include "protocol/version.hpp"
 
 namespace tedit::gateway {
 
@@ -18,15 +19,14 @@ namespace {
 
 using namespace actors;
 
-constexpr std::uint32_t protocol_major = 1;
-constexpr std::uint32_t protocol_minor = 9;
-
-/// Clients that know this one get arrays that begin at multiples of 8 bytes.
-constexpr std::uint32_t minor_of_aligned_arrays = 7;
 constexpr std::uint64_t max_client_message = std::uint64_t{16} << 20;
 
 /// Bytes of a client's name that are kept.
 constexpr std::size_t longest_client_name = 100;
+
+std::string version_text(std::uint32_t major, std::uint32_t minor) {
+  return std::to_string(major) + "." + std::to_string(minor);
+}
 
 /// Errors: `invalid_argument` when more than one field says which load cases, or one is named
 /// twice.
@@ -74,10 +74,13 @@ expected<solve_request> read_solve(const v1::Solve& body) {
 }  // namespace
 
 void client_state::hello(std::uint64_t id, const v1::Hello& body) {
-  if (body.protocol_major() != protocol_major) {
+  if (body.protocol_major() != protocol::major_version ||
+      body.protocol_minor() != protocol::minor_version) {
     refuse(id, {ec::protocol_error,
-                "the client speaks version " + std::to_string(body.protocol_major()) +
-                  " of the protocol, this server version " + std::to_string(protocol_major),
+                "the client speaks version " +
+                  version_text(body.protocol_major(), body.protocol_minor()) +
+                  " of the protocol, this server version " +
+                  version_text(protocol::major_version, protocol::minor_version),
                 "Use a client and a server of the same release",
                 {}});
     return to->close(1008, "protocol version");
@@ -85,16 +88,17 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
   if (!parts.guard->admits(body.token()))
     return turn_away(id);
   known = true;
-  bulk_out->align_arrays(body.protocol_minor() >= minor_of_aligned_arrays);
   to->authenticated();
   client_name = cut_text(body.client(), longest_client_name);
   spdlog::info("client {}: {}", to->peer(), client_name);
   v1::ServerMessage message;
   auto* welcome = message.mutable_welcome();
-  welcome->set_protocol_major(protocol_major);
-  welcome->set_protocol_minor(protocol_minor);
+  welcome->set_protocol_major(protocol::major_version);
+  welcome->set_protocol_minor(protocol::minor_version);
   welcome->set_server(parts.server_name);
   welcome->set_max_message_bytes(max_client_message);
+  for (const auto& format : file_formats)
+    to_message(format, welcome->add_formats());
   answer(id, std::move(message));
 }
 
@@ -123,14 +127,10 @@ void client_state::move(std::uint64_t id, const Body& body, move_request request
     return;
   begin(id, {});
   request.terms = terms_of(body);
+  request.client = caf::actor_cast<caf::actor>(self);
   self->request(document->session, answer_limit, std::move(request))
-    .then(
-      [=, this](const head_moved& moved) {
-        v1::ServerMessage message;
-        to_message(moved, message.mutable_committed());
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, e, "moving the head"); });
+    .then([=, this](const head_moved& moved) { answer_head(id, moved); },
+          [=, this](const caf::error& e) { refuse(id, e, "moving the head"); });
 }
 
 void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {
@@ -161,12 +161,12 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
     case body::kPreviewEdit:
       return preview(id, message.preview_edit());
     case body::kUndo:
-      return move(id, message.undo(), {move_kind::undo, 0, {}});
+      return move(id, message.undo(), {move_kind::undo});
     case body::kRedo:
-      return move(id, message.redo(), {move_kind::redo, 0, {}});
+      return move(id, message.redo(), {move_kind::redo});
     case body::kGoToVersion:
       return move(id, message.go_to_version(),
-                  {move_kind::go_to, message.go_to_version().number(), {}});
+                  {move_kind::go_to, message.go_to_version().number()});
     case body::kCutSection:
       return section(id, message.cut_section());
     case body::kCancelSolve:
@@ -203,12 +203,12 @@ void client_state::list_operations(std::uint64_t id) {
   begin(id, {});
   self->request(parts.hub, short_limit, catalog_atom::value)
     .then(
-      [=, this](const std::string& json) {
-        auto catalogue = protocol::message_from_json<v1::Catalogue>(json);
-        if (!catalogue)
-          return refuse(id, catalogue.error());
+      [=, this](const shared_catalogue& said) {
+        const auto all = said.get();
+        if (!all)
+          return refuse(id, all.error());
         v1::ServerMessage message;
-        *message.mutable_catalogue() = std::move(*catalogue);
+        protocol::to_message(**all, message.mutable_catalogue());
         answer(id, std::move(message));
       },
       [=, this](const caf::error& e) { refuse(id, e, "listing the operations"); });
@@ -263,7 +263,7 @@ void client_state::open(std::uint64_t id, const v1::OpenDocument& body) {
     }
     state->set_can_undo(snapshot.can_undo);
     state->set_can_redo(snapshot.can_redo);
-    to_messages(snapshot.load_cases, state->mutable_load_cases());
+    protocol::to_messages(*snapshot.load_cases, state->mutable_load_cases());
     answer(id, std::move(message));
     want_surface(snapshot.document, snapshot.version);
   };
@@ -306,6 +306,7 @@ void client_state::solve(std::uint64_t id, const v1::Solve& body) {
         v1::ServerMessage message;
         to_message(done, message.mutable_solved());
         answer(id, std::move(message));
+        send_again(done.document, done);
       },
       [=, this](const caf::error& e) { refuse(id, e, "the solve"); });
 }
@@ -320,20 +321,13 @@ void client_state::select(std::uint64_t id, const v1::SelectSurfaces& body) {
   select_request request;
   request.ticket = begin(id, document->session);
   request.client = caf::actor_cast<caf::actor>(self);
-  request.query = protocol::to_json(*query);
+  request.query = *query;
   self->request(document->session, answer_limit, std::move(request))
     .then(
       [=, this](const selected& found) {
         v1::ServerMessage message;
         auto* out = message.mutable_surfaces_selected();
-        const auto features = protocol::features_from_json(found.features);
-        if (!features)
-          return refuse(id,
-                        {ec::internal,
-                         "the answer to the selection cannot be read: " + features.error().message,
-                         "Use a server and workers of one release",
-                         {}});
-        protocol::to_message(*features, out);
+        protocol::to_message(*found.features, out);
         out->set_document(found.document);
         out->set_version_id(found.version);
         answer(id, std::move(message));

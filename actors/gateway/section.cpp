@@ -5,7 +5,6 @@
 #include "actors/gateway/client_actor.hpp"
 #include "fem/fields.hpp"
 #include "mesh/section.hpp"
-#include "protocol/json.hpp"
 #include "protocol/vector_message.hpp"
 
 namespace tedit::gateway {
@@ -14,7 +13,7 @@ namespace {
 
 /// Adds a field at the section's points; nothing when it is not among the fields.
 void add_field(const plane_section& cut, const std::vector<field>& fields, const std::string& name,
-               const char* array, bulk_builder& builder, v1::Stream* stream) {
+               const std::string& array, bulk_builder& builder, v1::Stream* stream) {
   const auto* found = find_field(fields, name);
   if (!found)
     return;
@@ -30,39 +29,29 @@ void add_field(const plane_section& cut, const std::vector<field>& fields, const
 /// A field that a section gets: its name among those of the solve, and its array's.
 struct wanted_field {
   std::string name;
-  const char* array;
+  std::string array;
 };
 
 /// What a section shows of a load case, or of the envelope. Errors: `not_found`.
 expected<std::vector<wanted_field>> fields_for(const actors::solved& event,
                                                const std::string& load_case,
                                                const watched_quantities& watched) {
-  const auto outcome = protocol::message_from_json<v1::Solved>(event.outcome);
-  if (!outcome)
-    return fail(outcome.error());
-  const bool several = outcome->cases_size() > 0;
-  std::vector<wanted_field> result;
-  if (several && load_case.empty()) {
-    result.push_back({"envelope_von_mises", "von_mises_pa"});
-    if (watched.safety_factor)
-      result.push_back({"envelope_safety_factor", "safety_factor"});
-    return result;
-  }
-  const auto is_it = [&](const auto& report) { return report.load_case() == load_case; };
-  if (several && std::ranges::none_of(outcome->cases(), is_it))
+  const auto& reports = event.outcome->cases;
+  const bool several = event.outcome->envelope.has_value();
+  const bool of_all = several && load_case.empty();
+  if (several && !of_all && !std::ranges::count(reports, load_case, &solve_report::load_case))
     return fail(ec::not_found,
                 "load case \"" + load_case + "\" is not among those that were solved");
-  const auto want = [&](const char* array) {
-    result.push_back({several ? fem::case_field(array, load_case) : std::string(array), array});
-  };
-  want("von_mises_pa");
-  want("displacement_m");
-  if (watched.stress)
-    want("stress_pa");
-  if (watched.safety_factor)
-    want("safety_factor");
-  if (watched.relative_error)
-    want("relative_error");
+  std::vector<wanted_field> result;
+  for (const auto& array : fem::result_arrays) {
+    const std::string name(array.name);
+    if (!is_wanted(array, watched) || (of_all && array.envelope.values.empty()))
+      continue;
+    result.push_back({of_all    ? std::string(array.envelope.values)
+                      : several ? fem::case_field(name, load_case)
+                                : name,
+                      name});
+  }
   return result;
 }
 

@@ -7,16 +7,14 @@
 
 #include "actors/gateway/client_actor.hpp"
 #include "fem/fields.hpp"
+#include "mesh/changes.hpp"
 #include "mesh/facet_pages.hpp"
-#include "protocol/json.hpp"
+#include "protocol/load_case_message.hpp"
+#include "protocol/report.hpp"
 
 namespace tedit::gateway {
 
 namespace {
-
-// Rows of `manifest::arrays`.
-constexpr std::size_t positions_row = 0;
-constexpr std::size_t facets_row = 5;
 
 /// The arrays of a SurfaceUpdate, as session.proto lists them.
 struct surface_arrays {
@@ -75,25 +73,28 @@ public:
 
   [[nodiscard]] v1::FieldUpdate* update() { return result_.header.mutable_field_update(); }
 
-  /// False when a field is missing; `name_of` gives its name.
+  /// False when one is missing that is always sent; `name_of` gives its name. Of those on request
+  /// one may be missing: no yield strength is known, or the result is of an older release.
   template <class Name>
   [[nodiscard]] bool add_case(const Name& name_of, const watched_quantities& watched) {
-    const bool complete =
-      add<float>("displacement_m", name_of("displacement_m"), 3) &&
-      add<float>("von_mises_pa", name_of("von_mises_pa")) &&
-      (!watched.stress || add<float>("stress_pa", name_of("stress_pa"), 6)) &&
-      (!watched.relative_error || add<float>("relative_error", name_of("relative_error")));
-    if (complete && watched.safety_factor)  // There is none when no yield strength is known.
-      (void)add<float>("safety_factor", name_of("safety_factor"));
+    bool complete = true;
+    for (const auto& array : fem::result_arrays)
+      if (is_wanted(array, watched) &&
+          !add<float>(array.name, name_of(array.name), array.components))
+        complete = complete && array.sent != fem::array_sent::always;
     return complete;
   }
 
+  /// The same of the worst of several load cases, which all who watch get.
   [[nodiscard]] bool add_envelope() {
-    const bool complete = add<float>("von_mises_pa", "envelope_von_mises") &&
-                          add<std::uint32_t>("von_mises_case", "envelope_case");
-    return complete && (!find_field(fields_, "envelope_safety_factor") ||
-                        (add<float>("safety_factor", "envelope_safety_factor") &&
-                         add<std::uint32_t>("safety_factor_case", "envelope_safety_factor_case")));
+    bool complete = true;
+    for (const auto& array : fem::result_arrays) {
+      const auto& worst = array.envelope;
+      if (!worst.values.empty() && !(add<float>(array.name, worst.values, array.components) &&
+                                     add<std::uint32_t>(worst.sent_cases, worst.cases)))
+        complete = complete && array.sent != fem::array_sent::always;
+    }
+    return complete;
   }
 
   [[nodiscard]] bulk finish() {
@@ -104,7 +105,7 @@ public:
 
 private:
   template <class T>
-  bool add(const char* name, const std::string& source, int components = 1) {
+  bool add(std::string_view name, std::string_view source, int components = 1) {
     const auto* found = find_field(fields_, source);
     if (!found)
       return false;
@@ -114,7 +115,7 @@ private:
       for (int c = 0; c < components; ++c)
         values.push_back(static_cast<T>(found->at(v, c)));
     constexpr auto type = std::is_same_v<T, float> ? v1::ArrayInfo::FLOAT32 : v1::ArrayInfo::UINT32;
-    builder_.add(stream_, name, type, static_cast<unsigned>(components), values);
+    builder_.add(stream_, std::string(name), type, static_cast<unsigned>(components), values);
     return true;
   }
 
@@ -124,16 +125,6 @@ private:
   v1::Stream* stream_ = nullptr;  ///< Inside `result_`.
   bulk_builder builder_;
 };
-
-/// Calls `visit(slot)` for every slot of one array in pages that differ between two versions.
-template <class T, class Visit>
-void for_each_dirty_slot(const mesh_version& before, const mesh_version& after, std::size_t row,
-                         std::size_t slots, const Visit& visit) {
-  const std::size_t per_page = paged_array<T>::items_per_page;
-  for (const auto p : dirty_pages(before.pages().arrays.at(row), after.pages().arrays.at(row)))
-    for (std::size_t s = p * per_page; s < std::min((p + 1) * per_page, slots); ++s)
-      visit(static_cast<std::uint32_t>(s));
-}
 
 /// Fills `update` and its stream with the difference between two versions. `known`: vertices of
 /// `before` whose positions the client has; returns those that it has besides when it has taken the
@@ -146,8 +137,7 @@ std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_v
   surface_arrays arrays;
   std::set<surface_id> touched;
   std::set<vertex_id> moved;
-  const auto slots = std::max(before.facet_slots(), mesh.facet_slots());
-  for_each_dirty_slot<boundary_facet>(before, mesh, facets_row, slots, [&](facet_id f) {
+  for_each_dirty_slot(before.data().facets, mesh.data().facets, [&](facet_id f) {
     const bool was = f < before.facet_slots() && before.is_live_facet(f);
     const bool is = f < mesh.facet_slots() && mesh.is_live_facet(f);
     const bool same = was && is && before.facet(f).v == mesh.facet(f).v &&
@@ -167,8 +157,9 @@ std::vector<vertex_id> write_difference(const mesh_version& before, const mesh_v
   // Known vertices that have moved, or whose slot holds another vertex now.
   const auto common = std::min(before.vertex_slots(), mesh.vertex_slots());
   bool surfaces_moved = false;
-  for_each_dirty_slot<vec3>(before, mesh, positions_row, common, [&](vertex_id v) {
-    if (known.contains(v) && mesh.is_live_vertex(v) && !(before.position(v) == mesh.position(v))) {
+  for_each_dirty_slot(before.data().positions, mesh.data().positions, [&](vertex_id v) {
+    if (v < common && known.contains(v) && mesh.is_live_vertex(v) &&
+        !(before.position(v) == mesh.position(v))) {
       moved.insert(v);
       surfaces_moved = true;
     }
@@ -255,42 +246,41 @@ bulk surface_stream::preview(const actors::previewed& made) const {
   write_difference(*made.base, *made.version,
                    holds ? vertices_ : std::unordered_set(boundary.begin(), boundary.end()), result,
                    out->mutable_surface());
-  if (auto report = protocol::message_from_json<v1::EditReport>(made.report))
-    *out->mutable_report() = std::move(*report);
+  protocol::to_message(*made.report, out->mutable_report());
   out->set_tets(made.version->tet_count());
   out->set_vertices(made.version->vertex_count());
   out->set_boundary_facets(made.version->facet_count());
-  to_messages(made.load_cases, out->mutable_load_cases());
+  protocol::to_messages(*made.load_cases, out->mutable_load_cases());
   return result;
 }
 
 std::optional<bulk> surface_stream::fields_of(const actors::solved& event, unsigned index,
                                               const watched_quantities& watched) {
-  const auto outcome = protocol::message_from_json<v1::Solved>(event.outcome);
-  if (!outcome)
-    return std::nullopt;
-  const auto cases = static_cast<unsigned>(outcome->cases_size());
-  const unsigned updates = cases == 0 ? 1 : cases + 1;
+  const auto& reports = event.outcome->cases;
+  const auto& envelope = event.outcome->envelope;
+  const auto cases = static_cast<unsigned>(reports.size());
+  const unsigned updates = envelope ? cases + 1 : 1;
   if (index >= updates)
     return std::nullopt;
   field_arrays arrays(*event.version, *event.fields);
   auto* update = arrays.update();
   bool complete = false;
-  if (cases == 0) {
-    *update->mutable_report() = outcome->report();
-    complete = arrays.add_case([](const char* name) { return std::string(name); }, watched);
-  } else if (index < cases) {
-    const auto& report = outcome->cases(static_cast<int>(index));
-    *update->mutable_report() = report;
+  if (index < cases) {
+    const auto& report = reports[index];
+    protocol::to_message(report, update->mutable_report());
     complete = arrays.add_case(
-      [&](const char* name) { return fem::case_field(name, report.load_case()); }, watched);
+      [&](std::string_view name) {
+        return envelope ? fem::case_field(name, report.load_case) : std::string(name);
+      },
+      watched);
   } else {
-    *update->mutable_envelope() = outcome->envelope();
+    protocol::to_message(*envelope, update->mutable_envelope());
     complete = arrays.add_envelope();
   }
   if (!complete)
     return std::nullopt;
   update->set_document(event.document);
+  update->set_solve(event.number);
   update->set_remaining(updates - 1 - index);
   return arrays.finish();
 }

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <unordered_set>
 
 #include "actors/gateway/bulk.hpp"
 #include "actors/local_messages.hpp"
+#include "fem/quantities.hpp"
 
 namespace tedit::gateway {
 
-/// What a connection wants beside displacement and von Mises stress.
-struct watched_quantities {
-  bool stress = false;
-  bool safety_factor = false;
-  bool relative_error = false;
-};
+/// Names of the arrays (`fem::result_arrays`) that a connection wants beside those that it gets
+/// anyway.
+using watched_quantities = std::set<std::string, std::less<>>;
+
+/// Whether a connection gets an array of each load case.
+[[nodiscard]] inline bool is_wanted(const fem::result_array& array,
+                                    const watched_quantities& watched) {
+  using enum fem::array_sent;
+  return array.sent == always || (array.sent == on_request && watched.contains(array.name));
+}
 
 /// What a client holds of a document's surface: the next update is the difference to it.
 class surface_stream {
@@ -29,9 +35,9 @@ public:
   /// client that holds nothing.
   [[nodiscard]] bulk preview(const actors::previewed& made) const;
 
-  /// One field update of a solve: displacement, von Mises stress and what is watched of load case
-  /// `index` at the boundary vertices, after the last of several load cases the envelope of all.
-  /// Nothing when there is no such update.
+  /// One field update of a solve: the arrays that are always sent and those that are watched of
+  /// load case `index` at the boundary vertices, as far as it has them, after the last of several
+  /// load cases the envelope of all. Nothing when there is no such update.
   [[nodiscard]] static std::optional<bulk> fields_of(const actors::solved& event, unsigned index,
                                                      const watched_quantities& watched);
 

@@ -140,13 +140,8 @@ void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
   request.file_name = cut_text(body.file_name(), longest_file_name);
   request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
   self->request(document->session, answer_limit, std::move(request))
-    .then(
-      [=, this](const head_moved& moved) {
-        v1::ServerMessage message;
-        to_message(moved, message.mutable_committed());
-        answer(id, std::move(message));
-      },
-      [=, this](const caf::error& e) { refuse(id, e, "the import"); });
+    .then([=, this](const head_moved& moved) { answer_head(id, moved); },
+          [=, this](const caf::error& e) { refuse(id, e, "the import"); });
 }
 
 }  // namespace tedit::gateway

@@ -62,12 +62,12 @@ expected<link_ends> make_link() {
   return link_ends{unique_fd(ends[0]), unique_fd(ends[1])};
 }
 
-void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& gate) {
-  // The broker wants a port for what it publishes. None is opened: the number only names the gate
-  // between here and the greeting that the same message sends, so all links share one.
+void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enlister) {
+  // The broker wants a port for what it publishes. None is opened: the number only names the
+  // enlister between here and the greeting that the same message sends, so all links share one.
   constexpr std::uint16_t slot = 1;
   caf::anon_send(broker_of(system), caf::publish_atom::value, make_scribe(system, std::move(end)),
-                 slot, caf::actor_cast<caf::strong_actor_ptr>(gate), std::set<std::string>{});
+                 slot, caf::actor_cast<caf::strong_actor_ptr>(enlister), std::set<std::string>{});
 }
 
 expected<caf::actor> join_link(caf::actor_system& system, unique_fd end, const cancel_token& stop) {
@@ -86,10 +86,10 @@ expected<caf::actor> join_link(caf::actor_system& system, unique_fd end, const c
   bool answered = false;
   while (!answered && !stop.cancelled() && std::chrono::steady_clock::now() < deadline)
     self->receive(
-      [&](caf::node_id&, caf::strong_actor_ptr& gate, std::set<std::string>&) {
+      [&](caf::node_id&, caf::strong_actor_ptr& enlister, std::set<std::string>&) {
         answered = true;
-        if (gate)
-          found = caf::actor_cast<caf::actor>(gate);
+        if (enlister)
+          found = caf::actor_cast<caf::actor>(enlister);
       },
       [&](caf::error&) { answered = true; }, caf::after(std::chrono::milliseconds(200)) >> [] {});
   if (found)

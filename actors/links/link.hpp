@@ -24,10 +24,10 @@ struct link_ends {
 /// Errors: `io_error` with the system's reason.
 [[nodiscard]] expected<link_ends> make_link();
 
-/// Serves `end`: whoever joins at the other end is given `gate` to talk to. Returns at once.
-void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& gate);
+/// Serves `end`: whoever joins at the other end is given `enlister` to talk to. Returns at once.
+void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enlister);
 
-/// Joins the link that is served at the other end and gives the gate there.
+/// Joins the link that is served at the other end and gives the enlister there.
 /// Errors: `service_unavailable` when nobody answers within five seconds; `cancelled` by `stop`,
 /// which is looked at five times a second.
 [[nodiscard]] expected<caf::actor> join_link(caf::actor_system& system, unique_fd end,

@@ -233,11 +233,11 @@ caf::result<server_status> status(hub_pointer self) {
   return all->promise;
 }
 
-caf::result<std::string> catalogue(hub_pointer self) {
-  auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
-    self->make_response_promise<std::string>());
+caf::result<shared_catalogue> catalogue(hub_pointer self) {
+  auto promise = std::make_shared<caf::typed_response_promise<shared_catalogue>>(
+    self->make_response_promise<shared_catalogue>());
   self->request(self->state.parts.workers.modeling, std::chrono::seconds(30), catalog_atom::value)
-    .then([=](const std::string& json) { promise->deliver(json); },
+    .then([=](const shared_catalogue& all) { promise->deliver(all); },
           [=](const caf::error& e) {
             promise->deliver(to_caf(from_caf(e, "listing the operations")));
           });

@@ -16,9 +16,9 @@ system_config::system_config(bool networked) {
   add_message_type<import_order>("import_order");
   add_message_type<import_result>("import_result");
   add_message_type<edit_order>("edit_order");
-  add_message_type<edit_candidate>("edit_candidate");
-  add_message_type<finish_order>("finish_order");
-  add_message_type<finish_result>("finish_result");
+  add_message_type<operation_result>("operation_result");
+  add_message_type<check_order>("check_order");
+  add_message_type<check_result>("check_result");
   add_message_type<solve_order>("solve_order");
   add_message_type<field_ref>("field_ref");
   add_message_type<solve_result>("solve_result");
@@ -32,6 +32,7 @@ system_config::system_config(bool networked) {
   add_message_type<enlistment>("enlistment");
   add_message_type<retirement>("retirement");
   add_message_type<worker_status>("worker_status");
+  add_message_type<wire_value<operation_catalogue>>("operation_catalogue");
   // The default lets idle threads steal work by polling, which each of the pools' ticks wakes: 17 %
   // of a core for a server that does nothing. Sharing also answers sooner (docs/decisions/0020).
   set("scheduler.policy", caf::atom("sharing"));

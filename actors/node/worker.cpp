@@ -59,17 +59,17 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     caf::anon_send_exit(pages, caf::exit_reason::user_shutdown);
     return fail(why);
   };
-  const auto gate = join_link(system, unique_fd(options.link), stop);
-  if (!gate)
-    return turned_away(gate.error());
+  const auto enlister = join_link(system, unique_fd(options.link), stop);
+  if (!enlister)
+    return turned_away(enlister.error());
   caf::scoped_actor self(system);
-  self->monitor(*gate);
+  self->monitor(*enlister);
   // Without one of these the process would refuse all work; its pool starts another instead.
   self->monitor(*worker);
   self->monitor(pages);
   std::optional<error> refused;
   self
-    ->request(*gate, std::chrono::seconds(10),
+    ->request(*enlister, std::chrono::seconds(10),
               enlistment{static_cast<std::int32_t>(getpid()), *worker})
     .receive(
       [&](bool accepted) {
@@ -87,7 +87,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     self->receive(
       [&](const caf::down_msg& down) {
         gone = true;
-        if (down.source != gate->address())
+        if (down.source != enlister->address())
           spdlog::error("an actor of this worker ended: {}", caf::to_string(down.reason));
       },
       caf::after(std::chrono::seconds(1)) >> [] {});

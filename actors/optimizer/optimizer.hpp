@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "actors/worker/job_desk.hpp"
+#include "actors/worker/worker_jobs.hpp"
 
 namespace tedit::actors {
 
 struct optimizer_state {
-  job_desk desk;
+  worker_jobs jobs;
 
   static inline const char* name = "optimizer";
 };
@@ -17,8 +17,7 @@ optimizer_actor::behavior_type make_optimizer(
   page_store_actor pages);
 
 /// The job, without actors. A candidate that cannot even be opened is a failed postcondition.
-[[nodiscard]] expected<job_output<finish_result>> finish(const finish_order& order,
-                                                         const page_set& pages,
-                                                         const execution& run);
+[[nodiscard]] expected<job_output<check_result>> check(const check_order& order,
+                                                       const job_input& in, const execution& run);
 
 }  // namespace tedit::actors

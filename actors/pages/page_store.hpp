@@ -14,7 +14,7 @@ namespace tedit::actors {
 /// A batch holds at most this many bytes, so that control messages never wait long behind it.
 inline constexpr std::size_t max_batch_bytes = 256 * 1024;
 
-/// Batches asked for and not yet here, per transfer (measured: docs/decisions/0008).
+/// Batches asked for and not yet here, per transfer (docs/decisions/0008).
 inline constexpr std::size_t transfer_credit = 6;
 
 struct page_store_state {

@@ -2,27 +2,33 @@
 #pragma once
 
 #include "actors/session/session.hpp"
-#include "protocol/report.hpp"
 
 namespace tedit::actors {
 
 /// What an operation made of the head, improved and checked: what an edit commits and a preview
 /// shows.
-struct session_state::checked_edit {
+struct session_state::checked_candidate {
   version_ptr mesh;
-  std::vector<std::string> load_cases;  ///< JSON each, carried over.
-  edit_report report;                   ///< Without `total_ms`.
+  shared_load_cases load_cases = no_load_cases();  ///< Carried over.
+  shared_report report;                            ///< Without `total_ms`.
+
+  [[nodiscard]] shared_report timed_report(double total_ms) const {
+    auto timed = std::make_shared<edit_report>(*report);
+    timed->total_ms = total_ms;
+    return timed;
+  }
 };
 
 /// An operation on its way to a checked candidate, for an edit or for a preview. Neither `done` nor
 /// `refuse` is called once it has ended; else one of them, once.
 struct session_state::candidate_run {
-  edit_request request;
+  apply_request request;
   version_ptr base;
-  std::vector<std::string> load_cases;  ///< Of the base, JSON each.
+  shared_load_cases load_cases = no_load_cases();  ///< Of the base.
+  page_set pages;  ///< Of the candidate: its worker may die before it is checked.
   bool preview = false;
   bool find_most = true;  ///< Where it is refused, look for the most that works.
-  std::function<void(const std::shared_ptr<const checked_edit>&)> done;
+  std::function<void(const std::shared_ptr<const checked_candidate>&)> done;
   std::function<void(const error&)> refuse;
   std::function<void()> cancel_job;
   bool cancelled = false;
@@ -45,17 +51,15 @@ struct session_state::preview_run {
 
 /// The last finished preview, for the edit that may follow it.
 struct session_state::kept_candidate {
-  edit_request request;
+  apply_request request;
   version_ptr base;
-  std::vector<std::string> load_cases;  ///< Of the base.
-  std::shared_ptr<const checked_edit> made;
+  shared_load_cases load_cases = no_load_cases();  ///< Of the base.
+  std::shared_ptr<const checked_candidate> made;
 
   /// Whether an edit of a head with these load cases would make the very same.
-  [[nodiscard]] bool serves(const edit_request& wanted, const graph_node& head) const {
-    return base->id() == head.info.id && load_cases == head.load_cases &&
-           request.operation == wanted.operation && request.surfaces == wanted.surfaces &&
-           request.parameters == wanted.parameters && request.loads.policy == wanted.loads.policy &&
-           request.loads.keep_traction == wanted.loads.keep_traction;
+  [[nodiscard]] bool serves(const apply_request& other, const graph_node& head) const {
+    return base->id() == head.info.id && *load_cases == *head.load_cases &&
+           request.wanted == other.wanted;
   }
 };
 

@@ -22,14 +22,17 @@ error cancelled_edit() {
 void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
   const auto& request = run->request;
   const auto job = new_job(request.ticket, request.client);
-  edit_order order{
-    base_order(request.client), make_ref(*run->base), request.operation, request.surfaces,
-    request.parameters,         run->preview,         run->find_most,    parts.document,
-    request.terms.client};
+  edit_order order{base_order(request.client),
+                   make_ref(run->base),
+                   wire_value(request.wanted),
+                   run->preview,
+                   run->find_most,
+                   parts.document,
+                   request.terms.client};
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.modeling, cancel_atom::value, job); };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
-      [=, this](const edit_candidate& candidate) {
+      [=, this](const operation_result& candidate) {
         progress_of.erase(job);
         if (run->ended)
           return;
@@ -40,38 +43,32 @@ void session_state::make_candidate(const std::shared_ptr<candidate_run>& run) {
         pull(
           candidate.source, *ids,
           [=, this](const page_set& pages) {
-            auto mine = candidate;
-            mine.source = nullptr;
-            (void)pages;
-            check_candidate(run, mine);
+            run->pages = pages;
+            check_candidate(run, candidate);
           },
           [=, this](const error& e) { retry_candidate(run, e); });
       },
       [=, this](const caf::error& e) {
         progress_of.erase(job);
         if (!run->ended)
-          run->refuse(from_caf(e, "the operation " + run->request.operation));
+          run->refuse(from_caf(e, "the operation " + run->request.wanted.operation));
       });
 }
 
 void session_state::check_candidate(const std::shared_ptr<candidate_run>& run,
-                                    const edit_candidate& candidate) {
+                                    const operation_result& candidate) {
   if (run->ended)
     return;
   if (run->cancelled)
     return run->refuse(cancelled_edit());
   const auto job = new_job(run->request.ticket, run->request.client);
-  finish_order order{base_order(run->request.client),
-                     make_ref(*run->base),
-                     candidate,
-                     run->load_cases,
-                     static_cast<int>(run->request.loads.policy),
-                     run->request.loads.keep_traction,
-                     run->preview};
+  check_order order{base_order(run->request.client), make_ref(run->base),         candidate,
+                    wire_value(run->request.wanted), wire_value(run->load_cases), run->preview};
+  order.candidate.source = nullptr;
   run->cancel_job = [=, this] { caf::anon_send(parts.workers.optimizer, cancel_atom::value, job); };
   self->request(parts.workers.optimizer, answer_limit, job, std::move(order))
     .then(
-      [=, this](const finish_result& result) {
+      [=, this](const check_result& result) {
         progress_of.erase(job);
         if (!run->ended)
           accept_candidate(run, result);
@@ -83,21 +80,20 @@ void session_state::check_candidate(const std::shared_ptr<candidate_run>& run,
 }
 
 void session_state::accept_candidate(const std::shared_ptr<candidate_run>& run,
-                                     const finish_result& result) {
+                                     const check_result& result) {
   const auto ids = pages_of(result.version);
-  auto report = protocol::edit_report_from_json(result.report);
-  if (!ids || !report)
-    return retry_candidate(run, ids ? report.error() : ids.error());
+  const auto report = result.report.get();
+  const auto load_cases = result.load_cases.get();
+  if (!ids || !report || !load_cases)
+    return retry_candidate(run, !ids ? ids.error() : !report ? report.error() : load_cases.error());
   const auto use = [=, this](const page_set& pages) {
     if (run->ended)
       return;
     auto mesh = open_version(result.version, pages);
     if (!mesh)
       return retry_candidate(run, mesh.error());
-    auto made = std::make_shared<checked_edit>(checked_edit{*mesh, result.load_cases, *report});
-    made->report.operation = run->request.operation;
-    made->report.surfaces = run->request.surfaces;
-    run->done(made);
+    run->done(
+      std::make_shared<const checked_candidate>(checked_candidate{*mesh, *load_cases, *report}));
   };
   pull(result.source, *ids, use, [=, this](const error& e) { retry_candidate(run, e); });
 }
@@ -140,7 +136,7 @@ caf::result<previewed> session_state::preview(const preview_request& wanted) {
   run->work->find_most = wanted.find_most;
   const auto ticket = request.ticket;
   run->work->done = [=, this,
-                     clock = stopwatch()](const std::shared_ptr<const checked_edit>& made) {
+                     clock = stopwatch()](const std::shared_ptr<const checked_candidate>& made) {
     finish_preview(ticket, made, clock.milliseconds());
   };
   run->work->refuse = [=, this](const error& e) { end_preview(ticket, e); };
@@ -150,10 +146,11 @@ caf::result<previewed> session_state::preview(const preview_request& wanted) {
 }
 
 void session_state::finish_preview(std::uint64_t ticket,
-                                   const std::shared_ptr<const checked_edit>& made, double ms) {
+                                   const std::shared_ptr<const checked_candidate>& made,
+                                   double ms) {
   const auto run = std::move(previews.extract(ticket).mapped());
-  auto timed = std::make_shared<checked_edit>(*made);
-  timed->report.total_ms = ms;
+  auto timed = std::make_shared<checked_candidate>(*made);
+  timed->report = made->timed_report(ms);
   last_preview = std::make_shared<const kept_candidate>(
     kept_candidate{run->work->request, run->work->base, run->work->load_cases, std::move(timed)});
   run->promise.deliver(describe_preview(*last_preview));
@@ -177,8 +174,8 @@ void session_state::end_previews(const error& why) {
 }
 
 previewed session_state::describe_preview(const kept_candidate& candidate) const {
-  return {parts.document, candidate.base, candidate.made->mesh,
-          protocol::to_json(candidate.made->report), candidate.made->load_cases};
+  return {parts.document, candidate.base, candidate.made->mesh, candidate.made->report,
+          candidate.made->load_cases};
 }
 
 }  // namespace tedit::actors

@@ -8,8 +8,8 @@
 #include "actors/session/candidate.hpp"
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
-#include "protocol/convert.hpp"
-#include "protocol/report.hpp"
+#include "mesh/formats.hpp"
+#include "protocol/forms.hpp"
 
 namespace tedit::actors {
 
@@ -26,19 +26,20 @@ asked_change asked_by(const import_request& request) {
   return {"import", how.dump()};
 }
 
-asked_change asked_by(const edit_request& request) {
-  const nlohmann::json how{{"operation", request.operation},
-                           {"surfaces", request.surfaces},
-                           {"parameters", request.parameters},
-                           {"loads", fem::policy_name(request.loads.policy)},
-                           {"keep_traction", request.loads.keep_traction}};
-  return {"edit", how.dump()};
+asked_change asked_by(const apply_request& request) {
+  const auto how = nlohmann::json::parse(protocol::to_json(request.wanted), nullptr, false);
+  return {"edit", how.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
 
 asked_change asked_by(const move_request& request) {
   if (request.kind == move_kind::go_to)
     return {"goto", nlohmann::json{{"number", request.number}}.dump()};
   return {request.kind == move_kind::undo ? "undo" : "redo", "{}"};
+}
+
+bool keeps_fields(const std::string& format) {
+  const auto* row = find_format(format);
+  return row && row->keeps.fields;
 }
 
 void describe_mesh(graph_node& node, version_ptr mesh) {
@@ -59,7 +60,7 @@ struct session_state::import_run {
 };
 
 struct session_state::edit_run {
-  edit_request request;
+  apply_request request;
   asked_change asked;
   caf::typed_response_promise<head_moved> promise;
   stopwatch total;
@@ -109,7 +110,8 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
     describe_mesh(node, *mesh);
     auto made = begin_change(run->request.terms, run->asked);
     made.warnings = result.warnings;
-    commit_node(std::move(node), std::move(made), run->asked.how, run->promise);
+    commit_node(std::move(node), std::move(made), run->asked.how,
+                {run->request.client, run->promise});
   };
   self->request(parts.workers.modeling, answer_limit, job, std::move(order))
     .then(
@@ -125,7 +127,7 @@ void session_state::begin_import(const std::shared_ptr<import_run>& run) {
 
 // -- edit --------------------------------------------------------------------------------------
 
-caf::result<head_moved> session_state::edit(const edit_request& request) {
+caf::result<head_moved> session_state::edit(const apply_request& request) {
   auto run = std::make_shared<edit_run>();
   run->request = request;
   run->asked = asked_by(request);
@@ -149,7 +151,7 @@ void session_state::begin_edit(const std::shared_ptr<edit_run>& run) {
   work->request = request;
   work->base = head->mesh;
   work->load_cases = head->load_cases;
-  work->done = [=, this](const std::shared_ptr<const checked_edit>& made) {
+  work->done = [=, this](const std::shared_ptr<const checked_candidate>& made) {
     commit_edit(run, *made);
   };
   work->refuse = [=, this](const error& e) { refuse_edit(run, e); };
@@ -163,25 +165,24 @@ void session_state::refuse_edit(const std::shared_ptr<edit_run>& run, const erro
   finish_command();
 }
 
-void session_state::commit_edit(const std::shared_ptr<edit_run>& run, const checked_edit& made) {
+void session_state::commit_edit(const std::shared_ptr<edit_run>& run,
+                                const checked_candidate& made) {
   const auto& request = run->request;
   auto node = graph.draft();
-  node.info.operation = request.operation;
-  node.info.load_cases = graph.head()->info.load_cases;
+  node.info.operation = request.wanted.operation;
+  node.info.load_cases = names_of(*made.load_cases);
   node.load_cases = made.load_cases;
+  node.report = made.timed_report(run->total.milliseconds());
   describe_mesh(node, made.mesh);
-  auto full = made.report;
-  full.total_ms = run->total.milliseconds();
-  node.report = protocol::to_json(full);
   auto made_now = begin_change(request.terms, run->asked);
-  made_now.operation = request.operation;
-  commit_node(std::move(node), std::move(made_now), run->asked.how, run->promise);
+  made_now.operation = request.wanted.operation;
+  commit_node(std::move(node), std::move(made_now), run->asked.how, {request.client, run->promise});
 }
 
 // -- the head moves ------------------------------------------------------------------------------
 
 void session_state::commit_node(graph_node node, past_change made, const std::string& how,
-                                caf::typed_response_promise<head_moved> promise) {
+                                head_waiter asked_by) {
   const auto* head = graph.head();
   auto change = change_of(node, head ? head->mesh.get() : nullptr);
   made.version = node.info.number;
@@ -193,24 +194,23 @@ void session_state::commit_node(graph_node node, past_change made, const std::st
     std::move(change),
     [=, this](double ms) mutable {
       graph.add(std::move(*shared));
-      show_head(made, ms, std::move(promise));
+      show_head(made, ms, std::move(asked_by));
     },
     [=, this](const error& e) mutable {
-      promise.deliver(to_caf(e));
+      asked_by.promise.deliver(to_caf(e));
       finish_command();
     });
 }
 
 /// What follows once a change that moved the head is durable.
-void session_state::show_head(const past_change& made, double commit_ms,
-                              caf::typed_response_promise<head_moved> promise) {
+void session_state::show_head(const past_change& made, double commit_ms, head_waiter asked_by) {
   past.add(made);
   last_preview.reset();
   auto moved = describe(*graph.head(), made.what);
   moved.commit_ms = commit_ms;
   moved.warnings = made.warnings;
-  broadcast(moved);
-  promise.deliver(std::move(moved));
+  broadcast(moved, {asked_by.client});
+  asked_by.promise.deliver(std::move(moved));
   follow_head();
   finish_command();
 }
@@ -259,7 +259,7 @@ void session_state::begin_move(const move_request& request,
       for (const auto& [number, child] : target.redo)
         graph.set_redo(number, child);
       graph.move_to(target.number);
-      show_head(made, ms, std::move(promise));
+      show_head(made, ms, {request.client, std::move(promise)});
     },
     [=, this](const error& e) mutable {
       promise.deliver(to_caf(e));
@@ -270,7 +270,7 @@ void session_state::begin_move(const move_request& request,
 // -- files ------------------------------------------------------------------------------------
 
 caf::result<exported> session_state::write_file(const export_request& request) {
-  if (request.format == "tedit")
+  if (request.format == document_format)
     return self->delegate(parts.store, copy_atom::value);
   const auto* node = request.version.empty() ? graph.head() : graph.find(request.version);
   if (!node)
@@ -280,22 +280,40 @@ caf::result<exported> session_state::write_file(const export_request& request) {
   const auto promise = std::make_shared<caf::typed_response_promise<exported>>(
     self->make_response_promise<exported>());
   const auto job = new_job(request.ticket, request.client);
-  export_order order{base_order(request.client), make_ref(*node->mesh), {}, {}, request.format,
+  export_order order{base_order(request.client), make_ref(node->mesh), {}, {}, request.format,
                      request.length_unit};
-  const auto version = to_hex(node->info.id);
-  if (const auto* fields = result_of(*node)) {
-    order.fields = fields->refs;
-    order.outcome = fields->event.outcome;
+  const auto file_name =
+    parts.document + "_v" + std::to_string(node->info.number) + "." + request.format;
+  const auto* result = result_of(*node);
+  if (!result || !keeps_fields(request.format)) {
+    send_export(job, order, file_name, promise);
+    return *promise;
   }
+  fetch_all_fields(
+    *result, order.base,
+    [=, this](const solve_result& fields, const page_set& pages) mutable {
+      order.fields = fields.fields;
+      order.fields.insert(order.fields.end(), fields.more.begin(), fields.more.end());
+      order.outcome = fields.outcome;
+      send_export(job, order, file_name, promise, pages);
+    },
+    [=, this](const error& e) {
+      progress_of.erase(job);
+      promise->deliver(to_caf(e));
+    });
+  return *promise;
+}
+
+void session_state::send_export(job_id job, const export_order& order, const std::string& file_name,
+                                std::shared_ptr<caf::typed_response_promise<exported>> promise,
+                                const page_set& held) {
   const auto refuse = [=, this](const error& e) {
     progress_of.erase(job);
     promise->deliver(to_caf(e));
   };
-  const auto file_name =
-    parts.document + "_v" + std::to_string(node->info.number) + "." + request.format;
-  self->request(parts.workers.modeling, answer_limit, job, std::move(order))
+  self->request(parts.workers.modeling, answer_limit, job, order)
     .then(
-      [=, this](const export_result& result) {
+      [=, this, until_now = held](const export_result& result) {
         pull(
           result.source, result.pages,
           [=, this](const page_set& pages) {
@@ -308,7 +326,6 @@ caf::result<exported> session_state::write_file(const export_request& request) {
           refuse);
       },
       [=](const caf::error& e) { refuse(from_caf(e, "writing the file")); });
-  return *promise;
 }
 
 caf::result<selected> session_state::select(const select_request& request) {
@@ -320,12 +337,20 @@ caf::result<selected> session_state::select(const select_request& request) {
   const auto job = new_job(request.ticket, request.client);
   const auto version = to_hex(head->info.id);
   self
-    ->request(parts.workers.modeling, answer_limit, job,
-              select_order{base_order(request.client), make_ref(*head->mesh), request.query})
+    ->request(
+      parts.workers.modeling, answer_limit, job,
+      select_order{base_order(request.client), make_ref(head->mesh), wire_value(request.query)})
     .then(
       [=, this](const select_result& result) {
         progress_of.erase(job);
-        promise->deliver(selected{parts.document, version, result.features});
+        if (const auto features = result.features.get())
+          promise->deliver(selected{parts.document, version, *features});
+        else
+          promise->deliver(
+            to_caf({ec::internal,
+                    "the answer to the selection cannot be read: " + features.error().message,
+                    "Use a server and workers of one release",
+                    {}}));
       },
       [=, this](const caf::error& e) {
         progress_of.erase(job);

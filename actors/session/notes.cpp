@@ -9,6 +9,7 @@
 #include "actors/session/session.hpp"
 #include "actors/store/store.hpp"
 #include "protocol/convert.hpp"
+#include "protocol/forms.hpp"
 
 namespace tedit::actors {
 
@@ -34,10 +35,8 @@ bool has_control(const std::string& text, bool lines) {
 }
 
 /// Errors: `conflict`.
-expected<void> check_size(const std::vector<std::string>& load_cases) {
-  std::size_t bytes = 0;
-  for (const auto& text : load_cases)
-    bytes += text.size();
+expected<void> check_size(const load_case_list& load_cases) {
+  const auto bytes = protocol::to_json(load_cases).size();
   if (bytes <= most_load_case_bytes)
     return {};
   return fail(ec::conflict,
@@ -103,40 +102,37 @@ caf::result<acknowledged> session_state::carry_out(
 
 // -- load cases --------------------------------------------------------------------------------
 
-session_state::quiet_change session_state::change_load_cases(std::vector<std::string> texts,
-                                                             std::vector<std::string> names) {
+session_state::quiet_change session_state::change_load_cases(load_case_list load_cases) {
   const auto number = graph.head()->info.number;
   quiet_change result;
-  result.change.load_cases.emplace_back(number, join_load_cases(texts));
-  result.done = [=, this] {
-    graph.set_load_cases(number, texts, names);
+  result.change.load_cases.emplace_back(number, stored_form(load_cases));
+  result.done = [=, this, shared = std::make_shared<const load_case_list>(std::move(load_cases))] {
+    graph.set_load_cases(number, shared);
     last_preview.reset();
-    broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), texts});
+    broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), shared});
   };
   return result;
 }
 
 caf::result<acknowledged> session_state::set_load_case(const load_case_request& request) {
-  const asked_change asked{"load_case", nlohmann::json{{"load_case", request.load_case}}.dump()};
-  return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
+  const auto& given = request.load_case;
+  const nlohmann::json how{{"load_case", protocol::load_case_to_json(given)}};
+  return carry_out(request.terms, {"load_case", how.dump()}, [=, this]() -> expected<quiet_change> {
     const auto* head = graph.head();
-    const auto given = protocol::load_case_from_json(request.load_case, "load case");
-    if (!head || !given)
-      return fail(head ? given.error() : empty_document());
-    auto texts = head->load_cases;
-    auto names = head->info.load_cases;
-    const auto same = std::ranges::find(names, given->name) - names.begin();
-    if (same == std::ssize(names)) {
-      names.push_back(given->name);
-      texts.emplace_back();
-    }
-    texts[static_cast<std::size_t>(same)] = request.load_case;
-    if (auto ok = check_size(texts); !ok)
+    if (!head)
+      return fail(empty_document());
+    auto load_cases = *head->load_cases;
+    const auto same = std::ranges::find(load_cases, given.name, &fem::load_case::name);
+    if (same == load_cases.end())
+      load_cases.push_back(given);
+    else
+      *same = given;
+    if (auto ok = check_size(load_cases); !ok)
       return fail(ok.error());
-    auto change = change_load_cases(std::move(texts), std::move(names));
-    change.done = [=, this, name = given->name, then = std::move(change.done)] {
+    auto change = change_load_cases(std::move(load_cases));
+    change.done = [=, this, then = std::move(change.done)] {
       then();
-      restart_solve_of(name, request.load_case);
+      restart_solve_of(given);
     };
     return change;
   });
@@ -150,15 +146,13 @@ caf::result<acknowledged> session_state::remove_load_case(const remove_case_requ
     const auto* head = graph.head();
     if (!head)
       return fail(empty_document());
-    auto texts = head->load_cases;
-    auto names = head->info.load_cases;
-    const auto found = std::ranges::find(names, request.load_case);
-    if (found == names.end())
+    auto load_cases = *head->load_cases;
+    const auto found = std::ranges::find(load_cases, request.load_case, &fem::load_case::name);
+    if (found == load_cases.end())
       return fail(ec::not_found, "there is no load case \"" + request.load_case + "\"",
                   "Name one that the head has");
-    texts.erase(texts.begin() + (found - names.begin()));
-    names.erase(found);
-    auto change = change_load_cases(std::move(texts), std::move(names));
+    load_cases.erase(found);
+    auto change = change_load_cases(std::move(load_cases));
     change.done = [=, this, then = std::move(change.done)] {
       forget_solve_of(request.load_case);
       then();
@@ -168,11 +162,11 @@ caf::result<acknowledged> session_state::remove_load_case(const remove_case_requ
 }
 
 /// A field of the old loads would lie; the solve begins anew with the new ones, as after an edit.
-void session_state::restart_solve_of(const std::string& load_case, const std::string& text) {
-  if (!active || std::ranges::find(active->load_cases, load_case) == active->load_cases.end() ||
-      std::ranges::find(active->texts, text) != active->texts.end())
+void session_state::restart_solve_of(const fem::load_case& changed) {
+  if (!active || !std::ranges::count(active->names, changed.name) ||
+      std::ranges::count(active->key.load_cases, changed))
     return;
-  end_active_solve(ec::superseded, "the load case \"" + load_case + "\" was changed",
+  end_active_solve(ec::superseded, "the load case \"" + changed.name + "\" was changed",
                    solve_phase::superseded);
   follow_head();
 }
@@ -181,7 +175,7 @@ void session_state::restart_solve_of(const std::string& load_case, const std::st
 void session_state::forget_solve_of(const std::string& load_case) {
   if (followed && std::erase(followed->load_cases, load_case) > 0 && followed->load_cases.empty())
     followed.reset();
-  if (active && std::ranges::find(active->load_cases, load_case) != active->load_cases.end())
+  if (active && std::ranges::count(active->names, load_case))
     end_active_solve(ec::cancelled, "the load case \"" + load_case + "\" was removed",
                      solve_phase::cancelled);
 }

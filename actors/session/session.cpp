@@ -173,7 +173,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
   return {[&state](const attach_request& request) { return state.attach(request); },
           [&state](detach_atom, const caf::actor& subscriber) { state.detach(subscriber); },
           [&state](const import_request& request) { return state.import(request); },
-          [&state](const edit_request& request) { return state.edit(request); },
+          [&state](const apply_request& request) { return state.edit(request); },
           [&state](const preview_request& request) { return state.preview(request); },
           [&state](const move_request& request) { return state.move(request); },
           [&state](const load_case_request& request) { return state.set_load_case(request); },

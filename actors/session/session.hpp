@@ -59,11 +59,17 @@ struct session_state {
     std::function<void()> cancel_job;  ///< Empty while nothing can be cancelled.
   };
 
+  /// Who waits for a new head.
+  struct head_waiter {
+    caf::actor client;
+    caf::typed_response_promise<head_moved> promise;
+  };
+
   struct import_run;
   struct edit_run;
   // In candidate.hpp.
   struct candidate_run;
-  struct checked_edit;
+  struct checked_candidate;
   struct kept_candidate;
   struct preview_run;
 
@@ -74,25 +80,39 @@ struct session_state {
     caf::typed_response_promise<solved> promise;
   };
 
+  /// Two solves with one key have one result.
+  struct solve_key {
+    std::string version;  ///< Hexadecimal; empty: of none.
+    load_case_list load_cases;
+    std::string device;
+    double tolerance = 0;
+    double energy_tolerance = 0;
+    int element_order = 2;
+
+    friend bool operator==(const solve_key&, const solve_key&) = default;
+  };
+
   struct active_solve {
     job_id job;
-    std::string key;
-    std::string version;
-    std::vector<std::string> load_cases;
-    std::vector<std::string> texts;  ///< The same, JSON each.
+    solve_key key;
+    std::vector<std::string> names;  ///< Of its load cases.
     version_ptr mesh;
     bool asked_for = false;             ///< By a request; else it follows a new head by itself.
     std::vector<solve_waiter> waiting;  ///< The first one hears of progress.
+
+    [[nodiscard]] std::set<caf::actor> askers() const {
+      std::set<caf::actor> result;
+      for (const auto& one : waiting)
+        result.insert(one.client);
+      return result;
+    }
   };
 
   /// A result, with what is needed to write it to a file.
   struct kept_result {
-    std::string key;
-    std::string version;
-    std::size_t cases = 1;  ///< Load cases in it.
+    solve_key key;
     solved event;
-    std::vector<field_ref> refs;
-    std::vector<std::string> texts;  ///< The load cases, JSON each.
+    solve_result fields;
   };
 
   // -- session.cpp ---------------------------------------------------------------------------
@@ -108,8 +128,9 @@ struct session_state {
   void next_command();
   void finish_command();
   void on_progress(const job_progress& note);
+  /// Tells all subscribers; not those who hear it as an answer.
   template <class Event>
-  void broadcast(const Event& event);
+  void broadcast(const Event& event, const std::set<caf::actor>& answered = {});
   /// Makes a change durable, then calls `done`, or `failed`.
   void commit(store::change change, std::function<void(double ms)> done,
               std::function<void(const error&)> failed);
@@ -123,20 +144,23 @@ struct session_state {
   // -- edits.cpp ------------------------------------------------------------------------------
 
   caf::result<head_moved> import(const import_request& request);
-  caf::result<head_moved> edit(const edit_request& request);
+  caf::result<head_moved> edit(const apply_request& request);
   caf::result<head_moved> move(const move_request& request);
   caf::result<exported> write_file(const export_request& request);
+  /// The rest of an export, once this process has all pages that its order names; `held`: those
+  /// that nobody else holds.
+  void send_export(job_id job, const export_order& order, const std::string& file_name,
+                   std::shared_ptr<caf::typed_response_promise<exported>> promise,
+                   const page_set& held = {});
   caf::result<selected> select(const select_request& request);
 
   void begin_import(const std::shared_ptr<import_run>& run);
   void begin_edit(const std::shared_ptr<edit_run>& run);
   void refuse_edit(const std::shared_ptr<edit_run>& run, const error& e);
-  void commit_edit(const std::shared_ptr<edit_run>& run, const checked_edit& made);
+  void commit_edit(const std::shared_ptr<edit_run>& run, const checked_candidate& made);
   /// `made`: the change, but for its version; `how` as it was asked for.
-  void commit_node(graph_node node, past_change made, const std::string& how,
-                   caf::typed_response_promise<head_moved> promise);
-  void show_head(const past_change& made, double commit_ms,
-                 caf::typed_response_promise<head_moved> promise);
+  void commit_node(graph_node node, past_change made, const std::string& how, head_waiter asked_by);
+  void show_head(const past_change& made, double commit_ms, head_waiter asked_by);
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
   [[nodiscard]] head_moved describe(const graph_node& node, const std::string& cause) const;
 
@@ -161,11 +185,12 @@ struct session_state {
   // -- candidates.cpp -------------------------------------------------------------------------
 
   void make_candidate(const std::shared_ptr<candidate_run>& run);
-  void check_candidate(const std::shared_ptr<candidate_run>& run, const edit_candidate& candidate);
-  void accept_candidate(const std::shared_ptr<candidate_run>& run, const finish_result& result);
+  void check_candidate(const std::shared_ptr<candidate_run>& run,
+                       const operation_result& candidate);
+  void accept_candidate(const std::shared_ptr<candidate_run>& run, const check_result& result);
   void retry_candidate(const std::shared_ptr<candidate_run>& run, const error& e);
   caf::result<previewed> preview(const preview_request& wanted);
-  void finish_preview(std::uint64_t ticket, const std::shared_ptr<const checked_edit>& made,
+  void finish_preview(std::uint64_t ticket, const std::shared_ptr<const checked_candidate>& made,
                       double ms);
   void end_preview(std::uint64_t ticket, const error& why);
   void end_previews(const error& why);
@@ -188,9 +213,8 @@ struct session_state {
   caf::result<acknowledged> carry_out(const change_terms& terms, asked_change request,
                                       std::function<expected<quiet_change>()> prepare);
   /// The head gets these load cases instead of its own.
-  [[nodiscard]] quiet_change change_load_cases(std::vector<std::string> texts,
-                                               std::vector<std::string> names);
-  void restart_solve_of(const std::string& load_case, const std::string& text);
+  [[nodiscard]] quiet_change change_load_cases(load_case_list load_cases);
+  void restart_solve_of(const fem::load_case& changed);
   void forget_solve_of(const std::string& load_case);
 
   // -- solves.cpp -----------------------------------------------------------------------------
@@ -201,15 +225,23 @@ struct session_state {
   /// field would lie. Null when there is none.
   [[nodiscard]] const kept_result* result_of(const graph_node& node) const;
   acknowledged end_solve();
+  /// Has all fields of a result, those that only files have, too, in this process: from the worker
+  /// that solved, or, where that has gone or forgotten them, by solving once more.
+  void fetch_all_fields(const kept_result& result, const order_base& base,
+                        std::function<void(const solve_result&, const page_set&)> use,
+                        std::function<void(const error&)> refuse);
+  [[nodiscard]] solve_order order_of(const solve_key& key, const version_ptr& mesh,
+                                     const order_base& base) const;
   /// Solves the new head when somebody has asked for a solve before.
   void follow_head();
   void start_solve(const solve_request& request,
                    std::optional<caf::typed_response_promise<solved>> promise);
-  /// The load cases that a request means, with their names. Errors: `conflict`, `not_found`.
-  [[nodiscard]] expected<std::vector<std::string>> chosen_cases(
-    const solve_request& request, std::vector<std::string>& names) const;
+  /// The load cases that a request means; `names` gets their names, also where there are none.
+  /// Errors: `conflict`, `not_found`.
+  [[nodiscard]] expected<load_case_list> chosen_cases(const solve_request& request,
+                                                      std::vector<std::string>& names) const;
   void keep_result(kept_result result);
-  void launch(active_solve next, const solve_order& order);
+  void launch(active_solve next, const order_base& base);
   /// Ends the wait of one request; whether there was one. The solve goes on for others that wait,
   /// and when it follows a head by itself; else it ends, and the following with it.
   bool leave_solve(std::uint64_t ticket);
@@ -223,6 +255,7 @@ struct session_state {
   void open_fields(job_id job, const solve_result& result,
                    std::function<void(std::shared_ptr<const std::vector<field>>)> use,
                    std::function<void(const error&)> refuse);
+  /// How a solve goes on; its end is told to those who wait for it by their answer.
   void note(const active_solve& which, solve_phase phase, const std::string& message = {});
 
   session_pointer self = nullptr;
@@ -242,14 +275,15 @@ struct session_state {
   static inline const char* name = "session";
 };
 
-/// One document, opened. See architecture section 4, "One edit" and "One solve".
+/// One document, opened: docs/actors.md draws one edit and one solve.
 session_actor::behavior_type make_session(session_pointer self, session_parts parts,
                                           stored_document stored);
 
 template <class Event>
-void session_state::broadcast(const Event& event) {
+void session_state::broadcast(const Event& event, const std::set<caf::actor>& answered) {
   for (const auto& subscriber : subscribers)
-    caf::anon_send(subscriber, event);
+    if (!answered.contains(subscriber))
+      caf::anon_send(subscriber, event);
 }
 
 }  // namespace tedit::actors

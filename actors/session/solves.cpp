@@ -13,17 +13,6 @@ namespace {
 /// stay however many it has.
 constexpr std::size_t most_results = 8;
 
-/// Two orders with one key have one result.
-std::string key_of(const solve_order& order, const std::string& version) {
-  char numbers[80];
-  std::snprintf(numbers, sizeof(numbers), "|%.17g|%.17g|%d", order.tolerance,
-                order.energy_tolerance, order.element_order);
-  auto key = version + "|" + order.device + numbers;
-  for (const auto& text : order.load_cases)
-    key += "|" + std::to_string(text.size()) + "|" + text;
-  return key;
-}
-
 }  // namespace
 
 caf::result<solved> session_state::solve(const solve_request& request) {
@@ -38,8 +27,9 @@ caf::result<solved> session_state::solve(const solve_request& request) {
 const session_state::kept_result* session_state::result_of(const graph_node& node) const {
   const auto version = to_hex(node.info.id);
   const auto is_of_node = [&](const kept_result& one) {
-    return one.version == version && std::ranges::all_of(one.texts, [&](const std::string& text) {
-             return std::ranges::find(node.load_cases, text) != node.load_cases.end();
+    return one.key.version == version &&
+           std::ranges::all_of(one.key.load_cases, [&](const fem::load_case& loads) {
+             return std::ranges::count(*node.load_cases, loads) > 0;
            });
   };
   const auto found = std::ranges::find_if(results, is_of_node);
@@ -51,7 +41,7 @@ held_result session_state::held() const {
   if (!head)
     return {};
   const auto version = to_hex(head->info.id);
-  if (active && active->version == version)
+  if (active && active->key.version == version)
     return {std::nullopt, true};
   const auto* found = result_of(*head);
   return {found ? std::optional(found->event) : std::nullopt, false};
@@ -62,8 +52,8 @@ void session_state::follow_head() {
     start_solve(*followed, std::nullopt);
 }
 
-expected<std::vector<std::string>> session_state::chosen_cases(
-  const solve_request& request, std::vector<std::string>& names) const {
+expected<load_case_list> session_state::chosen_cases(const solve_request& request,
+                                                     std::vector<std::string>& names) const {
   const auto* head = graph.head();
   if (!head)
     return fail(empty_document());
@@ -75,15 +65,15 @@ expected<std::vector<std::string>> session_state::chosen_cases(
     names = known;
   else if (names.empty())
     names = {known.front()};
-  std::vector<std::string> texts;
+  load_case_list chosen;
   for (const auto& wanted : names) {
-    const auto found = std::ranges::find(known, wanted);
-    if (found == known.end())
+    const auto found = std::ranges::find(*head->load_cases, wanted, &fem::load_case::name);
+    if (found == head->load_cases->end())
       return fail(ec::not_found, "there is no load case \"" + wanted + "\"",
                   "Set the load case first");
-    texts.push_back(head->load_cases[static_cast<std::size_t>(found - known.begin())]);
+    chosen.push_back(*found);
   }
-  return texts;
+  return chosen;
 }
 
 void session_state::start_solve(const solve_request& request,
@@ -92,30 +82,28 @@ void session_state::start_solve(const solve_request& request,
   next.asked_for = promise.has_value();
   if (promise)
     next.waiting.push_back({request.ticket, request.client, *promise});
-  auto texts = chosen_cases(request, next.load_cases);
+  auto chosen = chosen_cases(request, next.names);
   const auto* head = graph.head();
-  if (head) {
-    next.version = to_hex(head->info.id);
+  if (head)
     next.mesh = head->mesh;
-  }
-  if (!texts) {
+  next.key.version = head ? to_hex(head->info.id) : std::string();
+  if (!chosen) {
     for (auto& waiter : next.waiting)
-      waiter.promise.deliver(to_caf(texts.error()));
-    return note(next, solve_phase::failed, render(texts.error()));
+      waiter.promise.deliver(to_caf(chosen.error()));
+    return note(next, solve_phase::failed, render(chosen.error()));
   }
-  next.texts = *texts;
-  solve_order order{
-    base_order(request.client), make_ref(*head->mesh),
-    std::move(*texts),          request.device.empty() ? parts.device : request.device,
-    request.tolerance,          request.energy_tolerance,
-    request.element_order};
-  next.key = key_of(order, next.version);
+  next.key = {next.key.version,
+              std::move(*chosen),
+              request.device.empty() ? parts.device : request.device,
+              request.tolerance,
+              request.energy_tolerance,
+              request.element_order};
 
   const auto kept = std::ranges::find(results, next.key, &kept_result::key);
   if (kept != results.end()) {
     results.splice(results.begin(), results, kept);
     end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
-    broadcast(results.front().event);
+    broadcast(results.front().event, next.askers());
     if (promise)
       promise->deliver(results.front().event);
     return;
@@ -126,16 +114,53 @@ void session_state::start_solve(const solve_request& request,
   }
   end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
   next.job = new_job(request.ticket, request.client);
-  launch(std::move(next), order);
+  launch(std::move(next), base_order(request.client));
 }
 
-void session_state::launch(active_solve next, const solve_order& order) {
+void session_state::launch(active_solve next, const order_base& base) {
   const auto job = next.job;
   active = std::move(next);
   note(*active, solve_phase::started);
-  self->request(parts.workers.solver, answer_limit, job, order)
+  self->request(parts.workers.solver, answer_limit, job, order_of(active->key, active->mesh, base))
     .then([=, this](const solve_result& result) { receive_result(job, result); },
           [=, this](const caf::error& e) { fail_solve(job, from_caf(e, "the solve")); });
+}
+
+solve_order session_state::order_of(const solve_key& key, const version_ptr& mesh,
+                                    const order_base& base) const {
+  return {base,          make_ref(mesh),       wire_value(key.load_cases), key.device,
+          key.tolerance, key.energy_tolerance, key.element_order};
+}
+
+void session_state::fetch_all_fields(const kept_result& result, const order_base& base,
+                                     std::function<void(const solve_result&, const page_set&)> use,
+                                     std::function<void(const error&)> refuse) {
+  const auto take = [=, this](const solve_result& solved_now,
+                              std::function<void(const error&)> failed) {
+    auto ids = pages_of(solved_now.fields);
+    const auto more = pages_of(solved_now.more);
+    ids.insert(ids.end(), more.begin(), more.end());
+    pull(
+      solved_now.source, ids, [=](const page_set& pages) { use(solved_now, pages); },
+      std::move(failed));
+  };
+  const auto solve_again =
+    [=, this, order = order_of(result.key, result.event.version, base)](const error& e) mutable {
+      spdlog::info("{}: solving again for a file: {}", parts.document, render(e));
+      order.base.listener = nullptr;
+      const auto job = new_job(0, nullptr);
+      self->request(parts.workers.solver, answer_limit, job, order)
+        .then(
+          [=, this](const solve_result& again) {
+            progress_of.erase(job);
+            take(again, refuse);
+          },
+          [=, this](const caf::error& failure) {
+            progress_of.erase(job);
+            refuse(from_caf(failure, "the solve"));
+          });
+    };
+  take(result.fields, solve_again);
 }
 
 bool session_state::leave_solve(std::uint64_t ticket) {
@@ -186,9 +211,8 @@ void session_state::open_fields(job_id job, const solve_result& result,
                                 std::function<void(const error&)> refuse) {
   if (!active || active->job != job)
     return;  // Superseded meanwhile.
-  hash_list ids;
-  for (const auto& f : result.fields)
-    ids.insert(ids.end(), f.pages.begin(), f.pages.end());
+  if (const auto outcome = result.outcome.get(); !outcome)
+    return refuse(outcome.error());
   const auto open = [=, this](const page_set& pages) {
     if (!active || active->job != job)
       return;
@@ -201,14 +225,16 @@ void session_state::open_fields(job_id job, const solve_result& result,
     }
     use(std::move(fields));
   };
-  pull(result.source, ids, open, refuse);
+  pull(result.source, pages_of(result.fields), open, refuse);
 }
 
 void session_state::keep_result(kept_result result) {
   results.push_front(std::move(result));
-  std::size_t cases = results.front().cases;
-  const auto full = [&](const kept_result& one) { return (cases += one.cases) > most_results; };
-  results.erase(std::find_if(std::next(results.begin()), results.end(), full), results.end());
+  std::size_t cases = 0;
+  const auto full = [&](const kept_result& one) {
+    return (cases += one.key.load_cases.size()) > most_results && &one != &results.front();
+  };
+  results.erase(std::ranges::find_if(results, full), results.end());
 }
 
 void session_state::receive_result(job_id job, const solve_result& result) {
@@ -218,10 +244,10 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       auto done = std::move(*active);
       active.reset();
       progress_of.erase(job);
-      solved event{parts.document, done.mesh, result.outcome, fields};
-      keep_result(
-        {done.key, done.version, done.load_cases.size(), event, result.fields, done.texts});
-      broadcast(event);
+      const auto outcome = *result.outcome.get();  // Read when the fields were opened.
+      const solved event{parts.document, done.mesh, outcome, fields, job.value};
+      keep_result({std::move(done.key), event, result});
+      broadcast(event, done.askers());
       for (auto& waiter : done.waiting)
         waiter.promise.deliver(event);
     },
@@ -232,7 +258,8 @@ void session_state::on_preview(const job_preview& preview) {
   open_fields(
     preview.job, preview.result,
     [=, this](const std::shared_ptr<const std::vector<field>>& fields) {
-      broadcast(solved{parts.document, active->mesh, preview.result.outcome, fields});
+      broadcast(solved{parts.document, active->mesh, *preview.result.outcome.get(), fields,
+                       preview.job.value});
     },
     [=, this](const error& e) {
       // The result itself still comes.
@@ -256,8 +283,8 @@ void session_state::on_frame(const job_frame& frame) {
   if (!active || active->job != frame.job)
     return;
   broadcast(solve_note{parts.document,
-                       active->version,
-                       active->load_cases,
+                       active->key.version,
+                       active->names,
                        solve_phase::converging,
                        frame.iterations,
                        frame.residual,
@@ -265,7 +292,9 @@ void session_state::on_frame(const job_frame& frame) {
 }
 
 void session_state::note(const active_solve& which, solve_phase phase, const std::string& message) {
-  broadcast(solve_note{parts.document, which.version, which.load_cases, phase, 0, 1, message});
+  const bool over = phase != solve_phase::started && phase != solve_phase::converging;
+  broadcast(solve_note{parts.document, which.key.version, which.names, phase, 0, 1, message},
+            over ? which.askers() : std::set<caf::actor>());
 }
 
 }  // namespace tedit::actors

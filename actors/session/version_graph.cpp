@@ -61,10 +61,9 @@ void version_graph::add(graph_node node) {
   nodes_.push_back(std::move(node));
 }
 
-void version_graph::set_load_cases(std::uint32_t number, std::vector<std::string> load_cases,
-                                   std::vector<std::string> names) {
+void version_graph::set_load_cases(std::uint32_t number, shared_load_cases load_cases) {
+  nodes_[number].info.load_cases = names_of(*load_cases);
   nodes_[number].load_cases = std::move(load_cases);
-  nodes_[number].info.load_cases = std::move(names);
 }
 
 }  // namespace tedit::actors

@@ -43,8 +43,7 @@ public:
 
   void set_redo(std::uint32_t number, std::uint32_t child) { nodes_[number].redo = child; }
 
-  void set_load_cases(std::uint32_t number, std::vector<std::string> load_cases,
-                      std::vector<std::string> names);
+  void set_load_cases(std::uint32_t number, shared_load_cases load_cases);
 
   /// @pre there is such a version.
   void annotate(std::uint32_t number, std::string name, std::string note) {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "actors/worker/job_desk.hpp"
+#include "actors/worker/worker_jobs.hpp"
 #include "fem/solve_session.hpp"
 
 namespace tedit::actors {
 
-/// What a solver worker keeps between solves; used on its bench only.
-struct solver_bench {
+/// What a solver worker keeps between solves; used on its thread only.
+struct kept_systems {
   std::map<std::string, std::unique_ptr<fem::backend>> devices;  ///< By the name asked for.
   fem::solve_session session;
 };
 
 struct solver_state {
-  job_desk desk;
-  std::shared_ptr<solver_bench> bench = std::make_shared<solver_bench>();
+  worker_jobs jobs;
+  std::shared_ptr<kept_systems> systems = std::make_shared<kept_systems>();
 
   static inline const char* name = "solver";
 };
@@ -33,7 +33,8 @@ struct solve_listener {
 /// The job, without actors. A device that is lost is opened again once; then the processor solves,
 /// and the report has a notice.
 [[nodiscard]] expected<job_output<solve_result>> solve(const solve_order& order,
-                                                       solver_bench& bench, const page_set& pages,
+                                                       kept_systems& systems,
+                                                       const version_ptr& mesh,
                                                        const execution& run,
                                                        const solve_listener& listener);
 

@@ -6,40 +6,39 @@
 #include <algorithm>
 #include <chrono>
 #include <span>
+#include <unordered_map>
 #include <unordered_set>
-
-#include <nlohmann/json.hpp>
 
 #include "actors/errors.hpp"
 #include "actors/store/adoption.hpp"
+#include "protocol/forms.hpp"
 
 namespace tedit::actors {
 
 namespace {
-
-struct named_load_cases {
-  std::vector<std::string> texts;
-  std::vector<std::string> names;
-};
 
 tl::unexpected<error> damaged_row(const std::string& what) {
   return fail(ec::storage_error, "the document is damaged: " + what,
               "Restore the document from a backup");
 }
 
-expected<named_load_cases> split_load_cases(const store::version_row& row) {
-  const auto list = nlohmann::ordered_json::parse(row.load_cases, nullptr, false);
-  const auto named = [](const auto& one) {
-    return one.is_object() && (!one.contains("name") || one["name"].is_string());
-  };
-  if (!list.is_array() || !std::ranges::all_of(list, named))
-    return damaged_row("the load cases of version " + std::to_string(row.number));
-  named_load_cases result;
-  for (const auto& one : list) {
-    result.texts.push_back(one.dump());
-    result.names.push_back(one.value("name", ""));
-  }
-  return result;
+/// The inverse of `stored_form`.
+expected<shared_load_cases> read_load_cases(const store::version_row& row) {
+  auto read = protocol::from_json<load_case_list>("{\"load_cases\":" + row.load_cases + "}");
+  if (!read)
+    return damaged_row("the load cases of version " + std::to_string(row.number) + ": " +
+                       read.error().message);
+  return std::make_shared<const load_case_list>(std::move(*read));
+}
+
+expected<shared_report> read_report(const store::version_row& row) {
+  if (row.report.empty())
+    return shared_report();
+  auto read = protocol::from_json<edit_report>(row.report);
+  if (!read)
+    return damaged_row("the report of version " + std::to_string(row.number) + ": " +
+                       read.error().message);
+  return std::make_shared<const edit_report>(std::move(*read));
 }
 
 /// Whether the versions are a tree in the order in which they were made, and the head is one of
@@ -87,11 +86,10 @@ expected<version_ptr> load_mesh(const store::version_row& row, const store::docu
 
 }  // namespace
 
-std::string join_load_cases(const std::vector<std::string>& load_cases) {
-  std::string text = "[";
-  for (const auto& one : load_cases)
-    text += (text.size() > 1 ? "," : "") + one;
-  return text + "]";
+std::string stored_form(const load_case_list& load_cases) {
+  const auto text = protocol::to_json(load_cases);
+  const auto list = text.find('[');
+  return list == std::string::npos ? "[]" : text.substr(list, text.size() - list - 1);
 }
 
 expected<stored_document> load(const store::document& document) {
@@ -104,11 +102,21 @@ expected<stored_document> load(const store::document& document) {
   result.head = contents->head;
   result.log = contents->log;
   page_map known;
+  std::unordered_map<std::string, shared_load_cases> known_cases;  // Most versions have the same.
   for (const auto& row : contents->versions) {
     auto mesh = load_mesh(row, document, known);
-    auto load_cases = split_load_cases(row);
-    if (!mesh || !load_cases)
-      return fail(mesh ? load_cases.error() : mesh.error());
+    if (!mesh)
+      return fail(mesh.error());
+    auto& load_cases = known_cases[row.load_cases];
+    if (!load_cases) {
+      auto read = read_load_cases(row);
+      if (!read)
+        return fail(read.error());
+      load_cases = std::move(*read);
+    }
+    auto report = read_report(row);
+    if (!report)
+      return fail(report.error());
     graph_node node;
     node.mesh = *mesh;
     node.info = {row.number,
@@ -118,11 +126,11 @@ expected<stored_document> load(const store::document& document) {
                  (*mesh)->tet_count(),
                  (*mesh)->vertex_count(),
                  (*mesh)->facet_count(),
-                 std::move(load_cases->names),
+                 names_of(*load_cases),
                  row.name,
                  row.note};
-    node.load_cases = std::move(load_cases->texts);
-    node.report = row.report;
+    node.load_cases = load_cases;
+    node.report = std::move(*report);
     node.redo = row.redo;
     result.nodes.push_back(std::move(node));
   }
@@ -146,8 +154,8 @@ store::change change_of(const graph_node& node, const mesh_version* parent) {
   row.id = node.info.id;
   row.manifest = node.mesh->pages().to_bytes();
   row.operation = node.info.operation;
-  row.load_cases = join_load_cases(node.load_cases);
-  row.report = node.report;
+  row.load_cases = stored_form(*node.load_cases);
+  row.report = node.report ? protocol::to_json(*node.report) : std::string();
   change.new_version = std::move(row);
   change.head = node.info.number;
   if (node.info.parent)

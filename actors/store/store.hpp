@@ -77,6 +77,6 @@ disk_set disk_set::spawn(Owner* owner) {
 }
 
 /// Load cases as the one text in which a version stores them.
-[[nodiscard]] std::string join_load_cases(const std::vector<std::string>& load_cases);
+[[nodiscard]] std::string stored_form(const load_case_list& load_cases);
 
 }  // namespace tedit::actors

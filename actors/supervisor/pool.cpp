@@ -38,7 +38,7 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
 
 void pool_state::stop() {
   for (const auto& c : children) {
-    caf::anon_send_exit(c.gate, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(c.enlister, caf::exit_reason::user_shutdown);
     kill_process(c.pid);
   }
   children.clear();
@@ -182,7 +182,7 @@ expected<pool_state::child> pool_state::make_child() {
   c.number = ++started;
   c.pid = *pid;
   c.started = clock::now();
-  c.gate = serve(std::move(link->ours), c.number);
+  c.enlister = serve(std::move(link->ours), c.number);
   return c;
 }
 
@@ -288,7 +288,7 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   last_failure = "process " + std::to_string(dead->pid) + " " + how;
   spdlog::warn("{} worker: {}", options.role, last_failure);
   auto work = std::move(dead->work);
-  caf::anon_send_exit(dead->gate, caf::exit_reason::user_shutdown);
+  caf::anon_send_exit(dead->enlister, caf::exit_reason::user_shutdown);
   children.erase(dead);
   wake();
   if (work)
@@ -326,7 +326,7 @@ void pool_state::dismiss_retired(clock::time_point now) {
     if (too_many-- <= 0 && now - *current->retired < options.retired_stay)
       continue;
     kill_process(current->pid);
-    caf::anon_send_exit(current->gate, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(current->enlister, caf::exit_reason::user_shutdown);
     children.erase(current);
   }
 }

@@ -106,7 +106,7 @@ struct pool_state {
   struct child {
     std::uint64_t number = 0;  ///< Never used again.
     pid_t pid = 0;
-    caf::actor gate;  ///< What it talks to before it is a worker; ours.
+    caf::actor enlister;  ///< What it talks to before it is a worker; ours.
     clock::time_point started;
     caf::actor worker;            ///< Null until it has enlisted.
     std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is `pid`.
@@ -182,7 +182,7 @@ struct pool_state {
   caf::scheduled_actor* self = nullptr;
   pool_options options;
   std::optional<restart_budget> budget;
-  /// Serves a link and makes the gate of the child with this number; set by the actor.
+  /// Serves a link and makes the enlister of the child with this number; set by the actor.
   std::function<caf::actor(unique_fd end, std::uint64_t number)> serve;
   /// Sends the tick with this number after a while; set by the actor.
   std::function<void(std::chrono::milliseconds wait, std::uint64_t number)> call_tick;
@@ -190,10 +190,10 @@ struct pool_state {
   bool resting = false;         ///< Whether it is a slow one.
   std::uint64_t started = 0;    ///< Children so far.
   std::list<child> children;
-  std::deque<job> waiting;      ///< As they came.
-  turn_order turns;             ///< Which of them is next.
-  std::vector<question> asked;  ///< While no worker is there.
-  std::string catalogue;        ///< The last that a worker gave; of modeling.
+  std::deque<job> waiting;                               ///< As they came.
+  turn_order turns;                                      ///< Which of them is next.
+  std::vector<question> asked;                           ///< While no worker is there.
+  std::shared_ptr<const operation_catalogue> catalogue;  ///< That a worker gave; of modeling.
   quarantine off;
   unsigned forgiven = 0;  ///< Restarts that the budget need not pay for.
   std::uint32_t restarts = 0;

@@ -24,7 +24,8 @@ auto job_handler(pool_pointer<Role> self) {
     pool_state::job job;
     job.id = id;
     if constexpr (std::is_same_v<Order, edit_order>)
-      job.edit = {order.operation, order.document, order.client};
+      if (const auto wanted = order.wanted.get())
+        job.edit = {(*wanted)->operation, order.document, order.client};
     const auto& listener = order.base.listener;
     job.place = {urgency::edit, order.base.client, listener ? listener.id() : 0};
     if constexpr (std::is_same_v<Order, export_order>)
@@ -61,8 +62,8 @@ auto job_handler(pool_pointer<Role> self) {
 
 /// What the process behind one link talks to before it is a worker. A process cannot speak for
 /// another: `number` is the child that inherited the other end.
-caf::behavior make_gate(caf::event_based_actor* self, const caf::actor& pool,
-                        std::uint64_t number) {
+caf::behavior make_enlister(caf::event_based_actor* self, const caf::actor& pool,
+                            std::uint64_t number) {
   heed_only_own_exits(self);
   return {[=](const enlistment& who) {
     auto promise = self->make_response_promise<bool>();
@@ -96,9 +97,9 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
       return answer;
     });
   state.serve = [=](unique_fd end, std::uint64_t number) {
-    auto gate = self->spawn(make_gate, own, number);
-    serve_link(self->system(), std::move(end), gate);
-    return gate;
+    auto enlister = self->spawn(make_enlister, own, number);
+    serve_link(self->system(), std::move(end), enlister);
+    return enlister;
   };
   state.call_tick = [=](std::chrono::milliseconds wait, std::uint64_t number) {
     caf::delayed_anon_send(own, wait, tick_atom::value, number);
@@ -109,21 +110,24 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
 
 /// What the first worker said, without the operations that are switched off since. All workers of a
 /// server say the same.
-caf::result<std::string> catalogue_of(pool_pointer<modeling_actor> self) {
+caf::result<shared_catalogue> catalogue_of(pool_pointer<modeling_actor> self) {
   auto& state = self->state;
-  if (!state.catalogue.empty())
-    return state.off.apply_to(state.catalogue);
-  const auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
-    self->make_response_promise<std::string>());
+  if (state.catalogue)
+    return shared_catalogue(state.off.apply_to(*state.catalogue));
+  const auto promise = std::make_shared<caf::typed_response_promise<shared_catalogue>>(
+    self->make_response_promise<shared_catalogue>());
   const auto refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
   const auto ask = [=](const caf::actor& worker) {
     self
       ->request(caf::actor_cast<modeling_actor>(worker), std::chrono::seconds(30),
                 catalog_atom::value)
       .then(
-        [=](const std::string& json) {
-          self->state.catalogue = json;
-          promise->deliver(self->state.off.apply_to(json));
+        [=](const shared_catalogue& said) {
+          const auto all = said.get();
+          if (!all)
+            return refuse(all.error());
+          self->state.catalogue = *all;
+          promise->deliver(shared_catalogue(self->state.off.apply_to(**all)));
         },
         [=](const caf::error& e) { refuse(from_caf(e, "the catalogue")); });
   };
@@ -135,7 +139,7 @@ modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
                                             pool_options options) {
   start_pool<modeling_actor>(self, std::move(options));
   return {job_handler<modeling_actor, import_order, import_result>(self),
-          job_handler<modeling_actor, edit_order, edit_candidate>(self),
+          job_handler<modeling_actor, edit_order, operation_result>(self),
           job_handler<modeling_actor, export_order, export_result>(self),
           job_handler<modeling_actor, select_order, select_result>(self),
           [=](catalog_atom) { return catalogue_of(self); },
@@ -146,7 +150,7 @@ modeling_actor::behavior_type modeling_pool(pool_pointer<modeling_actor> self,
 optimizer_actor::behavior_type optimizer_pool(pool_pointer<optimizer_actor> self,
                                               pool_options options) {
   start_pool<optimizer_actor>(self, std::move(options));
-  return {job_handler<optimizer_actor, finish_order, finish_result>(self),
+  return {job_handler<optimizer_actor, check_order, check_result>(self),
           [=](cancel_atom, job_id id) { self->state.cancel(id); },
           [=](status_atom) { return self->state.status(); }};
 }

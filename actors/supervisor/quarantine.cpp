@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 namespace tedit::actors {
 
 bool quarantine::note(const edit_origin& edit, const std::string& how) {
@@ -53,29 +51,22 @@ std::optional<error> quarantine::refusal(const edit_origin& edit) const {
   return error{ec::plugin_refused, reason(edit.operation, {*here}), remedy, {}};
 }
 
-std::string quarantine::apply_to(const std::string& catalogue) const {
-  auto json = nlohmann::json::parse(catalogue, nullptr, false);
-  if (!json.is_object() || !json.contains("operations"))
-    return catalogue;
-  auto kept = nlohmann::json::array();
-  for (auto& operation : json["operations"]) {
-    const auto id = operation.value("id", std::string());
+operation_catalogue quarantine::apply_to(const operation_catalogue& all) const {
+  operation_catalogue result{{}, all.refused};
+  for (const auto& one : all.operations) {
+    const auto& id = one.about.id;
     const auto found = operations_.find(id);
     if (found == operations_.end() || !is_off_everywhere(found->second)) {
-      kept.push_back(std::move(operation));
+      result.operations.push_back(one);
       continue;
     }
     unsigned edits = 0;
     for (const auto& [document, r] : found->second)
       edits += r.edits;
-    json["refused"].push_back({{"file", operation.value("plugin", id)},
-                               {"reason", reason(id, found->second)},
-                               {"operation", id},
-                               {"crashes", edits},
-                               {"remedy", "start the server anew to have it tried again"}});
+    result.refused.push_back({one.plugin, reason(id, found->second), id, edits,
+                              "start the server anew to have it tried again"});
   }
-  json["operations"] = std::move(kept);
-  return json.dump();
+  return result;
 }
 
 }  // namespace tedit::actors

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "protocol/operation_message.hpp"
 
 namespace tedit::actors {
 
@@ -36,9 +37,8 @@ public:
   /// Whether edits are counted here; else their deaths belong to the pool's restart budget.
   [[nodiscard]] bool counts() const { return limit_ > 0; }
 
-  /// A catalogue (the protocol's JSON) with the operations that are off everywhere among the
-  /// refused.
-  [[nodiscard]] std::string apply_to(const std::string& catalogue) const;
+  /// A catalogue with the operations that are off everywhere among the refused.
+  [[nodiscard]] operation_catalogue apply_to(const operation_catalogue& all) const;
 
 private:
   /// The failed edits of one operation in one document.

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/virtual_display.hpp"
-#include "cli/render/number_option.hpp"
+#include "cli/number_option.hpp"
 #include "cli/render/scene.hpp"
 
 namespace {

@@ -7,6 +7,7 @@
 #include "client/recipe.hpp"
 #include "client/recipes/values.hpp"
 #include "client/recipes/window_rules.hpp"
+#include "mesh/formats.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::client {
@@ -68,10 +69,10 @@ void fields_of(Io& io, solve_step& s) {
 
 template <class Io>
 void fields_of(Io& io, export_step& s) {
-  io.other("vtu", s.vtu);
+  for (const auto& format : file_formats)
+    if (format.writes)
+      io.one_of(std::string(format.name), s.files);
   io.other("png", s.png);
-  io.other("msh", s.msh);
-  io.other("stl", s.stl);
   io.other("title", s.title);
   io.other("range_mpa", s.range_mpa);
 }
@@ -111,6 +112,14 @@ public:
     known_.insert(field);
     if (const auto found = body_.find(field); found != body_.end())
       read(*found, into, where_ + ": \"" + field + "\"", range);
+  }
+
+  /// One text of several that have names of their own.
+  void one_of(const std::string& field, std::map<std::string, std::string>& into) {
+    std::string value;
+    other(field.c_str(), value);
+    if (!value.empty())
+      into[field] = std::move(value);
   }
 
   void cases(const char* field, solve_step& into) {
@@ -357,6 +366,10 @@ public:
   void other(const char* field, const T& value, const number_range& = {}) {
     if (value != T{})
       body[field] = plain(value);
+  }
+  void one_of(const std::string& field, const std::map<std::string, std::string>& all) {
+    if (const auto found = all.find(field); found != all.end())
+      body[field] = found->second;
   }
   void cases(const char* field, const solve_step& s) {
     if (s.all_load_cases)

@@ -96,7 +96,7 @@ async def study(url, token_file, mesh, load_case_file, least_mm="0", most_mm="10
     async with websockets.connect(url, max_size=16 << 20) as socket:
         server = Server(socket)
         token = pathlib.Path(token_file).read_text().strip()
-        await server.ask("hello", protocol_major=1, protocol_minor=8, client="hole_study", token=token)
+        await server.ask("hello", protocol_major=1, protocol_minor=10, client="hole_study", token=token)
         server.document = (await server.ask("open_document")).document
         await server.upload(mesh)
         loads = json_format.Parse(pathlib.Path(load_case_file).read_text(), load_cases.LoadCase())

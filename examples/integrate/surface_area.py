@@ -68,7 +68,7 @@ async def show(url, token_file, mesh):
     async with websockets.connect(url, max_size=16 << 20) as socket:
         server = Server(socket)
         token = pathlib.Path(token_file).read_text().strip()
-        await server.ask("hello", protocol_major=1, protocol_minor=8, client="surface_area", token=token)
+        await server.ask("hello", protocol_major=1, protocol_minor=10, client="surface_area", token=token)
         server.document = (await server.ask("open_document")).document
         await server.upload(mesh)
         await server.ask("open_document", name=server.document, watch_surface=True)  # The surface follows.

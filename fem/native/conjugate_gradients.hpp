@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "fem/energy_bound.hpp"
 #include "fem/kernels.hpp"
+#include "fem/multilevel/energy_bound.hpp"
 #include "fem/native/held_nodes.hpp"
 #include "fem/native/vectors.hpp"
 #include "fem/polled.hpp"

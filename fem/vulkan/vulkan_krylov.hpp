@@ -4,7 +4,7 @@
 #include <deque>
 #include <functional>
 
-#include "fem/energy_bound.hpp"
+#include "fem/multilevel/energy_bound.hpp"
 #include "fem/vulkan/vulkan_memory.hpp"
 #include "fem/vulkan/vulkan_rows.hpp"
 

@@ -16,7 +16,7 @@ namespace tedit::fem {
 struct device_scale {
   double size = 1;       ///< m
   double stiffness = 1;  ///< Pa
-  vec3 centre;           ///< m; positions are sent from here.
+  vec3 centre;           ///< m; of the part's box.
 
   explicit device_scale(const problem& p);
   /// What the device holds of a stiffness, N/m, times this is the stiffness.

@@ -50,11 +50,11 @@ int ask(caf::actor_system& system, const caf::actor& whom, int x) {
 class Link : public ::testing::Test {
 protected:
   node host;
-  caf::actor gate = host.system.spawn(doubler);
+  caf::actor enlister = host.system.spawn(doubler);
 
   Link() { spdlog::set_level(spdlog::level::off); }
   ~Link() override {
-    caf::anon_send_exit(gate, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(enlister, caf::exit_reason::user_shutdown);
     spdlog::set_level(spdlog::level::info);
   }
 
@@ -80,7 +80,7 @@ protected:
   /// An honest node gets answers still.
   void expect_others_are_served() {
     node other;
-    const auto found = join_link(other.system, served(gate));
+    const auto found = join_link(other.system, served(enlister));
     ASSERT_TRUE(found.has_value());
     EXPECT_EQ(ask(other.system, *found, 21), 42);
   }
@@ -92,11 +92,11 @@ TEST_F(Link, JoinedNodesTalk) {
 
 TEST_F(Link, WhoJoinsHearsOfTheEndOfTheOther) {
   node worker;
-  const auto found = join_link(worker.system, served(gate));
+  const auto found = join_link(worker.system, served(enlister));
   ASSERT_TRUE(found.has_value());
   caf::scoped_actor self(worker.system);
   self->monitor(*found);
-  caf::anon_send_exit(gate, caf::exit_reason::user_shutdown);
+  caf::anon_send_exit(enlister, caf::exit_reason::user_shutdown);
   bool told = false;
   self->receive([&](const caf::down_msg&) { told = true; }, caf::after(patience) >> [] {});
   EXPECT_TRUE(told);
@@ -120,7 +120,7 @@ TEST_F(Link, WhoIsToEndDoesNotWaitForAServerThatIsSilent) {
 }
 
 TEST_F(Link, ThirtyTwoBytesDoNotEndTheServer) {
-  const auto fd = served(gate);
+  const auto fd = served(enlister);
   std::array<char, 32> bytes{1};
   ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), 32);
   EXPECT_TRUE(is_cut(fd.get()));
@@ -128,7 +128,7 @@ TEST_F(Link, ThirtyTwoBytesDoNotEndTheServer) {
 }
 
 TEST_F(Link, AHeaderThatClaimsFourGigabytesGetsNone) {
-  const auto fd = served(gate);
+  const auto fd = served(enlister);
   std::array<unsigned char, 32> bytes{1, 0, 0, 0, 0xff, 0xff, 0xff, 0xff};
   ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), 32);
   EXPECT_TRUE(is_cut(fd.get()));
@@ -154,7 +154,7 @@ TEST_F(Link, AnExitMessageCutsTheLinkAndEndsNobody) {
 
 TEST_F(Link, ANodeThatLinksItselfToAnActorAndDiesTakesNobodyWithIt) {
   auto worker = std::make_unique<node>();
-  const auto found = join_link(worker->system, served(gate));
+  const auto found = join_link(worker->system, served(enlister));
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(ask(worker->system, *found, 1), 2);
   const auto linked = worker->system.spawn([peer = *found](caf::event_based_actor* self) {
@@ -175,7 +175,7 @@ TEST_F(Link, MutatedConversationsEndNothing) {
     // What an honest node says: its greeting and a request.
     auto link = make_link();
     auto between = make_link();
-    serve_link(host.system, std::move(link->ours), gate);
+    serve_link(host.system, std::move(link->ours), enlister);
     node worker;
     std::vector<char> said;
     std::jthread relay([&](const std::stop_token& stop) {
@@ -215,10 +215,10 @@ TEST_F(Link, MutatedConversationsEndNothing) {
       bytes[below(round % 2 == 0 ? 96 : bytes.size())] = static_cast<char>(random());
     if (below(3) == 0)
       bytes.resize(below(bytes.size()) + 1);
-    const auto fd = served(gate);
+    const auto fd = served(enlister);
     send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (round % 50 == 0) {
-      ASSERT_EQ(ask(host.system, gate, round), 2 * round);
+      ASSERT_EQ(ask(host.system, enlister, round), 2 * round);
     }
   }
   expect_others_are_served();

@@ -15,12 +15,12 @@ TEST(Program, HelpNamesTheCommandsAndExitStatuses) {
   const auto help = run("--help");
 
   EXPECT_EQ(help.status, 0);
-  for (const auto* word : {"info", "edit", "solve", "export", "run", "serve", "worker", "render",
-                           "ops", "verify", "doctor", "130"})
-    EXPECT_THAT(help.out, HasSubstr(word));
-  for (const auto* command :
-       {"info", "edit", "solve", "export", "run", "serve", "worker", "ops", "verify", "doctor"})
-    EXPECT_EQ(run(std::string(command) + " --help").status, 0) << command;
+  EXPECT_THAT(help.out, ::testing::AllOf(HasSubstr("render"), HasSubstr("130")));
+  for (const std::string command : {"info", "edit", "convert", "solve", "export", "run", "serve",
+                                    "worker", "ops", "verify", "doctor"}) {
+    EXPECT_THAT(help.out, HasSubstr(command));
+    EXPECT_EQ(run(command + " --help").status, 0) << command;
+  }
 }
 
 TEST(Program, UsageErrorsEndWith2) {
@@ -223,7 +223,7 @@ TEST(Solve, SeveralLoadCasesHaveRowsAndAnEnvelope) {
   for (const std::string& field :
        {std::string("envelope_von_mises"), std::string("envelope_case"),
         std::string("envelope_safety_factor"), std::string("envelope_safety_factor_case"),
-        "von_mises_pa (" + name + ")", "stress_pa (" + name + " 2)"})
+        "von_mises_pa (" + name + ")", "largest_strain (" + name + " 2)"})
     EXPECT_THAT(text, HasSubstr("Name=\"" + field + "\""));
 }
 

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "client/recipe.hpp"
+#include "mesh/formats.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::client {
@@ -62,7 +63,7 @@ TEST(RecipeReader, StepsThatWorkOnThePart) {
   EXPECT_EQ(step(R"({"solve": {"load_cases": "all", "energy_tolerance": 0.01}})"),
             recipe_step(solve_step{{}, true, 0.01}));
   EXPECT_EQ(step(R"({"export": {"msh": "v{version}.msh", "png": "a.png", "range_mpa": [0, 9]}})"),
-            recipe_step(export_step{{}, "a.png", "v{version}.msh", {}, {}, {{0., 9.}}}));
+            recipe_step(export_step{{{"msh", "v{version}.msh"}}, "a.png", {}, {{0., 9.}}}));
 }
 
 TEST(RecipeReader, BothSpellingsOfUndoAndOfALoadCase) {
@@ -289,8 +290,21 @@ fem::load_case any_loads() {
   return result;
 }
 
+TEST(RecipeReader, EachFormatHasItsKey) {
+  for (const auto& format : file_formats) {
+    const std::string name(format.name);
+    const auto read = recipe_from_json(R"([{"export": {")" + name + R"(": "a"}}])");
+    ASSERT_TRUE(read.has_value()) << name;
+    EXPECT_EQ(read->steps.front(), recipe_step(export_step{{{name, "a"}}, {}, {}, {}}));
+  }
+  EXPECT_FALSE(recipe_from_json(R"([{"export": {"step": "a"}}])").has_value());
+}
+
 export_step any_export() {
-  export_step result{*any_word(), *any_word(), *any_word(), *any_word(), *any_word(), {}};
+  export_step result{{}, *any_word(), *any_word(), {}};
+  for (const auto format : written_formats())
+    if (const auto name = *any_word(); !name.empty())
+      result.files[std::string(format)] = name;
   const double low = *any_finite();
   if (*rc::gen::arbitrary<bool>() && low < 1e29)
     result.range_mpa = {low, low + 1 + std::abs(low)};

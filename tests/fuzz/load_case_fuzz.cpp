@@ -8,10 +8,10 @@
 
 #include "fem/fields.hpp"
 #include "fem/load_cases.hpp"
+#include "fem/make_report.hpp"
 #include "fem/native/native_backend.hpp"
 #include "protocol/convert.hpp"
-#include "protocol/json.hpp"
-#include "protocol/report.hpp"
+#include "protocol/load_case_message.hpp"
 #include "tedit/v1/load_case.pb.h"
 #include "tests/support/blocks.hpp"
 
@@ -111,7 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto loads = protocol::load_case_from_json(bytes, "file");
   v1::LoadCase message;
   if (!loads && message.ParseFromString(bytes))
-    loads = protocol::load_case_from_json(protocol::message_to_json(message), "message");
+    loads = protocol::from_message(message);
   if (!loads) {
     check_refused(loads.error());
     return 0;

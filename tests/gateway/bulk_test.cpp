@@ -62,10 +62,9 @@ struct received {
   }
 };
 
-received send_arrays(bool aligned) {
+received send_arrays() {
   const auto line = std::make_shared<kept_connection>();
   outbox out(line);
-  out.align_arrays(aligned);
   out.add([] { return arrays(); });
   out.pump();
   received result;
@@ -79,7 +78,7 @@ received send_arrays(bool aligned) {
 }
 
 TEST(Outbox, ArraysBeginAtMultiplesOfEightBytes) {
-  const auto got = send_arrays(true);
+  const auto got = send_arrays();
   std::vector<std::uint64_t> offsets;
   for (const auto& array : got.stream.arrays())
     offsets.push_back(array.offset());
@@ -90,15 +89,6 @@ TEST(Outbox, ArraysBeginAtMultiplesOfEightBytes) {
   EXPECT_THAT(got.read<float>(3, 32), ElementsAre(2));
   EXPECT_THAT(got.read<std::int64_t>(4, 40), ElementsAre(-5));
   EXPECT_EQ(got.bytes.substr(12, 4) + got.bytes.substr(36, 4), std::string(8, '\0'));
-}
-
-TEST(Outbox, ForOlderClientsArraysFollowEachOther) {
-  const auto got = send_arrays(false);
-  for (const auto& array : got.stream.arrays())
-    EXPECT_FALSE(array.has_offset());
-  EXPECT_EQ(got.bytes.size(), 40u);
-  EXPECT_THAT(got.read<double>(2, 12), ElementsAre(0.25, -1));
-  EXPECT_THAT(got.read<std::int64_t>(4, 32), ElementsAre(-5));
 }
 
 /// A file of so many bytes, in pages.
@@ -122,7 +112,6 @@ TEST(Outbox, CountsWhatIsPreparedForAClientThatDoesNotRead) {
   constexpr std::size_t size = 10'000'000;
   const auto line = std::make_shared<kept_connection>();
   outbox out(line);
-  out.align_arrays(true);
   for (int i = 0; i < 3; ++i)
     out.add([] { return file_of(size); }, size);
   EXPECT_EQ(out.prepared(), 3 * size);

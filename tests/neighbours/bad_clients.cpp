@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "client/socket.hpp"
+#include "protocol/version.hpp"
 #include "tedit/v1/envelope.pb.h"
 
 namespace tedit::test {
@@ -29,7 +30,7 @@ v1::ClientMessage hello_of(const client::connect_options& server) {
   v1::ClientMessage message;
   message.set_request_id(1);
   message.mutable_hello()->set_protocol_major(1);
-  message.mutable_hello()->set_protocol_minor(6);
+  message.mutable_hello()->set_protocol_minor(protocol::minor_version);
   message.mutable_hello()->set_client("bad neighbour");
   message.mutable_hello()->set_token(server.token);
   return message;
@@ -46,7 +47,7 @@ v1::ClientMessage export_of(const std::string& document, std::uint64_t id) {
   v1::ClientMessage message;
   message.set_request_id(id);
   message.mutable_export_file()->set_document(document);
-  message.mutable_export_file()->set_format(v1::ExportFile::VTU);
+  message.mutable_export_file()->set_format("vtu");
   return message;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/forms.hpp"
+
 namespace tedit::protocol {
 namespace {
 
@@ -35,11 +37,15 @@ ops::operation_description sample() {
 TEST(Catalogue, ComesBackFromItsJson) {
   const auto sent = sample();
 
-  const auto got = catalogue_from_json(catalogue_to_json({{sent, "plug 1.0.0"}}, {}));
+  const operation_catalogue all{{{sent, "plug 1.0.0"}}, {{"bad.so", "too new", "x", 3, "restart"}}};
+  const auto got = from_json<operation_catalogue>(to_json(all));
 
   ASSERT_TRUE(got.has_value()) << render(got.error());
-  ASSERT_EQ(got->size(), 1u);
-  const auto& [d, plugin] = got->front();
+  ASSERT_EQ(got->refused.size(), 1u);
+  EXPECT_EQ(got->refused[0].reason, "too new");
+  EXPECT_EQ(got->refused[0].crashes, 3u);
+  ASSERT_EQ(got->operations.size(), 1u);
+  const auto& [d, plugin] = got->operations.front();
   EXPECT_EQ(plugin, "plug 1.0.0");
   EXPECT_EQ(d.id, sent.id);
   EXPECT_EQ(d.name, sent.name);
@@ -64,8 +70,8 @@ TEST(Catalogue, ComesBackFromItsJson) {
 }
 
 TEST(Catalogue, WhatIsNoCatalogueIsRefused) {
-  EXPECT_FALSE(catalogue_from_json("{\"operations\": 3}").has_value());
-  EXPECT_FALSE(catalogue_from_json("operations").has_value());
+  EXPECT_FALSE(from_json<operation_catalogue>("{\"operations\": 3}").has_value());
+  EXPECT_FALSE(from_json<operation_catalogue>("operations").has_value());
 }
 
 }  // namespace

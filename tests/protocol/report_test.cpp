@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh/version.hpp"
+#include "protocol/forms.hpp"
 #include "protocol/load_policy_message.hpp"
 #include "tedit/v1/report.pb.h"
 
@@ -37,7 +37,7 @@ std::string to_json(const solve_report& report) {
 }
 
 expected<solve_report> solve_report_from_json(const std::string& json) {
-  return solve_outcome_from_json(json).map([](const solve_outcome& outcome) {
+  return from_json<solve_outcome>(json).map([](const solve_outcome& outcome) {
     EXPECT_EQ(outcome.cases.size(), 1u);
     EXPECT_FALSE(outcome.envelope.has_value());
     return outcome.cases.front();
@@ -49,7 +49,7 @@ TEST(EditReportJson, FiguresSurviveTheRoundTrip) {
   before.figures = {{"pieces", 1, "", "pieces of the body"},
                     {"thickness_change_mm", 0.125, "mm", "thickness taken off"}};
 
-  const auto after = edit_report_from_json(protocol::to_json(before));
+  const auto after = from_json<edit_report>(protocol::to_json(before));
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   EXPECT_EQ(after->figures, before.figures);
@@ -60,8 +60,8 @@ TEST(EditReportJson, RatiosAreAbsentWhereNoTetWasTouched) {
   edit_report flat;
   flat.ratios = {0.5, 0, 0.75};  // A flat tet has the ratio 0, and that is said.
 
-  const auto without = edit_report_from_json(protocol::to_json(none));
-  const auto with = edit_report_from_json(protocol::to_json(flat));
+  const auto without = from_json<edit_report>(protocol::to_json(none));
+  const auto with = from_json<edit_report>(protocol::to_json(flat));
 
   EXPECT_THAT(protocol::to_json(none), Not(HasSubstr("touched_m")));
   EXPECT_EQ(without->ratios, std::nullopt);
@@ -80,7 +80,7 @@ TEST(EditReportJson, TheCompletedSelectionSurvivesTheRoundTrip) {
   before.surfaces = {15};
   before.surfaces_used = {15, -91};
 
-  const auto after = edit_report_from_json(protocol::to_json(before));
+  const auto after = from_json<edit_report>(protocol::to_json(before));
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   EXPECT_EQ(after->surfaces, before.surfaces);
@@ -96,7 +96,7 @@ TEST(EditReportJson, WhatBecameOfLoadsSurvivesTheRoundTrip) {
   line.total_after = 6;
   before.receipt = {line};
 
-  const auto after = edit_report_from_json(protocol::to_json(before));
+  const auto after = from_json<edit_report>(protocol::to_json(before));
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   EXPECT_EQ(after->loads, before.loads);
@@ -108,7 +108,7 @@ TEST(EditReportJson, WhatBecameOfLoadsSurvivesTheRoundTrip) {
 }
 
 TEST(EditReportJson, OfAnOlderProgramDropsLoads) {
-  const auto after = edit_report_from_json("{}");
+  const auto after = from_json<edit_report>("{}");
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   EXPECT_EQ(after->loads, fem::carry_settings{});
@@ -192,7 +192,7 @@ TEST(SolveOutcomeJson, SeveralCasesAndTheirEnvelopeSurviveTheRoundTrip) {
   worst.max_displacement = {1e-3, {4, 5, 6}, ""};
   worst.min_safety_factor = {1.5, {7, 8, 9}, "braking"};
 
-  const auto after = solve_outcome_from_json(protocol::to_json(before));
+  const auto after = from_json<solve_outcome>(protocol::to_json(before));
 
   ASSERT_TRUE(after.has_value()) << render(after.error());
   ASSERT_EQ(after->cases.size(), 2u);
@@ -212,89 +212,7 @@ TEST(SolveOutcomeJson, SeveralCasesAndTheirEnvelopeSurviveTheRoundTrip) {
 
   before.envelope->min_safety_factor.reset();
   EXPECT_FALSE(
-    solve_outcome_from_json(protocol::to_json(before))->envelope->min_safety_factor.has_value());
-}
-
-class MakeReport : public ::testing::Test {
-protected:
-  fem::problem problem;
-  fem::solution result;
-  version_ptr mesh = mesh_version::create({});
-
-  MakeReport() {
-    result.element_order = problem.element_order = 2;
-    for (std::uint32_t i = 0; i < 30; ++i)
-      result.singular_places.push_back(
-        {i, fem::singularity::clamp_rim, {0.1 * i, 0, 0}, 1e6 * (30 - i)});
-  }
-
-  [[nodiscard]] solve_report made() const { return make_report(*mesh, "a", problem, result); }
-};
-
-TEST_F(MakeReport, KeepsTheWorstTwentySingularPlacesAndCountsAll) {
-  const auto report = made();
-
-  ASSERT_EQ(report.singular_places.size(), 20U);
-  EXPECT_EQ(report.singular_places.front().von_mises_pa, 30e6);
-  EXPECT_EQ(report.singular_places_count, 30U);
-}
-
-TEST_F(MakeReport, SaysWhenTheLargestNodalStressIsSingular) {
-  result.max_von_mises_at = result.singular_places[3].at;
-  EXPECT_EQ(made().max_von_mises_singularity, fem::singularity::clamp_rim);
-
-  result.max_von_mises_at = {0, 1, 0};
-  EXPECT_FALSE(made().max_von_mises_singularity.has_value());
-}
-
-TEST_F(MakeReport, SaysWhenTheLargestElementTouchesASingularNode) {
-  result.element_order = problem.element_order = 1;
-  problem.element_nodes = {40, 41, 42, 43, 50, 51, 7, 53};
-  result.max_von_mises_element = 1;
-  EXPECT_EQ(made().max_von_mises_singularity, fem::singularity::clamp_rim);
-
-  result.max_von_mises_element = 0;
-  EXPECT_FALSE(made().max_von_mises_singularity.has_value());
-}
-
-TEST_F(MakeReport, LeavesOutWhatTheMaterialsDoNotSay) {
-  EXPECT_FALSE(made().mass_kg.has_value());
-  EXPECT_FALSE(made().min_safety_factor.has_value());
-
-  result.mass_known = true;
-  result.mass_kg = 2;
-  result.safety_factor = {4};
-  result.min_safety_factor = 4;
-  EXPECT_EQ(made().mass_kg, 2.0);
-  EXPECT_EQ(made().min_safety_factor, 4.0);
-}
-
-TEST_F(MakeReport, OfSeveralCasesNamesTheWorst) {
-  fem::case_set set{problem, {{"a", {}, {}, {}, {}}, {"b", {}, {}, {}, {}}}};
-  fem::solved_cases solved{{result, result}, {}};
-  solved.cases[0].converged = true;
-  solved.cases[1].max_von_mises_pa = 9e6;
-  solved.envelope.max_von_mises = {9e6, {1, 0, 0}, 1};
-  solved.envelope.max_displacement = {1e-3, {2, 0, 0}, 0};
-
-  const auto outcome = make_outcome(*mesh, set, solved, true, 80);
-
-  ASSERT_EQ(outcome.cases.size(), 2u);
-  EXPECT_EQ(outcome.cases[1].load_case, "b");
-  EXPECT_EQ(outcome.cases[1].total_ms, 40);
-  EXPECT_TRUE(outcome.cases[0].interim);
-  EXPECT_FALSE(outcome.cases[0].preview);
-  ASSERT_TRUE(outcome.envelope.has_value());
-  EXPECT_TRUE(outcome.envelope->preview) << "b is one";
-  EXPECT_TRUE(outcome.envelope->interim);
-  EXPECT_EQ(outcome.envelope->load_cases, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(outcome.envelope->max_von_mises.load_case, "b");
-  EXPECT_EQ(outcome.envelope->max_displacement.load_case, "a");
-  EXPECT_FALSE(outcome.envelope->min_safety_factor.has_value());
-
-  solved.cases.pop_back();
-  set.cases.pop_back();
-  EXPECT_FALSE(make_outcome(*mesh, set, solved, false, 80).envelope.has_value());
+    from_json<solve_outcome>(protocol::to_json(before))->envelope->min_safety_factor.has_value());
 }
 
 }  // namespace

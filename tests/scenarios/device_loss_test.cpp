@@ -4,8 +4,6 @@
 #include "actors/solver/solver.hpp"
 #include "actors/versions.hpp"
 #include "fem/native/native_backend.hpp"
-#include "protocol/convert.hpp"
-#include "protocol/report.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::actors {
@@ -41,26 +39,19 @@ fem::load_case cantilever() {
 class DeviceLoss : public ::testing::Test {
 protected:
   version_ptr mesh_ = test::box_mesh({4, 1, 1}, {4, 1, 1});
-  page_set pages_;
-  solver_bench bench_;
+  kept_systems systems_;
   int assemblies_ = 0;
 
-  void SetUp() override {
-    page_map pages;
-    mesh_->for_each_page([&](const page_ptr& p) { pages.emplace(p->id(), p); });
-    pages_.pages = std::make_shared<const page_map>(std::move(pages));
-    bench_.devices["shaky"] = std::make_unique<lost_device>(assemblies_);
-  }
+  void SetUp() override { systems_.devices["shaky"] = std::make_unique<lost_device>(assemblies_); }
 
   expected<solve_outcome> solve_on(const std::string& device) {
     solve_order order;
-    order.version = make_ref(*mesh_);
-    order.load_cases = {protocol::load_case_to_json(cantilever())};
+    order.load_cases = wire_value(load_case_list{cantilever()});
     order.device = device;
-    const auto output = solve(order, bench_, pages_, {}, {});
+    const auto output = solve(order, systems_, mesh_, {}, {});
     if (!output)
       return fail(output.error());
-    return protocol::solve_outcome_from_json(output->result.outcome);
+    return *output->result.outcome.get().value();
   }
 };
 

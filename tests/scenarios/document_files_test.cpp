@@ -39,7 +39,7 @@ protected:
   }
 
   [[nodiscard]] std::string copy() {
-    const auto bytes = value(user->export_file(client::file_format::document, {}, {}, {}));
+    const auto bytes = value(user->export_file("tedit", {}, {}, {}));
     return {bytes.begin(), bytes.end()};
   }
 
@@ -136,12 +136,11 @@ TEST_F(DocumentFiles, ANameThatIsTakenIsNotTakenTwice) {
 
 TEST_F(DocumentFiles, WithoutAPartThereIsNothingToCopy) {
   value(user->open("empty", false, false));
-  const auto refused = user->export_file(client::file_format::document, {}, {}, {});
+  const auto refused = user->export_file("tedit", {}, {}, {});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ec::not_found);
   make_document("cube");
-  EXPECT_EQ(user->export_file(client::file_format::document, {}, "mm", {}).error().code,
-            ec::invalid_argument);
+  EXPECT_EQ(user->export_file("tedit", {}, "mm", {}).error().code, ec::invalid_argument);
 }
 
 TEST_F(DocumentFiles, WhatAKillLeftGoesWhenTheServerStarts) {

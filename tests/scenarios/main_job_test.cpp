@@ -200,11 +200,27 @@ TEST_F(MainJob, AFirstFieldComesWhileTheSolveRuns) {
 TEST_F(MainJob, ExportsWhatWasMade) {
   const auto imported = import_plate();
   value(user->solve({.device = "cpu"}, {}));
-  const auto vtu = value(user->export_file(client::file_format::vtu, "", "", {}));
+  const auto vtu = value(user->export_file("vtu", "", "", {}));
   EXPECT_THAT(std::string(vtu.data(), 2000), HasSubstr("von_mises_pa"));
-  const auto msh =
-    value(user->export_file(client::file_format::msh, imported.head.version_id, "mm", {}));
+  const auto msh = value(user->export_file("msh", imported.head.version_id, "mm", {}));
   EXPECT_THAT(std::string(msh.data(), 20), HasSubstr("$MeshFormat"));
+}
+
+TEST_F(MainJob, TheServerSaysWhichFormatsThereAre) {
+  import_plate();
+  const auto offered = user->formats();
+
+  const auto refused = user->export_file("step", "", "", {});
+
+  ASSERT_EQ(offered.size(), file_formats.size());
+  EXPECT_EQ(offered.front().name, "msh");
+  EXPECT_EQ(offered.front().title, "Mesh");
+  EXPECT_TRUE(offered.front().reads && offered.front().keeps.tets);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::invalid_argument);
+  EXPECT_EQ(refused.error().message, "there is no file format \"step\" to write");
+  EXPECT_THAT(refused.error().remedy,
+              testing::AllOf(HasSubstr("Take msh, vtu, stl"), HasSubstr(" or tedit")));
 }
 
 TEST_F(MainJob, OnePickFindsTheWholeHole) {
@@ -273,15 +289,16 @@ TEST_F(MainJob, ASectionHasTheFieldOfItsVersion) {
   const auto bare = value(user->cut({0, 0, 0}, {1, 0, 0}, "", {}));
   EXPECT_EQ(bare.version_id, imported.head.version_id);
   EXPECT_GT(bare.triangles.size(), 30U);
-  EXPECT_TRUE(bare.von_mises.empty());
+  EXPECT_TRUE(bare.values.of("von_mises_pa").empty());
 
   const auto report = value(user->solve({.device = "cpu"}, {}));
   const auto solved = value(user->cut({0, 0, 0}, {2, 0, 0}, "", {}));
-  ASSERT_EQ(3 * solved.von_mises.size(), solved.positions.size());
-  EXPECT_EQ(solved.displacement.size(), solved.positions.size());
-  for (std::size_t i = 0; i < solved.von_mises.size(); ++i) {
+  const auto& stress = solved.values.of("von_mises_pa");
+  ASSERT_EQ(3 * stress.size(), solved.positions.size());
+  EXPECT_EQ(solved.values.of("displacement_m").size(), solved.positions.size());
+  for (std::size_t i = 0; i < stress.size(); ++i) {
     EXPECT_NEAR(solved.positions[3 * i], 0, 1e-7);
-    EXPECT_LE(solved.von_mises[i], report.max_von_mises_pa * (1 + 1e-6));
+    EXPECT_LE(stress[i], report.max_von_mises_pa * (1 + 1e-6));
   }
   const auto refused = user->cut({0, 0, 0}, {0, 0, 0}, "", {});
   ASSERT_FALSE(refused.has_value());

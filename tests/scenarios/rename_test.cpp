@@ -79,7 +79,7 @@ TEST_F(Rename, WhoComesBackWithTheNameBeforeFindsItUntilAnotherDocumentTakesThat
 
   const scratch_folder elsewhere;
   const auto file = elsewhere.path() / "mailed.tedit";
-  const auto bytes = value(late->export_file(client::file_format::document, {}, {}, {}));
+  const auto bytes = value(late->export_file("tedit", {}, {}, {}));
   std::ofstream(file, std::ios::binary).write(bytes.data(), std::ssize(bytes));
   EXPECT_EQ(value(late->add_document(file, "cube", false, {})), "cube");
 

@@ -144,7 +144,7 @@ TEST(Reopen, FieldsAreOfTheVersionAndItsLoads) {
 }
 
 bool has_field(client::client& user) {
-  const auto file = value(user.export_file(client::file_format::vtu, {}, "mm", {}));
+  const auto file = value(user.export_file("vtu", {}, "mm", {}));
   constexpr std::string_view wanted = "von_mises";
   return std::search(file.begin(), file.end(), wanted.begin(), wanted.end()) != file.end();
 }

@@ -5,7 +5,7 @@
 #include <future>
 #include <mutex>
 
-#include "mesh/io/msh_writer.hpp"
+#include "mesh/io/formats.hpp"
 #include "tests/scenarios/fixture.hpp"
 #include "tests/support/blocks.hpp"
 
@@ -31,6 +31,9 @@ fem::load_case tension(const std::string& name, double yield = yield_pa) {
   return loads;
 }
 
+const client::watched_quantities all_there_are{"stress_pa", "safety_factor", "relative_error",
+                                               "largest_strain"};
+
 class ResultFields : public ::testing::Test {
 protected:
   scratch_folder folder;
@@ -53,7 +56,7 @@ protected:
   client::committed import_bar(const std::vector<fem::load_case>& cases) {
     const auto bar = blocks({4, 1, 1}, [](int, int, int) { return true; });
     const auto file = folder.path() / "bar.msh";
-    value(write_msh(file, *bar, "m"));
+    value(formats::msh::write(file, *bar, {"m"}));
     value(user->open("bar", true, true));
     auto done = value(user->import_file(file, "m", {}));
     for (const auto& one : cases)
@@ -88,37 +91,54 @@ protected:
 
 TEST_F(ResultFields, ABarInTensionHasForceOverAreaAlongItAndNothingElse) {
   import_bar({tension("pull")});
-  EXPECT_THAT(value(user->watch_fields({true, true, true})), HasSubstr("solve"));  // Not yet.
+  EXPECT_THAT(value(user->watch_fields(all_there_are)),
+              HasSubstr("solve"));  // Not yet.
   value(user->solve_cases(exactly(), {}));
   const auto field = wait_for([](const auto& one) { return !one.interim(); });
 
   const auto n = field.vertices.size();
   ASSERT_EQ(n, 20U);
-  ASSERT_EQ(field.stress.size(), 6 * n);
-  ASSERT_EQ(field.safety_factor.size(), n);
-  ASSERT_EQ(field.relative_error.size(), n);
+  ASSERT_EQ(field.values.of("stress_pa").size(), 6 * n);
+  ASSERT_EQ(field.values.of("safety_factor").size(), n);
+  ASSERT_EQ(field.values.of("relative_error").size(), n);
+  ASSERT_EQ(field.values.of("largest_strain").size(), n);
   for (std::size_t v = 0; v < n; ++v) {
-    EXPECT_NEAR(field.stress[6 * v], pull_pa, 1e-6 * pull_pa);
+    EXPECT_NEAR(field.values.of("stress_pa")[6 * v], pull_pa, 1e-6 * pull_pa);
     for (std::size_t c = 1; c < 6; ++c)
-      EXPECT_NEAR(field.stress[6 * v + c], 0, 1e-6 * pull_pa);
-    EXPECT_NEAR(field.safety_factor[v], yield_pa / pull_pa, 1e-5 * yield_pa / pull_pa);
-    EXPECT_LT(field.relative_error[v], 1e-6);  // A uniform stress is met exactly.
+      EXPECT_NEAR(field.values.of("stress_pa")[6 * v + c], 0, 1e-6 * pull_pa);
+    EXPECT_NEAR(field.values.of("safety_factor")[v], yield_pa / pull_pa, 1e-5 * yield_pa / pull_pa);
+    EXPECT_LT(field.values.of("relative_error")[v], 1e-6);  // A uniform stress is met exactly.
+    EXPECT_NEAR(field.values.of("largest_strain")[v], pull_pa / 70e9, 1e-6 * pull_pa / 70e9);
   }
 }
 
 TEST_F(ResultFields, WhatIsAskedForLaterComesWithoutAnotherSolveAndGoesWhenItIsNotWanted) {
   const auto imported = import_bar({tension("pull", 0)});
   value(user->solve_cases(exactly(), {}));
-  EXPECT_THAT(value(user->wait_field(imported.head.version_id, patience)).stress, IsEmpty());
+  EXPECT_THAT(value(user->wait_field(imported.head.version_id, patience)).values.of("stress_pa"),
+              IsEmpty());
 
-  EXPECT_EQ(value(user->watch_fields({true, true, false})), "");
+  EXPECT_EQ(value(user->watch_fields({"stress_pa", "safety_factor"})), "");
   const auto more = value(user->wait_field(imported.head.version_id, patience));
-  EXPECT_EQ(more.stress.size(), 6 * more.vertices.size());
-  EXPECT_THAT(more.relative_error, IsEmpty());
-  EXPECT_THAT(more.safety_factor, IsEmpty());  // No yield strength is known.
+  EXPECT_EQ(more.values.of("stress_pa").size(), 6 * more.vertices.size());
+  EXPECT_THAT(more.values.of("relative_error"), IsEmpty());
+  EXPECT_THAT(more.values.of("safety_factor"), IsEmpty());  // No yield strength is known.
 
   EXPECT_EQ(value(user->watch_fields({})), "");
-  EXPECT_THAT(value(user->wait_field(imported.head.version_id, patience)).stress, IsEmpty());
+  EXPECT_THAT(value(user->wait_field(imported.head.version_id, patience)).values.of("stress_pa"),
+              IsEmpty());
+}
+
+TEST_F(ResultFields, AQuantityThatIsNotThereIsRefusedWithThoseThatAre) {
+  import_bar({tension("pull")});
+
+  for (const auto* name : {"heat_w", "element_stress_pa", ""}) {
+    const auto refused = user->watch_fields({"stress_pa", name});
+    ASSERT_FALSE(refused.has_value()) << name;
+    EXPECT_EQ(refused.error().code, ec::invalid_argument);
+    EXPECT_THAT(refused.error().message, HasSubstr("\"" + std::string(name) + "\" to watch"));
+    EXPECT_THAT(refused.error().remedy, HasSubstr("stress_pa, safety_factor, relative_error"));
+  }
 }
 
 TEST_F(ResultFields, ANewLoadCaseMakesTheOldResultWorthless) {
@@ -128,26 +148,28 @@ TEST_F(ResultFields, ANewLoadCaseMakesTheOldResultWorthless) {
   weaker.loads.front().kind = fem::traction{{1, 0, 0}};
   value(user->set_load_case(weaker));
 
-  EXPECT_THAT(value(user->watch_fields({true, false, false})), HasSubstr("solve"));
+  EXPECT_THAT(value(user->watch_fields({"stress_pa"})), HasSubstr("solve"));
 }
 
 TEST_F(ResultFields, ASectionHasWhatIsWatchedAndAnEnvelopeItsSafety) {
   import_bar({tension("pull"), tension("again")});
   value(user->solve_cases(exactly(), {}));
-  value(user->watch_fields({true, true, true}));
+  value(user->watch_fields(all_there_are));
 
   const auto of_case = value(user->cut({2.5, 0, 0}, {1, 0, 0}, "again", {}));
   const auto points = of_case.positions.size() / 3;
   ASSERT_GT(points, 3U);
-  ASSERT_EQ(of_case.stress.size(), 6 * points);
-  EXPECT_EQ(of_case.relative_error.size(), points);
+  ASSERT_EQ(of_case.values.of("stress_pa").size(), 6 * points);
+  EXPECT_EQ(of_case.values.of("relative_error").size(), points);
+  EXPECT_EQ(of_case.values.of("largest_strain").size(), points);
   for (std::size_t p = 0; p < points; ++p) {
-    EXPECT_NEAR(of_case.stress[6 * p], pull_pa, 1e-6 * pull_pa);
-    EXPECT_NEAR(of_case.safety_factor[p], yield_pa / pull_pa, 1e-5 * yield_pa / pull_pa);
+    EXPECT_NEAR(of_case.values.of("stress_pa")[6 * p], pull_pa, 1e-6 * pull_pa);
+    EXPECT_NEAR(of_case.values.of("safety_factor")[p], yield_pa / pull_pa,
+                1e-5 * yield_pa / pull_pa);
   }
   const auto of_all = value(user->cut({2.5, 0, 0}, {1, 0, 0}, "", {}));
-  EXPECT_THAT(of_all.stress, IsEmpty());
-  EXPECT_EQ(of_all.safety_factor.size(), points);
+  EXPECT_THAT(of_all.values.of("stress_pa"), IsEmpty());
+  EXPECT_EQ(of_all.values.of("safety_factor").size(), points);
 }
 
 // -- names and notes -------------------------------------------------------------------

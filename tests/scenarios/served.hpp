@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/process.hpp"
+#include "protocol/version.hpp"
 #include "tedit/v1/envelope.pb.h"
 #include "tests/scenarios/fixture.hpp"
 
@@ -69,7 +70,8 @@ public:
   [[nodiscard]] std::string hello() const {
     v1::ClientMessage message;
     message.set_request_id(1);
-    message.mutable_hello()->set_protocol_major(1);
+    message.mutable_hello()->set_protocol_major(protocol::major_version);
+    message.mutable_hello()->set_protocol_minor(protocol::minor_version);
     message.mutable_hello()->set_token(options_.token);
     return message.SerializeAsString();
   }

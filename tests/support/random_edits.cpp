@@ -162,7 +162,7 @@ tried_edit try_edit(const ops::catalogue& plugins, const version_ptr& before,
   ops::context ctx;
   ctx.host = host.get();
   const auto result =
-    ops::run_operation(plugins, edit.operation, *before, {edit.surfaces}, edit.parameters, ctx);
+    ops::run_operation(plugins, edit.operation, before, {edit.surfaces}, edit.parameters, ctx);
   if (result) {
     edit_claim claim;
     claim.touched = result->touched;

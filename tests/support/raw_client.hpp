@@ -13,6 +13,7 @@
 #include <string>
 
 #include "client/socket.hpp"
+#include "protocol/version.hpp"
 #include "tedit/v1/envelope.pb.h"
 
 namespace tedit::test {
@@ -31,11 +32,11 @@ public:
   }
 
   /// Introduces itself; the answer.
-  v1::ServerMessage hello(const std::string& token, std::uint32_t minor = 9,
+  v1::ServerMessage hello(const std::string& token, std::uint32_t minor = protocol::minor_version,
                           const std::string& name = "test") {
     v1::ClientMessage message;
     auto* hello = message.mutable_hello();
-    hello->set_protocol_major(1);
+    hello->set_protocol_major(protocol::major_version);
     hello->set_protocol_minor(minor);
     hello->set_client(name);
     hello->set_token(token);

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "mesh/finish_edit.hpp"
-#include "ops/sdk/round_edges.hpp"
 #include "ops/services/host_services.hpp"
+#include "ops/shapes/rounding/round_edges.hpp"
 #include "tests/support/blocks.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -21,7 +21,7 @@ class rounding : public ::testing::Test {
 protected:
   expected<ops::edit_result> round(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                                    double side, double radius, int segments = 4) {
-    return ops::round_edges(*mesh, surfaces, side, {radius, segments}, ctx_);
+    return ops::round_edges(mesh, surfaces, side, {radius, segments}, ctx_);
   }
 
   /// The version that the host would keep. Errors: those of the postconditions.

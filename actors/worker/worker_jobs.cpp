@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "actors/worker/job_desk.hpp"
+#include "actors/worker/worker_jobs.hpp"
 
 #include <unistd.h>
 
 namespace tedit::actors {
 
-bench_actor::behavior_type bench::make_behavior() {
+job_thread_actor::behavior_type job_thread::make_behavior() {
   return {[](const job_task& task) {
     task.run();
     return acknowledged{};
   }};
 }
 
-worker_status job_desk::status() const {
+worker_status worker_jobs::status() const {
   return {role,
           "ready",
           static_cast<std::int32_t>(getpid()),

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Files of all formats, as the program writes them.
+#include "mesh/formats.hpp"
+#include "tests/cli/program.hpp"
+
+namespace tedit::test {
+namespace {
+
+TEST(Edit, ASuffixThatNoFormatHasIsRefusedBeforeTheWork) {
+  const auto file = scratch("filled.step");
+
+  const auto edit =
+    run("edit --json " + plate + " --op fill_hole --surfaces 1,2 -o " + file.string());
+
+  EXPECT_EQ(edit.status, 2);
+  const auto said = edit.parsed()["error"];
+  EXPECT_EQ(said["message"], "there is no file format \"step\" to write");
+  EXPECT_THAT(said["remedy"].get<std::string>(), HasSubstr("Take msh, vtu"));
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Convert, WritesEachFormatThatItsHelpNames) {
+  const auto help = run("convert --help").out;
+
+  for (const auto one : written_formats()) {
+    const std::string name(one);
+    const auto file = scratch("plate." + name);
+    const auto result = run("convert --json " + plate + " -o " + file.string());
+    ASSERT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.parsed()["format"], name);
+    EXPECT_GT(std::filesystem::file_size(file), 10'000U);
+    EXPECT_THAT(help, HasSubstr("." + name + " ("));
+  }
+  EXPECT_EQ(run("convert " + plate + " -o " + scratch("plate").string()).status, 2);
+}
+
+TEST(Convert, ChangesTheUnitAndKeepsTheVersion) {
+  const auto file = scratch("metres.msh");
+
+  ASSERT_EQ(run("convert " + plate + " --output-unit m -o " + file.string()).status, 0);
+
+  EXPECT_EQ(run("info --json --length-unit m " + file.string()).parsed()["volume_m3"],
+            run("info --json " + plate).parsed()["volume_m3"]);
+}
+
+}  // namespace
+}  // namespace tedit::test
