@@ -18,16 +18,20 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = [
     ("desktop", "The desktop client", "The window: picking, editing, looking at results; keys; unattended use.",
      ["docs/desktop.md"]),
+    ("command_line", "The command line", "The same work on files: edit, solve, picture, input decks.", ["docs/command_line.md"]),
     ("operations", "Operations", "What each editing operation does, its parameters and its limits.",
      ["ops/fill_hole/README.md", "ops/remove_surfaces/README.md", "ops/erode/README.md", "ops/thicken/README.md",
       "ops/open/README.md", "ops/close/README.md", "ops/improve_mesh/README.md"]),
+    ("load_cases", "Load cases", "Supports, loads and materials as a file.", ["docs/load_cases.md"]),
     ("results", "Results", "What stress, safety factor, error estimate and warnings mean.", ["docs/results.md"]),
     ("improve", "Improving a mesh", "How tets get a better shape, and when.", ["docs/improve.md"]),
     ("recipes", "Recipes", "Whole jobs as a file, for the command line.", ["docs/recipes.md"]),
     ("verification", "Verification", "What the numbers were compared with.", ["docs/verification.md"]),
     ("plugins", "Plugins", "An operation of your own, from its first line to its test.", ["docs/plugins.md"]),
+    ("integrate", "From a program", "From an installation to a program that drives the server.", ["docs/integrate.md"]),
     ("protocol", "Protocol", "How a program speaks with the server.", ["docs/protocol.md"]),
     ("protocol_reference", "Protocol reference", "Every message, event and error code.", ["docs/protocol_reference.md"]),
+    ("architecture", "Architecture", "The rooms of the sources, and where each promise is kept.", ["docs/architecture.md"]),
     ("actors", "Inside the server", "Its actors and worker processes.", ["docs/actors.md"]),
 ]
 STYLE = """

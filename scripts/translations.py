@@ -3,7 +3,7 @@
 
 usage: scripts/translations.py [--update] [--new LANGUAGE] [--lupdate PROGRAM]
 
-Checks that every word of client-qt is in client-qt/translations/tedit_*.ts, that every translation is complete, and
+Checks that every word of client-qt, and of the tables that it shows, is in client-qt/translations/tedit_*.ts, that every translation is complete, and
 that placeholders (%1), shortcuts' leading and trailing blanks and line breaks are kept. With --update it runs lupdate
 first, which changes the files; --new fr also begins tedit_fr.ts, with all words to be filled in. Without lupdate
 (package qt6-l10n-tools) the words of the sources are not compared. Exit status: 0 all is well, 1 something is not,
@@ -21,9 +21,32 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "client-qt" / "translations"
 
 
+# Tables below the window whose titles it shows.
+TABLES = ["fem/quantities.hpp", "mesh/formats.hpp"]
+
+
+def texts_of_operations():
+    """What the shipped operations say of themselves in `describe`: sentences, names, and choices."""
+    literal = re.compile(r'"((?:[^"\\]|\\.)*)"')
+    for file in sorted([*ROOT.glob("ops/*/operation.cpp"), ROOT / "ops/shapes/rounding/round_edges.cpp"]):
+        source = re.sub(r'R"\(.*?\)"', "", file.read_text(), flags=re.S)
+        for body in re.findall(r"(?:describe\(\) const override|round_parameters\(\)) \{\n(.*?)\n\s*return", source, re.S):
+            joined = re.sub(r'"\s*\n\s*"', "", body)
+            for choices in re.findall(r'\{("[a-z_]+"(?:, "[a-z_]+")+)\}', joined):
+                yield from (one.replace("_", " ") for one in literal.findall(choices))
+            for text in literal.findall(joined):
+                if " " in text or text[:1].isupper():
+                    yield text.replace('\\"', '"')
+
+
 def run_lupdate(program, targets):
-    command = [program, "-I", ".", "-locations", "none", "-no-obsolete", "-silent", "client-qt", "-ts"]
-    subprocess.run(command + [str(one) for one in targets], cwd=ROOT, check=True)
+    with tempfile.TemporaryDirectory() as folder:
+        words = pathlib.Path(folder) / "operations.cpp"
+        quoted = (text.replace('"', '\\"') for text in texts_of_operations())
+        words.write_text("\n".join(f'QT_TRANSLATE_NOOP("operations", "{text}");' for text in quoted))
+        command = [program, "-I", ".", "-locations", "none", "-no-obsolete", "-silent",
+                   "-tr-function-alias", "QT_TRANSLATE_NOOP+=for_people", "client-qt", *TABLES, str(words), "-ts"]
+        subprocess.run(command + [str(one) for one in targets], cwd=ROOT, check=True)
 
 
 def messages(path):

@@ -39,13 +39,10 @@ shared_field carried_field(const client::field_event& field, const client::surfa
     result->envelope->version_id = after.version_id();
   const auto count = field.vertices.size();
   result->vertices = some_of(field.vertices, count, kept);
-  result->displacement = some_of(field.displacement, count, kept);
-  result->von_mises = some_of(field.von_mises, count, kept);
-  result->von_mises_case = some_of(field.von_mises_case, count, kept);
-  result->safety_factor = some_of(field.safety_factor, count, kept);
-  result->safety_factor_case = some_of(field.safety_factor_case, count, kept);
-  result->stress = some_of(field.stress, count, kept);
-  result->relative_error = some_of(field.relative_error, count, kept);
+  for (const auto& [name, values] : field.values)
+    result->values[name] = some_of(values, count, kept);
+  for (const auto& [name, cases] : field.worst_cases)
+    result->worst_cases[name] = some_of(cases, count, kept);
   return result;
 }
 

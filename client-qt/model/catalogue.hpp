@@ -3,35 +3,23 @@
 
 #include <QString>
 
-#include <string>
-#include <vector>
-
-#include "base/error.hpp"
-#include "ops/sdk/operation.hpp"
+#include "protocol/operation_message.hpp"
 
 namespace tedit::desktop {
 
-/// An operation that the server offers: all that forms, menus and help need to know.
-struct offered_operation {
-  ops::operation_description about;
-  QString plugin;  ///< Name and version.
-};
-
-/// A plugin that the server does not use, and why.
-struct refused_plugin {
-  QString file;
-  QString reason;
-};
-
-struct catalogue {
-  std::vector<offered_operation> operations;
-  std::vector<refused_plugin> refused;
-
+/// The operations that the server offers, as forms, menus and help show them.
+struct catalogue : operation_catalogue {
   /// Null when there is none with this id.
   [[nodiscard]] const offered_operation* find(const QString& id) const;
 };
 
-/// Reads the message Catalogue as canonical JSON. Errors: `protocol_error`.
-[[nodiscard]] expected<catalogue> catalogue_from_json(const std::string& json);
+/// What `icon` takes for an operation: its own drawing, or a general one.
+[[nodiscard]] QString icon_of(const offered_operation& one);
+
+/// All of them as a page of the manual, Markdown: what each is for, what to pick, its parameters.
+[[nodiscard]] QString manual_page_of(const catalogue& all);
+
+/// Names and texts of shipped operations in the person's language.
+[[nodiscard]] catalogue translated(operation_catalogue all);
 
 }  // namespace tedit::desktop

@@ -19,7 +19,7 @@ struct command {
   std::function<void()> run;
   std::function<bool()> enabled;  ///< Empty: always.
   QString help;                   ///< One sentence; may be empty.
-  QString icon;                   ///< Name of an icon; may be empty.
+  QString icon;                   ///< Name of an icon, or an SVG; may be empty.
 };
 
 /// How well a person's letters fit a title: all must stand in it in their order; starts of words

@@ -45,18 +45,16 @@ std::unordered_map<std::uint32_t, float> areas_of(const client::surface_model& s
 }  // namespace
 
 shown_field difference_field(shown_field wanted) {
-  switch (wanted) {
-    case shown_field::displacement:
-      return shown_field::displacement_x;
-    case shown_field::displacement_x:
-    case shown_field::displacement_y:
-    case shown_field::displacement_z:
-    case shown_field::safety_factor:
-    case shown_field::relative_error:
-      return wanted;
-    default:
-      return shown_field::von_mises;
-  }
+  if (!is_of_result(wanted))
+    return shown_field::von_mises;
+  const auto& quantity = quantity_of(wanted);
+  if (quantity.part == fem::shown_part::component)
+    return wanted;
+  const auto first = [&](const fem::shown_quantity& one) {
+    return one.array == quantity.array && one.part == fem::shown_part::component && one.index == 0;
+  };
+  return {
+    static_cast<int>(std::ranges::find_if(fem::shown_quantities, first) - fem::shown_quantities)};
 }
 
 shared_field difference(const version_record& before, const shared_field& before_field,
@@ -65,12 +63,13 @@ shared_field difference(const version_record& before, const shared_field& before
   auto result = std::make_shared<client::field_event>();
   result->report = after_field->report;
   result->envelope = after_field->envelope;
-  const shown_field as = difference_field(wanted);
-  if (wanted == shown_field::none || wanted == shown_field::surfaces)
+  const auto& as = quantity_of(difference_field(wanted));
+  const auto* form = fem::find_array(as.array);
+  auto& values = result->values[as.array];
+  if (!is_of_result(wanted))
     wanted = shown_field::von_mises;
-  const int component = as == shown_field::displacement_y   ? 1
-                        : as == shown_field::displacement_z ? 2
-                                                            : 0;
+  const value_reader value_before(before_field->values, wanted);
+  const value_reader value_after(after_field->values, wanted);
   const auto& slots_before = before_field->vertices;
   std::size_t k = 0;  // Both lists ascend.
   for (std::size_t i = 0; i < after_field->vertices.size(); ++i) {
@@ -80,19 +79,15 @@ shared_field difference(const version_record& before, const shared_field& before
     while (k < slots_before.size() && slots_before[k] < slot)
       ++k;
     const bool both = k < slots_before.size() && slots_before[k] == slot;
-    const float was = both ? value_in(*before_field, k, wanted) : NAN;
-    const float is = value_in(*after_field, i, wanted);
+    const float was = both ? value_before(k) : NAN;
+    const float is = value_after(i);
     if (!there || !here || !(*there == *here) || !std::isfinite(was) || !std::isfinite(is))
       continue;
     result->vertices.push_back(slot);
-    result->von_mises.push_back(as == shown_field::von_mises ? is - was : 0);
-    std::array<float, 3> moved{};
-    moved[static_cast<std::size_t>(component)] = is - was;
-    result->displacement.insert(result->displacement.end(), moved.begin(), moved.end());
-    if (as == shown_field::relative_error)
-      result->relative_error.push_back(is - was);
-    if (as == shown_field::safety_factor)
-      result->safety_factor.push_back(is == was ? 1e-30F : is - was);  // 0 means "not known".
+    values.resize(values.size() + static_cast<std::size_t>(form->components));
+    const bool none = form->needs_yield && is == was;  // 0 means "not known" there.
+    values[values.size() - static_cast<std::size_t>(form->components - as.index)] =
+      none ? 1e-30F : is - was;
   }
   return result;
 }
@@ -127,9 +122,10 @@ legend common_legend(legend by, const compared& a, const compared& b) {
   std::vector<float> areas;
   for (const auto& one : {a, b}) {
     const auto of = areas_of(one.surface);
+    const value_reader value(one.field.values, by.field);
     for (std::size_t i = 0; i < one.field.vertices.size(); ++i) {
       const auto at = of.find(one.field.vertices[i]);
-      values.push_back(value_in(one.field, i, by.field));
+      values.push_back(value(i));
       areas.push_back(at == of.end() ? 0 : at->second);
     }
   }

@@ -13,8 +13,8 @@ namespace tedit::desktop {
 
 /// The field `after` minus `before`, on the surface of `after`: at vertices that both versions have
 /// in the same slot at the same position; elsewhere it has no value. The quantity `wanted` of the
-/// result is the difference of that quantity (of the displacement's size for `displacement`, which
-/// is then in `displacement_x`: see `difference_field`).
+/// result is the difference of that quantity; what is made of several components, as a size or a
+/// principal value, is then in the first of them: see `difference_field`.
 /// @pre each field is one of its surface's version. Cost: O(vertices).
 [[nodiscard]] shared_field difference(const version_record& before,
                                       const shared_field& before_field, const version_record& after,

@@ -21,7 +21,10 @@ document::document(remote& link, QObject* parent)
       questions_(*this, link) {
   connect(&link_, &remote::surface_arrived, this, &document::take_surface);
   connect(&link_, &remote::field_arrived, this, &document::take_field);
-  connect(&link_, &remote::committed, this, &document::take_event);
+  connect(&link_, &remote::committed, this, [this](const client::committed& what) {
+    if (is_open())
+      take(what);
+  });
   connect(&link_, &remote::load_cases_changed, this, &document::take_load_cases);
   connect(&link_, &remote::renamed, this, &document::take_name);
   connect(&link_, &remote::annotated, this, [this](const client::version_info& info) {
@@ -77,16 +80,11 @@ void document::begin(const QString& name) {
 }
 
 void document::load_catalogue() {
-  link_.run<catalogue>(
-    [](client::client& c, const execution&) -> expected<catalogue> {
-      auto json = c.catalogue_json();
-      if (!json)
-        return fail(std::move(json.error()));
-      return catalogue_from_json(*json);
-    },
-    [this](expected<catalogue> got) {
+  link_.run<operation_catalogue>(
+    [](client::client& c, const execution&) { return c.operations(); },
+    [this](expected<operation_catalogue> got) {
       if (got) {
-        operations_ = std::move(*got);
+        operations_ = translated(std::move(*got));
         emit operations_changed();
       } else if (link_.current() == remote::state::connected) {
         if (got.error().code != ec::service_unavailable)  // Else the server still starts.
@@ -119,18 +117,10 @@ void document::take(const client::document_state& state) {
 
 // -- versions ------------------------------------------------------------------------
 
-void document::take_event(const client::committed& what) {
-  if (!is_open())
-    return;
-  take(what);
-  versions_.note_event(what.head.number);
-}
-
 void document::take(const client::committed& what) {
   auto& row = versions_.take_info(what.head);
   if (what.report)
     row.report = what.report;
-  const bool again = versions_.head_number() == what.head.number;
   versions_.set_head(what.head.number);
   edits_.take(what.can_undo, what.can_redo);
   warn(what.warnings);
@@ -138,15 +128,13 @@ void document::take(const client::committed& what) {
     say(what.report->notices);
   loads_.take(what.load_cases);
   take_surface();
-  // An event tells it, and then the answer to an import: a field may have come in between.
-  if (!again)
-    solver_.set_progress(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
+  solver_.set_progress(what.head.load_cases.empty() ? field_state::none : field_state::waiting);
   emit head_changed();
   emit edited(what);
-  refresh_history();
+  emit history_changed();
 }
 
-/// As the server does it: a new version has its parent's load cases without what is gone.
+/// Asks for all versions' rows again.
 void document::refresh_history(bool reports) {
   link_.run<client::history>(
     [reports](client::client& c, const execution&) { return c.get_history(reports); },

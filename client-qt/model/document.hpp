@@ -100,7 +100,6 @@ signals:
   void failed(const QString& what, const tedit::error& reason);
 
 private:
-  void take_event(const client::committed& what);
   void take_load_cases(const client::load_cases_event& event);
   void take_field(const shared_field& field);
 

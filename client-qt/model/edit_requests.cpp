@@ -34,12 +34,13 @@ void edit_requests::ask(const QString& title, const remote::work<client::committ
   };
   part_.foreground().ask<client::committed>(
     title, watched,
-    [this, title, call, broke, asked = versions_.told(),
-     mine = part_.opening()](const expected<client::committed>& got) {
+    [this, title, call, broke, mine = part_.opening()](const expected<client::committed>& got) {
       if (mine != part_.opening())
         return;
-      if (got)
-        answered(*got, asked);
+      if (got && got->repeated)
+        take_repeated(*got);
+      else if (got)
+        return;  // The document has heard of it as of everybody's commits.
       else if (*broke)
         unanswered_ = unanswered_change{title, call, got.error()};
       else
@@ -52,24 +53,19 @@ void edit_requests::fail_with(const QString& title, const error& why) {
   queue_.abandon();
 }
 
-/// Who asks hears of it twice: as an event, then as the answer. Events of others' commits may lie
-/// between the two, so the answer counts only where no event told of it since it was asked for.
-void edit_requests::answered(const client::committed& what, int asked) {
-  const auto number = what.head.number;
-  if (what.repeated && versions_.head_number() != number)
-    return part_.refresh_history();  // Made before, and others went on: the head is theirs.
-  const auto row = versions_.all().find(number);
-  if (row == versions_.all().end() || row->second.told <= asked)
+/// It was made before the connection broke; others may have gone on since.
+void edit_requests::take_repeated(const client::committed& what) {
+  if (versions_.head_number() == what.head.number)
     part_.take(what);
+  else
+    part_.refresh_history();
 }
 
 void edit_requests::ask_again() {
   const auto left = std::exchange(unanswered_, std::nullopt);
   if (!left)
     return;
-  ask(left->title, [=](client::client& c, const execution& run) {
-    return c.knows_edit_ids() ? left->call(c, run) : expected<client::committed>(fail(left->why));
-  });
+  ask(left->title, [=](client::client& c, const execution& run) { return left->call(c, run); });
 }
 
 void edit_requests::connection_changed() {

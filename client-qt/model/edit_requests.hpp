@@ -58,7 +58,7 @@ private:
 
   void ask(const QString& title, const remote::work<client::committed>& call);
   void fail_with(const QString& title, const error& why);
-  void answered(const client::committed& what, int asked);
+  void take_repeated(const client::committed& what);
   void connection_changed();
 
   document& part_;

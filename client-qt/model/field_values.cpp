@@ -7,51 +7,6 @@
 
 namespace tedit::desktop {
 
-namespace {
-
-using enum shown_field;
-
-/// A quantity of the stress at one place.
-float of_stress(const float* s, shown_field wanted) {
-  if (wanted >= stress_xx && wanted <= stress_zx)
-    return s[static_cast<int>(wanted) - static_cast<int>(stress_xx)];
-  const auto p = principal_values(s);
-  if (wanted == max_shear)
-    return static_cast<float>((p[0] - p[2]) / 2);
-  return static_cast<float>(
-    p[static_cast<std::size_t>(wanted) - static_cast<std::size_t>(principal_1)]);
-}
-
-float of_displacement(const float* u, shown_field wanted) {
-  if (wanted == displacement)
-    return static_cast<float>(norm({u[0], u[1], u[2]}));
-  return u[static_cast<int>(wanted) - static_cast<int>(displacement_x)];
-}
-
-/// Fields and sections name their arrays alike.
-template <class Arrays>
-float value_of(const Arrays& from, std::size_t i, shown_field wanted) {
-  const auto single = [i](const std::vector<float>& values) {
-    return i < values.size() ? values[i] : NAN;
-  };
-  if (wanted == von_mises)
-    return single(from.von_mises);
-  if (wanted == relative_error)
-    return single(from.relative_error);
-  if (wanted == safety_factor) {
-    const float value = single(from.safety_factor);
-    return value == 0 ? NAN : value;  // 0: no yield strength is known there.
-  }
-  if (wanted >= displacement && wanted <= displacement_z)
-    return 3 * i < from.displacement.size() ? of_displacement(&from.displacement[3 * i], wanted)
-                                            : NAN;
-  if (needs(wanted).stress)
-    return 6 * i < from.stress.size() ? of_stress(&from.stress[6 * i], wanted) : NAN;
-  return NAN;
-}
-
-}  // namespace
-
 std::array<double, 3> principal_values(const float* s) {
   const double mean = (double{s[0]} + s[1] + s[2]) / 3;
   const std::array<double, 3> d{s[0] - mean, s[1] - mean, s[2] - mean};
@@ -70,24 +25,55 @@ std::array<double, 3> principal_values(const float* s) {
   return {first, 3 * mean - first - last, last};
 }
 
+value_reader::value_reader(const client::named_arrays<float>& from, shown_field wanted) {
+  if (!is_of_result(wanted))
+    return;
+  what_ = &quantity_of(wanted);
+  array_ = &from.of(what_->array);
+  const auto* form = fem::find_array(what_->array);
+  components_ = static_cast<std::size_t>(form->components);
+  zero_is_none_ = form->needs_yield;
+}
+
+float value_reader::operator()(std::size_t i) const {
+  if (!array_ || components_ * i >= array_->size())
+    return NAN;
+  const float* row = &(*array_)[components_ * i];
+  const auto index = static_cast<std::size_t>(what_->index);
+  switch (what_->part) {
+    case fem::shown_part::component:
+      return zero_is_none_ && row[index] == 0 ? NAN : row[index];
+    case fem::shown_part::size:
+      return static_cast<float>(norm({row[0], row[1], row[2]}));
+    case fem::shown_part::principal:
+      return static_cast<float>(principal_values(row)[index]);
+    case fem::shown_part::max_shear:
+      const auto p = principal_values(row);
+      return static_cast<float>((p[0] - p[2]) / 2);
+  }
+  return NAN;
+}
+
 client::watched_quantities needs(shown_field wanted) {
-  return {wanted >= principal_1 && wanted <= stress_zx, wanted == safety_factor,
-          wanted == relative_error};
+  if (!is_of_result(wanted))
+    return {};
+  const auto* array = fem::find_array(quantity_of(wanted).array);
+  if (array->sent == fem::array_sent::always)
+    return {};
+  return {std::string(array->name)};
 }
 
 bool has(const client::field_event& field, shown_field wanted) {
-  const auto needed = needs(wanted);
-  return (!needed.stress || !field.stress.empty()) &&
-         (!needed.safety_factor || !field.safety_factor.empty()) &&
-         (!needed.relative_error || !field.relative_error.empty());
+  return std::ranges::none_of(needs(wanted),
+                              [&](const auto& name) { return field.values.of(name).empty(); });
 }
 
 float value_in(const client::field_event& field, std::size_t i, shown_field wanted) {
-  return value_of(field, i, wanted);
+  return value_reader(field.values, wanted)(i);
 }
 
 float value_in(const client::section& cut, std::size_t i, shown_field wanted) {
-  return value_of(cut, i, wanted);
+  return value_reader(cut.values, wanted)(i);
 }
 
 float value_at(const client::field_event& field, std::uint32_t slot, shown_field wanted) {

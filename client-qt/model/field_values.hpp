@@ -14,6 +14,23 @@ namespace tedit::desktop {
 /// 1961): values that coincide come out apart by up to 1e-7 of the largest one.
 [[nodiscard]] std::array<double, 3> principal_values(const float* stress);
 
+/// Reads a quantity from the arrays of a field or a section. Who reads it at many places makes one
+/// of these for all.
+class value_reader {
+public:
+  /// The arrays must stay as they are while it is used.
+  value_reader(const client::named_arrays<float>& from, shown_field wanted);
+
+  /// At row `i`, SI; NaN where there is none.
+  [[nodiscard]] float operator()(std::size_t i) const;
+
+private:
+  const std::vector<float>* array_ = nullptr;
+  const fem::shown_quantity* what_ = nullptr;
+  std::size_t components_ = 1;
+  bool zero_is_none_ = false;
+};
+
 /// What a field must bring, beside the usual, for a quantity to be shown.
 [[nodiscard]] client::watched_quantities needs(shown_field wanted);
 

@@ -173,16 +173,14 @@ expected<file_requests::ready> file_requests::make(client::client& server, const
 }
 
 void file_requests::export_to(const QString& path) {
-  const QString suffix = QFileInfo(path).suffix().toLower();
-  const auto format = suffix == "stl"     ? client::file_format::stl
-                      : suffix == "vtu"   ? client::file_format::vtu
-                      : suffix == "tedit" ? client::file_format::document
-                                          : client::file_format::msh;
+  const auto format = QFileInfo(path).suffix().toLower().toStdString();
   const QString title = tr("Export %1").arg(QFileInfo(path).fileName());
+  if (const auto ok = client::check_format(link_.formats(), format); !ok)
+    return emit part_.failed(title, ok.error());
   part_.foreground().ask<void>(
     title,
     [path, format](client::client& c, const execution& run) -> expected<void> {
-      const bool whole = format == client::file_format::document;
+      const bool whole = format == document_format;
       const auto bytes = c.export_file(format, {}, whole ? "" : "mm", run);
       if (!bytes)
         return fail(bytes.error());

@@ -42,7 +42,8 @@ public:
   /// `document::renamed`.
   void rename(const QString& name, std::function<void(const expected<void>&)> done);
   void close();
-  /// Writes a file, by its suffix: the head (.msh, .stl, .vtu) or the whole document (.tedit).
+  /// Writes a file, by its suffix: the head in a format of the server's or the whole document
+  /// (.tedit). Another suffix fails with those that there are.
   void export_to(const QString& path);
 
 signals:

@@ -85,71 +85,38 @@ const table& steps(colour_map map) {
   }
 }
 
-struct row {
-  shown_field field;
-  const char* id;
-  const char* title;
-  const char* unit;
-  field_kind kind;
-  const char* help;
-};
-
-constexpr std::array<row, 19> rows{{
-  {shown_field::none, "none", QT_TRANSLATE_NOOP("legend", "No field"), "", field_kind::magnitude,
-   QT_TRANSLATE_NOOP("legend", "The bare part.")},
-  {shown_field::surfaces, "surfaces", QT_TRANSLATE_NOOP("legend", "Surfaces"), "",
+// Rows -2 and -1: what is no quantity of a result.
+constexpr std::array<fem::shown_quantity, 2> of_no_result{{
+  {"none",
+   for_people("legend", "No field"),
+   "",
    field_kind::magnitude,
-   QT_TRANSLATE_NOOP("legend", "A colour for each surface: what a pick can mean.")},
-  {shown_field::von_mises, "von_mises", QT_TRANSLATE_NOOP("legend", "von Mises stress"), "Pa",
+   {},
+   0,
+   {},
+   for_people("legend", "The bare part.")},
+  {"surfaces",
+   for_people("legend", "Surfaces"),
+   "",
    field_kind::magnitude,
-   QT_TRANSLATE_NOOP("legend",
-                     "One number for how near a ductile material is to yielding. It has no "
-                     "sign: tension and compression look alike.")},
-  {shown_field::displacement, "displacement", QT_TRANSLATE_NOOP("legend", "Displacement"), "m",
-   field_kind::magnitude, QT_TRANSLATE_NOOP("legend", "How far each point moves.")},
-  {shown_field::displacement_x, "displacement_x", QT_TRANSLATE_NOOP("legend", "Displacement x"),
-   "m", field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "How far each point moves along x.")},
-  {shown_field::displacement_y, "displacement_y", QT_TRANSLATE_NOOP("legend", "Displacement y"),
-   "m", field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "How far each point moves along y.")},
-  {shown_field::displacement_z, "displacement_z", QT_TRANSLATE_NOOP("legend", "Displacement z"),
-   "m", field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "How far each point moves along z.")},
-  {shown_field::safety_factor, "safety_factor", QT_TRANSLATE_NOOP("legend", "Safety factor"), "",
-   field_kind::safety,
-   QT_TRANSLATE_NOOP("legend",
-                     "Yield strength over von Mises stress. Red, below 1: it yields. Grey: "
-                     "the material has no yield strength.")},
-  {shown_field::principal_1, "principal_1", QT_TRANSLATE_NOOP("legend", "Principal stress 1"), "Pa",
-   field_kind::has_sign,
-   QT_TRANSLATE_NOOP("legend", "The largest tension at each point: it opens cracks.")},
-  {shown_field::principal_2, "principal_2", QT_TRANSLATE_NOOP("legend", "Principal stress 2"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "The middle one of the principal stresses.")},
-  {shown_field::principal_3, "principal_3", QT_TRANSLATE_NOOP("legend", "Principal stress 3"), "Pa",
-   field_kind::has_sign,
-   QT_TRANSLATE_NOOP("legend", "The largest compression at each point, negative.")},
-  {shown_field::max_shear, "max_shear", QT_TRANSLATE_NOOP("legend", "Largest shear"), "Pa",
-   field_kind::magnitude,
-   QT_TRANSLATE_NOOP("legend", "Half the difference of principal stress 1 and 3 (Tresca).")},
-  {shown_field::stress_xx, "stress_xx", QT_TRANSLATE_NOOP("legend", "Stress xx"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "Along x; tension is positive.")},
-  {shown_field::stress_yy, "stress_yy", QT_TRANSLATE_NOOP("legend", "Stress yy"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "Along y; tension is positive.")},
-  {shown_field::stress_zz, "stress_zz", QT_TRANSLATE_NOOP("legend", "Stress zz"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "Along z; tension is positive.")},
-  {shown_field::stress_xy, "stress_xy", QT_TRANSLATE_NOOP("legend", "Shear stress xy"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "In the plane of x and y.")},
-  {shown_field::stress_yz, "stress_yz", QT_TRANSLATE_NOOP("legend", "Shear stress yz"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "In the plane of y and z.")},
-  {shown_field::stress_zx, "stress_zx", QT_TRANSLATE_NOOP("legend", "Shear stress zx"), "Pa",
-   field_kind::has_sign, QT_TRANSLATE_NOOP("legend", "In the plane of z and x.")},
-  {shown_field::relative_error, "relative_error", QT_TRANSLATE_NOOP("legend", "Estimated error"),
-   "ratio", field_kind::magnitude,
-   QT_TRANSLATE_NOOP("legend",
-                     "How far the stress may be off for want of a finer mesh, in per cent "
-                     "of the part's mean stress. An indicator, not a bound.")},
+   {},
+   0,
+   {},
+   for_people("legend", "A colour for each surface: what a pick can mean.")},
 }};
 
-const row& row_of(shown_field field) {
-  return *std::ranges::find(rows, field, &row::field);
+const fem::shown_quantity& row_of(shown_field field) {
+  return is_of_result(field) ? quantity_of(field)
+                             : of_no_result[static_cast<std::size_t>(field.row + 2)];
+}
+
+QString in_users_words(std::string_view english) {
+  return QCoreApplication::translate("legend", english.data());
+}
+
+/// Null for what is of no result.
+const fem::result_array* array_of(shown_field field) {
+  return fem::find_array(row_of(field).array);
 }
 
 constexpr double share_in_range = 0.99;  // Of the area.
@@ -198,40 +165,46 @@ double round_step(double raw) {
 }  // namespace
 
 QString field_title(shown_field field) {
-  return QCoreApplication::translate("legend", row_of(field).title);
+  return in_users_words(row_of(field).title);
 }
 
 QString field_unit(shown_field field) {
-  return row_of(field).unit;
+  const auto* array = array_of(field);
+  return array ? QString::fromLatin1(array->unit.data()) : QString();
 }
 
 QString field_id(shown_field field) {
-  return row_of(field).id;
+  return QString::fromLatin1(row_of(field).id.data());
 }
 
 shown_field field_from_id(const QString& id) {
-  const auto found = std::ranges::find_if(rows, [&](const row& r) { return id == r.id; });
-  return found == rows.end() ? shown_field::none : found->field;
+  for (int row = shown_field::none.row; row < std::ssize(fem::shown_quantities); ++row)
+    if (field_id({row}) == id)
+      return {row};
+  return shown_field::none;
 }
 
 QString field_help(shown_field field) {
-  return QCoreApplication::translate("legend", row_of(field).help);
+  return in_users_words(row_of(field).help);
 }
 
 QString field_value(shown_field field, double value) {
-  if (field == shown_field::safety_factor && value >= 1000)
+  if (kind_of(field) == field_kind::safety && value >= 1000)
     return QCoreApplication::translate("legend", "over 1000");
   return quantity(value, field_unit(field));
 }
 
 const std::vector<std::vector<shown_field>>& field_groups() {
-  using enum shown_field;
-  static const std::vector<std::vector<shown_field>> groups{
-    {von_mises, principal_1, principal_2, principal_3, max_shear},
-    {displacement, displacement_x, displacement_y, displacement_z},
-    {stress_xx, stress_yy, stress_zz, stress_xy, stress_yz, stress_zx},
-    {shown_field::safety_factor, relative_error},
-    {surfaces, none}};
+  static const auto groups = [] {
+    std::vector<std::vector<shown_field>> result;
+    for (int row = 0; row < std::ssize(fem::shown_quantities); ++row) {
+      if (row == 0 || fem::shown_quantities[row].group != fem::shown_quantities[row - 1].group)
+        result.emplace_back();
+      result.back().push_back({row});
+    }
+    result.push_back({shown_field::surfaces, shown_field::none});
+    return result;
+  }();
   return groups;
 }
 
@@ -240,8 +213,8 @@ field_kind kind_of(shown_field field) {
 }
 
 bool in_envelope(shown_field field) {
-  return field == shown_field::von_mises || field == shown_field::safety_factor ||
-         field == shown_field::surfaces || field == shown_field::none;
+  const auto* array = array_of(field);
+  return !array || !array->envelope.values.empty();
 }
 
 rgb colour(colour_map map, double at) {
@@ -292,7 +265,7 @@ void legend::fit(std::span<const float> values, std::span<const float> areas) {
   if (mode == range_mode::automatic && areas.size() == values.size() &&
       kind_of(field) != field_kind::safety)
     cap(values, areas, both_ways);
-  if (field == shown_field::safety_factor && high > safety_steps.back()) {
+  if (kind_of(field) == field_kind::safety && high > safety_steps.back()) {
     high = std::max(safety_steps.back(), 2 * low);  // Places without stress have a million.
   }
 }

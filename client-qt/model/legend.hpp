@@ -3,49 +3,72 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
+
+#include "fem/quantities.hpp"
 
 namespace tedit::desktop {
 
-/// What can be drawn on the surface.
-enum class shown_field {
-  none,
-  surfaces,
-  von_mises,
-  displacement,
-  displacement_x,
-  displacement_y,
-  displacement_z,
-  safety_factor,
-  principal_1,  ///< Of the stress, the largest; tension is positive.
-  principal_2,
-  principal_3,
-  max_shear,  ///< Half of principal 1 - principal 3.
-  stress_xx,
-  stress_yy,
-  stress_zz,
-  stress_xy,
-  stress_yz,
-  stress_zx,
-  relative_error
+/// What can be drawn on the surface: a row of `fem::shown_quantities`, or one of two that are of no
+/// result. The table knows each; a name here is for code that means it in particular.
+struct shown_field {
+  int row = -2;
+
+  static const shown_field none;
+  static const shown_field surfaces;
+  static const shown_field von_mises;
+  static const shown_field displacement;
+  static const shown_field displacement_x;
+  static const shown_field displacement_y;
+  static const shown_field displacement_z;
+  static const shown_field safety_factor;
+
+  friend auto operator<=>(const shown_field&, const shown_field&) = default;
 };
+
+/// By its id in the table.
+consteval shown_field field_named(std::string_view id) {
+  const auto* found = std::ranges::find(fem::shown_quantities, id, &fem::shown_quantity::id);
+  if (found == std::end(fem::shown_quantities))
+    throw "there is no such field";  // The program does not compile then.
+  return {static_cast<int>(found - fem::shown_quantities)};
+}
+
+inline constexpr shown_field shown_field::none{-2};
+inline constexpr shown_field shown_field::surfaces{-1};
+inline constexpr shown_field shown_field::von_mises = field_named("von_mises");
+inline constexpr shown_field shown_field::displacement = field_named("displacement");
+inline constexpr shown_field shown_field::displacement_x = field_named("displacement_x");
+inline constexpr shown_field shown_field::displacement_y = field_named("displacement_y");
+inline constexpr shown_field shown_field::displacement_z = field_named("displacement_z");
+inline constexpr shown_field shown_field::safety_factor = field_named("safety_factor");
+
+/// Its row. @pre It is of a result.
+[[nodiscard]] inline const fem::shown_quantity& quantity_of(shown_field field) {
+  return fem::shown_quantities[field.row];
+}
+[[nodiscard]] inline bool is_of_result(shown_field field) {
+  return field.row >= 0;
+}
 
 [[nodiscard]] QString field_title(shown_field field);
 /// One or two sentences: what it says, and what it does not.
 [[nodiscard]] QString field_help(shown_field field);
-/// SI: "Pa", "m", "ratio" (shown as %) or nothing.
+/// SI: "Pa", "m", "m/m" (shown as µm/m), "ratio" (shown as %) or nothing.
 [[nodiscard]] QString field_unit(shown_field field);
 /// A value with its unit; safety factors from 1000 on are "over 1000".
 [[nodiscard]] QString field_value(shown_field field, double value);
 /// All that can be chosen, in groups of what belongs together.
 [[nodiscard]] const std::vector<std::vector<shown_field>>& field_groups();
 
-/// Which colours a field is read by.
-enum class field_kind { magnitude, has_sign, safety };
+using fem::field_kind;
 [[nodiscard]] field_kind kind_of(shown_field field);
 /// Whether the envelope of several load cases has it.
 [[nodiscard]] bool in_envelope(shown_field field);

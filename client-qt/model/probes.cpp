@@ -197,8 +197,9 @@ histogram histogram_of(const client::surface_model& surface, const client::field
   result.high = -INFINITY;
   double total = 0;
   std::vector<float> by_slot(field.vertices.empty() ? 0 : field.vertices.back() + 1, NAN);
+  const value_reader read(field.values, wanted);
   for (std::size_t i = 0; i < field.vertices.size(); ++i)
-    by_slot[field.vertices[i]] = value_in(field, i, wanted);
+    by_slot[field.vertices[i]] = read(i);
   surface.facets().for_each([&](std::uint32_t, const client::surface_facet& f) {
     std::array<vec3, 3> corners{};
     double value = 0;

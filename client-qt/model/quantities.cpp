@@ -75,6 +75,8 @@ display_unit shown_as(const QString& si_unit) {
     return {QString::fromUtf8("kg/m³"), 1};
   if (si_unit == "rad")
     return {QString::fromUtf8("°"), 180 / std::numbers::pi};
+  if (si_unit == "m/m")
+    return {QString::fromUtf8("µm/m"), 1e6};
   if (si_unit == "ratio")
     return {"%", 100};
   if (si_unit == "kg")

@@ -16,7 +16,7 @@ struct display_unit {
 };
 
 /// The unit to show for an SI unit: "m" as "mm", "Pa" as "MPa", "rad" as degrees, "m2" as "mm²",
-/// "m3" as "mm³", "kg" as "g", "Pa/m" as "MPa/m"; others as they are.
+/// "m3" as "mm³", "kg" as "g", "Pa/m" as "MPa/m", strains ("m/m") as "µm/m"; others as they are.
 [[nodiscard]] display_unit shown_as(const QString& si_unit);
 
 /// A value with four digits at most and a unit: "12.5 mm", "1.2e-05 mm".

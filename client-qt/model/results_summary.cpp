@@ -326,8 +326,9 @@ std::optional<sound_stress> sound_maximum(const version_record& version,
   if (!field || field->envelope)
     return std::nullopt;
   std::optional<sound_stress> best;
-  for (std::size_t i = 0; i < field->vertices.size() && i < field->von_mises.size(); ++i) {
-    const double value = field->von_mises[i];
+  const auto& stress = field->values.of("von_mises_pa");
+  for (std::size_t i = 0; i < field->vertices.size() && i < stress.size(); ++i) {
+    const double value = stress[i];
     if (!std::isfinite(value) || (best && value <= best->von_mises_pa))
       continue;
     const auto* at = version.surface->positions().find(field->vertices[i]);

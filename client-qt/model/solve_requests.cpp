@@ -24,7 +24,6 @@ solve_requests::solve_requests(document& part, version_store& versions, remote& 
 
 void solve_requests::forget() {
   status_ = {};
-  requests_ = 0;
   set_progress(field_state::none);
 }
 
@@ -38,7 +37,6 @@ void solve_requests::set_settings(const client::solve_settings& settings) {
 void solve_requests::solve() {
   if (!versions_.head())
     return;
-  ++requests_;
   set_progress(field_state::waiting);
   link_.run<solve_outcome>(
     [settings = settings_](client::client& c, const execution& run) {
@@ -47,13 +45,12 @@ void solve_requests::solve() {
     [this, mine = part_.opening()](const expected<solve_outcome>& got) {
       if (mine != part_.opening())
         return;
-      --requests_;
-      if (got)
-        take_outcome(*got);
-      else if (got.error().code != ec::superseded && got.error().code != ec::cancelled) {
-        set_progress(field_state::failed);
-        emit part_.failed(tr("Solve"), got.error());
-      }
+      if (got || got.error().code == ec::superseded)
+        return;  // The document has heard of it as of everybody's solves; another one follows.
+      if (got.error().code == ec::cancelled)
+        return set_progress(field_state::stopped);
+      set_progress(field_state::failed);
+      emit part_.failed(tr("Solve"), got.error());
     },
     [this](double fraction, const QString& stage) {
       part_.work().progress(job_, fraction, stage);
@@ -71,15 +68,14 @@ void solve_requests::cancel() {
 }
 
 void solve_requests::watch(const client::watched_quantities& wanted) {
-  const client::watched_quantities all{watched_.stress || wanted.stress,
-                                       watched_.safety_factor || wanted.safety_factor,
-                                       watched_.relative_error || wanted.relative_error};
+  auto all = watched_;
+  all.insert(wanted.begin(), wanted.end());
   if (std::exchange(watched_, all) != all)
     send_watch();
 }
 
 void solve_requests::send_watch() {
-  if (!part_.is_open() || watched_ == client::watched_quantities{})
+  if (!part_.is_open() || watched_.empty())
     return;
   link_.run<std::string>(
     [wanted = watched_](client::client& c, const execution&) { return c.watch_fields(wanted); },
@@ -124,8 +120,7 @@ void solve_requests::take_status(const client::solve_status& status) {
     note_residual(status);
   } else if (status.phase == phase::failed) {
     set_progress(field_state::failed);
-    if (requests_ == 0)  // Else the answer to the request says it.
-      emit part_.failed(tr("Solve"), {ec::not_converged, status.message, {}, {}});
+    emit part_.failed(tr("Solve"), {ec::not_converged, status.message, {}, {}});
   } else if (status.phase == phase::cancelled) {
     set_progress(field_state::stopped);
   }

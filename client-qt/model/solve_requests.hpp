@@ -58,8 +58,7 @@ private:
   client::watched_quantities watched_;
   field_state progress_ = field_state::none;
   client::solve_status status_;
-  int requests_ = 0;  ///< Without an answer.
-  int job_ = 0;       ///< 0: no solve runs.
+  int job_ = 0;  ///< 0: no solve runs.
 };
 
 }  // namespace tedit::desktop

@@ -22,7 +22,6 @@ struct version_record {
   std::vector<fem::load_case> load_cases;  ///< As the server said when it was the head.
   std::optional<solve_outcome> outcome;    ///< The converged one.
   int annotation = 0;                      ///< Which of all annotations was its last.
-  int told = 0;                            ///< Which of all events last said that it is the head.
 };
 
 /// The versions of a document by their number, and which is the head. Tells nobody: who changes it
@@ -45,10 +44,6 @@ public:
   bool take_annotation(const client::version_info& info);
   /// Which of all annotations was the last.
   [[nodiscard]] int annotations() const noexcept { return annotations_; }
-  /// An event told that this version is the head.
-  void note_event(std::uint32_t number) { rows_[number].told = ++told_; }
-  /// Which of those events was the last.
-  [[nodiscard]] int told() const noexcept { return told_; }
   /// Rows as they were after `known` annotations: a name that was told since then is newer.
   void take_history(const client::history& history, int known);
   /// The row that it belongs to; null when there is none, or it has the surface.
@@ -63,7 +58,6 @@ private:
   std::map<std::uint32_t, version_record> rows_;
   std::optional<std::uint32_t> head_;
   int annotations_ = 0;
-  int told_ = 0;
 };
 
 }  // namespace tedit::desktop

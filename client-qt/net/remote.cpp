@@ -188,6 +188,10 @@ ticket remote::start(std::function<void(client::client&, const execution&)> call
   return result;
 }
 
+std::vector<client::offered_format> remote::formats() const {
+  return client_ ? client_->formats() : client::usual_formats();
+}
+
 client::surface_model remote::surface() const {
   return client_ ? client_->surface() : client::surface_model{};
 }

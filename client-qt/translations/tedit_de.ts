@@ -154,6 +154,25 @@
     </message>
 </context>
 <context>
+    <name>formats</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Fields for ParaView</source>
+        <translation>Felder für ParaView</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Boundary with surfaces</source>
+        <translation>Oberfläche mit Flächennummern</translation>
+    </message>
+</context>
+<context>
     <name>head_questions</name>
     <message>
         <source>Section</source>
@@ -336,6 +355,14 @@
     <message>
         <source>over 1000</source>
         <translation>über 1000</translation>
+    </message>
+    <message>
+        <source>Largest principal strain</source>
+        <translation>Größte Hauptdehnung</translation>
+    </message>
+    <message>
+        <source>The largest stretch at each point, in whatever direction it is: what a strain gauge could read there. 1000 µm/m are 0.1 %.</source>
+        <translation>Die größte Dehnung an jedem Punkt, gleich in welcher Richtung: was ein Dehnungsmessstreifen dort anzeigen könnte. 1000 µm/m sind 0,1 %.</translation>
     </message>
 </context>
 <context>
@@ -671,6 +698,45 @@
     <message>
         <source>allow</source>
         <translation>erlauben</translation>
+    </message>
+    <message>
+        <source>Use it where two walls meet in a sharp inner corner: the stress there grows with every finer mesh, in a fillet it does not. Pick the walls on both sides. A fillet needs room: where a wall is narrower than it, the edit is refused with the largest radius that works.</source>
+        <translation>Wo zwei Wände in einer scharfen Innenecke zusammenstoßen: Dort wächst die Spannung mit jedem feineren Netz, in einer Ausrundung nicht. Die Wände auf beiden Seiten anklicken. Eine Ausrundung braucht Platz: Wo eine Wand schmaler ist als sie, wird die Änderung mit dem größten Radius abgelehnt, der geht.</translation>
+    </message>
+    <message>
+        <source>Flat, cylindrical and conical surfaces move by exactly the depth and keep their names, so loads on them stay. Layers of tets come off any surface, but a layer is no length. A cut that would split the part is refused unless &quot;Pieces&quot; allows it.</source>
+        <translation>Ebene, zylindrische und kegelige Flächen gehen um genau die Tiefe zurück und behalten ihre Namen, Lasten darauf bleiben also. Lagen von Tetraedern lassen sich von jeder Fläche nehmen, eine Lage ist aber keine Länge. Ein Schnitt, der das Teil zerlegen würde, wird abgelehnt, wenn „Stücke“ ihn nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>Pick one wall of the hole: what belongs to it is found. A countersink is filled only with &quot;Include the entry&quot;. The closed place becomes part of the surface around it where it continues that one, and is a surface of its own elsewhere.</source>
+        <translation>Eine Wand des Lochs anklicken: Was dazugehört, wird gefunden. Eine Senkung wird nur mit „Senkung einbeziehen“ gefüllt. Wo die geschlossene Stelle die Fläche um sie fortsetzt, gehört sie zu dieser, sonst ist sie eine eigene.</translation>
+    </message>
+    <message>
+        <source>Edits improve what they touch by themselves: use this for a mesh that came with bad tets. Without a selection all of it is improved, which takes some seconds. The part keeps its shape, unless a tolerance is given.</source>
+        <translation>Änderungen verbessern, was sie berühren, von selbst: Dies ist für ein Netz, das mit schlechten Tetraedern kam. Ohne Auswahl wird das ganze verbessert, was einige Sekunden dauert. Das Teil behält seine Form, wenn keine Toleranz angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Use it on sharp outer edges. Pick the walls on both sides of an edge, or one wall for all its edges. It takes material off; loads and supports on the walls stay.</source>
+        <translation>Für scharfe Außenkanten. Die Wände auf beiden Seiten einer Kante anklicken, oder eine Wand für alle ihre Kanten. Es nimmt Material ab; Lasten und Lager auf den Wänden bleiben.</translation>
+    </message>
+    <message>
+        <source>Pick any one side: the other sides, the top and the fillets that belong to it are found, and the surface under it runs on. Loads and supports on what is taken off go with it, unless the form says otherwise.</source>
+        <translation>Irgendeine Seite anklicken: Die anderen Seiten, das Ende und die Ausrundungen, die dazugehören, werden gefunden, und die Fläche darunter läuft weiter. Lasten und Lager auf dem, was abgenommen wird, gehen mit, wenn das Formular nichts anderes sagt.</translation>
+    </message>
+    <message>
+        <source>The surfaces keep their names, so loads and supports on them stay. Pick both halves of a bore together. Where something is in the way, the edit is refused with the greatest thickness that works.</source>
+        <translation>Die Flächen behalten ihre Namen, Lasten und Lager darauf bleiben also. Beide Hälften einer Bohrung zusammen auswählen. Wo etwas im Weg ist, wird die Änderung mit der größten Dicke abgelehnt, die geht.</translation>
+    </message>
+</context>
+<context>
+    <name>operations_manual</name>
+    <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Anklicken</translation>
     </message>
 </context>
 <context>
@@ -1622,10 +1688,6 @@ Inhalt %1</translation>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Writes the mesh (.msh), its boundary (.stl) or its fields (.vtu)</source>
-        <translation>Schreibt das Netz (.msh), seine Oberfläche (.stl) oder seine Felder (.vtu)</translation>
-    </message>
-    <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
     </message>
@@ -1642,24 +1704,16 @@ Inhalt %1</translation>
         <translation>Netz mit Lastfällen, Dokument oder Rezept öffnen</translation>
     </message>
     <message>
-        <source>Meshes, load cases, recipes, documents (*.msh *.json *.tedit)</source>
-        <translation>Netze, Lastfälle, Rezepte, Dokumente (*.msh *.json *.tedit)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Mesh (*.msh)</source>
-        <translation>Netz (*.msh)</translation>
+        <source>Writes the part as a file for other programs: the mesh, its boundary or its fields</source>
+        <translation>Schreibt das Teil als Datei für andere Programme: das Netz, seine Oberfläche oder seine Felder</translation>
     </message>
     <message>
-        <source>Fields for ParaView (*.vtu)</source>
-        <translation>Felder für ParaView (*.vtu)</translation>
-    </message>
-    <message>
-        <source>Boundary (*.stl)</source>
-        <translation>Oberfläche (*.stl)</translation>
+        <source>Meshes, load cases, recipes, documents (%1)</source>
+        <translation>Netze, Lastfälle, Rezepte, Dokumente (%1)</translation>
     </message>
 </context>
 <context>

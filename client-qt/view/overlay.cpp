@@ -198,7 +198,7 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
   };
   const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
   add(ends->low_at, tr("min %1").arg(field_value(by.field, none ? 0 : ends->low)), true);
-  if (by.field != shown_field::safety_factor)  // Where there is no stress says nothing.
+  if (kind_of(by.field) != field_kind::safety)  // Where there is no stress says nothing.
     add(ends->high_at,
         (by.beyond && ends->high > by.high ? tr("max %1, above the scale") : tr("max %1"))
           .arg(field_value(by.field, ends->high)),

@@ -280,12 +280,13 @@ vtkSmartPointer<vtkPolyData> make_cap(const client::section& cut, double scale) 
   vtkNew<vtkPoints> points;
   const auto count = static_cast<vtkIdType>(cut.positions.size() / 3);
   points->SetNumberOfPoints(count);
-  const bool moves = scale != 0 && cut.displacement.size() == cut.positions.size();
+  const auto& moved = cut.values.of("displacement_m");
+  const bool moves = scale != 0 && moved.size() == cut.positions.size();
   for (vtkIdType i = 0; i < count; ++i) {
     std::array<double, 3> at{};
     for (int c = 0; c < 3; ++c) {
       const auto k = static_cast<std::size_t>(3 * i + c);
-      at[c] = cut.positions[k] + (moves ? scale * cut.displacement[k] : 0);
+      at[c] = cut.positions[k] + (moves ? scale * moved[k] : 0);
     }
     points->SetPoint(i, at.data());
   }

@@ -15,17 +15,22 @@ std::vector<float> values_of(const part_geometry& part, const client::field_even
                              shown_field wanted) {
   std::vector<float> result;
   result.reserve(part.vertices.size());
-  for (const auto slot : part.vertices)
-    result.push_back(desktop::value_at(field, slot, wanted));
+  const value_reader value(field.values, wanted);
+  for (const auto slot : part.vertices) {
+    const auto at = std::ranges::lower_bound(field.vertices, slot);
+    const bool known = at != field.vertices.end() && *at == slot;
+    result.push_back(known ? value(static_cast<std::size_t>(at - field.vertices.begin())) : NAN);
+  }
   return result;
 }
 
 std::vector<float> values_of(const client::section& cap, shown_field wanted) {
   std::vector<float> result;
   result.reserve(cap.positions.size() / 3);
+  const value_reader value(cap.values, wanted);
   for (std::size_t i = 0; 3 * i < cap.positions.size(); ++i)
-    result.push_back(value_in(cap, i, wanted));
-  if (std::ranges::none_of(result, [](float value) { return std::isfinite(value); }))
+    result.push_back(value(i));
+  if (std::ranges::none_of(result, [](float one) { return std::isfinite(one); }))
     result.clear();
   return result;
 }

@@ -68,8 +68,9 @@ void viewport::build() {
     static const std::vector<float> no_values;
     const bool moves =
       shown.deform != 0 && shown.field && shown.field->version_id() == shown.surface->version_id();
-    auto part = build_part(*shown.surface, moves ? shown.field->vertices : no_slots,
-                           moves ? shown.field->displacement : no_values, shown.deform);
+    auto part =
+      build_part(*shown.surface, moves ? shown.field->vertices : no_slots,
+                 moves ? shown.field->values.of("displacement_m") : no_values, shown.deform);
     auto preview = shown.before ? differences_of(*shown.before, *shown.surface) : nullptr;
     QMetaObject::invokeMethod(
       this, [this, part, preview, mine] { take_geometry(part, preview, mine); },

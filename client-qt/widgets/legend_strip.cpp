@@ -36,7 +36,7 @@ void legend_strip::set_ink(const QColor& ink) {
 }
 
 void legend_strip::paintEvent(QPaintEvent*) {
-  if (by_.field == shown_field::none || by_.field == shown_field::surfaces)
+  if (!is_of_result(by_.field))
     return;
   QPainter painter(this);
   painter.setPen(ink_);

@@ -3,6 +3,7 @@
 
 #include <QFile>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSvgRenderer>
 
 /// The drawings lie in a static library, which the linker would not start. Outside any namespace,
@@ -116,16 +117,34 @@ theme make_theme(bool dark) {
   return result;
 }
 
-QIcon icon(const QString& name, const QColor& ink) {
+namespace {
+
+QByteArray read_icon(const QString& name) {
   load_resources();
-  QString path = ":/icons/" + name + ".svg";
-  if (!QFile::exists(path))
-    path = ":/icons/operation.svg";
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly))
-    return {};
+  QFile file(":/icons/" + name + ".svg");
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A plugin's drawing comes from a server: it may not reach for files, nor be large.
+bool is_plain_drawing(const QString& text) {
+  constexpr qsizetype longest = 8 * 1024;
+  static const QRegularExpression reaches("href|<!|<script|<style|url\\(|@import",
+                                          QRegularExpression::CaseInsensitiveOption);
+  return text.startsWith("<svg") && text.size() <= longest && !text.contains(reaches);
+}
+
+QByteArray drawing_of(const QString& name_or_svg) {
+  if (is_plain_drawing(name_or_svg))
+    return name_or_svg.toUtf8();
+  const auto known = name_or_svg.startsWith('<') ? QByteArray() : read_icon(name_or_svg);
+  return known.isEmpty() ? read_icon("operation") : known;
+}
+
+}  // namespace
+
+QIcon icon(const QString& name_or_svg, const QColor& ink) {
   QIcon result;
-  const QByteArray drawing = file.readAll();
+  const QByteArray drawing = drawing_of(name_or_svg);
   for (const auto mode : {QIcon::Normal, QIcon::Disabled}) {
     QColor colour = ink;
     if (mode == QIcon::Disabled)
@@ -148,12 +167,6 @@ QIcon icon(const QString& name, const QColor& ink) {
 QIcon window_icon() {
   load_resources();
   return QIcon(":/tedit.svg");
-}
-
-QString operation_icon(const QString& operation) {
-  if (operation == "open" || operation == "close")
-    return operation + "_op";
-  return operation;
 }
 
 }  // namespace tedit::desktop

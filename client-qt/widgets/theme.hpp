@@ -25,12 +25,10 @@ struct theme {
 
 [[nodiscard]] theme make_theme(bool dark);
 
-/// An icon of our own set in the palette's text colour; an unknown name gives "operation".
-[[nodiscard]] QIcon icon(const QString& name, const QColor& ink);
+/// An icon of our own set, or the SVG that an operation brings, in the palette's text colour.
+/// "operation" for an unknown name, and for a drawing over 8 KiB or that names other files.
+[[nodiscard]] QIcon icon(const QString& name_or_svg, const QColor& ink);
 
 [[nodiscard]] QIcon window_icon();
-
-/// The icon of an operation: its own when there is one with its id.
-[[nodiscard]] QString operation_icon(const QString& operation);
 
 }  // namespace tedit::desktop

@@ -181,7 +181,8 @@ void main_window::place_overlays() {
                view_->height() - section.height() - cube_margin);
   overlay_->keep_free(section.isVisible() ? section.height() + cube_margin : 0);
   const int room = pages_->width() - 2 * (cube_->width() + 2 * cube_margin);
-  const int width = std::clamp(room, 320, widest_banner);
+  const int least = std::clamp(pages_->width() - 2 * cube_margin, 320, 480);  // A file's name.
+  const int width = std::clamp(room, least, widest_banner);
   const int height =
     banner_->hasHeightForWidth() ? banner_->heightForWidth(width) : banner_->sizeHint().height();
   const bool has_titles = pages_->currentWidget() != view_ && !tools_->documents.shows_start_page();
@@ -219,8 +220,22 @@ void main_window::make_room_for_operation() {
 }
 
 void main_window::make_room_for_load() {
+  if (before_form_.isEmpty())
+    before_form_ = heights_of_docks();
   make_room(tools_->loads.panel().wanted_height(), docks_.of("loads"), docks_.of("field"),
             docks_.of("context"));
+  QTimer::singleShot(0, this, [this] { with_form_ = heights_of_docks(); });
+}
+
+main_window::dock_heights main_window::heights_of_docks() {
+  return {docks_.of("loads").height(), docks_.of("field").height(), docks_.of("context").height()};
+}
+
+void main_window::give_room_back() {
+  const auto before = std::exchange(before_form_, {});
+  if (!before.isEmpty() && with_form_ == heights_of_docks())
+    resizeDocks({&docks_.of("loads"), &docks_.of("field"), &docks_.of("context")}, before,
+                Qt::Vertical);
 }
 
 /// Docks and operations are about a part: beside the start page they would be empty. The help is
@@ -276,6 +291,7 @@ void main_window::wire() {
           [this] { QTimer::singleShot(0, this, &main_window::make_room_for_operation); });
   connect(&tools_->loads.panel(), &loads_panel::form_opened, this,
           [this] { QTimer::singleShot(0, this, &main_window::make_room_for_load); });
+  connect(&tools_->loads.panel(), &loads_panel::form_closed, this, &main_window::give_room_back);
   for (auto signal :
        {&document::opened, &document::closed, &document::head_changed, &document::surface_changed})
     connect(&part_, signal, this, &main_window::show_title);

@@ -50,9 +50,17 @@ private:
   void make_room(int form_height, QDockWidget& dock, QDockWidget& gives, QDockWidget& keeps);
   void make_room_for_operation();
   void make_room_for_load();
+  /// What the docks were before a load's form took their room; not where a person has moved them.
+  void give_room_back();
   void show_docks(bool on);
   void show_title();
 
+  /// Heights of the docks for loads, field and selection.
+  using dock_heights = QList<int>;
+  [[nodiscard]] dock_heights heights_of_docks();
+
+  dock_heights before_form_;
+  dock_heights with_form_;
   QSettings settings_;
   remote link_;
   local_server server_;

@@ -29,16 +29,16 @@ TEST(CarriedField, KeepsTheValuesOfVerticesThatStayWhereTheyAre) {
   client::field_event field;
   field.report.version_id = "a";
   field.vertices = {3, 4, 5};
-  field.von_mises = {10, 20, 30};
-  field.displacement = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  field.values["von_mises_pa"] = {10, 20, 30};
+  field.values["displacement_m"] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
 
   const auto carried = carried_field(field, before, after);
 
   EXPECT_EQ(carried->version_id(), "b");
   EXPECT_THAT(carried->vertices, ElementsAre(3));
-  EXPECT_THAT(carried->von_mises, ElementsAre(10));
-  EXPECT_THAT(carried->displacement, ElementsAre(1, 2, 3));
-  EXPECT_THAT(carried->stress, IsEmpty());
+  EXPECT_THAT(carried->values.of("von_mises_pa"), ElementsAre(10));
+  EXPECT_THAT(carried->values.of("displacement_m"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(carried->values.of("stress_pa"), IsEmpty());
 }
 
 TEST(CarriedField, OfAnEnvelopeIsAnEnvelope) {
@@ -48,16 +48,16 @@ TEST(CarriedField, OfAnEnvelopeIsAnEnvelope) {
   field.envelope.emplace();
   field.envelope->version_id = "a";
   field.vertices = {0, 1};
-  field.von_mises = {10, 20};
-  field.von_mises_case = {0, 1};
+  field.values["von_mises_pa"] = {10, 20};
+  field.worst_cases["von_mises_pa"] = {0, 1};
 
   const auto carried = carried_field(field, before, after);
 
   ASSERT_TRUE(carried->envelope);
   EXPECT_EQ(carried->version_id(), "b");
-  EXPECT_THAT(carried->von_mises, ElementsAre(20));
-  EXPECT_THAT(carried->von_mises_case, ElementsAre(1));
-  EXPECT_THAT(carried->displacement, IsEmpty());
+  EXPECT_THAT(carried->values.of("von_mises_pa"), ElementsAre(20));
+  EXPECT_THAT(carried->worst_cases.of("von_mises_pa"), ElementsAre(1));
+  EXPECT_THAT(carried->values.of("displacement_m"), IsEmpty());
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ version_record version(double lifted = 0, float stress = 10e6F) {
   field->report.version_id = "v";
   field->report.load_case = "a";
   field->vertices = {0, 1, 2};
-  field->von_mises = {stress, 2 * stress, 3 * stress};
-  field->displacement = {1, 0, 0, 2, 0, 0, 3, 4, 0};
+  field->values["von_mises_pa"] = {stress, 2 * stress, 3 * stress};
+  field->values["displacement_m"] = {1, 0, 0, 2, 0, 0, 3, 4, 0};
   version_record result;
   result.surface = std::make_shared<const client::surface_model>(surface);
   result.fields = {field};
@@ -42,8 +42,8 @@ TEST(Difference, IsTakenWhereSlotAndPositionAreTheSame) {
     difference(before, before.fields[0], after, after.fields[0], shown_field::von_mises);
 
   EXPECT_EQ(change->vertices, (std::vector<std::uint32_t>{0, 1}));  // Slot 2 was moved.
-  EXPECT_FLOAT_EQ(change->von_mises[0], 5e6F);
-  EXPECT_FLOAT_EQ(change->von_mises[1], 10e6F);
+  EXPECT_FLOAT_EQ(change->values.of("von_mises_pa")[0], 5e6F);
+  EXPECT_FLOAT_EQ(change->values.of("von_mises_pa")[1], 10e6F);
 }
 
 TEST(Difference, OfASlotWithoutAFieldIsNone) {
@@ -51,7 +51,7 @@ TEST(Difference, OfASlotWithoutAFieldIsNone) {
   auto after = version();
   auto shorter = std::make_shared<client::field_event>(*before.fields[0]);
   shorter->vertices = {1, 2};
-  shorter->von_mises = {20e6F, 30e6F};
+  shorter->values["von_mises_pa"] = {20e6F, 30e6F};
 
   const auto change = difference(before, shorter, after, after.fields[0], shown_field::von_mises);
 
@@ -62,13 +62,32 @@ TEST(Difference, OfTheDisplacementIsThatOfItsSize) {
   const auto before = version();
   auto after = version();
   auto moved = std::make_shared<client::field_event>(*after.fields[0]);
-  moved->displacement = {1, 0, 0, 0, 2, 0, 0, 0, 0};
+  moved->values["displacement_m"] = {1, 0, 0, 0, 2, 0, 0, 0, 0};
 
   const auto change = difference(before, before.fields[0], after, moved, shown_field::displacement);
 
   const auto as = difference_field(shown_field::displacement);
   EXPECT_FLOAT_EQ(value_at(*change, 1, as), 0);  // Turned, but as long as before.
   EXPECT_FLOAT_EQ(value_at(*change, 2, as), -5);
+}
+
+TEST(Difference, OfAStrainIsAStrainAndOfAPrincipalStressAStress) {
+  const auto before = version();
+  const auto after = version();
+  for (const auto& [one, strain] : {std::pair(&before, 1e-6F), {&after, 3e-6F}}) {
+    auto& values = std::const_pointer_cast<client::field_event>(one->fields[0])->values;
+    values["largest_strain"].assign(3, strain);
+    values["stress_pa"].assign(18, 1e12F * strain);  // All alike: thrice that is principal.
+  }
+  const auto change_of = [&](shown_field what) {
+    const auto change = difference(before, before.fields[0], after, after.fields[0], what);
+    return value_at(*change, 1, difference_field(what));
+  };
+
+  EXPECT_EQ(difference_field(field_named("largest_strain")), field_named("largest_strain"));
+  EXPECT_FLOAT_EQ(change_of(field_named("largest_strain")), 2e-6F);
+  EXPECT_EQ(field_unit(difference_field(field_named("principal_1"))), "Pa");
+  EXPECT_NEAR(change_of(field_named("principal_1")), 6e6F, 10);
 }
 
 TEST(FieldOf, FindsTheLoadCaseOrTheOnlyOne) {

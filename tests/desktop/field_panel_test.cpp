@@ -83,15 +83,15 @@ TEST_F(FieldPanel, StaysAutomaticOtherwise) {
 
 TEST_F(FieldPanel, WhatHasASignIsReadByOtherColoursAndEachKindKeepsItsOwn) {
   panel_.set_look(colour_map::cividis, false, false);
-  panel_.set_field(shown_field::principal_1);
+  panel_.set_field(field_named("principal_1"));
   EXPECT_EQ(panel_.wanted().map, colour_map::coolwarm);
   panel_.set_field(shown_field::safety_factor);
   EXPECT_EQ(panel_.wanted().map, colour_map::safety);
-  panel_.set_field(shown_field::max_shear);
+  panel_.set_field(field_named("max_shear"));
   EXPECT_EQ(panel_.wanted().map, colour_map::cividis);
 
   panel_.findChild<QComboBox*>("colours")->setCurrentIndex(static_cast<int>(colour_map::grey));
-  panel_.set_field(shown_field::stress_xy);
+  panel_.set_field(field_named("stress_xy"));
   EXPECT_EQ(panel_.wanted().map, colour_map::coolwarm);
   panel_.set_field(shown_field::von_mises);
   EXPECT_EQ(panel_.wanted().map, colour_map::grey);
@@ -101,7 +101,7 @@ TEST_F(FieldPanel, TheEnvelopeIsLeftForAFieldThatItHasNotAndThatFieldForTheEnvel
   arrive_all();
   ASSERT_TRUE(panel_.field() && panel_.field()->envelope);
 
-  panel_.set_field(shown_field::principal_1);
+  panel_.set_field(field_named("principal_1"));
   ASSERT_FALSE(panel_.field()->envelope);
   EXPECT_EQ(panel_.shown_case(), "a");
 
@@ -115,7 +115,7 @@ TEST_F(FieldPanel, NamesNoRangeOfWhatHasNotArrived) {
   auto* missing = panel_.findChild<QLabel*>("field_missing");
   arrive(false);
   EXPECT_EQ(low->text(), "1");  // MPa.
-  panel_.set_field(shown_field::principal_1);
+  panel_.set_field(field_named("principal_1"));
 
   legend nothing = panel_.wanted();
   nothing.fit({});

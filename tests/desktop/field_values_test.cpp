@@ -8,15 +8,24 @@
 namespace tedit::desktop {
 namespace {
 
-using enum shown_field;
+constexpr auto von_mises = shown_field::von_mises;
+constexpr auto displacement = shown_field::displacement;
+constexpr auto principal_1 = field_named("principal_1");
+constexpr auto principal_2 = field_named("principal_2");
+constexpr auto principal_3 = field_named("principal_3");
+constexpr auto max_shear = field_named("max_shear");
+constexpr auto stress_yy = field_named("stress_yy");
+constexpr auto stress_yz = field_named("stress_yz");
+constexpr auto stress_zx = field_named("stress_zx");
+constexpr auto relative_error = field_named("relative_error");
 
 /// One vertex under a stress (xx, yy, zz, xy, yz, zx).
 client::field_event stressed(std::vector<float> stress) {
   client::field_event field;
   field.vertices = {4};
-  field.von_mises = {0};
-  field.displacement = {0, 0, 0};
-  field.stress = std::move(stress);
+  field.values["von_mises_pa"] = {0};
+  field.values["displacement_m"] = {0, 0, 0};
+  field.values["stress_pa"] = std::move(stress);
   return field;
 }
 
@@ -62,8 +71,8 @@ TEST(Stress, PrincipalValuesAreThoseOfAMatrixThatIsKnown) {
 TEST(Fields, WhatWasNotSentHasNoValue) {
   client::field_event bare;
   bare.vertices = {4};
-  bare.von_mises = {7};
-  bare.displacement = {3, 4, 0};
+  bare.values["von_mises_pa"] = {7};
+  bare.values["displacement_m"] = {3, 4, 0};
 
   EXPECT_EQ(value_at(bare, 4, von_mises), 7);
   EXPECT_EQ(value_at(bare, 4, displacement), 5);
@@ -72,17 +81,18 @@ TEST(Fields, WhatWasNotSentHasNoValue) {
     EXPECT_TRUE(std::isnan(value_at(bare, 4, one)));
     EXPECT_FALSE(has(bare, one));
   }
-  EXPECT_TRUE(has(bare, displacement_z));
-  EXPECT_TRUE(needs(stress_zx).stress);
-  EXPECT_FALSE(needs(displacement_x).stress);
-  EXPECT_TRUE(needs(relative_error).relative_error);
+  EXPECT_TRUE(has(bare, shown_field::displacement_z));
+  EXPECT_EQ(needs(stress_zx), (std::set<std::string>{"stress_pa"}));
+  EXPECT_TRUE(needs(shown_field::displacement_x).empty());
+  EXPECT_TRUE(needs(shown_field::none).empty());
+  EXPECT_EQ(needs(relative_error), (std::set<std::string>{"relative_error"}));
 }
 
 TEST(Fields, ASectionIsReadAsTheSurfaceIs) {
   client::section cut;
   cut.positions = {0, 0, 0};
-  cut.stress = {0, 0, -4, 0, 0, 0};
-  cut.safety_factor = {0};  // Not known.
+  cut.values["stress_pa"] = {0, 0, -4, 0, 0, 0};
+  cut.values["safety_factor"] = {0};  // Not known.
 
   EXPECT_FLOAT_EQ(value_in(cut, 0, principal_3), -4);
   EXPECT_TRUE(std::isnan(value_in(cut, 0, shown_field::safety_factor)));

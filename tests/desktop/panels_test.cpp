@@ -11,6 +11,7 @@
 #include <QScrollBar>
 #include <QTextBlock>
 
+#include "client-qt/model/catalogue.hpp"
 #include "client-qt/tools/help/help_panel.hpp"
 #include "client-qt/tools/history/history_strip.hpp"
 #include "client-qt/tools/history/version_editor.hpp"
@@ -279,10 +280,23 @@ TEST(HelpPanel, ShowsThePageAndTheHeadingThatIsAskedFor) {
   help.resize(320, 400);
   help.show();
 
-  help.show_page("operations", "erode");
+  // A plugin's operation is told of as a shipped one is.
+  operation_catalogue all;
+  for (const auto* name : {"Fill hole", "Erode", "Lift by a plugin"}) {
+    ops::operation_description about;
+    about.name = name;
+    about.summary = "What it does.";
+    about.guide = std::string(2000, 'x') + " When to use it.";
+    about.parameters = {{"depth", "Depth", "How deep."}};
+    all.operations.push_back({about, "plug 1.0.0"});
+  }
+  help.set_operations(manual_page_of(translated(all)));
+  help.show_page("operations", "Lift by a plugin");
 
   EXPECT_EQ(help.shown(), QString("operations"));
-  EXPECT_EQ(help.page()->textCursor().block().text(), QString("erode"));
+  EXPECT_EQ(help.page()->textCursor().block().text(), QString("Lift by a plugin"));
+  EXPECT_TRUE(help.page()->toPlainText().contains("When to use it."));
+  EXPECT_TRUE(help.page()->toPlainText().contains("Depth: How deep."));
   EXPECT_GT(help.page()->verticalScrollBar()->value(), 0);
   help.show_page("results");
   EXPECT_EQ(help.page()->textCursor().position(), 0);

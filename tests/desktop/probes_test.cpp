@@ -23,7 +23,7 @@ client::surface_model square(surface_id first = 7, double up = 0) {
 client::field_event field() {
   client::field_event result;
   result.vertices = {0, 1, 2, 3};
-  result.von_mises = {0, 3, 6, 9};
+  result.values["von_mises_pa"] = {0, 3, 6, 9};
   return result;
 }
 
@@ -38,6 +38,16 @@ TEST(Locate, StaysOnAnUnchangedTriangle) {
   EXPECT_TRUE(place->same);
   EXPECT_EQ(place->at, (vec3{0.75, 0.25, 0}));
   EXPECT_DOUBLE_EQ(*value_at(*place, field(), shown_field::von_mises), 3);
+}
+
+TEST(Value, OfAStrainIsReadAsThatOfAStress) {
+  auto strained = field();
+  strained.values["largest_strain"] = {0, 2e-6F, 4e-6F, 8e-6F};
+  const auto what = make_probe(1, 7, {0, 1, 2}, middle, square());
+
+  const auto here = value_at(*locate(what, square()), strained, field_named("largest_strain"));
+
+  EXPECT_NEAR(*here, 2e-6, 1e-12);
 }
 
 TEST(Locate, TakesTheNearestPointOfTheSurfaceWhenTheTriangleMoved) {
@@ -71,7 +81,7 @@ TEST(ValueAt, IsNothingWhereTheFieldHasNone) {
   const auto what = make_probe(1, 7, {0, 1, 2}, middle, square());
   auto less = field();
   less.vertices = {1, 2};
-  less.von_mises = {3, 6};
+  less.values["von_mises_pa"] = {3, 6};
 
   EXPECT_FALSE(value_at(what.place, less, shown_field::von_mises));
   EXPECT_FALSE(value_at(what.place, field(), shown_field::displacement));
@@ -79,7 +89,7 @@ TEST(ValueAt, IsNothingWhereTheFieldHasNone) {
 
 TEST(Histogram, CountsTrianglesByTheirAreaAndMean) {
   auto values = field();
-  values.von_mises = {0, 0, 0, 9};  // Means 0 and 3, each half of the area.
+  values.values["von_mises_pa"] = {0, 0, 0, 9};  // Means 0 and 3, each half of the area.
 
   const auto counted = histogram_of(square(), values, shown_field::von_mises, 3);
 
@@ -90,7 +100,7 @@ TEST(Histogram, CountsTrianglesByTheirAreaAndMean) {
 
 TEST(Histogram, OfAUniformFieldIsOneBar) {
   auto values = field();
-  values.von_mises = {5, 5, 5, 5};
+  values.values["von_mises_pa"] = {5, 5, 5, 5};
 
   const auto counted = histogram_of(square(), values, shown_field::von_mises, 3);
 

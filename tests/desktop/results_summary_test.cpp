@@ -108,7 +108,7 @@ protected:
     auto field = std::make_shared<client::field_event>();
     field->report = now();
     field->vertices = {0, 1, 2, 3};
-    field->von_mises = stress;
+    field->values["von_mises_pa"] = stress;
     now_.fields = {field};
   }
 

@@ -34,7 +34,7 @@ shown_part two_squares(float von_mises_pa) {
   auto field = std::make_shared<client::field_event>();
   field->report.version_id = "v";
   field->vertices = update.vertices;
-  field->von_mises.assign(6, von_mises_pa);
+  field->values["von_mises_pa"].assign(6, von_mises_pa);
   return {std::make_shared<const client::surface_model>(surface), field, 0};
 }
 

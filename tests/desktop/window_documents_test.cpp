@@ -7,6 +7,7 @@
 #include <QContextMenuEvent>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QMenu>
 
 #include "client-qt/tools/documents/document_keeping.hpp"
@@ -67,6 +68,31 @@ protected:
     return one;
   }
 };
+
+TEST_F(Documents, ExportOffersWhatTheServerWritesAndRefusesTheRest) {
+  open_plate(false);
+
+  run("file.export");
+  auto* dialog = window->findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  QStringList wanted;
+  for (const auto& format : file_formats)
+    wanted << QString("%1 (*.%2)")
+                .arg(QString::fromUtf8(format.title.data(),
+                                       static_cast<qsizetype>(format.title.size())),
+                     QString::fromUtf8(format.name.data(),
+                                       static_cast<qsizetype>(format.name.size())));
+  EXPECT_EQ(dialog->nameFilters(), wanted);
+  EXPECT_EQ(dialog->defaultSuffix(), "msh");
+  dialog->selectNameFilter(wanted.last());
+  emit dialog->filterSelected(wanted.last());
+  EXPECT_EQ(dialog->defaultSuffix().toStdString(), file_formats.back().name);
+  dialog->reject();
+
+  part().files().export_to(state.filePath("part.step"));
+  ASSERT_TRUE(wait([&] { return said().contains("There is no file format \"step\""); }));
+  EXPECT_FALSE(QFile::exists(state.filePath("part.step")));
+}
 
 TEST_F(Documents, AWrongFileLeavesThePartOpenAndNothingElse) {
   open_plate();

@@ -158,6 +158,26 @@ TEST_F(Forms, NoFieldOfALoadsFormIsSquashedAndItsButtonsAreInSight) {
   }
 }
 
+TEST_F(Forms, ALoadsFormGivesTheRoomBackThatItTook) {
+  open_plate(false);
+  window->resize(1280, 720);
+  const auto heights = [&] {
+    QList<int> all;
+    for (const auto* name : {"loads", "field", "context"})
+      all << window->findChild<QDockWidget*>(name)->height();
+    return all;
+  };
+  ASSERT_TRUE(wait([&] { return window->height() == 720; }));
+  const auto before = heights();
+  loads_list().add_item(item_kind::load);
+  ASSERT_TRUE(wait([&] { return heights() != before; }));
+  QTest::qWait(50);
+
+  (void)loads_list().cancel();
+
+  EXPECT_TRUE(wait([&] { return heights() == before; })) << heights()[0] << " " << before[0];
+}
+
 TEST_F(Forms, SurfacesThatAreClickedBecomeThoseOfTheLoadAndEscClosesItsFormFirst) {
   open_plate(false);
   click_surface(98);

@@ -54,11 +54,11 @@ protected:
 
 TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
   open_plate();
-  EXPECT_TRUE(view().current().field->stress.empty());
+  EXPECT_TRUE(view().current().field->values.of("stress_pa").empty());
 
   const auto* low = window->tools().results.panel().findChildren<QLineEdit*>().front();
   EXPECT_FALSE(low->text().isEmpty());
-  window->tools().results.panel().set_field(shown_field::principal_1);
+  window->tools().results.panel().set_field(field_named("principal_1"));
   EXPECT_TRUE(low->text().isEmpty()) << "a range of values that are not there";
   EXPECT_EQ(low->placeholderText(), "loading");
   ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
@@ -68,16 +68,32 @@ TEST_F(Window, PrincipalStressesComeWhenTheyAreWantedAndFollowAnEdit) {
   EXPECT_DOUBLE_EQ(by.low, -by.high);
   const auto& field = *view().current().field;
   for (std::size_t i = 0; i < field.vertices.size(); ++i)  // None is beyond the largest.
-    ASSERT_GE(value_in(field, i, shown_field::principal_1),
-              value_in(field, i, shown_field::stress_xx) - 1);
+    ASSERT_GE(value_in(field, i, field_named("principal_1")),
+              value_in(field, i, field_named("stress_xx")) - 1);
 
   part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
-  EXPECT_FALSE(view().current().field->stress.empty());
+  EXPECT_FALSE(view().current().field->values.of("stress_pa").empty());
   window->tools().results.panel().set_field(shown_field::safety_factor);
   ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
   EXPECT_NEAR(view().painted().extremes->low, *part().head()->outcome->cases[0].min_safety_factor,
               0.01 * view().painted().extremes->low);
+}
+
+TEST_F(Window, TheLargestStrainComesWhenItIsWantedInMicrometresAMetre) {
+  open_plate();
+  EXPECT_TRUE(view().current().field->values.of("largest_strain").empty());
+
+  window->tools().results.panel().set_field(field_named("largest_strain"));
+  ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
+
+  const auto& by = view().painted().by;
+  EXPECT_EQ(by.map, colour_map::coolwarm);
+  EXPECT_EQ(field_title(by.field), "Largest principal strain");
+  EXPECT_EQ(shown_as(field_unit(by.field)).name, QString::fromUtf8("µm/m"));
+  // Steel or aluminium under some MPa: tens of micrometres a metre.
+  EXPECT_GT(view().painted().extremes->high, 1e-6);
+  EXPECT_LT(view().painted().extremes->high, 1e-2);
 }
 
 TEST_F(Window, WhatChangesNoColourPaintsNothing) {
@@ -238,7 +254,7 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   window->context().picked.set({1, 2});
   part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
-  window->tools().results.panel().set_field(shown_field::max_shear);
+  window->tools().results.panel().set_field(field_named("max_shear"));
   window->tools().results.panel().set_bands(8);
   ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value(); }));
   record_loads_and_probes();
@@ -264,7 +280,7 @@ TEST_F(Recording, IsPlayedWithItsEditsLoadsProbesAndWhatIsHidden) {
   ASSERT_TRUE(wait([&] { return done && is_final(); })) << text;
 
   EXPECT_EQ(part().head()->info.version_id, id);
-  EXPECT_EQ(window->tools().results.panel().wanted().field, shown_field::max_shear);
+  EXPECT_EQ(window->tools().results.panel().wanted().field, field_named("max_shear"));
   EXPECT_EQ(window->tools().results.panel().wanted().bands, 8);
   const vec3 off = view().view().get().position - pose.position;
   EXPECT_LT(dot(off, off), 1e-12);

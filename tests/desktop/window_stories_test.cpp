@@ -131,7 +131,7 @@ TEST_F(StartPageStory, TheTestPlatesBoreIsClosed) {
   EXPECT_GT(part().head()->report->volume_change, 0);
 }
 
-/// "At the desk" of the README's first five minutes.
+/// "At the desk" of the README's beginnings: the first five minutes.
 class FirstFiveMinutes : public StartPageStory {
 protected:
   static QString readme() {

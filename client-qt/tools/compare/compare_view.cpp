@@ -324,17 +324,16 @@ void compare_view::show_change(const version_record& before, const version_recor
     change_of_ = fields;
   }
   double most = 0;
+  const value_reader value(change_->values, as);
   for (std::size_t i = 0; i < change_->vertices.size(); ++i)
-    most = std::max<double>(most, std::abs(value_in(*change_, i, as)));
+    most = std::max<double>(most, std::abs(value(i)));
   legend by;
   by.field = as;
   by.mode = range_mode::manual;
   by.map = colour_map::coolwarm;
   by.high = most > 0 ? most : 1;
   by.low = -by.high;
-  const bool drawn =
-    what_->by.field != shown_field::none && what_->by.field != shown_field::surfaces;
-  const QString of = field_title(drawn ? what_->by.field : as);
+  const QString of = field_title(is_of_result(what_->by.field) ? what_->by.field : as);
   by.title = QString::fromUtf8("Δ ") + of;
   legend_->set_legend(by);
   after_.view->set_legend(by);

@@ -12,6 +12,7 @@
 
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
+#include "client-qt/model/format_words.hpp"
 #include "client-qt/tools/connection/connection_tool.hpp"
 #include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/documents/recent_documents.hpp"
@@ -88,7 +89,8 @@ void documents_tool::add_commands() {
                         [this] { in_.part.files().close(); }, in_.has_part()});
   in_.all_commands.add(
     {"file.export", tr("Export"), file, "Ctrl+E", [this] { ask_export(); }, in_.has_part(),
-     tr("Writes the mesh (.msh), its boundary (.stl) or its fields (.vtu)"), "export"});
+     tr("Writes the part as a file for other programs: the mesh, its boundary or its fields"),
+     "export"});
 }
 
 bool documents_tool::shows_start_page() const {
@@ -267,8 +269,9 @@ void documents_tool::ask_file() {
     new QFileDialog(&in_.window, tr("Open a mesh and its load cases, a document or a recipe"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
-  dialog->setNameFilters(
-    {tr("Meshes, load cases, recipes, documents (*.msh *.json *.tedit)"), tr("All files (*)")});
+  dialog->setNameFilters({tr("Meshes, load cases, recipes, documents (%1)")
+                            .arg(patterns_to_read(in_.link.formats()) + " *.json *.tedit"),
+                          tr("All files (*)")});
   connect(dialog, &QFileDialog::filesSelected, this, &documents_tool::open_files);
   dialog->open();
 }
@@ -277,12 +280,12 @@ void documents_tool::ask_export() {
   auto* dialog = new QFileDialog(&in_.window, tr("Export"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilters(
-    {tr("Mesh (*.msh)"), tr("Fields for ParaView (*.vtu)"), tr("Boundary (*.stl)")});
-  dialog->setDefaultSuffix("msh");
-  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-    dialog->setDefaultSuffix(filter.section("*.", 1).chopped(1));
-  });
+  const auto suffix_in = [](const QString& filter) { return filter.section("*.", 1).chopped(1); };
+  const auto filters = filters_to_write(in_.link.formats());
+  dialog->setNameFilters(filters);
+  dialog->setDefaultSuffix(suffix_in(filters.value(0)));
+  connect(dialog, &QFileDialog::filterSelected, dialog,
+          [=](const QString& filter) { dialog->setDefaultSuffix(suffix_in(filter)); });
   connect(dialog, &QFileDialog::fileSelected, &in_.part.files(), &file_requests::export_to);
   dialog->open();
 }

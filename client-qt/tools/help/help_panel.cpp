@@ -31,22 +31,9 @@ protected:
 
 constexpr double list_indent = 18;
 
-/// In the order of the tool rail.
-const QStringList operations{"fill_hole", "remove_surfaces", "erode",       "thicken",
-                             "open",      "close",           "improve_mesh"};
-
 QString text_of(const QString& name) {
   QFile file(":/help/" + name + ".md");
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-QString text_of_page(const QString& id) {
-  if (id != "operations")
-    return text_of(id);
-  QStringList all;
-  for (const auto& name : operations)
-    all << text_of(name);
-  return all.join("\n\n");
 }
 
 }  // namespace
@@ -99,6 +86,12 @@ help_panel::help_panel(QWidget* parent) : QWidget(parent) {
   lay_out();
 }
 
+void help_panel::set_operations(const QString& markdown) {
+  operations_ = markdown;
+  if (shown() == "operations")
+    lay_out();
+}
+
 QString help_panel::shown() const {
   return pages_->currentData().toString();
 }
@@ -124,7 +117,7 @@ void help_panel::show_page(const QString& id, const QString& heading) {
 }
 
 void help_panel::lay_out() {
-  page_->setMarkdown(text_of_page(shown()));
+  page_->setMarkdown(shown() == "operations" ? operations_ : text_of(shown()));
   page_->document()->setIndentWidth(list_indent);
   for (auto* frame : page_->document()->rootFrame()->childFrames())
     if (auto* table = qobject_cast<QTextTable*>(frame)) {

@@ -28,6 +28,8 @@ public:
   void start_typing();
   /// Shows a page ("desktop", "operations", "results", ...) from a heading on; empty: from its top.
   void show_page(const QString& id, const QString& heading = {});
+  /// The page "operations", which the server's catalogue makes: Markdown.
+  void set_operations(const QString& markdown);
   /// The page that is shown.
   [[nodiscard]] QString shown() const;
   /// The same page of the HTML manual; empty when that is not installed.
@@ -45,6 +47,7 @@ private:
   QTextBrowser* page_;
   QList<QTextCursor> hits_;
   int at_ = 0;
+  QString operations_;
 };
 
 }  // namespace tedit::desktop

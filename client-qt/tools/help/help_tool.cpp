@@ -19,6 +19,8 @@ static constexpr int manual_width = 420;
 help_tool::help_tool(window_context& in, const context_panel& operations)
     : in_(in), operations_(operations), panel_(new help_panel) {
   in_.panels.add("help", tr("Help"), panel_);
+  connect(&in_.part, &document::operations_changed, this,
+          [this] { panel_->set_operations(manual_page_of(in_.part.operations())); });
   add_dialogs();
   in_.all_commands.add({"help.manual",
                         tr("Help"),
@@ -71,8 +73,8 @@ void help_tool::open() {
 }
 
 std::pair<QString, QString> help_tool::topic() const {
-  if (!operations_.chosen().isEmpty())
-    return {"operations", operations_.chosen()};
+  if (const auto* chosen = in_.part.operations().find(operations_.chosen()))
+    return {"operations", QString::fromStdString(chosen->about.name)};
   for (const auto* name : {"field", "receipt", "probes"})
     if (in_.panels.has_focus(name))
       return {"results", {}};

@@ -49,7 +49,7 @@ public:
   explicit drawn_positions(const shown_part& part) : part_(part) {
     moves_ = part.deform != 0 && part.field &&
              part.field->version_id() == part.surface->version_id() &&
-             !part.field->displacement.empty();
+             !part.field->values.of("displacement_m").empty();
   }
 
   [[nodiscard]] vec3 at(std::uint32_t slot) const {
@@ -60,7 +60,7 @@ public:
     const auto found = std::ranges::lower_bound(slots_of, slot);
     if (found == slots_of.end() || *found != slot)
       return rest;
-    const auto* u = &part_.field->displacement[3 * (found - slots_of.begin())];
+    const auto* u = &part_.field->values.of("displacement_m")[3 * (found - slots_of.begin())];
     return rest + part_.deform * vec3{u[0], u[1], u[2]};
   }
 

@@ -386,6 +386,7 @@ void loads_panel::apply_editor() {
 void loads_panel::close_editor() {
   editing_.reset();
   editor_->hide();
+  emit form_closed();
   tree_->show();
 }
 

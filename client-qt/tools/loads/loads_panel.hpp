@@ -45,6 +45,7 @@ signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
   void drafts_changed();
   void form_opened();
+  void form_closed();
 
 protected:
   void changeEvent(QEvent* event) override;  ///< Icons follow the colours of the text.

@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "client-qt/model/part_volume.hpp"
@@ -32,18 +31,6 @@ QLabel* make_label(const char* role, bool wraps = true) {
   label->setWordWrap(wraps);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
-}
-
-/// What fits a kind of feature best, the likeliest first.
-int likelihood(const found_feature* feature, const std::string& operation) {
-  static const std::map<std::string, int> plain{
-    {"erode", 5}, {"thicken", 4}, {"fill_hole", 3}, {"remove_surfaces", 2}};
-  if (feature && feature->kind == feature_kind::hole && operation == "fill_hole")
-    return 10;
-  if (feature && feature->kind == feature_kind::protrusion && operation == "remove_surfaces")
-    return 10;
-  const auto found = plain.find(operation);
-  return found == plain.end() ? 1 : found->second;
 }
 
 }  // namespace
@@ -148,9 +135,10 @@ std::vector<const offered_operation*> context_panel::offers() const {
   std::vector<const offered_operation*> result;
   for (const auto& one : part_.operations().operations)
     result.push_back(&one);
-  const auto* feature = picked_.feature() ? &*picked_.feature() : nullptr;
+  const auto picked =
+    picked_.feature() ? std::string(kind_name(picked_.feature()->kind)) : std::string();
   std::ranges::stable_sort(result, std::ranges::greater{}, [&](const offered_operation* o) {
-    return likelihood(feature, o->about.id);
+    return std::pair(!picked.empty() && o->about.best_for == picked, o->about.rank);
   });
   return result;
 }
@@ -266,8 +254,7 @@ void context_panel::show_offers() {
   for (const auto* one : offers()) {
     if (static_cast<std::size_t>(body_layout_->count()) == most_offers)
       break;
-    auto* button = new QPushButton(icon(operation_icon(QString::fromStdString(one->about.id)),
-                                        palette().color(QPalette::WindowText)),
+    auto* button = new QPushButton(icon(icon_of(*one), palette().color(QPalette::WindowText)),
                                    QString::fromStdString(one->about.name));
     const auto id = QString::fromStdString(one->about.id);
     button->setObjectName("offer_" + id);

@@ -4,10 +4,30 @@
 #include <QAction>
 #include <QToolBar>
 
+#include <cstdlib>
+
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
 
 namespace tedit::desktop {
+
+namespace {
+
+/// A long name broken at the blank nearest to its middle: the rail takes its width from the view.
+QString in_two_lines(QString name) {
+  constexpr qsizetype long_name = 14;
+  if (name.size() <= long_name)
+    return name;
+  qsizetype best = -1;
+  for (auto at = name.indexOf(' '); at >= 0; at = name.indexOf(' ', at + 1))
+    if (best < 0 || std::abs(2 * at - name.size()) < std::abs(2 * best - name.size()))
+      best = at;
+  if (best >= 0)
+    name[best] = '\n';
+  return name;
+}
+
+}  // namespace
 
 operations_tool::operations_tool(window_context& in)
     : in_(in), panel_(new context_panel(in.part, in.picked)) {
@@ -47,9 +67,10 @@ void operations_tool::offer() {
                           [this, id] { panel_->choose(id); },
                           in_.has_part(),
                           QString::fromStdString(one.about.summary),
-                          operation_icon(id)});
+                          icon_of(one)});
     auto* button = in_.buttons.of("op." + id);
     button->setToolTip(QString::fromStdString(one.about.summary));
+    button->setIconText(in_two_lines(QString::fromStdString(one.about.name)));
     in_.rail.addAction(button);
   }
   in_.buttons.refresh();

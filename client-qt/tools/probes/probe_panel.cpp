@@ -46,7 +46,7 @@ void probe_marks::set_accent(const QColor& accent) {
 /// Where the place is in the deformed picture.
 vec3 probe_marks::drawn_at(const probe_place& place) const {
   const auto& shown = view_.current();
-  if (shown.deform == 0 || !shown.field || shown.field->displacement.empty() ||
+  if (shown.deform == 0 || !shown.field || shown.field->values.of("displacement_m").empty() ||
       shown.field->version_id() != shown.surface->version_id())
     return place.at;
   const auto moved = [&](shown_field way) {

@@ -135,8 +135,6 @@ void recorder::start() {
   recipe_.name = title_of(in_.part.name()).words.toStdString();
   pending_.reset();
   on_ = true;
-  const auto* head = in_.part.head();
-  head_ = head ? head->info.number : 0;
   for (const auto& one : in_.part.loads().all())
     add_loads(one);
   fields_changed();
@@ -224,9 +222,8 @@ void recorder::section_moved() {
     add("section", QJsonObject{{"at", to_json(plane->at)}, {"normal", to_json(plane->normal)}});
 }
 
-/// A commit is told twice: to who asked for it and to all.
 void recorder::committed(const client::committed& what) {
-  if (!on_ || what.head.number == std::exchange(head_, what.head.number))
+  if (!on_)
     return;
   if (what.cause == "edit" && pending_)
     add(*std::exchange(pending_, std::nullopt));

@@ -54,8 +54,7 @@ private:
   client::recipe recipe_;
   bool on_ = false;
   std::optional<client::edit_step> pending_;  ///< An edit without an answer.
-  std::uint32_t head_ = 0;
-  QTimer looked_;  ///< The camera is noted when it has come to rest.
+  QTimer looked_;                             ///< The camera is noted when it has come to rest.
 };
 
 }  // namespace tedit::desktop

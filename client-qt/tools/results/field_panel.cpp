@@ -115,7 +115,7 @@ void field_panel::list_fields() {
     if (field_->count() > 0)
       field_->insertSeparator(field_->count());
     for (const auto one : group) {
-      field_->addItem(field_title(one), static_cast<int>(one));
+      field_->addItem(field_title(one), one.row);
       field_->setItemData(field_->count() - 1, field_help(one), Qt::ToolTipRole);
     }
   }
@@ -124,7 +124,7 @@ void field_panel::list_fields() {
 /// The envelope has only what can be compared among load cases: another field shows the first one.
 void field_panel::field_chosen() {
   const auto now = field();
-  const auto wanted = static_cast<shown_field>(field_->currentData().toInt());
+  const auto wanted = shown_field{field_->currentData().toInt()};
   field_->setToolTip(field_help(wanted));
   if (now && now->envelope && !in_envelope(wanted)) {
     const QSignalBlocker quiet(case_);
@@ -153,7 +153,7 @@ void field_panel::map_chosen() {
 
 bool field_panel::lacks_yield() const {
   const auto now = field();
-  return now && legend_.field == shown_field::safety_factor && now->safety_factor.empty() &&
+  return now && legend_.field == shown_field::safety_factor && !has(*now, legend_.field) &&
          !(now->envelope ? now->envelope->min_safety_factor.has_value()
                          : now->report.min_safety_factor.has_value());
 }
@@ -208,7 +208,7 @@ double field_panel::deform() const {
 }
 
 void field_panel::set_field(shown_field field) {
-  field_->setCurrentIndex(field_->findData(static_cast<int>(field)));
+  field_->setCurrentIndex(field_->findData(field.row));
 }
 
 void field_panel::set_case(const QString& name) {
@@ -250,7 +250,7 @@ void field_panel::set_look(colour_map map, bool locked, bool logarithmic) {
 
 void field_panel::read_form() {
   const auto before = legend_.field;
-  legend_.field = static_cast<shown_field>(field_->currentData().toInt());
+  legend_.field = shown_field{field_->currentData().toInt()};
   legend_.map = static_cast<colour_map>(map_->currentIndex());
   legend_.mode = static_cast<range_mode>(mode_->currentIndex());
   legend_.bands = bands_->currentData().toInt();

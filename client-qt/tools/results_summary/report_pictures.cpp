@@ -36,7 +36,7 @@ report_picture encoded(const QString& caption, const QImage& image) {
 
 /// What has no values, or none of its own, is shown by the stress.
 legend legend_for(legend by, const client::field_event& field) {
-  if (by.field == shown_field::none || by.field == shown_field::surfaces || !has(field, by.field)) {
+  if (!is_of_result(by.field) || !has(field, by.field)) {
     by = legend();
     by.field = shown_field::von_mises;
   }

@@ -178,13 +178,15 @@ void results_summary_tool::fly_to(const vec3& at) {
 vec3 results_summary_tool::drawn_at(const vec3& at) const {
   const auto& now = in_.view.current();
   const auto& field = now.field;
-  if (now.deform == 0 || !field || !now.surface || field->displacement.empty() ||
-      field->version_id() != now.surface->version_id())
+  if (now.deform == 0 || !field || !now.surface || field->version_id() != now.surface->version_id())
+    return at;
+  const auto& moved = field->values.of("displacement_m");
+  if (moved.empty())
     return at;
   for (std::size_t i = 0; i < field->vertices.size(); ++i)
     if (const auto* vertex = now.surface->positions().find(field->vertices[i]);
         vertex && *vertex == at) {
-      const float* u = &field->displacement[3 * i];
+      const float* u = &moved[3 * i];
       return at + now.deform * vec3{u[0], u[1], u[2]};
     }
   return at;
