@@ -95,7 +95,9 @@ void add_at_tets(const mesh_version& mesh, const problem& p, const solution& res
 }  // namespace
 
 bool is_shown(const field& one) {
-  return one.location == field_location::vertex && !one.name.starts_with("strain");
+  const auto of_case = one.name.find(" (");
+  const auto* row = find_array(std::string_view(one.name).substr(0, of_case));
+  return !row || row->sent != array_sent::in_files;  // An envelope's has no row of its own.
 }
 
 std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const solution& result,
@@ -104,16 +106,15 @@ std::vector<field> make_fields(const mesh_version& mesh, const problem& p, const
                             std::size_t stride = 0) {
     return at_vertices(mesh, p, name, values, width, stride);
   };
-  std::vector<field> fields{vertices("displacement_m", result.displacement, 3),
-                            vertices("von_mises_pa", result.von_mises),
-                            vertices("stress_pa", result.nodal_stress, 6),
-                            vertices("reaction_n", result.reactions, 3),
-                            vertices("principal_stress_pa", result.principal_stress, 1, 3),
-                            vertices("relative_error", result.nodal_error),
-                            vertices("largest_strain", largest_strains(result))};
+  std::vector<field> fields{
+    vertices("displacement_m", result.displacement, 3), vertices("von_mises_pa", result.von_mises),
+    vertices("stress_pa", result.nodal_stress, 6), vertices("relative_error", result.nodal_error),
+    vertices("largest_strain", largest_strains(result))};
   if (!result.safety_factor.empty())
     fields.push_back(vertices("safety_factor", result.safety_factor));
   if (range == field_range::all) {
+    fields.push_back(vertices("reaction_n", result.reactions, 3));
+    fields.push_back(vertices("principal_stress_pa", result.principal_stress, 1, 3));
     fields.push_back(vertices("strain", result.nodal_strain, 6));
     add_at_tets(mesh, p, result, fields);
   }

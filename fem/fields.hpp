@@ -10,18 +10,16 @@
 
 namespace tedit::fem {
 
-/// Which arrays: those of tets are the larger part, and nothing that shows a surface needs them,
-/// nor strains.
-enum class field_range { vertices, all };
+/// Which arrays: those that fem/quantities.hpp says are sent to somebody, or those of files, too,
+/// which are the larger part.
+enum class field_range { shown, all };
 
-/// Whether `field_range::vertices` has an array of this name and place, of one load case or
-/// several.
+/// Whether `field_range::shown` has this array, of one load case or of several.
 [[nodiscard]] bool is_shown(const field& one);
 
-/// The arrays of a solution by the slots of its version, as fem/quantities.hpp lists them; of
-/// `vertices` without the strain tensor and those at tets. Mid nodes of order 2 have no vertex and
-/// are left out: their reactions, too, so take totals from the solution. Cost: O(mesh), on all
-/// cores.
+/// The arrays of a solution by the slots of its version, as fem/quantities.hpp lists them. Mid
+/// nodes of order 2 have no vertex and are left out: their reactions, too, so take totals from the
+/// solution. Cost: O(mesh), on all cores.
 [[nodiscard]] std::vector<field> make_fields(const mesh_version& mesh, const problem& p,
                                              const solution& result,
                                              field_range range = field_range::all);

@@ -63,7 +63,7 @@ struct report_facts {
 /// Fields and reports as others get them; what is interim goes to surfaces only.
 job_output<solve_result> package(const mesh_version& mesh, const fem::case_set& set,
                                  const fem::solved_cases& solved, report_facts facts) {
-  const auto range = facts.interim ? fem::field_range::vertices : fem::field_range::all;
+  const auto range = facts.interim ? fem::field_range::shown : fem::field_range::all;
   auto outcome = make_outcome(mesh, set, solved, facts.interim, facts.total_ms);
   for (auto& report : outcome.cases)
     report.notice = facts.notice;

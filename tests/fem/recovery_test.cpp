@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/recovery.hpp"
 
+#include <set>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "fem/element.hpp"
@@ -227,6 +230,27 @@ TEST(QuadraticRecovery, FieldsHoldTheCornerNodesOnly) {
     EXPECT_NEAR(stress->at(v), 1e6, 1e-3);
     EXPECT_NEAR(strain->at(v, 0), 5e-6, 1e-14);
     EXPECT_NEAR(strain->at(v, 1), -1.5e-6, 1e-14);
+  }
+}
+
+TEST(Fields, ThatAreShownAreThoseThatSomebodyIsSent) {
+  const auto mesh = box_mesh({2, 2, 2}, {3, 1, 1});
+  const auto p = *make_problem(*mesh, tension(), 2);
+  const auto solution = solution_of(p);
+  std::set<std::string> shown;
+  for (const auto& one : make_fields(*mesh, p, solution, field_range::shown))
+    shown.insert(one.name);
+
+  EXPECT_EQ(shown, (std::set<std::string>{"displacement_m", "von_mises_pa", "stress_pa",
+                                          "safety_factor", "relative_error", "largest_strain"}));
+  for (const auto& one : make_fields(*mesh, p, solution))
+    EXPECT_EQ(is_shown(one), shown.contains(one.name)) << one.name;
+  field of_case = make_fields(*mesh, p, solution).front();
+  for (const auto& [name, is] : {std::pair("stress_pa (a (b))", true),
+                                 {"strain (a)", false},
+                                 {"envelope_von_mises", true}}) {
+    of_case.name = name;
+    EXPECT_EQ(is_shown(of_case), is) << name;
   }
 }
 
