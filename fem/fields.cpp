@@ -2,6 +2,7 @@
 #include "fem/fields.hpp"
 
 #include "base/parallel.hpp"
+#include "fem/quantities.hpp"
 #include "fem/recovery.hpp"
 
 namespace tedit::fem {

@@ -218,7 +218,7 @@ void client_state::queue_field(const std::string& document) {
     if (still == documents.end() || !still->second.wanted_fields)
       return std::nullopt;
     auto& open = still->second;
-    auto update = surface_stream::fields_of(*open.wanted_fields, open.next_field++, open.watched);
+    auto update = parts.fields->get(*open.wanted_fields, open.next_field++, open.watched);
     if (update && update->header.field_update().remaining() > 0)
       queue_field(document);
     else

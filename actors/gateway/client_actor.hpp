@@ -10,6 +10,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/gateway/bulk.hpp"
+#include "actors/gateway/field_updates.hpp"
 #include "actors/gateway/surface_stream.hpp"
 #include "actors/gateway/token_guard.hpp"
 #include "actors/gateway/uploads.hpp"
@@ -41,7 +42,8 @@ struct gateway_parts {
   std::string server_name;
   std::uint64_t upload_bytes = 0;               ///< That one connection may hold.
   std::shared_ptr<upload_account> all_uploads;  ///< Of all connections.
-  std::function<std::size_t()> connections;     ///< Set by `start_gateway`.
+  std::shared_ptr<field_updates> fields = std::make_shared<field_updates>();
+  std::function<std::size_t()> connections;  ///< Set by `start_gateway`.
   /// Each role of workers and its state ("ready", "starting", "degraded"); called from any thread.
   std::function<std::vector<std::pair<std::string, std::string>>()> roles;
 };
