@@ -82,7 +82,7 @@ class Client:
             if stream[1]:
                 setattr(self, stream[1], (stream[2], time.perf_counter()))
 
-    async def ask(self, name, **fields):
+    async def ask(self, name, /, **fields):
         self.last += 1
         number = self.last
         message = envelope.ClientMessage(request_id=number)
