@@ -252,7 +252,7 @@ typename Inspector::result_type inspect(Inspector& f, solve_result& x) {
 struct export_order {
   order_base base;
   version_ref version;
-  std::vector<field_ref> fields;
+  std::vector<field_ref> fields;      ///< To go into the file; none where the format keeps none.
   wire_value<solve_outcome> outcome;  ///< Of the fields; none without them.
   std::string format;                 ///< A name in mesh/formats.hpp.
   std::string length_unit;

@@ -29,12 +29,9 @@ std::vector<std::pair<std::string, std::string>> notes_of(const solve_outcome& o
   return notes;
 }
 
-/// With the fields, where the format keeps them.
+/// With the order's fields: a session names them for a format that keeps fields alone.
 expected<file_terms> terms_of(const export_order& order, const page_set& pages) {
   file_terms terms{order.length_unit, {}, {{"version_id", to_hex(order.version.id)}}};
-  const auto* format = find_format(order.format);
-  if (!format || !format->keeps.fields)
-    return terms;
   for (const auto& ref : order.fields) {
     auto opened = open_field(ref, pages);
     if (!opened)

@@ -26,6 +26,8 @@ asked_change asked_by(const import_request& request) {
   return {"import", how.dump()};
 }
 
+/// Read and written again for the order of its keys: protobuf keeps none for parameters, and the
+/// same request, sent twice, must give the same text.
 asked_change asked_by(const apply_request& request) {
   const auto how = nlohmann::json::parse(protocol::to_json(request.wanted), nullptr, false);
   return {"edit", how.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
@@ -311,6 +313,7 @@ void session_state::send_export(job_id job, const export_order& order, const std
     progress_of.erase(job);
     promise->deliver(to_caf(e));
   };
+  // The order names the fields' pages: they are held here until the worker has read them.
   self->request(parts.workers.modeling, answer_limit, job, order)
     .then(
       [=, this, until_now = held](const export_result& result) {
