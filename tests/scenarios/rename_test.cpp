@@ -59,6 +59,7 @@ TEST_F(Rename, AllWhoHaveItOpenGoOnUnderTheNewName) {
   value(other->wait_surface(mine.head.version_id, patience));
   const auto theirs = value(other->edit("thicken", {6}, {{"depth", 0.25e-3}}, {}));
   value(user->wait_surface(theirs.head.version_id, patience));
+  value(other->wait_surface(theirs.head.version_id, patience));
   expect_same(user->surface(), other->surface());
   value(other->annotate(2, "both", {}));
 
@@ -168,17 +169,19 @@ TEST_F(Rename, ARequestWithTheNameBeforeIsStillUnderstood) {
 TEST_F(Rename, NothingIsLostOfWhatOthersDoMeanwhile) {
   make("cube");
   std::atomic<bool> end = false;
-  int made = 0;
+  std::atomic<int> made = 0;
   std::thread editor([&] {
     const auto other = connect(host->url());
     value(other->open("cube", true, false));
     while (!end) {
       value(other->annotate(0, std::to_string(made + 1), {}));
       ++made;
+      made.notify_one();
       value(other->edit("thicken", {4}, {{"depth", 0.25e-3}}, {}));
       value(other->undo());
     }
   });
+  made.wait(0);  // Or all names may be given before the other is there.
   for (int i = 0; i < 30; ++i)
     value(user->rename_document("name-" + std::to_string(i)));
   end = true;
