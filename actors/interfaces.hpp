@@ -7,6 +7,7 @@
 
 #include "actors/local_messages.hpp"
 #include "actors/messages.hpp"
+#include "actors/worker_roles.hpp"
 
 /// Every actor of the system by what it answers. Read this file first; docs/actors.md draws it.
 namespace tedit::actors {
@@ -72,11 +73,19 @@ using solver_actor = caf::typed_actor<
   // How it is.
   caf::replies_to<status_atom>::with<worker_status>>;
 
-/// The three kinds of workers, or the pools that stand for them.
+/// The workers of all roles, or the pools that stand for them.
 struct worker_set {
   modeling_actor modeling;
   optimizer_actor optimizer;
   solver_actor solver;
+
+  /// Calls `f(role, actor)` for each.
+  template <class F>
+  void for_each(F&& f) const {
+    f(worker_role::modeling, modeling);
+    f(worker_role::optimizer, optimizer);
+    f(worker_role::solver, solver);
+  }
 };
 
 // -- in the server's process ---------------------------------------------------------------

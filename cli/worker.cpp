@@ -19,17 +19,19 @@ namespace tedit::cli {
 namespace {
 
 struct worker_command {
-  std::string role;
+  std::string role_name;
   bool safe_mode = false;
   unsigned memory_mb = 0;
 };
 
 int run_worker_command(const worker_command& given, session& s) {
-  start_logging("info", given.role + ": ");
+  start_logging("info", given.role_name + ": ");
+  actors::worker_options options;
+  options.role = *actors::role_named(given.role_name);  // The command line takes no other.
   // Ctrl-C in a terminal reaches the whole group; the server ends its workers itself.
   std::signal(SIGINT, SIG_IGN);
-  if (given.role == "modeling") {
-    continue_in_child();  // Plugins run here.
+  if (actors::facts_of(options.role).runs_plugins) {
+    continue_in_child();
     const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
     const auto most = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
     limit_memory(given.memory_mb > 0 ? std::uint64_t{given.memory_mb} << 20 : most);
@@ -41,8 +43,6 @@ int run_worker_command(const worker_command& given, session& s) {
                            "there is no link to a server to work for",
                            "\"tedit serve\" starts its workers itself",
                            {}});
-  actors::worker_options options;
-  options.role = given.role;
   options.safe_mode = given.safe_mode;
   options.link = inherited_fd;
   const auto done = actors::run_worker(options, s.cancel);
@@ -53,11 +53,14 @@ int run_worker_command(const worker_command& given, session& s) {
 
 void add_worker(CLI::App& app, action& chosen) {
   auto options = std::make_shared<worker_command>();
+  std::vector<std::string> roles;
+  for (const auto& row : actors::worker_roles)
+    roles.emplace_back(row.name);
   auto* command =
     app.add_subcommand("worker", "Work for the server that starts this; not for the command line");
-  command->add_option("--role", options->role, "What it does")
+  command->add_option("--role", options->role_name, "What it does")
     ->required()
-    ->check(CLI::IsMember({"modeling", "optimizer", "solver"}));
+    ->check(CLI::IsMember(roles));
   command->add_flag("--safe-mode", options->safe_mode,
                     "Only the operations that came with the program");
   command->add_option("--memory-mb", options->memory_mb,

@@ -44,6 +44,13 @@ if(TEDIT_SANITIZE)
   endif()
 endif()
 
+# Debian's binutils bring gold, which links these programs two to four times as fast as the linker that is the default.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold TEDIT_HAS_GOLD)
+if(TEDIT_HAS_GOLD AND NOT TEDIT_SANITIZE)
+  target_link_options(tedit_options INTERFACE "$<BUILD_INTERFACE:$<${own}:-fuse-ld=gold>>")
+endif()
+
 # tedit_add_library(NAME mesh SOURCES a.cpp b.cpp LINK tedit_base Eigen3::Eigen [PRIVATE_LINK x])
 # makes the static library tedit_<NAME>.
 function(tedit_add_library)
@@ -67,6 +74,8 @@ function(tedit_add_tests)
   target_compile_definitions(${ARG_NAME}_tests PRIVATE TEDIT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
                                                        TEDIT_EXAMPLES="${CMAKE_SOURCE_DIR}/examples"
                                                        TEDIT_BIN="${CMAKE_BINARY_DIR}/bin")
+  # A test is compiled more often than it runs.
+  target_compile_options(${ARG_NAME}_tests PRIVATE "$<$<CONFIG:Release>:-O1>")
   include(GoogleTest)
   gtest_discover_tests(${ARG_NAME}_tests DISCOVERY_MODE PRE_TEST
                        PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_NAME};${ARG_LABELS}")

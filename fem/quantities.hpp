@@ -13,9 +13,10 @@
 /// row in each table, its docs and its translation.
 namespace tedit::fem {
 
+/// As `tedit.v1.ResultArray.Place` numbers them.
 enum class array_place { vertices, tets };
 
-/// To whom the values at the part's boundary go.
+/// To whom the values at the part's boundary go; as `tedit.v1.ResultArray.Sent` numbers them.
 enum class array_sent {
   always,      ///< With every field of a load case.
   on_request,  ///< To clients that watch it (`tedit.v1.WatchFields`).

@@ -146,16 +146,7 @@ std::uint64_t client_state::begin(std::uint64_t id, const actors::session_actor&
   return ticket;
 }
 
-// -- events ----------------------------------------------------------------------------------
-
-void client_state::on_head(const actors::head_moved& event) {
-  if (!documents.contains(event.document))
-    return;
-  v1::ServerMessage message;
-  to_message(event, message.mutable_committed());
-  send(*to, message);
-  follow(event);
-}
+// -- answers, and what follows them --------------------------------------------------------------
 
 /// An answer that repeats an earlier one moves nothing: others may have gone on since.
 void client_state::answer_head(std::uint64_t id, const actors::head_moved& moved) {
@@ -175,16 +166,6 @@ void client_state::follow(const actors::head_moved& moved) {
   want_surface(moved.document, moved.version);
 }
 
-void client_state::on_load_cases(const actors::load_cases_changed& event) {
-  const auto found = documents.find(event.document);
-  if (found == documents.end())
-    return;
-  found->second.last_solved.reset();  // A section must not show the field of other loads.
-  v1::ServerMessage message;
-  to_message(event, message.mutable_load_cases_changed());
-  send(*to, message);
-}
-
 void client_state::want_surface(const std::string& document, const version_ptr& mesh) {
   auto& open = look_up(document)->second;
   if (!open.watch_surface || !mesh)
@@ -202,14 +183,20 @@ void client_state::want_surface(const std::string& document, const version_ptr& 
   bulk_out->pump();
 }
 
-void client_state::on_solved(const actors::solved& event) {
-  const auto found = documents.find(event.document);
+void client_state::send_again(const std::string& document, const actors::solved& event) {
+  const auto found = look_up(document);
   if (found == documents.end())
     return;
-  v1::ServerMessage message;
-  to_message(event, message.mutable_solved());
-  send(*to, message);
-  send_again(event.document, event);
+  auto& open = found->second;
+  open.last_solved = event;
+  if (!open.watch_fields)
+    return;
+  const bool queued = open.wanted_fields.has_value();
+  open.wanted_fields = event;
+  open.next_field = 0;
+  if (!queued)
+    queue_field(document);
+  bulk_out->pump();
 }
 
 void client_state::queue_field(const std::string& document) {
@@ -227,48 +214,83 @@ void client_state::queue_field(const std::string& document) {
   });
 }
 
-void client_state::on_note(const actors::solve_note& event) {
-  if (!documents.contains(event.document))
+// -- events: what is told to all but who asked
+// -----------------------------------------------------
+
+namespace {
+
+void on_head(client_state& client, const actors::head_moved& event) {
+  if (!client.documents.contains(event.document))
+    return;
+  v1::ServerMessage message;
+  to_message(event, message.mutable_committed());
+  send(*client.to, message);
+  client.follow(event);
+}
+
+void on_load_cases(client_state& client, const actors::load_cases_changed& event) {
+  const auto found = client.documents.find(event.document);
+  if (found == client.documents.end())
+    return;
+  found->second.last_solved.reset();  // A section must not show the field of other loads.
+  v1::ServerMessage message;
+  to_message(event, message.mutable_load_cases_changed());
+  send(*client.to, message);
+}
+
+void on_solved(client_state& client, const actors::solved& event) {
+  const auto found = client.documents.find(event.document);
+  if (found == client.documents.end())
+    return;
+  v1::ServerMessage message;
+  to_message(event, message.mutable_solved());
+  send(*client.to, message);
+  client.send_again(event.document, event);
+}
+
+void on_note(client_state& client, const actors::solve_note& event) {
+  if (!client.documents.contains(event.document))
     return;
   v1::ServerMessage message;
   to_message(event, message.mutable_solve_status());
-  send(*to, message);
+  send(*client.to, message);
 }
 
-void client_state::on_progress(const actors::request_progress& event) {
+void on_progress(client_state& client, const actors::request_progress& event) {
   const auto found = std::ranges::find_if(
-    requests, [&](const auto& row) { return row.second.ticket == event.ticket; });
-  if (found == requests.end() || event.ticket == 0)
+    client.requests, [&](const auto& row) { return row.second.ticket == event.ticket; });
+  if (found == client.requests.end() || event.ticket == 0)
     return;
   v1::ServerMessage message;
   message.set_request_id(found->first);
   message.mutable_progress()->set_fraction(event.fraction);
   message.mutable_progress()->set_stage(event.stage);
-  send(*to, message);
+  send(*client.to, message);
 }
+
+}  // namespace
 
 caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
                           gateway_parts parts) {
   auto& state = self->state;
   state.start(self, std::move(to), std::move(parts));
-  return {[&state](const std::string& bytes) {
-            state.on_message(bytes);
-            state.to->handled(bytes.size());
-          },
-          [&state](drained_atom) {
-            state.bulk_out->pump();
-            state.start_exports();
-          },
-          [&state](closed_atom) { state.on_closed(); },
-          [&state](refused_atom, std::uint64_t id) { state.refuse_token(id); },
-          [&state](const actors::head_moved& event) { state.on_head(event); },
-          [&state](const actors::solved& event) { state.on_solved(event); },
-          [&state](const section_cut& cut) { state.on_section(cut); },
-          [&state](const actors::load_cases_changed& event) { state.on_load_cases(event); },
-          [&state](const actors::version_annotated& event) { state.on_annotated(event); },
-          [&state](const actors::document_renamed& event) { state.on_renamed(event); },
-          [&state](const actors::solve_note& event) { state.on_note(event); },
-          [&state](const actors::request_progress& event) { state.on_progress(event); }};
+  caf::message_handler own{
+    [&state](const std::string& bytes) {
+      state.on_message(bytes);
+      state.to->handled(bytes.size());
+    },
+    [&state](drained_atom) {
+      state.bulk_out->pump();
+      state.start_exports();
+    },
+    [&state](closed_atom) { state.on_closed(); },
+    [&state](refused_atom, std::uint64_t id) { state.refuse_token(id); },
+    [&state](const actors::head_moved& event) { on_head(state, event); },
+    [&state](const actors::solved& event) { on_solved(state, event); },
+    [&state](const actors::load_cases_changed& event) { on_load_cases(state, event); },
+    [&state](const actors::solve_note& event) { on_note(state, event); },
+    [&state](const actors::request_progress& event) { on_progress(state, event); }};
+  return own.or_else(note_events(state)).or_else(section_events(state));
 }
 
 }  // namespace tedit::gateway

@@ -95,35 +95,15 @@ struct client_state {
   [[nodiscard]] expected<void> check(const v1::ClientMessage& message) const;
   void on_closed();
 
-  // -- requests (requests.cpp) ---------------------------------------------------------------
+  // -- requests (requests.cpp); who handles which stands with the handlers, see `request_rows` ---
 
   void hello(std::uint64_t id, const v1::Hello& body);
   void turn_away(std::uint64_t id);
   void refuse_token(std::uint64_t id);
   void dispatch(std::uint64_t id, const v1::ClientMessage& message);
-  void list_operations(std::uint64_t id);
-  void get_status(std::uint64_t id);
-  void cancel(std::uint64_t id, const v1::Cancel& body);
-  void open(std::uint64_t id, const v1::OpenDocument& body);
-  void close(std::uint64_t id, const v1::CloseDocument& body);
-  /// Undo, redo or going to a version; what they have in common is read here.
-  template <class Body>
-  void move(std::uint64_t id, const Body& body, actors::move_request request);
-  void solve(std::uint64_t id, const v1::Solve& body);
-  void select(std::uint64_t id, const v1::SelectSurfaces& body);
-  void history(std::uint64_t id, const v1::GetHistory& body);
-
-  // -- files that come (uploads.cpp) ---------------------------------------------------------
-
-  void receive_upload(std::uint64_t id, const v1::UploadChunk& body);
-  void import(std::uint64_t id, const v1::ImportMesh& body);
-  void add_document(std::uint64_t id, const v1::AddDocument& body);
-  /// An upload that is whole; else the request is refused.
-  std::optional<sent_file> take_upload(std::uint64_t id, std::uint64_t upload, std::uint64_t size);
 
   // -- files that go (exports.cpp) -----------------------------------------------------------
 
-  void export_file(std::uint64_t id, const v1::ExportFile& body);
   /// Has the next files written, as long as this client takes those that are.
   void start_exports();
   void send_file(std::uint64_t id, const actors::exported& file);
@@ -132,44 +112,15 @@ struct client_state {
 
   // -- edits (edits.cpp) ---------------------------------------------------------------------
 
-  void edit(std::uint64_t id, const v1::ApplyEdit& body);
-  void preview(std::uint64_t id, const v1::PreviewEdit& body);
-  void surface_of(std::uint64_t id, const v1::GetSurface& body);
-  void send_preview(std::uint64_t id, const actors::previewed& made);
   /// Ends the preview that is asked for, if there is one.
   void end_preview(const error& why);
 
-  // -- what makes no new version (notes.cpp) ------------------------------------------------
+  // -- answers, and what follows them (client_actor.cpp) ----------------------------------------
 
-  void set_load_case(std::uint64_t id, const v1::SetLoadCase& body);
-  void remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body);
-  void cancel_solve(std::uint64_t id, const v1::CancelSolve& body);
-  void annotate(std::uint64_t id, const v1::AnnotateVersion& body);
-  void rename(std::uint64_t id, const v1::RenameDocument& body);
-  void watch(std::uint64_t id, const v1::WatchFields& body);
-  void send_again(const std::string& document, const actors::solved& event);
-  /// Asks a session or the hub; answers Done, or with its error about `what`.
-  template <class Actor, class Request>
-  void carry_out(std::uint64_t id, const Actor& whom, Request request, const char* what);
-
-  // -- sections (section.cpp) ----------------------------------------------------------------
-
-  void section(std::uint64_t id, const v1::CutSection& body);
-  void begin_section(open_document& document, const section_request& request);
-  void on_section(const section_cut& cut);
-
-  // -- events and answers: what is told to all but who asked, and the same as that one's answer
-  // ----
-
-  void on_head(const actors::head_moved& event);
   void answer_head(std::uint64_t id, const actors::head_moved& moved);
   void follow(const actors::head_moved& moved);
-  void on_solved(const actors::solved& event);
-  void on_load_cases(const actors::load_cases_changed& event);
-  void on_annotated(const actors::version_annotated& event);
-  void on_renamed(const actors::document_renamed& event);
-  void on_note(const actors::solve_note& event);
-  void on_progress(const actors::request_progress& event);
+  /// Queues the fields of a solve for those who watch them; also when they were sent before.
+  void send_again(const std::string& document, const actors::solved& event);
   void want_surface(const std::string& document, const version_ptr& mesh);
   /// Puts the next field update of a document into the outbox, and after it the ones that follow.
   void queue_field(const std::string& document);
@@ -214,6 +165,35 @@ struct client_state {
   static inline const char* name = "client";
 };
 
+/// A kind of request, and what handles it.
+struct request_row {
+  v1::ClientMessage::BodyCase kind = v1::ClientMessage::BODY_NOT_SET;
+  void (*handle)(client_state&, std::uint64_t id, const v1::ClientMessage&) = nullptr;
+};
+
+/// A row whose handler takes the request's own message:
+/// `row_of<&v1::ClientMessage::cancel, cancel>(v1::ClientMessage::kCancel)`.
+template <auto Body, auto Handle>
+[[nodiscard]] constexpr request_row row_of(v1::ClientMessage::BodyCase kind) {
+  return {kind, [](client_state& client, std::uint64_t id, const v1::ClientMessage& message) {
+            Handle(client, id, (message.*Body)());
+          }};
+}
+
+/// The requests that each file of this folder handles. A new one is a handler and a row there.
+using request_rows = std::vector<request_row>;
+[[nodiscard]] request_rows server_requests();    ///< requests.cpp
+[[nodiscard]] request_rows document_requests();  ///< documents.cpp
+[[nodiscard]] request_rows edit_requests();      ///< edits.cpp
+[[nodiscard]] request_rows export_requests();    ///< exports.cpp
+[[nodiscard]] request_rows note_requests();      ///< notes.cpp
+[[nodiscard]] request_rows section_requests();   ///< section.cpp
+[[nodiscard]] request_rows upload_requests();    ///< uploads.cpp
+
+/// What the actor handles beside the messages of its client.
+[[nodiscard]] caf::message_handler note_events(client_state& client);     ///< notes.cpp
+[[nodiscard]] caf::message_handler section_events(client_state& client);  ///< section.cpp
+
 /// The answer SectionReady for a version with the fields of its solve, if there are any;
 /// `load_case` as in CutSection, more than the usual arrays when `watched`. Errors: as
 /// `cut_by_plane`, and `not_found` for the load case.
@@ -238,6 +218,7 @@ void to_message(const error& e, v1::Error* out);
 void to_message(const actors::rival& other, v1::Conflict* out);
 void to_message(const actors::server_status& status, v1::ServerStatus* out);
 void to_message(const file_format& format, v1::FileFormat* out);
+void to_message(const fem::result_array& array, v1::ResultArray* out);
 
 }  // namespace tedit::gateway
 

@@ -27,23 +27,103 @@ expected<apply_request> read_edit(const v1::ApplyEdit& body, change_terms terms)
   return apply_request{0, {}, std::move(*wanted), std::move(terms)};
 }
 
-}  // namespace
-
-void client_state::edit(std::uint64_t id, const v1::ApplyEdit& body) {
-  const auto* document = find(id, body.document());
+void edit(client_state& client, std::uint64_t id, const v1::ApplyEdit& body) {
+  const auto* document = client.find(id, body.document());
   if (!document)
     return;
-  auto request = read_edit(body, terms_of(body));
+  auto request = read_edit(body, client.terms_of(body));
   if (!request)
-    return refuse(id, request.error());
-  request->ticket = begin(id, document->session);
-  request->client = caf::actor_cast<caf::actor>(self);
-  self->request(document->session, answer_limit, std::move(*request))
-    .then([=, this](const head_moved& moved) { answer_head(id, moved); },
-          [=, this](const caf::error& e) { refuse(id, e, "the edit"); });
+    return client.refuse(id, request.error());
+  request->ticket = client.begin(id, document->session);
+  request->client = caf::actor_cast<caf::actor>(client.self);
+  client.self->request(document->session, answer_limit, std::move(*request))
+    .then([=, &client](const head_moved& moved) { client.answer_head(id, moved); },
+          [=, &client](const caf::error& e) { client.refuse(id, e, "the edit"); });
+}
+
+/// Undo, redo or going to a version.
+template <class Body>
+void move_head(client_state& client, std::uint64_t id, const Body& body, move_request request) {
+  const auto* document = client.find(id, body.document());
+  if (!document)
+    return;
+  client.begin(id, {});
+  request.terms = client.terms_of(body);
+  request.client = caf::actor_cast<caf::actor>(client.self);
+  client.self->request(document->session, answer_limit, std::move(request))
+    .then([=, &client](const head_moved& moved) { client.answer_head(id, moved); },
+          [=, &client](const caf::error& e) { client.refuse(id, e, "moving the head"); });
+}
+
+void undo(client_state& client, std::uint64_t id, const v1::Undo& body) {
+  move_head(client, id, body, {move_kind::undo});
+}
+
+void redo(client_state& client, std::uint64_t id, const v1::Redo& body) {
+  move_head(client, id, body, {move_kind::redo});
+}
+
+void go_to(client_state& client, std::uint64_t id, const v1::GoToVersion& body) {
+  move_head(client, id, body, {move_kind::go_to, body.number()});
 }
 
 // -- previews ------------------------------------------------------------------------------------
+
+/// The difference builds on the head's surface, which is on its way before it. When the head moves
+/// before its turn comes, the client will hold another surface by then.
+void send_preview(client_state& client, std::uint64_t id, const previewed& made) {
+  const auto ticket = client.requests.at(id).ticket;
+  client.bulk_out->add([=, &client]() -> std::optional<bulk> {
+    const auto found = client.requests.find(id);
+    if (found == client.requests.end() || found->second.ticket != ticket)
+      return std::nullopt;
+    const auto open = client.look_up(made.document);
+    if (open == client.documents.end() || !open->second.head ||
+        open->second.head->id() != made.base->id()) {
+      client.refuse(id, {ec::superseded, "the document was changed meanwhile", {}, {}});
+      return std::nullopt;
+    }
+    client.end(id);
+    auto result = open->second.surface.preview(made);
+    result.header.set_request_id(id);
+    return result;
+  });
+  client.bulk_out->pump();
+}
+
+/// While a value is dragged many are asked for: the newest ends the one before, which is answered
+/// at once. What the session still says about that is for nobody.
+void preview(client_state& client, std::uint64_t id, const v1::PreviewEdit& body) {
+  const auto* document = client.find(id, body.edit().document());
+  if (!document)
+    return;
+  auto request = read_edit(body.edit(), client.terms_of(body.edit()));
+  if (!request)
+    return client.refuse(id, request.error());
+  client.end_preview({ec::superseded, "another preview was asked for meanwhile", {}, {}});
+  const auto ticket = client.begin(id, document->session);
+  client.previewing = id;
+  request->ticket = ticket;
+  request->client = caf::actor_cast<caf::actor>(client.self);
+  const auto waits = [=, &client] {
+    const auto found = client.requests.find(id);
+    return found != client.requests.end() && found->second.ticket == ticket;
+  };
+  client.self
+    ->request(document->session, answer_limit,
+              preview_request{std::move(*request), body.find_most()})
+    .then(
+      [=, &client](const previewed& made) {
+        if (waits())
+          send_preview(client, id, made);
+      },
+      [=, &client](const caf::error& e) {
+        if (waits())
+          client.refuse(id, e, "the preview");
+      });
+}
+
+}  // namespace
 
 void client_state::end_preview(const error& why) {
   const auto found = requests.find(previewing);
@@ -53,58 +133,13 @@ void client_state::end_preview(const error& why) {
   refuse(previewing, why);
 }
 
-/// While a value is dragged many are asked for: the newest ends the one before, which is answered
-/// at once. What the session still says about that is for nobody.
-void client_state::preview(std::uint64_t id, const v1::PreviewEdit& body) {
-  const auto* document = find(id, body.edit().document());
-  if (!document)
-    return;
-  auto request = read_edit(body.edit(), terms_of(body.edit()));
-  if (!request)
-    return refuse(id, request.error());
-  end_preview({ec::superseded, "another preview was asked for meanwhile", {}, {}});
-  const auto ticket = begin(id, document->session);
-  previewing = id;
-  request->ticket = ticket;
-  request->client = caf::actor_cast<caf::actor>(self);
-  const auto waits = [=, this] {
-    const auto found = requests.find(id);
-    return found != requests.end() && found->second.ticket == ticket;
-  };
-  self
-    ->request(document->session, answer_limit,
-              preview_request{std::move(*request), body.find_most()})
-    .then(
-      [=, this](const previewed& made) {
-        if (waits())
-          send_preview(id, made);
-      },
-      [=, this](const caf::error& e) {
-        if (waits())
-          refuse(id, e, "the preview");
-      });
-}
-
-/// The difference builds on the head's surface, which is on its way before it. When the head moves
-/// before its turn comes, the client will hold another surface by then.
-void client_state::send_preview(std::uint64_t id, const previewed& made) {
-  const auto ticket = requests.at(id).ticket;
-  bulk_out->add([=, this]() -> std::optional<bulk> {
-    const auto found = requests.find(id);
-    if (found == requests.end() || found->second.ticket != ticket)
-      return std::nullopt;
-    const auto open = look_up(made.document);
-    if (open == documents.end() || !open->second.head ||
-        open->second.head->id() != made.base->id()) {
-      refuse(id, {ec::superseded, "the document was changed meanwhile", {}, {}});
-      return std::nullopt;
-    }
-    end(id);
-    auto result = open->second.surface.preview(made);
-    result.header.set_request_id(id);
-    return result;
-  });
-  bulk_out->pump();
+request_rows edit_requests() {
+  using message = v1::ClientMessage;
+  return {row_of<&message::apply_edit, edit>(message::kApplyEdit),
+          row_of<&message::preview_edit, preview>(message::kPreviewEdit),
+          row_of<&message::undo, undo>(message::kUndo),
+          row_of<&message::redo, redo>(message::kRedo),
+          row_of<&message::go_to_version, go_to>(message::kGoToVersion)};
 }
 
 }  // namespace tedit::gateway

@@ -23,10 +23,8 @@ constexpr std::size_t longest_name = 40;
 /// A client for which more is prepared gets no further file written until it has taken some.
 constexpr std::uint64_t most_prepared = std::uint64_t{32} << 20;
 
-}  // namespace
-
-void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
-  const auto* document = find(id, body.document());
+void export_file(client_state& client, std::uint64_t id, const v1::ExportFile& body) {
+  const auto* document = client.find(id, body.document());
   if (!document)
     return;
   const bool whole = body.format() == document_format;
@@ -34,21 +32,27 @@ void client_state::export_file(std::uint64_t id, const v1::ExportFile& body) {
   if (!whole && !(format && format->writes)) {
     auto known = written_formats();
     known.push_back(document_format);
-    return refuse(id, no_such_format(cut_text(body.format(), longest_name), known));
+    return client.refuse(id, no_such_format(cut_text(body.format(), longest_name), known));
   }
   if (whole && !(body.version_id().empty() && body.length_unit().empty()))
-    return refuse(id, {ec::invalid_argument,
-                       "a document is written with all its versions, as they are",
-                       "Leave version_id and length_unit out",
-                       {}});
+    return client.refuse(id, {ec::invalid_argument,
+                              "a document is written with all its versions, as they are",
+                              "Leave version_id and length_unit out",
+                              {}});
   export_request request;
-  request.ticket = begin(id, document->session);
-  request.client = caf::actor_cast<caf::actor>(self);
+  request.ticket = client.begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(client.self);
   request.version = body.version_id();
   request.format = body.format();
   request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
-  exports.push_back({id, document->session, std::move(request)});
-  start_exports();
+  client.exports.push_back({id, document->session, std::move(request)});
+  client.start_exports();
+}
+
+}  // namespace
+
+request_rows export_requests() {
+  return {row_of<&v1::ClientMessage::export_file, export_file>(v1::ClientMessage::kExportFile)};
 }
 
 void client_state::start_exports() {

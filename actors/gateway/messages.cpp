@@ -96,6 +96,15 @@ void to_message(const file_format& format, v1::FileFormat* out) {
   out->set_keeps_fields(format.keeps.fields);
 }
 
+void to_message(const fem::result_array& array, v1::ResultArray* out) {
+  out->set_name(std::string(array.name));
+  out->set_unit(std::string(array.unit));
+  out->set_components(static_cast<std::uint32_t>(array.components));
+  out->set_sent(static_cast<v1::ResultArray::Sent>(array.sent));
+  out->set_place(static_cast<v1::ResultArray::Place>(array.place));
+  out->set_needs_yield(array.needs_yield);
+}
+
 void to_message(const actors::server_status& status, v1::ServerStatus* out) {
   for (const auto& worker : status.workers) {
     auto* row = out->add_workers();

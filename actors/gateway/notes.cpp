@@ -31,121 +31,103 @@ expected<watched_quantities> read_quantities(const v1::WatchFields& body) {
   return watched_quantities(body.quantities().begin(), body.quantities().end());
 }
 
-}  // namespace
-
 template <class Actor, class Request>
-void client_state::carry_out(std::uint64_t id, const Actor& whom, Request request,
-                             const char* what) {
-  begin(id, {});
-  self->request(whom, answer_limit, std::move(request))
+void carry_out(client_state& client, std::uint64_t id, const Actor& whom, Request request,
+               const char* what) {
+  client.begin(id, {});
+  client.self->request(whom, answer_limit, std::move(request))
     .then(
-      [=, this](acknowledged) {
+      [=, &client](acknowledged) {
         v1::ServerMessage message;
         message.mutable_done();
-        answer(id, std::move(message));
+        client.answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, e, what); });
+      [=, &client](const caf::error& e) { client.refuse(id, e, what); });
 }
 
-void client_state::set_load_case(std::uint64_t id, const v1::SetLoadCase& body) {
-  const auto* document = find(id, body.document());
+void set_load_case(client_state& client, std::uint64_t id, const v1::SetLoadCase& body) {
+  const auto* document = client.find(id, body.document());
   if (!document)
     return;
   auto given = protocol::from_message(body.load_case());
   if (!given) {
     given.error().where = "load case";
-    return refuse(id, given.error());
+    return client.refuse(id, given.error());
   }
-  carry_out(id, document->session, load_case_request{std::move(*given), terms_of(body)},
-            "setting the load case");
+  carry_out(client, id, document->session,
+            load_case_request{std::move(*given), client.terms_of(body)}, "setting the load case");
 }
 
-void client_state::remove_load_case(std::uint64_t id, const v1::RemoveLoadCase& body) {
-  if (const auto* document = find(id, body.document()))
-    carry_out(id, document->session, remove_case_request{body.load_case(), terms_of(body)},
+void remove_load_case(client_state& client, std::uint64_t id, const v1::RemoveLoadCase& body) {
+  if (const auto* document = client.find(id, body.document()))
+    carry_out(client, id, document->session,
+              remove_case_request{body.load_case(), client.terms_of(body)},
               "removing the load case");
 }
 
-void client_state::cancel_solve(std::uint64_t id, const v1::CancelSolve& body) {
-  if (const auto* document = find(id, body.document()))
-    carry_out(id, document->session, end_solve_atom::value, "ending the solve");
+void cancel_solve(client_state& client, std::uint64_t id, const v1::CancelSolve& body) {
+  if (const auto* document = client.find(id, body.document()))
+    carry_out(client, id, document->session, end_solve_atom::value, "ending the solve");
 }
 
-void client_state::annotate(std::uint64_t id, const v1::AnnotateVersion& body) {
-  if (const auto* document = find(id, body.document()))
-    carry_out(
-      id, document->session,
-      annotate_request{body.number(), body.name(), body.note(), {client_name, body.edit_id(), {}}},
-      "naming the version");
+void annotate(client_state& client, std::uint64_t id, const v1::AnnotateVersion& body) {
+  if (const auto* document = client.find(id, body.document()))
+    carry_out(client, id, document->session,
+              annotate_request{
+                body.number(), body.name(), body.note(), {client.client_name, body.edit_id(), {}}},
+              "naming the version");
 }
 
-void client_state::rename(std::uint64_t id, const v1::RenameDocument& body) {
-  if (const auto* document = find(id, body.document()))
-    carry_out(id, parts.hub,
+void rename(client_state& client, std::uint64_t id, const v1::RenameDocument& body) {
+  if (const auto* document = client.find(id, body.document()))
+    carry_out(client, id, client.parts.hub,
               rename_request{caf::actor_cast<caf::actor>(document->session), body.name()},
               "renaming the document");
 }
 
 // -- what is watched -----------------------------------------------------------------------------
 
-void client_state::watch(std::uint64_t id, const v1::WatchFields& body) {
-  auto* document = find(id, body.document());
+void watch(client_state& client, std::uint64_t id, const v1::WatchFields& body) {
+  auto* document = client.find(id, body.document());
   if (!document)
     return;
   const auto wanted = read_quantities(body);
   if (!wanted)
-    return refuse(id, wanted.error());
+    return client.refuse(id, wanted.error());
   document->watched = *wanted;
-  begin(id, {});
-  self->request(document->session, short_limit, held_atom::value)
+  client.begin(id, {});
+  client.self->request(document->session, short_limit, held_atom::value)
     .then(
-      [=, this, of = body.document()](const held_result& held) {
+      [=, &client, of = body.document()](const held_result& held) {
         v1::ServerMessage message;
         if (!held.result && !held.solving)
           message.mutable_done()->set_note(
             "the server holds no field of the head; solve it to get one");
         else
           message.mutable_done();
-        answer(id, std::move(message));
+        client.answer(id, std::move(message));
         if (held.result)
-          send_again(of, *held.result);
+          client.send_again(of, *held.result);
       },
-      [=, this](const caf::error& e) { refuse(id, e, "watching fields"); });
+      [=, &client](const caf::error& e) { client.refuse(id, e, "watching fields"); });
 }
 
-/// Queues the fields of a solve for those who watch them; also when they were sent before.
-void client_state::send_again(const std::string& document, const solved& event) {
-  const auto found = look_up(document);
-  if (found == documents.end())
-    return;
-  auto& open = found->second;
-  open.last_solved = event;
-  if (!open.watch_fields)
-    return;
-  const bool queued = open.wanted_fields.has_value();
-  open.wanted_fields = event;
-  open.next_field = 0;
-  if (!queued)
-    queue_field(document);
-  bulk_out->pump();
-}
-
-void client_state::on_annotated(const version_annotated& event) {
-  if (!documents.contains(event.document))
+void on_annotated(client_state& client, const version_annotated& event) {
+  if (!client.documents.contains(event.document))
     return;
   v1::ServerMessage message;
   auto* out = message.mutable_version_annotated();
   out->set_document(event.document);
   to_message(event.info, out->mutable_version());
-  send(*to, message);
+  send(*client.to, message);
 }
 
 /// Whatever is sent after this has the new name.
-void client_state::on_renamed(const document_renamed& event) {
-  const auto found = documents.find(event.before);
-  if (found == documents.end())
+void on_renamed(client_state& client, const document_renamed& event) {
+  const auto found = client.documents.find(event.before);
+  if (found == client.documents.end())
     return;
-  auto node = documents.extract(found);
+  auto node = client.documents.extract(found);
   node.key() = event.document;
   auto& open = node.mapped();
   open.former.push_front(event.before);
@@ -153,11 +135,28 @@ void client_state::on_renamed(const document_renamed& event) {
     open.former.pop_back();
   if (open.wanted_fields)
     open.wanted_fields->document = event.document;
-  documents.insert(std::move(node));
+  client.documents.insert(std::move(node));
   v1::ServerMessage message;
   message.mutable_document_renamed()->set_document(event.document);
   message.mutable_document_renamed()->set_before(event.before);
-  send(*to, message);
+  send(*client.to, message);
+}
+
+}  // namespace
+
+request_rows note_requests() {
+  using message = v1::ClientMessage;
+  return {row_of<&message::set_load_case, set_load_case>(message::kSetLoadCase),
+          row_of<&message::remove_load_case, remove_load_case>(message::kRemoveLoadCase),
+          row_of<&message::cancel_solve, cancel_solve>(message::kCancelSolve),
+          row_of<&message::annotate_version, annotate>(message::kAnnotateVersion),
+          row_of<&message::rename_document, rename>(message::kRenameDocument),
+          row_of<&message::watch_fields, watch>(message::kWatchFields)};
+}
+
+caf::message_handler note_events(client_state& client) {
+  return {[&client](const version_annotated& event) { on_annotated(client, event); },
+          [&client](const document_renamed& event) { on_renamed(client, event); }};
 }
 
 }  // namespace tedit::gateway

@@ -91,34 +91,20 @@ expected<bulk> make_section(const mesh_version& mesh, const actors::solved* fiel
   return result;
 }
 
-/// While a plane is dragged many are asked for: one is made at a time, and of those that wait only
-/// the newest.
-void client_state::section(std::uint64_t id, const v1::CutSection& body) {
-  auto* document = find(id, body.document());
-  if (!document)
-    return;
-  if (!document->head)
-    return refuse(id, {ec::conflict, "the document has no mesh yet", "Import one first", {}});
-  begin(id, {});
-  if (!document->cutting)
-    return begin_section(*document, {id, body});
-  if (document->next_section)
-    refuse(document->next_section->id,
-           {ec::superseded, "another section was asked for meanwhile", {}, {}});
-  document->next_section = {id, body};
-}
+namespace {
 
 /// On a thread of its own: a million tets take a tenth of a second.
-void client_state::begin_section(open_document& document, const section_request& request) {
+void begin_section(client_state& client, client_state::open_document& document,
+                   const client_state::section_request& request) {
   document.cutting = true;
   const bool fits = document.last_solved && document.last_solved->version &&
                     document.last_solved->version->id() == document.head->id();
   // The request is an argument: CAF 0.17 dereferences a null pointer when there is none.
-  self->spawn<caf::detached>(
+  client.self->spawn<caf::detached>(
     [mesh = document.head, watched = document.watched,
      fields = fits ? document.last_solved : std::optional<actors::solved>(),
-     home = caf::actor_cast<caf::actor>(self)](caf::event_based_actor*,
-                                               const section_request& wanted) {
+     home = caf::actor_cast<caf::actor>(client.self)](caf::event_based_actor*,
+                                                      const client_state::section_request& wanted) {
       auto made = std::make_shared<const expected<bulk>>(
         make_section(*mesh, fields ? &*fields : nullptr, watched, wanted.body));
       caf::anon_send(home, section_cut{wanted.id, wanted.body.document(), std::move(made)});
@@ -126,29 +112,57 @@ void client_state::begin_section(open_document& document, const section_request&
     request);
 }
 
+/// While a plane is dragged many are asked for: one is made at a time, and of those that wait only
+/// the newest.
+void section(client_state& client, std::uint64_t id, const v1::CutSection& body) {
+  auto* document = client.find(id, body.document());
+  if (!document)
+    return;
+  if (!document->head)
+    return client.refuse(id,
+                         {ec::conflict, "the document has no mesh yet", "Import one first", {}});
+  client.begin(id, {});
+  if (!document->cutting)
+    return begin_section(client, *document, {id, body});
+  if (document->next_section)
+    client.refuse(document->next_section->id,
+                  {ec::superseded, "another section was asked for meanwhile", {}, {}});
+  document->next_section = {id, body};
+}
+
 /// The next one is begun when this one's turn to be sent has come: who takes long gets fewer.
-void client_state::on_section(const section_cut& cut) {
-  const auto go_on = [this, document = cut.document] {
-    const auto found = look_up(document);
-    if (found == documents.end())
+void on_section(client_state& client, const section_cut& cut) {
+  const auto go_on = [&client, document = cut.document] {
+    const auto found = client.look_up(document);
+    if (found == client.documents.end())
       return;
     found->second.cutting = false;
     if (const auto next = std::exchange(found->second.next_section, std::nullopt))
-      begin_section(found->second, *next);
+      begin_section(client, found->second, *next);
   };
   if (!*cut.result) {
-    refuse(cut.id, cut.result->error());
+    client.refuse(cut.id, cut.result->error());
     return go_on();
   }
-  bulk_out->add([=, this]() -> std::optional<bulk> {
-    end(cut.id);
+  client.bulk_out->add([=, &client]() -> std::optional<bulk> {
+    client.end(cut.id);
     go_on();
     bulk result = **cut.result;
     result.header.set_request_id(cut.id);
     result.stream = result.header.mutable_section_ready()->mutable_stream();
     return result;
   });
-  bulk_out->pump();
+  client.bulk_out->pump();
+}
+
+}  // namespace
+
+request_rows section_requests() {
+  return {row_of<&v1::ClientMessage::cut_section, section>(v1::ClientMessage::kCutSection)};
+}
+
+caf::message_handler section_events(client_state& client) {
+  return {[&client](const section_cut& cut) { on_section(client, cut); }};
 }
 
 }  // namespace tedit::gateway

@@ -77,71 +77,83 @@ std::vector<page_ptr> upload::take_pages() {
 
 // -- requests ------------------------------------------------------------------------------------
 
+namespace {
+
 /// Pieces are not requests of their own: what is said about them ends none that runs with their id.
-void client_state::receive_upload(std::uint64_t id, const v1::UploadChunk& body) {
-  if (!uploads.contains(body.upload()) && uploads.size() >= most_uploads)
-    return reject(id, {ec::conflict,
-                       "this connection has " + std::to_string(most_uploads) +
-                         " uploads that are not imported yet",
-                       "Import some of them first",
-                       {}});
-  auto& target = uploads.try_emplace(body.upload(), upload_bytes).first->second;
+void receive_upload(client_state& client, std::uint64_t id, const v1::UploadChunk& body) {
+  if (!client.uploads.contains(body.upload()) && client.uploads.size() >= most_uploads)
+    return client.reject(id, {ec::conflict,
+                              "this connection has " + std::to_string(most_uploads) +
+                                " uploads that are not imported yet",
+                              "Import some of them first",
+                              {}});
+  auto& target = client.uploads.try_emplace(body.upload(), client.upload_bytes).first->second;
   if (const auto ok = target.append(body.offset(), body.data()); !ok) {
-    uploads.erase(body.upload());
-    reject(id, ok.error());
+    client.uploads.erase(body.upload());
+    client.reject(id, ok.error());
   }
 }
 
-std::optional<client_state::sent_file> client_state::take_upload(std::uint64_t id,
-                                                                 std::uint64_t upload,
-                                                                 std::uint64_t size) {
-  const auto found = uploads.find(upload);
-  if (found == uploads.end() || found->second.size() != size) {
-    refuse(id, {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
+/// An upload that is whole; else the request is refused.
+std::optional<client_state::sent_file> take_upload(client_state& client, std::uint64_t id,
+                                                   std::uint64_t upload, std::uint64_t size) {
+  const auto found = client.uploads.find(upload);
+  if (found == client.uploads.end() || found->second.size() != size) {
+    client.refuse(id,
+                  {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
     return std::nullopt;
   }
-  sent_file result{found->second.take_pages(), found->second.held()};
-  uploads.erase(found);
+  client_state::sent_file result{found->second.take_pages(), found->second.held()};
+  client.uploads.erase(found);
   return result;
 }
 
-void client_state::add_document(std::uint64_t id, const v1::AddDocument& body) {
-  auto file = take_upload(id, body.upload(), body.size());
+void add_document(client_state& client, std::uint64_t id, const v1::AddDocument& body) {
+  auto file = take_upload(client, id, body.upload(), body.size());
   if (!file)
     return;
-  begin(id, {});
-  self
+  client.begin(id, {});
+  client.self
     ->request(
-      parts.hub, answer_limit,
+      client.parts.hub, answer_limit,
       add_request{body.name(), body.or_next_free(), std::move(file->pages), std::move(file->held)})
     .then(
-      [=, this](const added_document& added) {
+      [=, &client](const added_document& added) {
         v1::ServerMessage message;
         message.mutable_document_added()->set_document(added.name);
-        answer(id, std::move(message));
+        client.answer(id, std::move(message));
       },
-      [=, this](const caf::error& e) { refuse(id, e, "adding the document"); });
+      [=, &client](const caf::error& e) { client.refuse(id, e, "adding the document"); });
 }
 
-void client_state::import(std::uint64_t id, const v1::ImportMesh& body) {
-  const auto* document = find(id, body.document());
+void import(client_state& client, std::uint64_t id, const v1::ImportMesh& body) {
+  const auto* document = client.find(id, body.document());
   if (!document)
     return;
-  auto file = take_upload(id, body.upload(), body.size());
+  auto file = take_upload(client, id, body.upload(), body.size());
   if (!file)
     return;
   import_request request;
   request.file = std::move(file->pages);
   request.held = std::move(file->held);
-  request.ticket = begin(id, document->session);
-  request.client = caf::actor_cast<caf::actor>(self);
-  request.terms = terms_of(body);
+  request.ticket = client.begin(id, document->session);
+  request.client = caf::actor_cast<caf::actor>(client.self);
+  request.terms = client.terms_of(body);
   request.size = body.size();
   request.file_name = cut_text(body.file_name(), longest_file_name);
   request.length_unit = body.length_unit().empty() ? "mm" : body.length_unit();
-  self->request(document->session, answer_limit, std::move(request))
-    .then([=, this](const head_moved& moved) { answer_head(id, moved); },
-          [=, this](const caf::error& e) { refuse(id, e, "the import"); });
+  client.self->request(document->session, answer_limit, std::move(request))
+    .then([=, &client](const head_moved& moved) { client.answer_head(id, moved); },
+          [=, &client](const caf::error& e) { client.refuse(id, e, "the import"); });
+}
+
+}  // namespace
+
+request_rows upload_requests() {
+  using message = v1::ClientMessage;
+  return {row_of<&message::upload_chunk, receive_upload>(message::kUploadChunk),
+          row_of<&message::add_document, add_document>(message::kAddDocument),
+          row_of<&message::import_mesh, import>(message::kImportMesh)};
 }
 
 }  // namespace tedit::gateway

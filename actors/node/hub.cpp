@@ -209,27 +209,24 @@ caf::result<acknowledged> rename(hub_pointer self, const rename_request& request
 caf::result<server_status> status(hub_pointer self) {
   struct gathering {
     server_status result;
-    std::size_t missing = 3;
+    std::size_t missing = worker_roles.size();
     caf::typed_response_promise<server_status> promise;
   };
   auto all = std::make_shared<gathering>();
   all->promise = self->make_response_promise<server_status>();
   all->result.documents = static_cast<std::uint32_t>(self->state.open.size());
-  all->result.workers.resize(3);
-  const auto ask = [=](const auto& worker, std::size_t row, const std::string& role) {
+  all->result.workers.resize(worker_roles.size());
+  self->state.parts.workers.for_each([=](worker_role role, const auto& worker) {
     const auto receive = [=](const worker_status& one) {
-      all->result.workers[row] = one;
+      all->result.workers[static_cast<std::size_t>(role)] = one;
       if (--all->missing == 0)
         all->promise.deliver(all->result);
     };
     self->request(worker, std::chrono::seconds(2), status_atom::value)
       .then(receive, [=](const caf::error& e) {
-        receive({role, "degraded", 0, 0, 0, from_caf(e, role).message});
+        receive({name_of(role), "degraded", 0, 0, 0, from_caf(e, name_of(role)).message});
       });
-  };
-  ask(self->state.parts.workers.modeling, 0, "modeling");
-  ask(self->state.parts.workers.optimizer, 1, "optimizer");
-  ask(self->state.parts.workers.solver, 2, "solver");
+  });
   return all->promise;
 }
 

@@ -35,16 +35,17 @@ worker_set start_threads(caf::actor_system& system, const server_options& option
           system.spawn(make_optimizer, cache, pages), system.spawn(make_solver, cache, pages)};
 }
 
-pool_options options_of(const server_options& options, const std::string& role, unsigned workers,
+pool_options options_of(const server_options& options, worker_role role, unsigned workers,
                         std::chrono::milliseconds limit) {
   const auto program = options.program.empty() ? executable_folder() / "tedit" : options.program;
   pool_options result;
   result.role = role;
   result.health = std::make_shared<role_health>(role);
-  result.command = {program.string(), "worker", "--role", role};
-  if (options.safe_mode && role == "modeling")
+  result.command = {program.string(), "worker", "--role", name_of(role)};
+  const bool plugins = facts_of(role).runs_plugins;
+  if (options.safe_mode && plugins)
     result.command.emplace_back("--safe-mode");
-  if (options.modeling_memory_mb > 0 && role == "modeling")
+  if (options.modeling_memory_mb > 0 && plugins)
     result.command.insert(result.command.end(),
                           {"--memory-mb", std::to_string(options.modeling_memory_mb)});
   result.quarantine_after = options.quarantine_after;
@@ -58,22 +59,23 @@ using role_healths = std::vector<std::shared_ptr<role_health>>;
 
 worker_set start_pools(caf::actor_system& system, const server_options& options,
                        role_healths& healths) {
-  const auto of = [&](const char* role, unsigned workers, std::chrono::milliseconds limit) {
+  const auto of = [&](worker_role role, unsigned workers, std::chrono::milliseconds limit) {
     auto result = options_of(options, role, workers, limit);
     healths.push_back(result.health);
     return result;
   };
   return {
-    make_modeling_pool(system, of("modeling", options.modeling_workers,
+    make_modeling_pool(system, of(worker_role::modeling, options.modeling_workers,
                                   std::max(options.import_limit, options.edit_limit))),
-    make_optimizer_pool(system, of("optimizer", options.optimizer_workers, options.edit_limit)),
-    make_solver_pool(system, of("solver", options.solver_workers, options.solve_limit))};
+    make_optimizer_pool(system,
+                        of(worker_role::optimizer, options.optimizer_workers, options.edit_limit)),
+    make_solver_pool(system, of(worker_role::solver, options.solver_workers, options.solve_limit))};
 }
 
 std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
   std::vector<std::pair<std::string, std::string>> result;
   for (const auto& h : healths)
-    result.emplace_back(h->role, to_string(h->state()));
+    result.emplace_back(name_of(h->role), to_string(h->state()));
   return result;
 }
 
@@ -140,9 +142,10 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
                                                 : start_threads(system, options, cache, pages);
   const auto hub =
     system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device});
-  made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(workers.modeling),
-                  caf::actor_cast<caf::actor>(workers.optimizer),
-                  caf::actor_cast<caf::actor>(workers.solver), caf::actor_cast<caf::actor>(pages)};
+  made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
+  workers.for_each([&](worker_role, const auto& worker) {
+    made->to_end.push_back(caf::actor_cast<caf::actor>(worker));
+  });
   made->address = options.address;
   gateway::transport_options door;
   door.address = options.address;

@@ -23,24 +23,22 @@ namespace {
 /// Pages of recent versions that stay in a worker, so that the next order moves only what is new.
 constexpr std::size_t cache_bytes = std::size_t{768} << 20;
 
-expected<caf::actor> spawn_role(caf::actor_system& system, const worker_options& options,
-                                const std::shared_ptr<page_cache>& cache,
-                                const page_store_actor& pages) {
-  const auto& role = options.role;
-  if (role == "modeling") {
-    const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
-    auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
-    for (const auto& refused : plugins->refused())
-      spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
-    return caf::actor_cast<caf::actor>(
-      system.spawn(make_modeling, cache, pages, plugins, usage_of_this_process()));
+caf::actor spawn_role(caf::actor_system& system, const worker_options& options,
+                      const std::shared_ptr<page_cache>& cache, const page_store_actor& pages) {
+  switch (options.role) {
+    case worker_role::optimizer:
+      return caf::actor_cast<caf::actor>(system.spawn(make_optimizer, cache, pages));
+    case worker_role::solver:
+      return caf::actor_cast<caf::actor>(system.spawn(make_solver, cache, pages));
+    case worker_role::modeling:
+      break;
   }
-  if (role == "optimizer")
-    return caf::actor_cast<caf::actor>(system.spawn(make_optimizer, cache, pages));
-  if (role == "solver")
-    return caf::actor_cast<caf::actor>(system.spawn(make_solver, cache, pages));
-  return fail(ec::invalid_argument, "there is no role \"" + role + "\"",
-              "Take modeling, optimizer or solver");
+  const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
+  auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
+  for (const auto& refused : plugins->refused())
+    spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
+  return caf::actor_cast<caf::actor>(
+    system.spawn(make_modeling, cache, pages, plugins, usage_of_this_process()));
 }
 
 }  // namespace
@@ -51,11 +49,9 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   const auto cache = std::make_shared<page_cache>(cache_bytes);
   const auto pages = system.spawn(make_page_store, cache);
   const auto worker = spawn_role(system, options, cache, pages);
-  if (!worker)
-    return fail(worker.error());
   // The system's end waits for all actors.
   const auto turned_away = [&](const error& why) {
-    caf::anon_send_exit(*worker, caf::exit_reason::user_shutdown);
+    caf::anon_send_exit(worker, caf::exit_reason::user_shutdown);
     caf::anon_send_exit(pages, caf::exit_reason::user_shutdown);
     return fail(why);
   };
@@ -65,12 +61,12 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   caf::scoped_actor self(system);
   self->monitor(*enlister);
   // Without one of these the process would refuse all work; its pool starts another instead.
-  self->monitor(*worker);
+  self->monitor(worker);
   self->monitor(pages);
   std::optional<error> refused;
   self
     ->request(*enlister, std::chrono::seconds(10),
-              enlistment{static_cast<std::int32_t>(getpid()), *worker})
+              enlistment{static_cast<std::int32_t>(getpid()), worker})
     .receive(
       [&](bool accepted) {
         if (!accepted)

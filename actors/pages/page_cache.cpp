@@ -30,11 +30,6 @@ page_ptr page_cache::find(const hash128& id) {
   return p;
 }
 
-std::size_t page_cache::kept_bytes() const {
-  const std::lock_guard lock(mutex_);
-  return kept_;
-}
-
 void page_cache::keep(entry& e, const page_ptr& p) {
   if (e.kept != recent_.end()) {
     recent_.splice(recent_.begin(), recent_, e.kept);

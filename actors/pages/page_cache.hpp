@@ -24,9 +24,6 @@ public:
   /// Null when it is not known.
   [[nodiscard]] page_ptr find(const hash128& id);
 
-  /// Bytes kept by the budget alone.
-  [[nodiscard]] std::size_t kept_bytes() const;
-
 private:
   using order = std::list<page_ptr>;
   struct entry {

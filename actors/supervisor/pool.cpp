@@ -47,7 +47,7 @@ void pool_state::stop() {
 
 error pool_state::no_worker() const {
   return {ec::service_unavailable,
-          "no " + options.role + " worker runs: " + last_failure,
+          "no " + name_of(options.role) + " worker runs: " + last_failure,
           "They are started again within a minute; the server's log says more",
           {}};
 }
@@ -190,10 +190,10 @@ void pool_state::spawn_child() {
   auto made = make_child();
   if (!made) {
     last_failure = made.error().message;
-    spdlog::error("{} worker: {}", options.role, render(made.error()));
+    spdlog::error("{} worker: {}", name_of(options.role), render(made.error()));
     return;
   }
-  spdlog::info("{} worker: process {} started", options.role, made->pid);
+  spdlog::info("{} worker: process {} started", name_of(options.role), made->pid);
   wake();
   children.push_back(std::move(*made));
 }
@@ -205,8 +205,9 @@ void pool_state::spawn_missing() {
       --forgiven;  // An operation's plugin is to blame, which has a count of its own.
     } else if (!first && !budget->take(clock::now())) {
       if (!degraded)
-        spdlog::error("{} worker: died {} times within {} s, giving up for now", options.role,
-                      options.restart_budget + 1, options.restart_window.count() / 1000);
+        spdlog::error("{} worker: died {} times within {} s, giving up for now",
+                      name_of(options.role), options.restart_budget + 1,
+                      options.restart_window.count() / 1000);
       degraded = true;
       break;
     }
@@ -226,15 +227,15 @@ void pool_state::spawn_missing() {
 bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
   const auto c = std::ranges::find(children, number, &child::number);
   if (c == children.end() || c->worker || !who.worker) {
-    spdlog::warn("{} worker: process {} was turned away: nobody waits for it", options.role,
-                 who.pid);
+    spdlog::warn("{} worker: process {} was turned away: nobody waits for it",
+                 name_of(options.role), who.pid);
     return false;
   }
   c->worker = who.worker;
   c->worker_pid = who.pid;
   self->monitor(c->worker);
   spdlog::info(
-    "{} worker: process {} ready after {} ms", options.role, c->pid,
+    "{} worker: process {} ready after {} ms", name_of(options.role), c->pid,
     std::chrono::duration_cast<std::chrono::milliseconds>(clock::now() - c->started).count());
   for (const auto& q : std::exchange(asked, {}))
     q.ask(c->worker);
@@ -252,8 +253,8 @@ void pool_state::forgive(const job& work) {
   if (work.edit.operation.empty() || !off.counts())
     return;
   ++forgiven;
-  spdlog::warn("{} worker: the operation {} was running{}", options.role, work.edit.operation,
-               is_preview(work) ? ", for a preview" : "");
+  spdlog::warn("{} worker: the operation {} was running{}", name_of(options.role),
+               work.edit.operation, is_preview(work) ? ", for a preview" : "");
 }
 
 void pool_state::blame(const job& work, const std::string& how) {
@@ -277,7 +278,7 @@ void pool_state::try_again(job work, const std::string& how) {
   if (const auto why = off.refusal(work.edit))
     return work.refuse(*why);
   work.refuse({ec::internal,
-               "the " + options.role + " worker " + how + " while it worked on this" +
+               "the " + name_of(options.role) + " worker " + how + " while it worked on this" +
                  (work.edit.operation.empty() ? "" : " (operation " + work.edit.operation + ")") +
                  ", " + std::to_string(work.deaths) + " times",
                "Try other values; if it goes on, report it with the server's log",
@@ -286,7 +287,7 @@ void pool_state::try_again(job work, const std::string& how) {
 
 void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   last_failure = "process " + std::to_string(dead->pid) + " " + how;
-  spdlog::warn("{} worker: {}", options.role, last_failure);
+  spdlog::warn("{} worker: {}", name_of(options.role), last_failure);
   auto work = std::move(dead->work);
   caf::anon_send_exit(dead->enlister, caf::exit_reason::user_shutdown);
   children.erase(dead);
@@ -308,7 +309,7 @@ void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
     children, [&](const child& one) { return one.worker && one.worker.address() == source; });
   if (c == children.end() || c->retired)
     return;
-  spdlog::info("{} worker: process {} is replaced: {}", options.role, c->pid, why);
+  spdlog::info("{} worker: process {} is replaced: {}", name_of(options.role), c->pid, why);
   c->retired = clock::now();
   wake();
   ++forgiven;
@@ -430,7 +431,7 @@ void pool_state::say_health() const {
 
 worker_status pool_state::status() const {
   worker_status result;
-  result.role = options.role;
+  result.role = name_of(options.role);
   result.restarts = restarts;
   result.jobs = static_cast<std::uint32_t>(waiting.size());
   result.state = to_string(state());

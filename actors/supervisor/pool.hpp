@@ -29,7 +29,7 @@ class role_health {
 public:
   using clock = std::chrono::steady_clock;
 
-  explicit role_health(std::string of) : role(std::move(of)) {}
+  explicit role_health(worker_role of) : role(of) {}
 
   void say(role_state now) {
     said_ = now;
@@ -42,7 +42,7 @@ public:
     return silent > std::chrono::seconds(5) ? role_state::degraded : said_.load();
   }
 
-  const std::string role;
+  const worker_role role;
 
 private:
   std::atomic<role_state> said_{role_state::starting};
@@ -51,7 +51,7 @@ private:
 
 /// How a pool keeps its workers.
 struct pool_options {
-  std::string role;                  ///< "modeling", "optimizer", "solver".
+  worker_role role = worker_role::modeling;
   std::vector<std::string> command;  ///< Starts a worker; it inherits its end of a link.
   unsigned workers = 1;
   std::chrono::milliseconds job_limit{2 * 60 * 1000};  ///< A job that takes longer is ended.

@@ -13,7 +13,7 @@ job_thread_actor::behavior_type job_thread::make_behavior() {
 }
 
 worker_status worker_jobs::status() const {
-  return {role,
+  return {name_of(role),
           "ready",
           static_cast<std::int32_t>(getpid()),
           0,

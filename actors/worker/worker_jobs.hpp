@@ -53,7 +53,7 @@ struct job_output {
 /// What all kinds of workers share: fetching the pages of an order, running it on the thread,
 /// progress, cancel, and keeping results alive until they are fetched.
 struct worker_jobs {
-  std::string role;
+  worker_role role = worker_role::modeling;
   std::shared_ptr<page_cache> cache;
   page_store_actor pages;
   caf::actor pages_handle;  ///< The same, as orders and results carry it.
@@ -191,10 +191,10 @@ caf::result<Result> perform(
 
 /// The jobs of a worker in this process.
 template <class Self>
-worker_jobs make_jobs(Self self, std::string role, std::shared_ptr<page_cache> cache,
+worker_jobs make_jobs(Self self, worker_role role, std::shared_ptr<page_cache> cache,
                       page_store_actor pages) {
   worker_jobs jobs;
-  jobs.role = std::move(role);
+  jobs.role = role;
   jobs.cache = std::move(cache);
   jobs.pages = pages;
   jobs.pages_handle = caf::actor_cast<caf::actor>(pages);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <condition_variable>
 #include <deque>
+#include <map>
 #include <mutex>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,6 +66,20 @@ caf::behavior session_of(const std::shared_ptr<const std::vector<found_feature>>
           [](actors::detach_atom, const caf::actor&) {}};
 }
 
+// A request without a row would be answered as one that the server does not know.
+TEST(RequestRows, EveryRequestHasOneHandler) {
+  std::multiset<int> handled;
+  for (const auto& rows :
+       {server_requests(), document_requests(), edit_requests(), export_requests(), note_requests(),
+        section_requests(), upload_requests()})
+    for (const auto& row : rows)
+      handled.insert(row.kind);
+  const auto* bodies = v1::ClientMessage::descriptor()->FindOneofByName("body");
+  ASSERT_NE(bodies, nullptr);
+  for (int i = 0; i < bodies->field_count(); ++i)
+    EXPECT_EQ(handled.count(bodies->field(i)->number()), 1U) << bodies->field(i)->name();
+}
+
 class ClientActor : public ::testing::Test {
 protected:
   ~ClientActor() override { caf::anon_send(client_, closed_atom::value); }
@@ -83,7 +99,9 @@ protected:
     v1::ClientMessage hello;
     hello.mutable_hello()->set_protocol_major(protocol::major_version);
     hello.mutable_hello()->set_protocol_minor(protocol::minor_version);
-    ASSERT_TRUE(ask(std::move(hello)).has_welcome());
+    const auto answer = ask(std::move(hello));
+    ASSERT_TRUE(answer.has_welcome());
+    welcome_ = answer.welcome();
     v1::ClientMessage opening;
     opening.mutable_open_document()->set_name("part");
     ASSERT_TRUE(ask(std::move(opening)).has_document_state());
@@ -108,8 +126,26 @@ protected:
   caf::actor_system system_{config_};
   std::shared_ptr<kept_connection> peer_ = std::make_shared<kept_connection>();
   caf::actor client_;
+  v1::Welcome welcome_;
   std::uint64_t last_ = 0;
 };
+
+TEST_F(ClientActor, IsToldWhichResultsThereAre) {
+  open();
+  std::map<std::string, v1::ResultArray> told;
+  for (const auto& one : welcome_.results())
+    told[one.name()] = one;
+  ASSERT_EQ(told.size(), std::size(fem::result_arrays));
+  EXPECT_EQ(told["displacement_m"].unit(), "m");
+  EXPECT_EQ(told["displacement_m"].components(), 3U);
+  EXPECT_EQ(told["displacement_m"].sent(), v1::ResultArray::ALWAYS);
+  EXPECT_EQ(told["stress_pa"].sent(), v1::ResultArray::ON_REQUEST);
+  EXPECT_EQ(told["reaction_n"].sent(), v1::ResultArray::IN_FILES);
+  EXPECT_EQ(told["reaction_n"].place(), v1::ResultArray::VERTICES);
+  EXPECT_EQ(told["element_stress_pa"].place(), v1::ResultArray::TETS);
+  EXPECT_TRUE(told["safety_factor"].needs_yield());
+  EXPECT_FALSE(told["von_mises_pa"].needs_yield());
+}
 
 TEST_F(ClientActor, ASelectionsAnswerIsHandedOn) {
   found_feature hole;

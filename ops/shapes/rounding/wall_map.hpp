@@ -22,8 +22,6 @@ public:
   /// Back onto the exact wall.
   [[nodiscard]] vec3 lift(std::array<double, 2> p) const;
 
-  [[nodiscard]] bool goes_around() const { return ring_; }
-
 private:
   [[nodiscard]] double angle(vec3 p) const;
 
