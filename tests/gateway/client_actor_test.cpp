@@ -53,6 +53,7 @@ private:
   std::deque<v1::ServerMessage> messages_;
 };
 
+/// Actors are made of functions with arguments: CAF 0.17 dereferences a null pointer without.
 /// A document whose session answers every selection with `features`.
 caf::behavior session_of(const std::shared_ptr<const std::vector<found_feature>>& features) {
   return {[](const actors::attach_request&) {
@@ -80,6 +81,11 @@ TEST(RequestRows, EveryRequestHasOneHandler) {
     EXPECT_EQ(handled.count(bodies->field(i)->number()), 1U) << bodies->field(i)->name();
 }
 
+/// Knows that document alone.
+caf::behavior hub_of(const caf::actor& session) {
+  return {[=](const std::string& name) { return actors::opened_document{name, session}; }};
+}
+
 class ClientActor : public ::testing::Test {
 protected:
   ~ClientActor() override { caf::anon_send(client_, closed_atom::value); }
@@ -87,10 +93,7 @@ protected:
   /// Says hello and opens the document.
   void open(const std::vector<found_feature>& found = {}) {
     const auto features = std::make_shared<const std::vector<found_feature>>(found);
-    const auto session = system_.spawn([=] { return session_of(features); });
-    const auto hub = system_.spawn([=]() -> caf::behavior {
-      return {[=](const std::string& name) { return actors::opened_document{name, session}; }};
-    });
+    const auto hub = system_.spawn(hub_of, system_.spawn(session_of, features));
     gateway_parts parts;
     parts.hub = caf::actor_cast<actors::hub_actor>(hub);
     parts.guard = std::make_shared<token_guard>("");
