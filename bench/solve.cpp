@@ -25,9 +25,9 @@
 #include "bench/cancel_sweep.hpp"
 #include "bench/peers/system.hpp"
 #include "fem/load_cases.hpp"
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/solver.hpp"
-#include "fem/vulkan/vulkan_backend.hpp"
+#include "fem/vulkan/backend.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 

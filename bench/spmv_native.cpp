@@ -6,7 +6,7 @@
 #include "bench/spmv.hpp"
 #include "fem/block_matrix.hpp"
 #include "fem/multilevel/block_rows.hpp"
-#include "fem/native/quadratic_operator.hpp"
+#include "fem/native/quadratic.hpp"
 
 namespace tedit::bench {
 
@@ -93,8 +93,8 @@ std::unique_ptr<product_probe> probe_native(const fem::problem& p, std::uint64_t
                                                             copy_bytes);
     return std::make_unique<native_probe<fem::block_matrix>>(std::move(blocks), copy_bytes);
   }
-  return std::make_unique<native_probe<fem::quadratic_operator>>(fem::quadratic_operator(p),
-                                                                 copy_bytes);
+  return std::make_unique<native_probe<fem::native::quadratic_operator>>(
+    fem::native::quadratic_operator(p), copy_bytes);
 }
 
 }  // namespace tedit::bench

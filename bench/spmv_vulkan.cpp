@@ -3,24 +3,24 @@
 #include <cmath>
 
 #include "bench/spmv.hpp"
-#include "fem/vulkan/vulkan_quadratic.hpp"
+#include "fem/vulkan/quadratic.hpp"
 #include "kernels/copy.h"
 
 namespace tedit::bench {
 
 namespace {
 
-using fem::device_float4;
+using fem::vulkan::device_float4;
 
 constexpr std::uint64_t node_bytes = sizeof(device_float4);
 
 class vulkan_probe final : public product_probe {
 public:
-  explicit vulkan_probe(std::shared_ptr<fem::kernel_store> kernels)
+  explicit vulkan_probe(std::shared_ptr<fem::vulkan::kernel_store> kernels)
       : store_(std::move(kernels)), memory_(kernels_.layout, {}) {}
 
   expected<void> make(const fem::problem& p, std::uint64_t copy_bytes) {
-    const fem::device_scale scale(p);
+    const fem::vulkan::device_scale scale(p);
     auto made = p.element_order == 1 ? make_linear(p, scale) : make_quadratic(p, scale);
     if (!made)
       return made;
@@ -36,8 +36,8 @@ public:
 
 private:
   /// Blocks with their padding, two numbers a slice, x and y.
-  expected<void> make_linear(const fem::problem& p, const fem::device_scale& scale) {
-    auto made = std::make_unique<fem::vulkan_matrix>(
+  expected<void> make_linear(const fem::problem& p, const fem::vulkan::device_scale& scale) {
+    auto made = std::make_unique<fem::vulkan::sliced_matrix>(
       kernels_, memory_, fem::assemble_blocks(p, fem::incidence(p)), scale);
     if (auto ok = memory_.status(); !ok)
       return ok;
@@ -48,8 +48,8 @@ private:
 
   /// Elements and lists once, forces written and read; x, x again beside the rows, and y. Sums of
   /// earlier ranges are left out: they are written and read once for each range but the first.
-  expected<void> make_quadratic(const fem::problem& p, const fem::device_scale& scale) {
-    auto made = fem::vulkan_quadratic::make(kernels_, memory_, p, scale);
+  expected<void> make_quadratic(const fem::problem& p, const fem::vulkan::device_scale& scale) {
+    auto made = fem::vulkan::quadratic_operator::make(kernels_, memory_, p, scale);
     if (!made)
       return fail(made.error());
     const std::uint64_t elements = p.element_count();
@@ -90,7 +90,7 @@ private:
     to_ = memory_.room(half);
     if (auto ok = memory_.status(); !ok)
       return ok;
-    fem::cycle_push push{};
+    fem::vulkan::cycle_push push{};
     push.rows = static_cast<std::uint32_t>(half / node_bytes);
     copy_.emplace(kernels_);
     copy_->add(copy_kernel_, {{0, &from_}, {1, &to_}}, push);
@@ -98,13 +98,13 @@ private:
   }
 
   // What is recorded last goes first.
-  std::shared_ptr<fem::kernel_store> store_;
-  const fem::cycle_kernels& kernels_ = store_->for_one();
-  fem::vulkan_memory memory_;
-  std::unique_ptr<fem::row_operator> k_;
+  std::shared_ptr<fem::vulkan::kernel_store> store_;
+  const fem::vulkan::kernel_set& kernels_ = store_->for_one();
+  fem::vulkan::device_memory memory_;
+  std::unique_ptr<fem::vulkan::row_operator> k_;
   gpu::kernel copy_kernel_;
   gpu::buffer x_, y_, partials_, from_, to_;
-  std::optional<fem::vulkan_program> product_, copy_;
+  std::optional<fem::vulkan::device_program> product_, copy_;
   std::uint64_t bytes_ = 0;
 };
 
@@ -116,7 +116,7 @@ expected<std::unique_ptr<product_probe>> probe_vulkan(const std::string& device,
   auto on = gpu::device::open(device == "lavapipe" ? "llvmpipe" : device);
   if (!on)
     return fail(on.error());
-  auto kernels = fem::kernel_store::make(*on, {});
+  auto kernels = fem::vulkan::kernel_store::make(*on, {});
   if (!kernels)
     return fail(kernels.error());
   auto probe = std::make_unique<vulkan_probe>(std::move(*kernels));

@@ -4,10 +4,10 @@
 
 #include "base/stopwatch.hpp"
 #include "fem/device_choice.hpp"
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/solver.hpp"
-#include "fem/vulkan/vulkan_backend.hpp"
+#include "fem/vulkan/backend.hpp"
 
 namespace tedit::fem {
 

@@ -46,7 +46,7 @@
 
 #ifdef __cplusplus
 #include <cstdint>
-namespace tedit::fem {
+namespace tedit::fem::vulkan {
 using uint = std::uint32_t;
 #define TEDIT_CYCLE_PUSH struct cycle_push
 #else
@@ -65,7 +65,7 @@ TEDIT_CYCLE_PUSH {
 #ifdef __cplusplus
 };
 static_assert(sizeof(cycle_push) == 32);
-}  // namespace tedit::fem
+}  // namespace tedit::fem::vulkan
 #else
 } push;
 #endif

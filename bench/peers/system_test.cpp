@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/solver.hpp"
 #include "tests/support/meshes.hpp"
 

@@ -8,7 +8,7 @@
 #include "fem/multilevel/hierarchy.hpp"
 #include "fem/multilevel/lanes.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
 
 /// S of the nodes that are not free.
 using held_nodes = std::vector<std::pair<std::uint32_t, std::array<float, 6>>>;
@@ -30,4 +30,4 @@ void filter_held(const held_nodes& held, float* x) {
     L::store(multiply_symmetric(s, L::load_own(x, node)), x, node);
 }
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

@@ -5,7 +5,7 @@
 
 #include "fem/problem.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
 
 /// Bytes that assembling, solving and recovering `p` on the native backend take at their peak, on
 /// top of the problem itself: per element and per node, fitted to measurements. What they are made
@@ -21,6 +21,6 @@ namespace tedit::fem {
 /// Measured on nine medium parts (74 k to 149 k tets) and a cantilever of 176 k, orders 1 and 2,
 /// and one of 942 k: 4 % to 13 % above the peak resident memory less that of the problem. Parts of
 /// 20 k tets take a few MiB more that do not grow.
-[[nodiscard]] std::uint64_t native_solve_bytes(const problem& p);
+[[nodiscard]] std::uint64_t solve_bytes(const problem& p);
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

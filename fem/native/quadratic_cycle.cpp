@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/native/quadratic_cycle.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
 
 template <class L>
 void quadratic_cycle<L>::apply(const float* right, float* z) {
@@ -50,4 +50,4 @@ template class quadratic_cycle<one_case>;
 template class quadratic_cycle<cases_of<4>>;
 template class quadratic_cycle<cases_of<8>>;
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

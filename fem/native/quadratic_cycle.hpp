@@ -4,9 +4,9 @@
 #include "fem/multilevel/quadratic_level.hpp"
 #include "fem/native/cycle.hpp"
 #include "fem/native/held_nodes.hpp"
-#include "fem/native/quadratic_operator.hpp"
+#include "fem/native/quadratic.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
 
 /// One symmetric cycle for quadratic tets: smoothing there, a correction from the linear tets of
 /// the corners (p-multigrid), smoothing. Not for two threads at once.
@@ -55,4 +55,4 @@ private:
   std::vector<float> coarse_right_, coarse_;
 };
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

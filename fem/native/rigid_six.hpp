@@ -3,7 +3,10 @@
 
 #include "fem/multilevel/lanes.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
+
+/// Aggregates of one piece of parallel work: each is worth about ten nodes.
+inline constexpr std::size_t rigid_chunk = 512;
 
 /// The six rigid motions of one aggregate, for each case.
 template <class L>
@@ -131,4 +134,4 @@ private:
   }
 };
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fem/native/vectors.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
 
 double dot_of(const std::vector<float>& a, const std::vector<float>& b) {
   return dots_of<one_case>(a, b)[0];
@@ -14,4 +14,4 @@ void add_to(const float* x, float* z, std::size_t n) {
   });
 }
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

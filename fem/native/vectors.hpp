@@ -5,7 +5,7 @@
 
 #include "fem/multilevel/lanes.hpp"
 
-namespace tedit::fem {
+namespace tedit::fem::native {
 
 /// a.b of each case, summed in double precision in a fixed order.
 template <class L>
@@ -23,4 +23,4 @@ template <class L>
 /// z += x, n values.
 void add_to(const float* x, float* z, std::size_t n);
 
-}  // namespace tedit::fem
+}  // namespace tedit::fem::native

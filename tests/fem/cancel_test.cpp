@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/solve_session.hpp"
 #include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"

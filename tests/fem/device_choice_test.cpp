@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/solver.hpp"
 
 namespace tedit::fem {

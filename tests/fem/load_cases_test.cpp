@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 #include "tests/support/meshes.hpp"

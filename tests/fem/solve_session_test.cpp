@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "tests/support/edits.hpp"
 #include "tests/support/meshes.hpp"
 

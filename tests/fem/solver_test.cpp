@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::fem {

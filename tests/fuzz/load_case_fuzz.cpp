@@ -9,7 +9,7 @@
 #include "fem/fields.hpp"
 #include "fem/load_cases.hpp"
 #include "fem/make_report.hpp"
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "protocol/convert.hpp"
 #include "protocol/load_case_message.hpp"
 #include "tedit/v1/load_case.pb.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/vulkan/vulkan_backend.hpp"
+#include "fem/vulkan/backend.hpp"
 #include "gpu/device.hpp"
 #include "tests/support/meshes.hpp"
 

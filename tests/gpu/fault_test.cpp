@@ -12,10 +12,10 @@
 
 #include <gmock/gmock.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/problem_update.hpp"
 #include "fem/solver.hpp"
-#include "fem/vulkan/vulkan_backend.hpp"
+#include "fem/vulkan/backend.hpp"
 #include "gpu/kernels.hpp"
 #include "tests/gpu/bent_bar.hpp"
 #include "tests/support/edits.hpp"

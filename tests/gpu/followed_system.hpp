@@ -3,7 +3,7 @@
 
 #include "fem/multilevel/lanczos.hpp"
 #include "fem/native/quadratic_cycle.hpp"
-#include "fem/vulkan/vulkan_system.hpp"
+#include "fem/vulkan/system.hpp"
 #include "gpu/device.hpp"
 #include "tests/gpu/bent_bar.hpp"
 #include "tests/support/edits.hpp"
@@ -46,7 +46,7 @@ public:
 
   [[nodiscard]] const problem& current() const { return p_; }
   [[nodiscard]] const version_ptr& mesh() const { return mesh_; }
-  [[nodiscard]] vulkan_system& system() { return *system_; }
+  [[nodiscard]] vulkan::system& system() { return *system_; }
 
   /// Of the inverse of the coarsest level.
   [[nodiscard]] std::uint64_t dense_bytes() const {
@@ -55,8 +55,8 @@ public:
   }
 
   /// A system of the problem as it is now, without history.
-  [[nodiscard]] std::unique_ptr<vulkan_system> fresh() const {
-    auto made = vulkan_system::make(*gpu::device::open(""), p_, settings_, {});
+  [[nodiscard]] std::unique_ptr<vulkan::system> fresh() const {
+    auto made = vulkan::system::make(*gpu::device::open(""), p_, settings_, {});
     EXPECT_TRUE(made.has_value()) << (made ? "" : render(made.error()));
     return std::move(*made);
   }
@@ -122,7 +122,7 @@ private:
       cluster_slivers(p_, wholly_held(p_.filter), 100, settings_.multilevel.sliver_condition);
     smoother_ = make_quadratic_smoother(p_, p_.filter, clusters);
     cluster_of_ = clusters.of;
-    const quadratic_operator k(p_);
+    const native::quadratic_operator k(p_);
     smoother_.lambda =
       settings_.multilevel.lambda_safety *
       largest_ritz_value(
@@ -139,12 +139,13 @@ private:
     std::ranges::transform(r, right.begin(), [](double v) { return static_cast<float>(v); });
     const auto rows = h_.exact_rows;
     read_whole_slices(settings_, h_);
-    multilevel_cycle corners(k_, h_, settings_.cycle);
+    native::multilevel_cycle corners(k_, h_, settings_.cycle);
     if (p_.element_order == 1)
       corners.apply(right.data(), z.data());
     else
-      quadratic_cycle(quadratic_operator(p_), smoother_, edges_, held_nodes_of(p_.filter), corners,
-                      settings_.cycle.quadratic_degree)
+      native::quadratic_cycle(native::quadratic_operator(p_), smoother_, edges_,
+                              native::held_nodes_of(p_.filter), corners,
+                              settings_.cycle.quadratic_degree)
         .apply(right.data(), z.data());
     h_.exact_rows = rows;
     return {z.begin(), z.end() - 1};
@@ -161,7 +162,7 @@ private:
   node_smoother smoother_;
   std::vector<std::uint32_t> cluster_of_;
   problem_change change_;
-  std::unique_ptr<vulkan_system> system_;
+  std::unique_ptr<vulkan::system> system_;
 };
 
 }  // namespace tedit::fem::test

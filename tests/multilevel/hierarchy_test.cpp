@@ -13,8 +13,8 @@
 #include "fem/multilevel/node_smoother.hpp"
 #include "fem/multilevel/quadratic_level.hpp"
 #include "fem/multilevel/rigid_levels.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/native/cycle.hpp"
-#include "fem/native/native_backend.hpp"
 #include "fem/solver.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -160,7 +160,7 @@ TEST(Cycle, IsSymmetricAndPositive) {
   small.coarsest = 8;  // So that all kinds of levels take part.
   const auto h = *build_hierarchy(p, k, p.filter, small, {});
   ASSERT_GE(h.levels.size(), 3u);
-  multilevel_cycle cycle(k, h, {});
+  native::multilevel_cycle cycle(k, h, {});
   const std::size_t n = padded3(p.node_count());
   std::vector<float> x(n, 0);
   std::vector<float> y(n, 0);
@@ -174,9 +174,10 @@ TEST(Cycle, IsSymmetricAndPositive) {
   cycle.apply(x.data(), bx.data());
   cycle.apply(y.data(), by.data());
 
-  EXPECT_NEAR(dot_of(x, by), dot_of(y, bx), 1e-5 * std::sqrt(dot_of(x, bx) * dot_of(y, by)));
-  EXPECT_GT(dot_of(x, bx), 0);
-  EXPECT_GT(dot_of(y, by), 0);
+  EXPECT_NEAR(native::dot_of(x, by), native::dot_of(y, bx),
+              1e-5 * std::sqrt(native::dot_of(x, bx) * native::dot_of(y, by)));
+  EXPECT_GT(native::dot_of(x, bx), 0);
+  EXPECT_GT(native::dot_of(y, by), 0);
 }
 
 TEST(Multilevel, IterationsHardlyGrowWithSize) {

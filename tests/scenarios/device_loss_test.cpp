@@ -3,7 +3,7 @@
 
 #include "actors/solver/solver.hpp"
 #include "actors/versions.hpp"
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace tedit::actors {

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"

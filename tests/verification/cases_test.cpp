@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
 #include "verification/suite.hpp"

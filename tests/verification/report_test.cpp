@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fem/native/native_backend.hpp"
+#include "fem/native/backend.hpp"
 #include "verification/page.hpp"
 #include "verification/plot.hpp"
 #include "verification/suite.hpp"
