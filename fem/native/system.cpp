@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "base/guard.hpp"
 #include "base/memory.hpp"
-#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
-#include "fem/element.hpp"
-#include "fem/multilevel/lanczos.hpp"
+#include "fem/multilevel/multilevel_setup.hpp"
 #include "fem/native/krylov.hpp"
 #include "fem/native/quadratic_cycle.hpp"
 
@@ -18,10 +17,105 @@ namespace tedit::fem::native {
 
 namespace {
 
-/// A system whose matrix is never asked for outside: what linear and quadratic tets share.
-class system : public linear_system {
+/// What all solvers stand on.
+struct system_parts {
+  multilevel_setup setup;
+  std::optional<quadratic_operator> quadratic;  ///< Without it, the matrix is that of the blocks.
+  held_nodes held;
+
+  [[nodiscard]] std::size_t rows() const {
+    return quadratic ? quadratic->rows() : setup.blocks().rows();
+  }
+};
+
+/// Conjugate gradients under a cycle, for as many cases at once as `L` is wide.
+template <class L>
+class case_solver {
 public:
-  system(const problem& p, const native_settings& settings) : problem_(p), settings_(settings) {}
+  /// `on` must outlive the solver.
+  case_solver(const system_parts& on, const native_settings& settings)
+      : on_(on),
+        krylov_(on.rows(), on.held),
+        corners_(on.setup.blocks(), on.setup.levels(),
+                 on.quadratic ? settings.corner_cycle : settings.cycle) {
+    if (on.quadratic)
+      cycle_.emplace(*on.quadratic, on.setup.smoother(), on.setup.edges(), on.held, corners_,
+                     settings.cycle.quadratic_degree);
+  }
+
+  /// After an update of what it stands on.
+  void fit() {
+    krylov_.fit(on_.rows());
+    corners_.fit();
+    if (cycle_)
+      cycle_->fit();
+  }
+
+  expected<void> solve(std::span<const inner_case> cases, int max_iterations, const execution& run,
+                       double& smallest, std::span<inner_result> results) {
+    const auto under = [&](const auto& k, auto& cycle) {
+      return krylov_.solve(
+        k, [&](const float* r, float* z) { cycle.apply(r, z); }, cases, max_iterations, run,
+        smallest, results);
+    };
+    return cycle_ ? under(*on_.quadratic, *cycle_) : under(on_.setup.blocks(), corners_);
+  }
+
+  [[nodiscard]] std::uint64_t bytes() const {
+    return krylov_.bytes() + corners_.bytes() + (cycle_ ? cycle_->bytes() : 0);
+  }
+
+private:
+  const system_parts& on_;
+  krylov_solver<L> krylov_;
+  multilevel_cycle<L> corners_;
+  std::optional<quadratic_cycle<L>> cycle_;  ///< Over that of the corners.
+};
+
+template <class Operator>
+void single_product(const Operator& k, const float* x, float* y) {
+  for_rows(k, x, [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
+}
+
+class system final : public linear_system {
+public:
+  system(const problem& p, const native_settings& settings, const stopwatch& clock)
+      : problem_(p),
+        settings_(settings),
+        on_{{p, p.element_order == 1 ? settings.multilevel : settings.corner_multilevel}, {}, {}} {
+    if (p.element_order == 2)
+      on_.quadratic.emplace(p);
+    assembly_ms_ = clock.milliseconds();
+  }
+
+  expected<void> prepare(filter_span filter, const execution& run) {
+    const auto product = [this](const float* x, float* y) -> expected<void> {
+      single_product(*on_.quadratic, x, y);
+      return {};
+    };
+    if (auto ok = on_.setup.prepare(filter, product, run); !ok)
+      return ok;
+    on_.held = held_nodes_of(filter);
+    smallest_ = usual_smallest;
+    solvers_ = {};
+    return {};
+  }
+
+  expected<void> set_filter(filter_span filter) override {
+    return guarded([&] { return prepare(filter, {}); });
+  }
+
+  expected<bool> update(const problem_change& change, const incidence& corners) override {
+    if (!on_.setup.update(change, corners))
+      return false;
+    if (on_.quadratic)
+      on_.quadratic->update(problem_, change.elements);
+    on_.held = held_nodes_of(problem_.filter);
+    std::apply([](const auto&... solver) { ((solver ? solver->fit() : void()), ...); }, solvers_);
+    return true;
+  }
+
+  void distrust() override { on_.setup.raise_bounds(); }
 
   expected<inner_result> solve(const inner_case& one, int max_iterations,
                                const execution& run) override {
@@ -47,33 +141,55 @@ public:
     return results;
   }
 
-  double assembly_ms() const override { return assembly_ms_; }
-
-protected:
-  /// One attempt at up to eight cases; results in their order.
-  virtual expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
-                                 const execution& run, std::span<inner_result> results) = 0;
-
-  template <class Operator>
-  expected<void> multiply_by(const Operator& k, std::span<const double> x, std::span<double> y) {
-    std::vector<float> single(padded3(k.rows()));
-    std::ranges::transform(x, single.begin(), [](double v) { return static_cast<float>(v); });
-    for_rows(k, single.data(), [&](std::size_t i, float4 row) {
-      for (int c = 0; c < 3; ++c)
-        y[3 * i + c] = static_cast<double>(row[c]);
-    });
+  expected<void> multiply(std::span<const double> x, std::span<double> y) override {
+    std::vector<float> from(padded3(on_.rows()));
+    std::vector<float> to(from.size());
+    std::ranges::transform(x, from.begin(), [](double v) { return static_cast<float>(v); });
+    if (on_.quadratic)
+      single_product(*on_.quadratic, from.data(), to.data());
+    else
+      single_product(on_.setup.blocks(), from.data(), to.data());
+    std::copy_n(to.begin(), y.size(), y.begin());
     return {};
   }
 
-  const problem& problem_;
-  native_settings settings_;
-  held_nodes held_;
-  double assembly_ms_ = 0;
-  double smallest_ = usual_smallest;  ///< At most the smallest eigenvalue of B K, as far as known.
+  double assembly_ms() const override { return assembly_ms_; }
+
+  std::uint64_t device_bytes() const override {
+    const auto solvers = std::apply(
+      [](const auto&... solver) { return ((solver ? solver->bytes() : std::uint64_t{0}) + ...); },
+      solvers_);
+    return on_.setup.bytes() + (on_.quadratic ? on_.quadratic->bytes() : 0) + solvers;
+  }
 
 private:
   expected<void> solve_group(std::span<const inner_case> cases, int max_iterations,
                              const execution& run, std::span<inner_result> results);
+
+  /// One attempt at up to eight cases, on the narrowest solver that has room; results in their
+  /// order.
+  expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
+                         const execution& run, std::span<inner_result> results) {
+    const auto on = [&]<class L>(L) {
+      auto& solver = std::get<std::unique_ptr<case_solver<L>>>(solvers_);
+      if (!solver)
+        solver = std::make_unique<case_solver<L>>(on_, settings_);
+      return solver->solve(cases, max_iterations, run, smallest_, results);
+    };
+    if (cases.size() == 1)
+      return on(one_case{});
+    return cases.size() <= 4 ? on(cases_of<4>{}) : on(cases_of<8>{});
+  }
+
+  const problem& problem_;
+  native_settings settings_;
+  system_parts on_;
+  double assembly_ms_ = 0;
+  double smallest_ = usual_smallest;  ///< At most the smallest eigenvalue of B K, as far as known.
+  /// Made when first needed.
+  std::tuple<std::unique_ptr<case_solver<one_case>>, std::unique_ptr<case_solver<cases_of<4>>>,
+             std::unique_ptr<case_solver<cases_of<8>>>>
+    solvers_;
 };
 
 /// Conjugate gradients break down where the cycle is not positive definite: then bounds are raised,
@@ -109,260 +225,19 @@ expected<void> system::solve_group(std::span<const inner_case> cases, int max_it
   return {};
 }
 
-/// Solvers for one, four and eight cases; those for several are made when first needed.
-template <template <class> class Solver>
-class lane_solvers {
-public:
-  void reset() { solvers_ = {}; }
+}  // namespace
 
-  /// After an update of what they stand on.
-  void fit() {
-    std::apply([](const auto&... solver) { ((solver ? solver->fit() : void()), ...); }, solvers_);
-  }
-
-  /// At most eight cases on the narrowest solver that has room; `make(lane type)` makes it.
-  template <class Operator, class Make>
-  expected<void> solve(const Operator& k, const Make& make, std::span<const inner_case> cases,
-                       int max_iterations, const execution& run, double& smallest,
-                       std::span<inner_result> results) {
-    const auto on = [&]<class L>(L lanes) {
-      auto& solver = std::get<std::unique_ptr<Solver<L>>>(solvers_);
-      if (!solver)
-        solver = make(lanes);
-      return solver->krylov.solve(
-        k, [&](const float* r, float* z) { solver->cycle.apply(r, z); }, cases, max_iterations, run,
-        smallest, results);
-    };
-    if (cases.size() == 1)
-      return on(one_case{});
-    return cases.size() <= 4 ? on(cases_of<4>{}) : on(cases_of<8>{});
-  }
-
-  [[nodiscard]] std::uint64_t bytes() const {
-    return std::apply(
-      [](const auto&... solver) { return ((solver ? solver->bytes() : std::uint64_t{0}) + ...); },
-      solvers_);
-  }
-
-private:
-  std::tuple<std::unique_ptr<Solver<one_case>>, std::unique_ptr<Solver<cases_of<4>>>,
-             std::unique_ptr<Solver<cases_of<8>>>>
-    solvers_;
-};
-
-template <class L>
-struct linear_solver {
-  const block_matrix& k;
-  krylov_solver<L> krylov;
-  multilevel_cycle<L> cycle;
-
-  linear_solver(const block_matrix& matrix, const hierarchy& h, const held_nodes& held,
-                const cycle_settings& settings)
-      : k(matrix), krylov(k.rows(), held), cycle(k, h, settings) {}
-
-  void fit() {
-    krylov.fit(k.rows());
-    cycle.fit();
-  }
-
-  [[nodiscard]] std::uint64_t bytes() const { return krylov.bytes() + cycle.bytes(); }
-};
-
-/// Linear tets: an assembled matrix under a multilevel cycle.
-class linear_tets final : public system {
-public:
-  linear_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : system(p, settings), k_(assemble_blocks(p, incidence(p))) {
-    assembly_ms_ = clock.milliseconds();
-  }
-
-  expected<void> prepare(filter_span filter, const execution& run) {
-    auto built = build_hierarchy(problem_, k_, filter, settings_.multilevel, run);
-    if (!built)
-      return fail(built.error());
-    hierarchy_ = std::move(*built);
-    held_ = held_nodes_of(filter);
-    smallest_ = usual_smallest;
-    solvers_.reset();
-    return {};
-  }
-
-  expected<void> set_filter(filter_span filter) override {
-    return guarded([&] { return prepare(filter, {}); });
-  }
-
-  expected<bool> update(const problem_change& change, const incidence& corners) override {
-    if (k_.places.crowded() || hierarchy_.crowded())
-      return false;
-    update_blocks(problem_, corners, change.nodes, k_);
-    if (!update_hierarchy(problem_, corners, k_, problem_.filter, change.nodes,
-                          settings_.multilevel, hierarchy_))
-      return false;
-    held_ = held_nodes_of(problem_.filter);
-    solvers_.fit();
-    return true;
-  }
-
-  void distrust() override { raise_lambdas(hierarchy_); }
-
-  expected<void> multiply(std::span<const double> x, std::span<double> y) override {
-    return multiply_by(k_, x, y);
-  }
-
-  std::uint64_t device_bytes() const override {
-    return k_.bytes() + hierarchy_.bytes() + solvers_.bytes();
-  }
-
-private:
-  expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
-                         const execution& run, std::span<inner_result> results) override {
-    const auto make = [this]<class L>(L) {
-      return std::make_unique<linear_solver<L>>(k_, hierarchy_, held_, settings_.cycle);
-    };
-    return solvers_.solve(k_, make, cases, max_iterations, run, smallest_, results);
-  }
-
-  block_matrix k_;
-  hierarchy hierarchy_;
-  lane_solvers<linear_solver> solvers_;
-};
-
-template <class L>
-struct quadratic_solver {
-  const quadratic_operator& k;
-  krylov_solver<L> krylov;
-  multilevel_cycle<L> corners;
-  quadratic_cycle<L> cycle;
-
-  quadratic_solver(const quadratic_operator& elements, const node_smoother& smoother,
-                   const edge_transfer& edges, const block_matrix& corner_matrix,
-                   const hierarchy& h, const held_nodes& held, const native_settings& settings)
-      : k(elements),
-        krylov(k.rows(), held),
-        corners(corner_matrix, h, settings.corner_cycle),
-        cycle(k, smoother, edges, held, corners, settings.cycle.quadratic_degree) {}
-
-  void fit() {
-    krylov.fit(k.rows());
-    corners.fit();
-    cycle.fit();
-  }
-
-  [[nodiscard]] std::uint64_t bytes() const {
-    return krylov.bytes() + corners.bytes() + cycle.bytes();
-  }
-};
-
-/// Quadratic tets: element by element, under a cycle over the linear tets of the corners.
-class quadratic_tets final : public system {
-public:
-  quadratic_tets(const problem& p, const native_settings& settings, const stopwatch& clock)
-      : system(p, settings), k_(p), corner_matrix_(assemble_blocks(p, incidence(p, 4))) {
-    assembly_ms_ = clock.milliseconds();
-  }
-
-  expected<void> prepare(filter_span filter, const execution& run) {
-    auto built = build_hierarchy(problem_, corner_matrix_, filter.first(corner_matrix_.rows()),
-                                 settings_.corner_multilevel, run);
-    if (!built)
-      return fail(built.error());
-    hierarchy_ = std::move(*built);
-    edges_ = make_edge_transfer(problem_);
-    const auto clusters = cluster_slivers(problem_, wholly_held(filter), 100,
-                                          settings_.corner_multilevel.sliver_condition);
-    smoother_ = make_quadratic_smoother(problem_, filter, clusters);
-    cluster_of_ = clusters.of;
-    smoother_.lambda =
-      settings_.corner_multilevel.lambda_safety *
-      largest_ritz_value(
-        problem_.dofs(), 1, settings_.corner_multilevel.lambda_steps,
-        [this](const float* x, float* y) {
-          for_rows(k_, x, [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
-        },
-        [this](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-    held_ = held_nodes_of(filter);
-    smallest_ = usual_smallest;
-    solvers_.reset();
-    return {};
-  }
-
-  expected<void> set_filter(filter_span filter) override {
-    return guarded([&] { return prepare(filter, {}); });
-  }
-
-  expected<bool> update(const problem_change& change, const incidence& corners) override {
-    if (corner_matrix_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded())
-      return false;
-    const filter_span filter = problem_.filter;
-    const auto middles =
-      std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
-    const std::span corner_nodes(change.nodes.begin(), middles);
-    k_.update(problem_, change.elements);
-    update_blocks(problem_, corners, corner_nodes, corner_matrix_);
-    if (!update_hierarchy(problem_, corners, corner_matrix_, filter.first(corner_matrix_.rows()),
-                          corner_nodes, settings_.corner_multilevel, hierarchy_))
-      return false;
-    update_edge_transfer(problem_, edges_);
-    update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.corner_multilevel,
-                              cluster_of_, smoother_);
-    held_ = held_nodes_of(filter);
-    solvers_.fit();
-    return true;
-  }
-
-  void distrust() override {
-    raise_lambda(smoother_, 10);
-    raise_lambdas(hierarchy_);
-  }
-
-  expected<void> multiply(std::span<const double> x, std::span<double> y) override {
-    return multiply_by(k_, x, y);
-  }
-
-  std::uint64_t device_bytes() const override {
-    return k_.bytes() + corner_matrix_.bytes() + hierarchy_.bytes() + solvers_.bytes() +
-           24 * smoother_.inverse.size();
-  }
-
-private:
-  expected<void> attempt(std::span<const inner_case> cases, int max_iterations,
-                         const execution& run, std::span<inner_result> results) override {
-    const auto make = [this]<class L>(L) {
-      return std::make_unique<quadratic_solver<L>>(k_, smoother_, edges_, corner_matrix_,
-                                                   hierarchy_, held_, settings_);
-    };
-    return solvers_.solve(k_, make, cases, max_iterations, run, smallest_, results);
-  }
-
-  quadratic_operator k_;
-  block_matrix corner_matrix_;
-  hierarchy hierarchy_;
-  edge_transfer edges_;
-  node_smoother smoother_;
-  std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
-  lane_solvers<quadratic_solver> solvers_;
-};
-
-template <class System>
-expected<std::unique_ptr<linear_system>> made(const problem& p, const native_settings& settings,
-                                              const execution& run) {
+expected<std::unique_ptr<linear_system>> make_system(const problem& p,
+                                                     const native_settings& settings,
+                                                     const execution& run) {
   const stopwatch clock;
-  auto result = std::make_unique<System>(p, settings, clock);
+  auto result = std::make_unique<system>(p, settings, clock);
   run.report(0.05, "preparing the preconditioner");
   if (auto ok = result->prepare(p.filter, run); !ok)
     return fail(ok.error());
   // Rows of coarse matrices were made by the ten thousand.
   return_freed_memory();
   return result;
-}
-
-}  // namespace
-
-expected<std::unique_ptr<linear_system>> make_system(const problem& p,
-                                                     const native_settings& settings,
-                                                     const execution& run) {
-  return p.element_order == 1 ? made<linear_tets>(p, settings, run)
-                              : made<quadratic_tets>(p, settings, run);
 }
 
 }  // namespace tedit::fem::native

@@ -6,7 +6,6 @@
 
 #include "base/guard.hpp"
 #include "base/stopwatch.hpp"
-#include "fem/multilevel/lanczos.hpp"
 
 namespace tedit::fem::vulkan {
 
@@ -96,8 +95,8 @@ expected<void> system::check_memory() const {
 expected<void> system::build() {
   const auto& kernels = kernels_->for_one();
   memory_ = std::make_unique<device_memory>(kernels.layout, settings_);
-  blocks_ = assemble_blocks(problem_, incidence(problem_, 4));
-  matrix_ = std::make_unique<sliced_matrix>(kernels, *memory_, blocks_, scale_);
+  setup_.emplace(problem_, settings_.multilevel);
+  matrix_ = std::make_unique<sliced_matrix>(kernels, *memory_, setup_->blocks(), scale_);
   if (is_quadratic()) {
     auto made = quadratic_operator::make(kernels, *memory_, problem_, scale_);
     if (!made)
@@ -122,65 +121,40 @@ expected<void> system::prepare(filter_span filter, const execution& run) {
   cycle_.reset();
   memory_->forget(std::exchange(cycle_bytes_, 0));
   const auto before = memory_->bytes();
-  const auto corner_filter = filter.first(problem_.corner_count);
-  auto built = build_hierarchy(problem_, blocks_, corner_filter, settings_.multilevel, run);
-  if (!built)
-    return fail(built.error());
-  hierarchy_ = std::move(*built);
-  if (const auto coarsest = hierarchy_.levels.back().nodes(); coarsest > most_coarsest)
+  if (auto ok = setup_->prepare(filter, product(), run); !ok)
+    return ok;
+  if (const auto coarsest = setup_->levels().levels.back().nodes(); coarsest > most_coarsest)
     return fail(ec::device_unavailable,
                 "the part is in too many separate pieces for this device: its coarsest level has " +
                   std::to_string(coarsest) + " aggregates, the device takes " +
                   std::to_string(most_coarsest),
                 "Use the device cpu, or mesh the part in fewer pieces");
-  if (auto ok = matrix_->read_exactly(hierarchy_.exact_rows); !ok)
+  if (auto ok = matrix_->read_exactly(setup_->levels().exact_rows); !ok)
     return ok;
-  cycle_.emplace(*memory_, *matrix_, hierarchy_, corner_filter, settings_.cycle, scale_.matrix());
+  cycle_.emplace(*memory_, *matrix_, setup_->levels(), setup_->at_corners(filter), settings_.cycle,
+                 scale_.matrix());
   if (is_quadratic())
-    if (auto ok = prepare_quadratic(filter); !ok)
-      return ok;
+    quadratic_cycle_.emplace(*memory_, *quadratic_, setup_->smoother(), setup_->edges(), filter,
+                             *cycle_, settings_.cycle.quadratic_degree, scale_.matrix());
   cycle_bytes_ = memory_->bytes() - before;
   if (auto ok = memory_->status(); !ok)
     return ok;
   return record();
 }
 
-expected<void> system::prepare_quadratic(filter_span filter) {
-  edges_ = make_edge_transfer(problem_);
-  const auto clusters =
-    cluster_slivers(problem_, wholly_held(filter), 100, settings_.multilevel.sliver_condition);
-  smoother_ = make_quadratic_smoother(problem_, filter, clusters);
-  cluster_of_ = clusters.of;
-  const auto lambda = largest_eigenvalue();
-  if (!lambda)
-    return fail(lambda.error());
-  smoother_.lambda = settings_.multilevel.lambda_safety * *lambda;
-  quadratic_cycle_.emplace(*memory_, *quadratic_, smoother_, edges_, filter, *cycle_,
-                           settings_.cycle.quadratic_degree, scale_.matrix());
-  return {};
-}
-
-/// Of the smoothed operator of quadratic tets; products run on the device.
-expected<float> system::largest_eigenvalue() {
-  expected<void> status;
-  std::vector<device_float4> packed(problem_.node_count());
-  const auto back = static_cast<float>(scale_.matrix());
-  const auto product = [&](const float* x, float* y) {
-    if (!status)
-      return;  // The first failure counts, and a device that hangs is asked once.
+/// K x of quadratic tets on the device, as the host's numbers.
+multilevel_setup::product system::product() {
+  return [this, packed = std::vector<device_float4>()](const float* x,
+                                                       float* y) mutable -> expected<void> {
+    packed.resize(problem_.node_count());
+    const auto back = static_cast<float>(scale_.matrix());
     for (std::size_t n = 0; n < packed.size(); ++n)
       packed[n] = {back * x[3 * n], back * x[3 * n + 1], back * x[3 * n + 2], 0};
-    if (auto ok = krylov_->multiply(packed, packed); !ok)
-      status = ok;
+    auto done = krylov_->multiply(packed, packed);
     for (std::size_t n = 0; n < packed.size(); ++n)
       std::copy_n(packed[n].begin(), 3, y + 3 * n);
+    return done;
   };
-  const float result =
-    largest_ritz_value(problem_.dofs(), 1, settings_.multilevel.lambda_steps, product,
-                       [&](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-  if (!status)
-    return fail(status.error());
-  return result;
 }
 
 preconditioner system::cycle() {
@@ -206,7 +180,7 @@ expected<void> system::record() {
 // -- following an edit -------------------------------------------------------------------
 
 expected<bool> system::update(const problem_change& change, const incidence& corners) {
-  if (!ready_ || crowded())
+  if (!ready_)
     return false;
   ready_ = false;
   static_cast<void>(memory_->take_uploaded());
@@ -216,13 +190,9 @@ expected<bool> system::update(const problem_change& change, const incidence& cor
   return followed;
 }
 
-bool system::crowded() const {
-  return blocks_.places.crowded() || hierarchy_.crowded() || edges_.middles.places.crowded();
-}
-
 expected<bool> system::follow(const problem_change& change, const incidence& corners) {
-  const auto old_edges = edges_.ends.size();
-  if (!update_host(change, corners) || hierarchy_.levels.back().nodes() > most_coarsest)
+  const auto old_edges = setup_->edges().ends.size();
+  if (!setup_->update(change, corners) || setup_->levels().levels.back().nodes() > most_coarsest)
     return false;
   auto changes = update_device(change, corners, old_edges);
   if (!changes.fits())
@@ -234,32 +204,13 @@ expected<bool> system::follow(const problem_change& change, const incidence& cor
   return true;
 }
 
-bool system::update_host(const problem_change& change, const incidence& corners) {
-  const filter_span filter = problem_.filter;
-  const auto middles =
-    std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
-  const std::span corner_nodes(change.nodes.begin(), middles);
-  update_blocks(problem_, corners, corner_nodes, blocks_);
-  if (!update_hierarchy(problem_, corners, blocks_, filter.first(problem_.corner_count),
-                        corner_nodes, settings_.multilevel, hierarchy_))
-    return false;
-  if (!is_quadratic())
-    return true;
-  update_edge_transfer(problem_, edges_);
-  update_quadratic_smoother(problem_, corners, filter, change.nodes, settings_.multilevel,
-                            cluster_of_, smoother_);
-  return true;
-}
-
 device_changes system::update_device(const problem_change& change, const incidence& corners,
                                      std::size_t old_edges) {
   const filter_span filter = problem_.filter;
-  const auto middles =
-    std::ranges::lower_bound(change.nodes, static_cast<std::uint32_t>(problem_.corner_count));
-  const std::span corner_nodes(change.nodes.begin(), middles);
+  const auto corner_nodes = setup_->changed_corners(change);
   device_changes changes;
-  matrix_->update(blocks_, corner_nodes, hierarchy_.exact_rows, changes);
-  cycle_->update(filter.first(problem_.corner_count), corner_nodes, changes);
+  matrix_->update(setup_->blocks(), corner_nodes, setup_->levels().exact_rows, changes);
+  cycle_->update(setup_->at_corners(filter), corner_nodes, changes);
   if (is_quadratic()) {
     quadratic_->update(problem_, corners, change, changes);
     quadratic_cycle_->update(filter, change.nodes, old_edges, changes);
@@ -374,9 +325,8 @@ expected<std::vector<inner_result>> system::correct(std::span<const inner_case> 
 }
 
 expected<void> system::raise_bounds() {
-  raise_lambdas(hierarchy_);
-  raise_lambda(smoother_, 10);
-  if (auto ok = matrix_->read_exactly(hierarchy_.exact_rows); !ok)
+  setup_->raise_bounds();
+  if (auto ok = matrix_->read_exactly(setup_->levels().exact_rows); !ok)
     return ok;
   return record();
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "fem/multilevel/multilevel_setup.hpp"
 #include "fem/vulkan/krylov.hpp"
 #include "fem/vulkan/quadratic.hpp"
 #include "fem/vulkan/quadratic_cycle.hpp"
@@ -54,8 +55,7 @@ private:
   [[nodiscard]] expected<void> check_memory() const;
   [[nodiscard]] expected<void> build();
   [[nodiscard]] expected<void> prepare(filter_span filter, const execution& run);
-  [[nodiscard]] expected<void> prepare_quadratic(filter_span filter);
-  [[nodiscard]] expected<float> largest_eigenvalue();
+  [[nodiscard]] multilevel_setup::product product();
   /// Up to `most_cases` without their guard.
   [[nodiscard]] expected<std::vector<inner_result>> correct(std::span<const inner_case> cases,
                                                             int max_iterations,
@@ -64,8 +64,6 @@ private:
   [[nodiscard]] bool fits_on_device(std::uint32_t cases) const;
   /// `update` without its guard.
   [[nodiscard]] expected<bool> follow(const problem_change& change, const incidence& corners);
-  [[nodiscard]] bool crowded() const;
-  [[nodiscard]] bool update_host(const problem_change& change, const incidence& corners);
   [[nodiscard]] device_changes update_device(const problem_change& change, const incidence& corners,
                                              std::size_t old_edges);
   [[nodiscard]] preconditioner cycle();
@@ -85,12 +83,7 @@ private:
   std::uint64_t cycle_bytes_ = 0;  ///< On the device, of the cycles.
   std::uint64_t uploaded_bytes_ = 0;
 
-  // On the host: what the hierarchy is built from.
-  block_matrix blocks_;
-  hierarchy hierarchy_;
-  node_smoother smoother_;  ///< Of quadratic tets, as what follows.
-  edge_transfer edges_;
-  std::vector<std::uint32_t> cluster_of_;  ///< Sliver cluster of each node; empty: there are none.
+  std::optional<multilevel_setup> setup_;  ///< On the host.
 
   // On the device. What is recorded last goes first.
   std::shared_ptr<kernel_store> kernels_;

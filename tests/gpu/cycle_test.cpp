@@ -3,13 +3,9 @@
 #include <chrono>
 #include <thread>
 
-#include "fem/multilevel/lanczos.hpp"
 #include "fem/native/backend.hpp"
-#include "fem/native/quadratic_cycle.hpp"
 #include "fem/solver.hpp"
-#include "fem/vulkan/system.hpp"
-#include "gpu/device.hpp"
-#include "tests/gpu/bent_bar.hpp"
+#include "tests/gpu/followed_system.hpp"
 
 namespace tedit::fem {
 namespace {
@@ -23,45 +19,13 @@ using test::wave;
 constexpr double kProductTolerance = 2e-6;
 constexpr double kCycleTolerance = 1e-4;
 
-float quadratic_lambda(const problem& p, const native::quadratic_operator& k,
-                       const node_smoother& s, const multilevel_settings& settings) {
-  return settings.lambda_safety * largest_ritz_value(
-                                    p.dofs(), 1, settings.lambda_steps,
-                                    [&](const float* x, float* y) {
-                                      for_rows(k, x, [y](std::size_t i, float4 row) {
-                                        store3(row, y + 3 * i);
-                                        return 0.0F;
-                                      });
-                                    },
-                                    [&](const float* x, float* y) { apply_inverse(s, 1, x, y); });
-}
-
 /// z = B r by the native cycle with the hierarchy that the device has.
 std::vector<double> native_cycle(const problem& p, const vulkan_settings& given,
                                  std::span<const double> r) {
   const auto settings = given.for_order(p.element_order);
-  std::vector<float> right(padded3(p.node_count()));
-  std::vector<float> z(right.size());
-  std::ranges::transform(r, right.begin(), [](double v) { return static_cast<float>(v); });
-  const problem linear = p.element_order == 1 ? p : corner_problem(p);
-  const auto k = assemble_blocks(linear, incidence(linear));
-  auto h = *build_hierarchy(linear, k, linear.filter, settings.multilevel, {});
-  test::read_whole_slices(settings, h);
-  native::multilevel_cycle corners(k, h, settings.cycle);
-  if (p.element_order == 1) {
-    corners.apply(right.data(), z.data());
-  } else {
-    const native::quadratic_operator q(p);
-    const auto edges = make_edge_transfer(p);
-    auto s = make_quadratic_smoother(
-      p, p.filter,
-      cluster_slivers(p, wholly_held(p.filter), 100, settings.multilevel.sliver_condition));
-    s.lambda = quadratic_lambda(p, q, s, settings.multilevel);
-    const auto held = native::held_nodes_of(p.filter);
-    native::quadratic_cycle(q, s, edges, held, corners, settings.cycle.quadratic_degree)
-      .apply(right.data(), z.data());
-  }
-  return {z.begin(), z.end() - 1};
+  multilevel_setup setup(p, settings.multilevel);
+  EXPECT_TRUE(test::prepare_native(p, setup).has_value());
+  return test::native_cycle(p, settings, setup, r);
 }
 
 class VulkanMultilevel : public ::testing::TestWithParam<int> {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "fem/multilevel/lanczos.hpp"
+#include "fem/multilevel/multilevel_setup.hpp"
 #include "fem/native/quadratic_cycle.hpp"
 #include "fem/vulkan/system.hpp"
 #include "gpu/device.hpp"
@@ -27,6 +27,39 @@ inline vulkan_settings in_pieces() {
   return result;
 }
 
+/// With products of the native operator.
+inline expected<void> prepare_native(const problem& p, multilevel_setup& setup) {
+  std::optional<native::quadratic_operator> k;
+  if (p.element_order == 2)
+    k.emplace(p);
+  const auto product = [&](const float* x, float* y) -> expected<void> {
+    for_rows(*k, x, [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
+    return {};
+  };
+  return setup.prepare(p.filter, product, {});
+}
+
+/// z = B r by the native cycle, which reads exactly what the device does.
+inline std::vector<double> native_cycle(const problem& p, const vulkan_settings& settings,
+                                        const multilevel_setup& setup, std::span<const double> r) {
+  std::vector<float> right(padded3(p.node_count()));
+  std::vector<float> z(right.size());
+  std::ranges::transform(r, right.begin(), [](double v) { return static_cast<float>(v); });
+  auto& h = const_cast<hierarchy&>(setup.levels());  // As before when this returns.
+  const auto rows = h.exact_rows;
+  read_whole_slices(settings, h);
+  native::multilevel_cycle corners(setup.blocks(), h, settings.cycle);
+  if (p.element_order == 1)
+    corners.apply(right.data(), z.data());
+  else
+    native::quadratic_cycle(native::quadratic_operator(p), setup.smoother(), setup.edges(),
+                            native::held_nodes_of(p.filter), corners,
+                            settings.cycle.quadratic_degree)
+      .apply(right.data(), z.data());
+  h.exact_rows = rows;
+  return {z.begin(), z.end() - 1};
+}
+
 /// A problem that follows its mesh from edit to edit, with the native matrix and hierarchy beside
 /// the device's, made and carried on by the same steps.
 class followed_system {
@@ -37,11 +70,9 @@ public:
         settings_(settings.for_order(order)),
         p_(*make_problem(*mesh_, loads_, order, 200)),
         updater_(p_),
-        k_(assemble_blocks(p_, updater_.corners())),
-        h_(*build_hierarchy(p_, k_, corner_filter(), settings_.multilevel, {})),
+        native_(p_, settings_.multilevel),
         system_(fresh()) {
-    if (order == 2)
-      make_quadratic();
+    EXPECT_TRUE(prepare_native(p_, native_).has_value());
   }
 
   [[nodiscard]] const problem& current() const { return p_; }
@@ -50,7 +81,7 @@ public:
 
   /// Of the inverse of the coarsest level.
   [[nodiscard]] std::uint64_t dense_bytes() const {
-    const std::uint64_t size = 6 * std::uint64_t{h_.levels.back().nodes()};
+    const std::uint64_t size = 6 * std::uint64_t{native_.levels().levels.back().nodes()};
     return size / 3 * size * 16;
   }
 
@@ -74,24 +105,9 @@ public:
 
   expected<bool> update_device() { return system_->update(change_, updater_.corners()); }
 
-  void update_native() {
-    const auto& nodes = change_.nodes;
-    const std::span corners(
-      nodes.begin(), std::ranges::lower_bound(nodes, static_cast<std::uint32_t>(p_.corner_count)));
-    update_blocks(p_, updater_.corners(), corners, k_);
-    ASSERT_TRUE(update_hierarchy(p_, updater_.corners(), k_, corner_filter(), corners,
-                                 settings_.multilevel, h_)
-                  .has_value());
-    if (p_.element_order == 1)
-      return;
-    update_edge_transfer(p_, edges_);
-    update_quadratic_smoother(p_, updater_.corners(), p_.filter, nodes, settings_.multilevel,
-                              cluster_of_, smoother_);
-  }
-
   void follow(const version_ptr& next) {
     ASSERT_NO_FATAL_FAILURE(advance(next));
-    ASSERT_NO_FATAL_FAILURE(update_native());
+    ASSERT_TRUE(native_.update(change_, updater_.corners()));
     const auto updated = update_device();
     ASSERT_TRUE(updated.has_value()) << render(updated.error());
     ASSERT_TRUE(*updated) << "no room was left";
@@ -108,59 +124,17 @@ public:
     const auto r = wave(p_.dofs(), 0.9);
     std::vector<double> z(p_.dofs());
     ASSERT_TRUE(system_->precondition(r, z).has_value());
-    ASSERT_NO_FATAL_FAILURE(expect_near_all(z, native_cycle(r), 1e-4)) << "B r";
+    ASSERT_NO_FATAL_FAILURE(expect_near_all(z, native_cycle(p_, settings_, native_, r), 1e-4))
+      << "B r";
   }
 
 private:
-  [[nodiscard]] filter_span corner_filter() const {
-    return filter_span(p_.filter).first(p_.corner_count);
-  }
-
-  void make_quadratic() {
-    edges_ = make_edge_transfer(p_);
-    const auto clusters =
-      cluster_slivers(p_, wholly_held(p_.filter), 100, settings_.multilevel.sliver_condition);
-    smoother_ = make_quadratic_smoother(p_, p_.filter, clusters);
-    cluster_of_ = clusters.of;
-    const native::quadratic_operator k(p_);
-    smoother_.lambda =
-      settings_.multilevel.lambda_safety *
-      largest_ritz_value(
-        p_.dofs(), 1, settings_.multilevel.lambda_steps,
-        [&](const float* x, float* y) {
-          for_rows(k, x, [y](std::size_t i, float4 row) { store3(row, y + 3 * i); });
-        },
-        [&](const float* x, float* y) { apply_inverse(smoother_, 1, x, y); });
-  }
-
-  [[nodiscard]] std::vector<double> native_cycle(std::span<const double> r) {
-    std::vector<float> right(padded3(p_.node_count()));
-    std::vector<float> z(right.size());
-    std::ranges::transform(r, right.begin(), [](double v) { return static_cast<float>(v); });
-    const auto rows = h_.exact_rows;
-    read_whole_slices(settings_, h_);
-    native::multilevel_cycle corners(k_, h_, settings_.cycle);
-    if (p_.element_order == 1)
-      corners.apply(right.data(), z.data());
-    else
-      native::quadratic_cycle(native::quadratic_operator(p_), smoother_, edges_,
-                              native::held_nodes_of(p_.filter), corners,
-                              settings_.cycle.quadratic_degree)
-        .apply(right.data(), z.data());
-    h_.exact_rows = rows;
-    return {z.begin(), z.end() - 1};
-  }
-
   version_ptr mesh_;
   load_case loads_;
   vulkan_settings settings_;
   problem p_;
   problem_updater updater_;
-  block_matrix k_;
-  hierarchy h_;
-  edge_transfer edges_;
-  node_smoother smoother_;
-  std::vector<std::uint32_t> cluster_of_;
+  multilevel_setup native_;
   problem_change change_;
   std::unique_ptr<vulkan::system> system_;
 };
