@@ -49,9 +49,9 @@ private:
   /// Elements and lists once, forces written and read; x, x again beside the rows, and y. Sums of
   /// earlier ranges are left out: they are written and read once for each range but the first.
   expected<void> make_quadratic(const fem::problem& p, const fem::vulkan::device_scale& scale) {
-    auto made = fem::vulkan::quadratic_operator::make(kernels_, memory_, p, scale);
-    if (!made)
-      return fail(made.error());
+    k_ = std::make_unique<fem::vulkan::quadratic_operator>(kernels_, memory_, p, scale);
+    if (auto ok = memory_.status(); !ok)
+      return ok;
     const std::uint64_t elements = p.element_count();
     const std::uint64_t nodes = p.node_count();
     constexpr std::uint64_t force_bytes = 10 * node_bytes;
@@ -60,7 +60,6 @@ private:
     const std::uint64_t sums = ranges > 1 ? node_bytes * nodes : node_bytes;
     bytes_ = memory_.bytes() - force_bytes * in_range - sums + 2 * force_bytes * elements +
              (ranges + 2 + 2 * (ranges - 1)) * node_bytes * nodes;
-    k_ = std::move(*made);
     return {};
   }
 
@@ -90,10 +89,9 @@ private:
     to_ = memory_.room(half);
     if (auto ok = memory_.status(); !ok)
       return ok;
-    fem::vulkan::cycle_push push{};
-    push.rows = static_cast<std::uint32_t>(half / node_bytes);
+    const auto rows = static_cast<std::uint32_t>(half / node_bytes);
     copy_.emplace(kernels_);
-    copy_->add(copy_kernel_, {{0, &from_}, {1, &to_}}, push);
+    copy_->add(copy_kernel_, {{0, &from_}, {1, &to_}}, fem::vulkan::row_push{.rows = rows});
     return copy_->record();
   }
 

@@ -49,25 +49,20 @@ class linear_system {
 public:
   virtual ~linear_system() = default;
 
-  /// Solves S K S d = S r for the correction d, starting from d = 0, by preconditioned conjugate
-  /// gradients (MPCG) until the case's goal or for `max_iterations`. Checks `run.cancel` at least
-  /// every 50 ms. Errors: `cancelled`, `device_lost`, `out_of_memory`.
-  [[nodiscard]] virtual expected<inner_result> solve(const inner_case& one, int max_iterations,
-                                                     const execution& run) = 0;
-
-  /// `solve` for several right-hand sides with an end of its own for each; results in their order.
-  /// A case's answer does not depend on the others beyond rounding. Here: one after the other, as
-  /// devices do that have no better way.
+  /// Solves S K S d = S r for the correction d of each case, starting from d = 0, by preconditioned
+  /// conjugate gradients (MPCG) until the case's own goal or for `max_iterations`; results in their
+  /// order. A case's answer does not depend on the others beyond rounding. Checks `run.cancel` at
+  /// least every 50 ms. Errors: `cancelled`, `device_lost`, `out_of_memory`.
   [[nodiscard]] virtual expected<std::vector<inner_result>> solve_many(
-    std::span<const inner_case> cases, int max_iterations, const execution& run) {
-    std::vector<inner_result> results;
-    for (const auto& c : cases) {
-      auto result = solve(c, max_iterations, run);
-      if (!result)
-        return fail(result.error());
-      results.push_back(*result);
-    }
-    return results;
+    std::span<const inner_case> cases, int max_iterations, const execution& run) = 0;
+
+  /// `solve_many` of one case.
+  [[nodiscard]] expected<inner_result> solve(const inner_case& one, int max_iterations,
+                                             const execution& run) {
+    const auto results = solve_many({&one, 1}, max_iterations, run);
+    if (!results)
+      return fail(results.error());
+    return results->front();
   }
 
   /// The last correction did not reduce the true residual: make the preconditioner safer, if there

@@ -5,12 +5,13 @@
 // sigma_k, S_k = V/20 (sigma_k + sum sigma), the forces are 4 (S_k g_b + S_b g_k) at the middles and
 // (4 S_k - sum S) g_k at the corners.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "quadratic_bindings.h"
+#include "kernel.glsl"
 
-TEDIT_WORDS(0, nodes)    // 3 per element: 10 nodes
-TEDIT_FLOATS(1, elements)  // 3 per element: grad L_1..3; lambda, mu * V/20
-TEDIT_FLOATS(2, x)
-layout(set = 0, binding = 8) writeonly buffer b8 { vec4 forces[]; };   // see vulkan_quadratic::place_of
+TEDIT_WORDS(at_nodes, nodes)
+TEDIT_FLOATS(at_values, elements)
+TEDIT_FLOATS(at_x, x)
+layout(set = 0, binding = at_forces) writeonly buffer b8 { vec4 forces[]; };
 
 struct tensor {
   vec3 normal;  // xx yy zz

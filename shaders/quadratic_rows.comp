@@ -3,15 +3,16 @@
 // Rows of quadratic tets: the sum of the element forces at a node, in a fixed order. Elements come in ranges that fit a
 // binding; all but the last range only add to the sums. One load case.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
-#include "row_modes.glsl"
+#include "quadratic_bindings.h"
+#include "kernel.glsl"
+#include "rows.glsl"
 
 layout(constant_id = 3) const uint earlier = 0;  // 1: the sums of earlier ranges are in `sums`
 
-TEDIT_PAIRS(0, rows)   // first of list, count of forces
-TEDIT_WORDS(1, list)  // into forces, four at a time
-TEDIT_FLOATS(8, forces)
-layout(set = 0, binding = 9) buffer b9 { vec4 sums[]; };
+TEDIT_PAIRS(at_force_rows, rows)
+TEDIT_WORDS(at_force_list, list)
+TEDIT_FLOATS(at_forces, forces)
+layout(set = 0, binding = at_sums) buffer b9 { vec4 sums[]; };
 
 void main() {
   float sums_of[cases];

@@ -7,7 +7,6 @@
 //   head  number of the column; upper halves of column 0 (low 16 bits) and 1 (high)
 //   tail  of each of two entries: upper halves of column 2, rows 0 (low) and 1 (high); of its row 2 both halves (low, high)
 //   rest  lower halves of column 0 (low) and 1 (high); of column 2, rows 0 (low) and 1 (high)
-#include "slices.h"
 
 struct block33 {
   vec3 x, y, z;  // columns

@@ -138,23 +138,6 @@ std::vector<std::uint32_t> element_corners_at(const problem& p, const incidence&
   return result;
 }
 
-problem corner_problem(const problem& quadratic) {
-  problem p;
-  const std::size_t corners = quadratic.corner_count;
-  p.nodes.assign(quadratic.nodes.begin(), quadratic.nodes.begin() + static_cast<long>(corners));
-  p.node_vertices = quadratic.node_vertices;
-  p.corner_count = corners;
-  p.element_nodes.reserve(4 * quadratic.element_count());
-  for (std::size_t e = 0; e < quadratic.element_count(); ++e)
-    for (int a = 0; a < 4; ++a)
-      p.element_nodes.push_back(quadratic.element_nodes[10 * e + a]);
-  p.element_tets = quadratic.element_tets;
-  p.element_materials = quadratic.element_materials;
-  p.constants = quadratic.constants;
-  p.filter.assign(quadratic.filter.begin(), quadratic.filter.begin() + static_cast<long>(corners));
-  return p;
-}
-
 edge_transfer make_edge_transfer(const problem& quadratic) {
   edge_transfer result;
   reserve_for_edits(result.ends, quadratic.edge_ends.size());

@@ -5,11 +5,6 @@
 
 namespace tedit::fem {
 
-/// The corners of a problem of order 2 as a problem of linear tets: the same elements, materials
-/// and filter, without loads. Its matrix is exactly the Galerkin one of `edge_transfer`. Cost:
-/// O(mesh).
-[[nodiscard]] problem corner_problem(const problem& quadratic);
-
 /// The elements around a node of any kind as element * 10 + local node, ascending; `corners` has
 /// those around corner nodes.
 [[nodiscard]] std::vector<std::uint32_t> element_corners_at(const problem& quadratic,
@@ -17,7 +12,8 @@ namespace tedit::fem {
                                                             std::uint32_t node);
 
 /// The prolongation from corners to all nodes of straight-sided quadratic tets: the middle of an
-/// edge takes the mean of its ends, before filters.
+/// edge takes the mean of its ends, before filters. The matrix of the corners' linear tets is
+/// exactly the Galerkin one.
 struct edge_transfer {
   std::vector<std::array<std::uint32_t, 2>> ends;  ///< Of node corners() + i.
   member_lists middles;                            ///< At each corner: ends index * 2 + side.

@@ -6,7 +6,6 @@
 
 #include "base/guard.hpp"
 #include "base/memory.hpp"
-#include "fem/native/memory_estimate.hpp"
 #include "fem/native/system.hpp"
 
 namespace tedit::fem {
@@ -34,7 +33,7 @@ public:
 
 private:
   [[nodiscard]] expected<void> check_room(const problem& p) const {
-    return check_memory(native::solve_bytes(p),
+    return check_memory(native_solve_bytes(p),
                         settings_.memory_limit
                           ? memory_room{settings_.memory_limit, "the backend's limit"}
                           : available_memory(),
@@ -49,6 +48,12 @@ private:
 
 std::unique_ptr<backend> make_native_backend(const native_settings& settings) {
   return std::make_unique<native_backend>(settings);
+}
+
+std::uint64_t native_solve_bytes(const problem& p) {
+  const std::uint64_t elements = p.element_count();
+  const std::uint64_t nodes = p.node_count();
+  return p.element_order == 1 ? 140 * elements + 860 * nodes : 170 * elements + 630 * nodes;
 }
 
 }  // namespace tedit::fem

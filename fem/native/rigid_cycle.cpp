@@ -3,12 +3,26 @@
 
 #include <algorithm>
 
-#include "fem/multilevel/rows.hpp"
 #include "fem/native/rigid_six.hpp"
 
 namespace tedit::fem::native {
 
 namespace {
+
+/// Calls visit(column, block) for the entries of row i, the diagonal included.
+template <class Visit>
+TEDIT_INLINE void for_blocks(const rigid_level& level, std::size_t i, const Visit& visit) {
+  for (auto s = level.rows.begin(i), end = level.rows.end(i); s < end; ++s)
+    visit(std::size_t{level.column[s]}, level.block[s]);
+}
+
+/// Calls visit(parent, block) for the entries of row i of the prolongation to the next level.
+template <class Visit>
+TEDIT_INLINE void for_parents(const rigid_level& level, std::size_t i, const Visit& visit) {
+  for (auto s = level.prolongation_rows.begin(i), end = level.prolongation_rows.end(i); s < end;
+       ++s)
+    visit(std::size_t{level.prolongation_column[s]}, level.prolongation[s]);
+}
 
 /// Calls sink(i, row i of A x) for all rows.
 template <class L, class Sink>

@@ -117,14 +117,6 @@ public:
 
   void distrust() override { on_.setup.raise_bounds(); }
 
-  expected<inner_result> solve(const inner_case& one, int max_iterations,
-                               const execution& run) override {
-    inner_result result;
-    if (auto ok = solve_group({&one, 1}, max_iterations, run, {&result, 1}); !ok)
-      return fail(ok.error());
-    return result;
-  }
-
   /// Up to eight cases share every read of the matrix, the hierarchy and the elements.
   expected<std::vector<inner_result>> solve_many(std::span<const inner_case> cases,
                                                  int max_iterations,

@@ -17,10 +17,12 @@ template <class L>
   });
 }
 
-/// The same for one case.
-[[nodiscard]] double dot_of(const std::vector<float>& a, const std::vector<float>& b);
-
 /// z += x, n values.
-void add_to(const float* x, float* z, std::size_t n);
+inline void add_to(const float* x, float* z, std::size_t n) {
+  parallel_for(n, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i)
+      z[i] += x[i];
+  });
+}
 
 }  // namespace tedit::fem::native

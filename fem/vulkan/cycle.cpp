@@ -51,22 +51,20 @@ void multilevel_cycle::add(device_program& program, const gpu::buffer& right,
                            const gpu::buffer& z) {
   const auto& kernels = program.kernels();
   smoother_.from_zero(program, settings_.node_degree, right, z);
-  cycle_push push{};
-  push.rows = aggregates();
-  program.add(kernels.rigid_down,
-              {{0, &members_.table()},
-               {1, &members_.items()},
-               {2, &arms_},
-               {3, &smoother_.residual()},
-               {6, &rigid_.right()}},
-              push);
+  program.add(kernels.cycle_restrict,
+              {{cycle_at::table, &members_.table()},
+               {cycle_at::members, &members_.items()},
+               {cycle_at::arms, &arms_},
+               {cycle_at::residual, &smoother_.residual()},
+               {cycle_at::right, &rigid_.right()}},
+              cycle_push{aggregates(), 0, aggregates(), 0});
   rigid_.add(program);
-  push.rows = nodes_;
-  push.count = aggregates();
-  push.fresh = settings_.over_correction;
-  program.add(kernels.rigid_up,
-              {{0, &arms_}, {2, &rigid_.z()}, {4, &smoother_.filter()}, {5, &smoother_.step()}},
-              push);
+  program.add(kernels.cycle_prolongate,
+              {{cycle_at::arms, &arms_},
+               {cycle_at::coarse, &rigid_.z()},
+               {cycle_at::filter, &smoother_.filter()},
+               {cycle_at::step, &smoother_.step()}},
+              cycle_push{nodes_, 0, aggregates(), settings_.over_correction});
   smoother_.correction(program, settings_.node_degree, z);
 }
 

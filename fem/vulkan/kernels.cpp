@@ -6,36 +6,21 @@
 
 #include "base/guard.hpp"
 
-#include "kernels/cg_advance.h"
-#include "kernels/cg_first.h"
-#include "kernels/cg_product.h"
-#include "kernels/cg_scalars.h"
-#include "kernels/cg_start.h"
-#include "kernels/cg_turn.h"
-#include "kernels/cluster_rows.h"
-#include "kernels/dense.h"
-#include "kernels/edge_down.h"
-#include "kernels/edge_up.h"
-#include "kernels/node_rows.h"
-#include "kernels/node_start.h"
-#include "kernels/quadratic_elements.h"
-#include "kernels/quadratic_rows.h"
-#include "kernels/rigid_down.h"
-#include "kernels/rigid_rows.h"
-#include "kernels/rigid_start.h"
-#include "kernels/rigid_up.h"
+#include "kernels/all.h"
 
 namespace tedit::fem::vulkan {
 
 namespace {
 
+constexpr std::uint32_t push_bytes = 32;       // of any kernel
 constexpr std::uint32_t most_in_group = 1024;  // what group_sum.glsl has room for
 
 struct entry {
   gpu::kernel* kernel;
   std::span<const std::uint32_t> code;
-  std::uint32_t third = 0;   ///< Specialisation constant 2.
-  std::uint32_t fourth = 0;  ///< And 3.
+  std::uint32_t mode = 0;  ///< Specialisation constant 2.
+  std::uint32_t variant =
+    0;  ///< Specialisation constant 3: how values are read, or what is summed.
 };
 
 expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
@@ -44,7 +29,7 @@ expected<void> compile(const std::shared_ptr<gpu::kernel_layout>& layout,
     check_cancelled();
     auto made = gpu::kernel::make(
       layout, e.code,
-      {like.group_size, like.slice_rows, e.third, e.fourth, like.cases, like.texels ? 1u : 0u});
+      {like.group_size, like.slice_rows, e.mode, e.variant, like.cases, like.texels ? 1u : 0u});
     if (!made)
       return fail(made.error());
     *e.kernel = std::move(*made);
@@ -71,19 +56,23 @@ expected<void> choose_sizes(const gpu::device_limits& limits, const vulkan_setti
 
 /// Those that do without quadratic tets.
 std::vector<entry> entries_of_linear_tets(kernel_set& to) {
-  std::vector<entry> entries{
-    {&to.node_start, node_start_spirv},   {&to.cluster_rows, cluster_rows_spirv},
-    {&to.rigid_down, rigid_down_spirv},   {&to.rigid_up, rigid_up_spirv},
-    {&to.rigid_start, rigid_start_spirv}, {&to.dense, dense_spirv},
-    {&to.cg_start, cg_start_spirv},       {&to.cg_first, cg_first_spirv},
-    {&to.cg_advance, cg_advance_spirv},   {&to.cg_product, cg_product_spirv},
-    {&to.cg_turn, cg_turn_spirv}};
+  std::vector<entry> entries{{&to.smoother_start, smoother_start_spirv},
+                             {&to.smoother_clusters, smoother_clusters_spirv},
+                             {&to.cycle_restrict, cycle_restrict_spirv},
+                             {&to.cycle_prolongate, cycle_prolongate_spirv},
+                             {&to.rigid_cycle_start, rigid_cycle_start_spirv},
+                             {&to.rigid_cycle_coarsest, rigid_cycle_coarsest_spirv},
+                             {&to.krylov_start, krylov_start_spirv},
+                             {&to.krylov_first, krylov_first_spirv},
+                             {&to.krylov_advance, krylov_advance_spirv},
+                             {&to.krylov_product, krylov_product_spirv},
+                             {&to.krylov_turn, krylov_turn_spirv}};
   for (std::uint32_t mode = 0; mode < 3; ++mode) {
     for (std::uint32_t reading = 0; reading < 3; ++reading)
       if (reading == TEDIT_READ_EXACTLY || mode != TEDIT_MULTIPLY)
-        entries.push_back({&to.node_rows[reading][mode], node_rows_spirv, mode, reading});
-    entries.push_back({&to.rigid_rows[mode], rigid_rows_spirv, mode});
-    entries.push_back({&to.cg_scalars[mode], cg_scalars_spirv, mode});
+        entries.push_back({&to.matrix_rows[reading][mode], matrix_rows_spirv, mode, reading});
+    entries.push_back({&to.rigid_cycle_rows[mode], rigid_cycle_rows_spirv, mode});
+    entries.push_back({&to.krylov_scalars[mode], krylov_scalars_spirv, mode});
   }
   return entries;
 }
@@ -108,14 +97,14 @@ expected<std::shared_ptr<kernel_store>> kernel_store::make(std::shared_ptr<gpu::
     result.rows_per_part = settings.rows_per_part;
   if (settings.rows_per_dispatch > 0)
     result.rows_per_dispatch = settings.rows_per_dispatch;
-  auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_CYCLE_BINDINGS, sizeof(cycle_push));
+  auto layout = gpu::kernel_layout::make(std::move(on), TEDIT_BINDINGS, push_bytes);
   if (!layout)
     return fail(layout.error());
   result.layout = *layout;
   auto entries = entries_of_linear_tets(result);
   entries.push_back({&result.quadratic_elements, quadratic_elements_spirv});
-  entries.push_back({&result.edge_down, edge_down_spirv});
-  entries.push_back({&result.edge_up, edge_up_spirv});
+  entries.push_back({&result.quadratic_cycle_restrict, quadratic_cycle_restrict_spirv});
+  entries.push_back({&result.quadratic_cycle_prolongate, quadratic_cycle_prolongate_spirv});
   for (std::uint32_t earlier = 0; earlier < 2; ++earlier)
     for (std::uint32_t mode = 0; mode < 4; ++mode)
       entries.push_back(
@@ -130,14 +119,10 @@ expected<const kernel_set*> kernel_store::for_cases(std::uint32_t cases) {
     return &known->second;
   const auto& like = for_one();
   kernel_set result;
+  static_cast<kernel_sizes&>(result) = like;
   result.layout = like.layout;
-  result.group_size = like.group_size;
-  result.slice_rows = like.slice_rows;
-  result.most_groups = like.most_groups;
-  result.sum_groups = like.sum_groups;
   result.rows_per_part = std::max(1u, like.rows_per_part / cases);
   result.rows_per_dispatch = std::max(1u, like.rows_per_dispatch / cases);
-  result.texels = like.texels;
   result.cases = cases;
   if (auto ok = compile(result.layout, entries_of_linear_tets(result), result); !ok)
     return fail(ok.error());

@@ -7,22 +7,17 @@
 #include "fem/vulkan/backend.hpp"
 #include "gpu/kernels.hpp"
 #include "shaders/cycle_bindings.h"
+#include "shaders/krylov_bindings.h"
+#include "shaders/matrix_bindings.h"
+#include "shaders/quadratic_bindings.h"
+#include "shaders/quadratic_cycle_bindings.h"
+#include "shaders/rigid_cycle_bindings.h"
+#include "shaders/smoother_bindings.h"
 
 namespace tedit::fem::vulkan {
 
-/// The kernels of `shaders/`. Arrays are indexed by the modes of cycle_bindings.h.
-struct kernel_set {
-  std::shared_ptr<gpu::kernel_layout> layout;
-  /// The first index says how values are read: TEDIT_READ_EXACTLY, for all modes, or otherwise, for
-  /// smoothers.
-  std::array<std::array<gpu::kernel, 3>, 3> node_rows;
-  /// The first index says whether sums of earlier ranges of elements are added.
-  std::array<std::array<gpu::kernel, 4>, 2> quadratic_rows;
-  std::array<gpu::kernel, 3> rigid_rows;
-  std::array<gpu::kernel, 3> cg_scalars;
-  gpu::kernel quadratic_elements, node_start, cluster_rows, edge_down, edge_up;
-  gpu::kernel rigid_down, rigid_up, rigid_start, dense;
-  gpu::kernel cg_start, cg_first, cg_advance, cg_product, cg_turn;
+/// How kernels are compiled and dispatched.
+struct kernel_sizes {
   std::uint32_t group_size = 64;
   std::uint32_t slice_rows = 8;    ///< Rows side by side, so that a subgroup reads in a row.
   std::uint32_t most_groups = 64;  ///< Of a dispatch; kernels stride over their rows.
@@ -34,12 +29,28 @@ struct kernel_set {
 
   /// Kernels read as texels what they do not write; see operands.glsl.
   bool texels = false;
-  std::uint32_t cases = 1;  ///< Load cases side by side in every vector; see cycle.glsl.
+  std::uint32_t cases = 1;  ///< Load cases side by side in every vector; see kernel.glsl.
 
   /// Partial sums that a sum over so many rows leaves at most.
   [[nodiscard]] std::uint32_t most_sums(std::uint64_t rows) const {
     return static_cast<std::uint32_t>((rows - 1) / rows_per_dispatch + 1) * sum_groups;
   }
+};
+
+/// The kernels of `shaders/`, by the names of their files. The last index is the mode.
+struct kernel_set : kernel_sizes {
+  std::shared_ptr<gpu::kernel_layout> layout;
+  /// The first index says how values are read: TEDIT_READ_EXACTLY, for all modes, or otherwise, for
+  /// smoothers.
+  std::array<std::array<gpu::kernel, 3>, 3> matrix_rows;
+  /// The first index says whether sums of earlier ranges of elements are added.
+  std::array<std::array<gpu::kernel, 4>, 2> quadratic_rows;
+  std::array<gpu::kernel, 3> rigid_cycle_rows;
+  std::array<gpu::kernel, 3> krylov_scalars;
+  gpu::kernel quadratic_elements, quadratic_cycle_restrict, quadratic_cycle_prolongate;
+  gpu::kernel smoother_start, smoother_clusters, cycle_restrict, cycle_prolongate;
+  gpu::kernel rigid_cycle_start, rigid_cycle_coarsest;
+  gpu::kernel krylov_start, krylov_first, krylov_advance, krylov_product, krylov_turn;
 };
 
 /// A device's kernels, compiled once for all systems on it. One thread at a time, as the device.

@@ -43,7 +43,7 @@ void krylov_solver::make_room(std::uint32_t cases) {
   for (const auto& one : loops_)
     sums = std::max(sums, std::uint64_t{2} * one.kernels->cases * k_.most_partials(*one.kernels));
   memory_.replace(partials_, 4 * sums);
-  memory_.replace(scalars_, 4 * std::uint64_t{cases} * TEDIT_CG_SCALARS);
+  memory_.replace(scalars_, cases * sizeof(krylov_scalars));
 }
 
 bool krylov_solver::has_width(std::uint32_t cases) const {
@@ -85,9 +85,7 @@ expected<void> krylov_solver::record(recorded_loop& one, const preconditioner& b
                                      const gpu::buffer& filter) {
   const auto& kernels = *one.kernels;
   device_program start(kernels);
-  cycle_push push{};
-  push.rows = k_.rows();
-  start.add(kernels.cg_start, {{0, &u_}, {3, &r_}, {4, &filter}}, push);
+  start.add(kernels.krylov_start, vectors(&filter), every_row());
   if (auto ok = renew(one.start, std::move(start)); !ok)
     return ok;
   device_program once(kernels);
@@ -99,15 +97,25 @@ expected<void> krylov_solver::record(recorded_loop& one, const preconditioner& b
   return renew(one.iteration, iteration_steps(kernels, b, filter), &gates_);
 }
 
+device_program::places krylov_solver::vectors(const gpu::buffer* filter) const {
+  return {{krylov_at::u, &u_},
+          {krylov_at::p, &p_},
+          {krylov_at::q, &q_},
+          {krylov_at::r, &r_},
+          {krylov_at::filter, filter},
+          {krylov_at::z, &z_},
+          {krylov_at::partials, &partials_},
+          {krylov_at::scalars, &scalars_},
+          {krylov_at::gates, &gates_}};
+}
+
 /// p = z, and the scalars of the first iteration.
 device_program krylov_solver::first_steps(const kernel_set& kernels) const {
   device_program first(kernels);
-  cycle_push push{};
-  push.rows = k_.rows();
-  first.add(kernels.cg_first, {{2, &z_}, {6, &p_}}, push);
-  push.rows = first.add_sum(kernels.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push);
-  first.add_single(kernels.cg_scalars[TEDIT_CG_BEGIN],
-                   {{7, &partials_}, {8, &scalars_}, {9, &gates_}}, push);
+  first.add(kernels.krylov_first, vectors(), every_row());
+  const auto sums = first.add_sum(kernels.krylov_product, vectors(), every_row());
+  first.add_single(kernels.krylov_scalars[TEDIT_KRYLOV_BEGIN], vectors(),
+                   krylov_push{.sums = sums});
   return first;
 }
 
@@ -115,37 +123,28 @@ device_program krylov_solver::iteration_steps(const kernel_set& kernels, const p
                                               const gpu::buffer& filter) const {
   device_program loop(kernels);
   const auto scalars = [&](std::uint32_t mode, std::uint32_t sums) {
-    cycle_push push{};
-    push.rows = sums;
-    loop.add_single(kernels.cg_scalars[mode], {{7, &partials_}, {8, &scalars_}, {9, &gates_}},
-                    push);
+    loop.add_single(kernels.krylov_scalars[mode], vectors(), krylov_push{.sums = sums});
   };
-  cycle_push push{};
-  scalars(TEDIT_CG_ALPHA,
-          k_.add(loop, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, push));
-  push.rows = k_.rows();
-  loop.add(kernels.cg_advance,
-           {{0, &u_}, {1, &p_}, {2, &q_}, {3, &r_}, {4, &filter}, {8, &scalars_}}, push);
+  scalars(TEDIT_KRYLOV_ALPHA,
+          k_.add(loop, TEDIT_MULTIPLY, {.x = &p_, .r = &q_, .partials = &partials_}, {}));
+  loop.add(kernels.krylov_advance, vectors(&filter), every_row());
   b(loop, r_, z_);
-  scalars(TEDIT_CG_BETA,
-          loop.add_sum(kernels.cg_product, {{2, &z_}, {3, &r_}, {7, &partials_}}, push));
-  loop.add(kernels.cg_turn, {{2, &z_}, {6, &p_}, {8, &scalars_}}, push);
+  scalars(TEDIT_KRYLOV_BETA, loop.add_sum(kernels.krylov_product, vectors(), every_row()));
+  loop.add(kernels.krylov_turn, vectors(), every_row());
   return loop;
 }
 
 /// r = S r, u = 0, z = B r, p = z, and the scalars of the first iteration.
 expected<void> krylov_solver::begin(recorded_loop& one, std::span<const inner_case> goals) {
-  std::vector<float> scalars(std::size_t{TEDIT_CG_SCALARS} * one.kernels->cases);
-  for (std::size_t c = 0; c < one.kernels->cases; ++c) {
-    float* of = &scalars[TEDIT_CG_SCALARS * c];
-    of[TEDIT_CG_SMALLEST] = static_cast<float>(smallest_);
-    if (c >= goals.size())
-      continue;
-    of[TEDIT_CG_REDUCTION2] = static_cast<float>(goals[c].reduction * goals[c].reduction);
-    of[TEDIT_CG_ENOUGH] =
-      static_cast<float>(goals[c].residual_reduction * goals[c].residual_reduction);
-    of[TEDIT_CG_ENERGY2] = static_cast<float>(goals[c].energy * goals[c].energy);
-    of[TEDIT_CG_SHARE2] = static_cast<float>(goals[c].share * goals[c].share);
+  std::vector<krylov_scalars> scalars(one.kernels->cases);
+  for (auto& of : scalars)
+    of.smallest = static_cast<float>(smallest_);
+  for (std::size_t c = 0; c < goals.size(); ++c) {
+    const auto& goal = goals[c];
+    scalars[c].reduction2 = static_cast<float>(goal.reduction * goal.reduction);
+    scalars[c].enough = static_cast<float>(goal.residual_reduction * goal.residual_reduction);
+    scalars[c].energy2 = static_cast<float>(goal.energy * goal.energy);
+    scalars[c].share2 = static_cast<float>(goal.share * goal.share);
   }
   if (auto ok = memory_.upload(scalars_, scalars); !ok)
     return ok;
@@ -156,9 +155,9 @@ expected<void> krylov_solver::begin(recorded_loop& one, std::span<const inner_ca
 }
 
 /// Until all cases are done; their scalars.
-expected<std::vector<float>> krylov_solver::iterate(recorded_loop& one, int max_iterations,
-                                                    const execution& run) {
-  std::vector<float> scalars(std::size_t{TEDIT_CG_SCALARS} * one.kernels->cases);
+expected<std::vector<krylov_scalars>> krylov_solver::iterate(recorded_loop& one, int max_iterations,
+                                                             const execution& run) {
+  std::vector<krylov_scalars> scalars(one.kernels->cases);
   int times = 0;
   for (;;) {
     const stopwatch clock;
@@ -169,9 +168,9 @@ expected<std::vector<float>> krylov_solver::iterate(recorded_loop& one, int max_
       return fail(ok.error());
     int iterations = 0;
     bool running = false;
-    for (std::size_t at = 0; at < scalars.size(); at += TEDIT_CG_SCALARS) {
-      iterations = std::max(iterations, static_cast<int>(scalars[at + TEDIT_CG_ITERATIONS]));
-      running = running || scalars[at + TEDIT_CG_STATE] == 0;
+    for (const auto& of : scalars) {
+      iterations = std::max(iterations, static_cast<int>(of.iterations));
+      running = running || of.state == TEDIT_KRYLOV_RUNNING;
     }
     if (!running || iterations >= max_iterations)
       return scalars;
@@ -185,21 +184,21 @@ expected<std::vector<float>> krylov_solver::iterate(recorded_loop& one, int max_
 }
 
 /// What the scalars of one case say at the end.
-inner_result krylov_solver::read(std::span<const float> scalars) {
+inner_result krylov_solver::read(const krylov_scalars& of) {
   inner_result result;
-  result.iterations = static_cast<int>(scalars[TEDIT_CG_ITERATIONS]);
-  result.broke_down = scalars[TEDIT_CG_STATE] == 2;
-  const auto start = static_cast<double>(scalars[TEDIT_CG_START]);
-  const double now = std::max(static_cast<double>(scalars[TEDIT_CG_DELTA]), 0.0);
+  result.iterations = static_cast<int>(of.iterations);
+  result.broke_down = of.state == TEDIT_KRYLOV_BROKEN_DOWN;
+  const auto start = static_cast<double>(of.start);
+  const double now = std::max(static_cast<double>(of.delta), 0.0);
   result.recurrence_reduction = start > 0 ? std::sqrt(now / start) : 0;
   energy_bound bound(smallest_);
-  for (int i = 0; i < std::min(result.iterations, TEDIT_CG_KEPT); ++i) {
-    bound.advance(static_cast<double>(scalars[TEDIT_CG_HISTORY + 2 * i]), 0);
-    bound.turn(static_cast<double>(scalars[TEDIT_CG_HISTORY + 2 * i + 1]));
+  for (int i = 0; i < std::min(result.iterations, TEDIT_KRYLOV_KEPT); ++i) {
+    bound.advance(static_cast<double>(of.alpha[i]), 0);
+    bound.turn(static_cast<double>(of.beta[i]));
   }
   smallest_ = sharper_bound(smallest_, bound);
-  result.energy = std::sqrt(static_cast<double>(scalars[TEDIT_CG_RADAU]) * now);
-  result.gained = static_cast<double>(scalars[TEDIT_CG_GAINED]);
+  result.energy = std::sqrt(static_cast<double>(of.radau) * now);
+  result.gained = static_cast<double>(of.gained);
   return result;
 }
 
@@ -219,7 +218,7 @@ expected<std::vector<inner_result>> krylov_solver::solve(const std::vector<devic
     return fail(scalars.error());
   std::vector<inner_result> results;
   for (std::size_t c = 0; c < goals.size(); ++c)
-    results.push_back(read(std::span(*scalars).subspan(TEDIT_CG_SCALARS * c, TEDIT_CG_SCALARS)));
+    results.push_back(read((*scalars)[c]));
   if (auto ok = memory_.download(u_, correction); !ok)
     return fail(ok.error());
   return results;

@@ -59,6 +59,9 @@ private:
   };
 
   void make_room(std::uint32_t cases);
+  /// What every kernel is bound to; only some need the filter.
+  [[nodiscard]] device_program::places vectors(const gpu::buffer* filter = nullptr) const;
+  [[nodiscard]] krylov_push every_row() const { return {.rows = k_.rows()}; }
   [[nodiscard]] device_program product_steps() const;
   [[nodiscard]] device_program first_steps(const kernel_set& kernels) const;
   [[nodiscard]] device_program iteration_steps(const kernel_set& kernels, const preconditioner& b,
@@ -66,9 +69,10 @@ private:
   [[nodiscard]] expected<void> record(recorded_loop& one, const preconditioner& b,
                                       const gpu::buffer& filter);
   [[nodiscard]] expected<void> begin(recorded_loop& one, std::span<const inner_case> goals);
-  [[nodiscard]] expected<std::vector<float>> iterate(recorded_loop& one, int max_iterations,
-                                                     const execution& run);
-  [[nodiscard]] inner_result read(std::span<const float> scalars);
+  [[nodiscard]] expected<std::vector<krylov_scalars>> iterate(recorded_loop& one,
+                                                              int max_iterations,
+                                                              const execution& run);
+  [[nodiscard]] inner_result read(const krylov_scalars& of);
 
   const kernel_set& kernels_;
   device_memory& memory_;

@@ -35,7 +35,6 @@ device_scale::device_scale(const problem& p) {
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
   }
   size = power_of_two(std::max({high.x - low.x, high.y - low.y, high.z - low.z}));
-  centre = 0.5 * (low + high);
   for (const auto& m : p.constants)
     stiffness = std::max({stiffness, std::abs(m.lambda), m.mu});
   stiffness = power_of_two(stiffness);
@@ -230,27 +229,19 @@ std::uint32_t sliced_matrix::reading_of(std::uint32_t mode) const {
 }
 
 std::uint32_t sliced_matrix::add(device_program& program, std::uint32_t mode, const row_buffers& at,
-                                 cycle_push push) const {
-  push.place = 0;
-  const auto& kernel = program.kernels().node_rows[reading_of(mode)][mode];
+                                 row_push push) const {
+  push.first_sum = 0;
+  const auto& kernel = program.kernels().matrix_rows[reading_of(mode)][mode];
   for (const auto& part : chunks_) {
     push.first_row = part.first_row;
     push.rows = part.rows;
-    const std::initializer_list<device_program::place> places{
-      {0, &slices_},
-      {1, &part.blocks},
-      {2, at.x},
-      {3, at.r},
-      {4, at.diagonal ? at.diagonal : &slices_},
-      {5, at.other ? at.other : &slices_},
-      {6, at.z ? at.z : &slices_},
-      {7, at.partials ? at.partials : &slices_}};
+    const auto places = at.with({{matrix_at::slices, &slices_}, {matrix_at::blocks, &part.blocks}});
     if (mode == TEDIT_MULTIPLY)
-      push.place += program.add_sum(kernel, places, push);
+      push.first_sum += program.add_sum(kernel, places, push);
     else
       program.add(kernel, places, push);
   }
-  return push.place;
+  return push.first_sum;
 }
 
 }  // namespace tedit::fem::vulkan

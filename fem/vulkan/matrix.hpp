@@ -6,7 +6,6 @@
 #include "fem/block_matrix.hpp"
 #include "fem/vulkan/changes.hpp"
 #include "fem/vulkan/row_operator.hpp"
-#include "shaders/slices.h"
 
 namespace tedit::fem::vulkan {
 
@@ -16,7 +15,6 @@ namespace tedit::fem::vulkan {
 struct device_scale {
   double size = 1;       ///< m
   double stiffness = 1;  ///< Pa
-  vec3 centre;           ///< m; of the part's box.
 
   explicit device_scale(const problem& p);
   /// What the device holds of a stiffness, N/m, times this is the stiffness.
@@ -37,7 +35,7 @@ public:
   /// Bytes of the matrix that a product reads.
   [[nodiscard]] std::uint64_t read_bytes() const;
   std::uint32_t add(device_program& program, std::uint32_t mode, const row_buffers& at,
-                    cycle_push push) const override;
+                    row_push push) const override;
 
   /// Smoothers read all but these rows rounded (`hierarchy::exact_rows`; empty: there are none);
   /// until then they read all exactly. What was recorded is to be recorded again.

@@ -16,7 +16,7 @@ std::uint32_t groups_of(std::uint32_t gate) {
   return std::min(1u << gate, 65535u);
 }
 
-std::uint32_t rows_of(const cycle_push& push) {
+std::uint32_t rows_of(const push_constants& push) {
   return push.rows - push.from;
 }
 
@@ -35,37 +35,37 @@ std::vector<std::array<std::uint32_t, 4>> device_program::closed_gates() {
   return result;
 }
 
-void device_program::add_step(const gpu::kernel& k, std::initializer_list<place> places,
-                              const cycle_push& push, std::uint32_t gate) {
+void device_program::add_step(const gpu::kernel& k, const places& at, const push_constants& push,
+                              std::uint32_t gate) {
   step now{&k, {}, push, gate};
-  now.at.fill(places.begin()->second);
-  for (const auto& [binding, buffer] : places)
-    now.at[static_cast<std::size_t>(binding)] = buffer;
+  now.at.fill(std::ranges::find_if(at, [](const auto& place) { return place.second; })->second);
+  for (const auto& [binding, buffer] : at)
+    if (buffer)
+      now.at[static_cast<std::size_t>(binding)] = buffer;
   steps_.push_back(now);
 }
 
-void device_program::add(const gpu::kernel& k, std::initializer_list<place> places,
-                         const cycle_push& push) {
-  cut(push, [&](const cycle_push& part) {
-    add_step(k, places, part, gate_of(rows_of(part), kernels_.group_size, kernels_.most_groups));
+void device_program::add(const gpu::kernel& k, const places& at, const push_constants& push) {
+  cut(push, [&](const push_constants& part) {
+    add_step(k, at, part, gate_of(rows_of(part), kernels_.group_size, kernels_.most_groups));
   });
 }
 
-std::uint32_t device_program::add_sum(const gpu::kernel& k, std::initializer_list<place> places,
-                                      const cycle_push& push) {
+std::uint32_t device_program::add_sum(const gpu::kernel& k, const places& at,
+                                      const push_constants& push) {
   std::uint32_t sums = 0;
-  cut(push, [&](cycle_push part) {
+  cut(push, [&](push_constants part) {
     const auto gate = gate_of(rows_of(part), kernels_.group_size, kernels_.sum_groups);
-    part.place = push.place + sums;
-    add_step(k, places, part, gate);
+    part.first_sum = push.first_sum + sums;
+    add_step(k, at, part, gate);
     sums += groups_of(gate);
   });
   return sums;
 }
 
-void device_program::add_single(const gpu::kernel& k, std::initializer_list<place> places,
-                                const cycle_push& push) {
-  add_step(k, places, push, 0);
+void device_program::add_single(const gpu::kernel& k, const places& at,
+                                const push_constants& push) {
+  add_step(k, at, push, 0);
 }
 
 expected<void> device_program::record(const gpu::buffer* gates) {

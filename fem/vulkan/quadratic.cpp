@@ -41,12 +41,12 @@ constexpr std::uint32_t fours_of(std::uint32_t forces) {
 
 }  // namespace
 
-expected<std::unique_ptr<quadratic_operator>> quadratic_operator::make(const kernel_set& kernels,
-                                                                       device_memory& memory,
-                                                                       const problem& p,
-                                                                       const device_scale& scale) {
-  std::unique_ptr<quadratic_operator> result(
-    new quadratic_operator(kernels, memory, static_cast<std::uint32_t>(p.node_count()), scale));
+quadratic_operator::quadratic_operator(const kernel_set& kernels, device_memory& memory,
+                                       const problem& p, const device_scale& scale)
+    : kernels_(kernels),
+      memory_(memory),
+      nodes_(static_cast<std::uint32_t>(p.node_count())),
+      scale_(scale) {
   const std::uint64_t side = kernels.slice_rows;
   const std::uint64_t fit =
     std::max<std::uint64_t>(1, memory.most_per_piece() / force_bytes / side) * side;
@@ -58,14 +58,11 @@ expected<std::unique_ptr<quadratic_operator>> quadratic_operator::make(const ker
     const auto elements = std::min(most, count - first);
     const bool last = first + elements == count;
     const std::uint64_t room = last ? std::min(fit, with_spare(elements)) : elements;
-    result->add_range(p, first, first + elements, static_cast<std::uint32_t>(room));
+    add_range(p, first, first + elements, static_cast<std::uint32_t>(room));
     largest = std::max(largest, room);
   }
-  result->forces_ = memory.room(force_bytes * ((largest + side - 1) / side * side));
-  result->sums_ = memory.room(result->ranges_.size() > 1 ? 16 * with_spare(p.node_count()) : 0);
-  if (auto ok = memory.status(); !ok)
-    return fail(ok.error());
-  return result;
+  forces_ = memory.room(force_bytes * ((largest + side - 1) / side * side));
+  sums_ = memory.room(ranges_.size() > 1 ? 16 * with_spare(p.node_count()) : 0);
 }
 
 void quadratic_operator::add_range(const problem& p, std::uint32_t first, std::uint32_t last,
@@ -165,29 +162,24 @@ void quadratic_operator::update_rows(range& part, const problem& p, const incide
 }
 
 std::uint32_t quadratic_operator::add(device_program& program, std::uint32_t mode,
-                                      const row_buffers& at, cycle_push push) const {
+                                      const row_buffers& at, row_push push) const {
   std::uint32_t sums = 0;
   for (const auto& part : ranges_) {
-    cycle_push elements{};
-    elements.rows = part.elements;
     program.add(kernels_.quadratic_elements,
-                {{0, &part.nodes}, {1, &part.values}, {2, at.x}, {8, &forces_}}, elements);
+                {{quadratic_at::nodes, &part.nodes},
+                 {quadratic_at::values, &part.values},
+                 {row_at::x, at.x},
+                 {quadratic_at::forces, &forces_}},
+                row_push{.rows = part.elements});
     const bool last = &part == &ranges_.back();
     const std::uint32_t now = last ? mode : TEDIT_ACCUMULATE;
     const auto& kernel = kernels_.quadratic_rows[&part == &ranges_.front() ? 0 : 1][now];
     push.first_row = 0;
     push.rows = nodes_;
-    const std::initializer_list<device_program::place> places{
-      {0, &part.rows},
-      {1, &part.list},
-      {2, at.x},
-      {3, at.r},
-      {4, at.diagonal ? at.diagonal : at.x},
-      {5, at.other ? at.other : &sums_},
-      {6, at.z ? at.z : &sums_},
-      {7, at.partials ? at.partials : &sums_},
-      {8, &forces_},
-      {9, &sums_}};
+    const auto places = at.with({{quadratic_at::force_rows, &part.rows},
+                                 {quadratic_at::force_list, &part.list},
+                                 {quadratic_at::forces, &forces_},
+                                 {quadratic_at::sums, &sums_}});
     if (now == TEDIT_MULTIPLY)
       sums = program.add_sum(kernel, places, push);
     else

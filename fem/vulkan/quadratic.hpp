@@ -12,16 +12,17 @@ namespace tedit::fem::vulkan {
 /// elements that edits add.
 class quadratic_operator final : public row_operator {
 public:
-  /// `kernels` and `memory` must outlive the operator; `p` has order 2.
-  [[nodiscard]] static expected<std::unique_ptr<quadratic_operator>> make(
-    const kernel_set& kernels, device_memory& memory, const problem& p, const device_scale& scale);
+  /// `kernels` and `memory` must outlive the operator; `p` has order 2. Ask `memory` for its status
+  /// afterwards.
+  quadratic_operator(const kernel_set& kernels, device_memory& memory, const problem& p,
+                     const device_scale& scale);
 
   std::uint32_t rows() const override { return nodes_; }
   std::uint32_t most_partials(const kernel_set& kernels) const override {
     return kernels.most_sums(with_spare(nodes_));
   }
   std::uint32_t add(device_program& program, std::uint32_t mode, const row_buffers& at,
-                    cycle_push push) const override;
+                    row_push push) const override;
 
   /// Follows `change` of `p`; `corners` has the elements' corners.
   void update(const problem& p, const incidence& corners, const problem_change& change,
@@ -38,10 +39,6 @@ private:
     roomy_places places;               ///< Of the rows in `list`.
     std::vector<std::uint32_t> count;  ///< Forces of each node.
   };
-
-  quadratic_operator(const kernel_set& kernels, device_memory& memory, std::uint32_t nodes,
-                     const device_scale& scale)
-      : kernels_(kernels), memory_(memory), nodes_(nodes), scale_(scale) {}
 
   void add_range(const problem& p, std::uint32_t first, std::uint32_t last, std::uint32_t room);
   void update_rows(range& part, const problem& p, const incidence& corners,

@@ -47,19 +47,19 @@ void quadratic_cycle::update(filter_span filter, std::span<const std::uint32_t> 
 void quadratic_cycle::add(device_program& program, const gpu::buffer& right, const gpu::buffer& z) {
   const auto& kernels = program.kernels();
   smoother_.from_zero(program, degree_, right, z);
-  cycle_push push{};
-  push.rows = corner_count_;
-  program.add(kernels.edge_down,
-              {{0, &middles_.table()},
-               {1, &middles_.items()},
-               {3, &smoother_.residual()},
-               {6, &coarse_right_}},
-              push);
+  program.add(kernels.quadratic_cycle_restrict,
+              {{quadratic_cycle_at::table, &middles_.table()},
+               {quadratic_cycle_at::middles, &middles_.items()},
+               {quadratic_cycle_at::residual, &smoother_.residual()},
+               {quadratic_cycle_at::right, &coarse_right_}},
+              quadratic_cycle_push{corner_count_, 0, corner_count_});
   corners_.add(program, coarse_right_, coarse_);
-  push.rows = k_.rows();
-  push.count = corner_count_;
-  program.add(kernels.edge_up,
-              {{0, &ends_}, {2, &coarse_}, {4, &smoother_.filter()}, {5, &smoother_.step()}}, push);
+  program.add(kernels.quadratic_cycle_prolongate,
+              {{quadratic_cycle_at::ends, &ends_},
+               {quadratic_cycle_at::coarse, &coarse_},
+               {quadratic_cycle_at::filter, &smoother_.filter()},
+               {quadratic_cycle_at::step, &smoother_.step()}},
+              quadratic_cycle_push{k_.rows(), 0, corner_count_});
   smoother_.correction(program, degree_, z);
 }
 

@@ -25,7 +25,7 @@ rigid_level::block6 transposed(const rigid_level::block6& block) {
   return result;
 }
 
-/// Entry k of row i at k * rows + i, three columns each; see dense.comp.
+/// Entry k of row i at k * rows + i, three columns each; see rigid_cycle_coarsest.comp.
 std::vector<device_float4> packed_dense(const std::vector<float>& inverse, std::size_t size,
                                         double scale) {
   std::vector<device_float4> result(size / 3 * size);
@@ -132,19 +132,14 @@ void rigid_rows::update(std::span<const std::uint32_t> rows, device_changes& cha
 }
 
 void rigid_rows::add(device_program& program, std::uint32_t mode, const row_buffers& at,
-                     cycle_push push) const {
+                     row_push push) const {
   for (const auto& part : parts_) {
     push.first_row = part.first_row;
     push.rows = part.rows;
-    program.add(program.kernels().rigid_rows[mode],
-                {{0, &part.table.table()},
-                 {1, &part.columns},
-                 {2, at.x},
-                 {3, at.r},
-                 {4, at.diagonal ? at.diagonal : at.x},
-                 {5, at.other ? at.other : at.r},
-                 {6, at.z ? at.z : at.r},
-                 {8, &part.blocks}},
+    program.add(program.kernels().rigid_cycle_rows[mode],
+                at.with({{rigid_cycle_at::table, &part.table.table()},
+                         {rigid_cycle_at::columns, &part.columns},
+                         {rigid_cycle_at::blocks, &part.blocks}}),
                 push);
   }
 }
@@ -209,31 +204,26 @@ void rigid_cycle::update(const hierarchy& h, device_changes& changes) {
 }
 
 void rigid_cycle::move(device_program& program, level& l, chebyshev_weights weights, float enter) {
-  cycle_push push{};
-  push.before = weights.before;
-  push.fresh = weights.fresh;
-  push.enter = enter;
-  l.matrix->add(
-    program, TEDIT_MOVE,
-    {.x = l.step, .r = &l.residual, .diagonal = &l.inverse, .other = l.other, .z = &l.z}, push);
+  l.matrix->add(program, TEDIT_MOVE,
+                {.x = l.step, .r = &l.residual, .diagonal = &l.inverse, .next = l.other, .z = &l.z},
+                {.before = weights.before, .fresh = weights.fresh, .enter = enter});
   std::swap(l.step, l.other);
 }
 
 void rigid_cycle::solve(device_program& program, std::size_t at) {
   auto& l = levels_[at];
   if (at + 1 == levels_.size()) {
-    cycle_push push{};
-    push.rows = 6 * l.host->nodes();
-    push.count = 2 * l.host->nodes();
-    program.add(program.kernels().dense, {{0, &dense_}, {2, &l.right}, {6, &l.z}}, push);
+    program.add(program.kernels().rigid_cycle_coarsest,
+                row_buffers{.x = &l.right, .z = &l.z}.with({{rigid_cycle_at::inverse, &dense_}}),
+                row_push{.rows = 6 * l.host->nodes(), .halves = 2 * l.host->nodes()});
     return;
   }
   const float lambda = l.host->lambda;
-  cycle_push push{};
-  push.rows = l.host->nodes();
-  push.fresh = chebyshev_start(lambda);
-  program.add(program.kernels().rigid_start,
-              {{2, &l.right}, {3, &l.residual}, {4, &l.inverse}, {5, l.step}, {6, &l.z}}, push);
+  program.add(
+    program.kernels().rigid_cycle_start,
+    row_buffers{.x = &l.right, .r = &l.residual, .diagonal = &l.inverse, .next = l.step, .z = &l.z}
+      .with(),
+    row_push{.rows = l.host->nodes(), .fresh = chebyshev_start(lambda)});
   for (int k = 2; k <= settings_.rigid_degree; ++k)
     move(program, l, chebyshev_step(k, lambda), 0);
   for (int visit = 0; visit < settings_.repeats; ++visit)
@@ -244,7 +234,7 @@ void rigid_cycle::correct(device_program& program, std::size_t at) {
   auto& l = levels_[at];
   auto& next = levels_[at + 1];
   const float lambda = l.host->lambda;
-  l.matrix->add(program, TEDIT_RESIDUAL, {.x = l.step, .r = &l.residual, .other = &l.residual}, {});
+  l.matrix->add(program, TEDIT_RESIDUAL, {.x = l.step, .r = &l.residual, .next = &l.residual}, {});
   l.down->add(program, TEDIT_MULTIPLY, {.x = &l.residual, .r = &next.right}, {});
   solve(program, at + 1);
   l.up->add(program, TEDIT_MULTIPLY, {.x = &next.z, .r = l.step}, {});

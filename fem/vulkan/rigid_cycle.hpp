@@ -22,8 +22,7 @@ public:
   };
 
   rigid_rows(device_memory& memory, source from);
-  void add(device_program& program, std::uint32_t mode, const row_buffers& at,
-           cycle_push push) const;
+  void add(device_program& program, std::uint32_t mode, const row_buffers& at, row_push push) const;
   /// `rows` (ascending) changed; more may have been added.
   void update(std::span<const std::uint32_t> rows, device_changes& changes);
 

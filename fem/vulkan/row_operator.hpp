@@ -5,14 +5,25 @@
 
 namespace tedit::fem::vulkan {
 
-/// What a product works on; see row_modes.glsl. All but `x` and `r` depend on the mode.
+/// What a product works on; see rows_bindings.h. All but `x` and `r` depend on the mode.
 struct row_buffers {
   const gpu::buffer* x = nullptr;
   const gpu::buffer* r = nullptr;
   const gpu::buffer* diagonal = nullptr;
-  const gpu::buffer* other = nullptr;
+  const gpu::buffer* next = nullptr;
   const gpu::buffer* z = nullptr;
   const gpu::buffer* partials = nullptr;
+
+  /// These and what an operator binds beside them.
+  [[nodiscard]] device_program::places with(device_program::places own = {}) const {
+    own.insert(own.end(), {{row_at::x, x},
+                           {row_at::r, r},
+                           {row_at::diagonal, diagonal},
+                           {row_at::next, next},
+                           {row_at::z, z},
+                           {row_at::partials, partials}});
+    return own;
+  }
 };
 
 /// An operator on nodes with three unknowns on the device: linear or quadratic tets.
@@ -26,7 +37,7 @@ public:
   /// Adds a product and what becomes of its rows: TEDIT_MULTIPLY, _RESIDUAL or _MOVE. Of `push` the
   /// weights count. Returns the number of partial sums (TEDIT_MULTIPLY only).
   virtual std::uint32_t add(device_program& program, std::uint32_t mode, const row_buffers& at,
-                            cycle_push push) const = 0;
+                            row_push push) const = 0;
 };
 
 }  // namespace tedit::fem::vulkan

@@ -160,34 +160,31 @@ void smoother::update_part(cluster_part& part, std::span<const std::uint32_t> cl
 void smoother::add_clusters(device_program& program, float fresh, const gpu::buffer& step,
                             const gpu::buffer& z) const {
   for (const auto& part : clusters_) {
-    cycle_push push{};
-    push.rows = part.rows.used();
-    push.fresh = fresh;
-    program.add(program.kernels().cluster_rows,
-                {{0, &part.table}, {1, &part.blocks}, {3, &residual_}, {5, &step}, {6, &z}}, push);
+    program.add(
+      program.kernels().smoother_clusters,
+      row_buffers{.r = &residual_, .next = &step, .z = &z}.with(
+        {{smoother_at::cluster_rows, &part.table}, {smoother_at::cluster_blocks, &part.blocks}}),
+      row_push{.rows = part.rows.used(), .fresh = fresh});
   }
 }
 
 void smoother::move(device_program& program, chebyshev_weights weights, float enter,
                     const gpu::buffer& z) {
-  cycle_push push{};
-  push.before = weights.before;
-  push.fresh = weights.fresh;
-  push.enter = enter;
   k_.add(program, TEDIT_MOVE,
-         {.x = step_, .r = &residual_, .diagonal = &inverse_, .other = other_, .z = &z}, push);
+         {.x = step_, .r = &residual_, .diagonal = &inverse_, .next = other_, .z = &z},
+         {.before = weights.before, .fresh = weights.fresh, .enter = enter});
   add_clusters(program, weights.fresh, *other_, z);
   std::swap(step_, other_);
 }
 
 void smoother::from_zero(device_program& program, int degree, const gpu::buffer& right,
                          const gpu::buffer& z) {
-  cycle_push push{};
-  push.rows = k_.rows();
-  push.fresh = chebyshev_start(smoother_.lambda);
-  program.add(program.kernels().node_start,
-              {{2, &right}, {3, &residual_}, {4, &inverse_}, {5, step_}, {6, &z}}, push);
-  add_clusters(program, push.fresh, *step_, z);
+  const float fresh = chebyshev_start(smoother_.lambda);
+  program.add(
+    program.kernels().smoother_start,
+    row_buffers{.x = &right, .r = &residual_, .diagonal = &inverse_, .next = step_, .z = &z}.with(),
+    row_push{.rows = k_.rows(), .fresh = fresh});
+  add_clusters(program, fresh, *step_, z);
   for (int i = 2; i <= degree; ++i)
     move(program, chebyshev_step(i, smoother_.lambda), 0, z);
   k_.add(program, TEDIT_RESIDUAL, {.x = step_, .r = &residual_, .diagonal = &filter_}, {});

@@ -53,15 +53,6 @@ system::system(std::shared_ptr<gpu::device> on, std::shared_ptr<kernel_store> ke
       scale_(p),
       kernels_(std::move(kernels)) {}
 
-expected<std::unique_ptr<system>> system::make(std::shared_ptr<gpu::device> on, const problem& p,
-                                               const vulkan_settings& settings,
-                                               const execution& run) {
-  auto kernels = kernel_store::make(on, settings);
-  if (!kernels)
-    return fail(kernels.error());
-  return make(std::move(on), std::move(*kernels), p, settings, run);
-}
-
 expected<std::unique_ptr<system>> system::make(std::shared_ptr<gpu::device> on,
                                                std::shared_ptr<kernel_store> kernels,
                                                const problem& p, const vulkan_settings& settings,
@@ -97,12 +88,8 @@ expected<void> system::build() {
   memory_ = std::make_unique<device_memory>(kernels.layout, settings_);
   setup_.emplace(problem_, settings_.multilevel);
   matrix_ = std::make_unique<sliced_matrix>(kernels, *memory_, setup_->blocks(), scale_);
-  if (is_quadratic()) {
-    auto made = quadratic_operator::make(kernels, *memory_, problem_, scale_);
-    if (!made)
-      return fail(made.error());
-    quadratic_ = std::move(*made);
-  }
+  if (is_quadratic())
+    quadratic_ = std::make_unique<quadratic_operator>(kernels, *memory_, problem_, scale_);
   const row_operator& k = is_quadratic() ? static_cast<const row_operator&>(*quadratic_) : *matrix_;
   krylov_.emplace(kernels, *memory_, k);
   return memory_->status();
@@ -226,14 +213,6 @@ expected<void> system::check_ready() const {
 }
 
 // -- solving -----------------------------------------------------------------------------
-
-expected<inner_result> system::solve(const inner_case& one, int max_iterations,
-                                     const execution& run) {
-  const auto results = guarded(run, [&] { return correct({&one, 1}, max_iterations, run); });
-  if (!results)
-    return fail(results.error());
-  return results->front();
-}
 
 expected<std::vector<inner_result>> system::solve_many(std::span<const inner_case> cases,
                                                        int max_iterations, const execution& run) {

@@ -15,19 +15,13 @@ namespace tedit::fem::vulkan {
 /// works near one; results are scaled back.
 class system final : public linear_system {
 public:
-  [[nodiscard]] static expected<std::unique_ptr<system>> make(std::shared_ptr<gpu::device> on,
-                                                              const problem& p,
-                                                              const vulkan_settings& settings,
-                                                              const execution& run);
-  /// With kernels that are there already, of a store with the same settings.
+  /// `kernels` are those of a store with the same settings.
   [[nodiscard]] static expected<std::unique_ptr<system>> make(std::shared_ptr<gpu::device> on,
                                                               std::shared_ptr<kernel_store> kernels,
                                                               const problem& p,
                                                               const vulkan_settings& settings,
                                                               const execution& run);
 
-  expected<inner_result> solve(const inner_case& one, int max_iterations,
-                               const execution& run) override;
   /// Up to eight cases of linear tets share every read of the matrix and the hierarchy. With
   /// quadratic tets they are solved one after the other: arithmetic is what takes long there.
   expected<std::vector<inner_result>> solve_many(std::span<const inner_case> cases,

@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 
 #include "fem/native/backend.hpp"
-#include "fem/native/memory_estimate.hpp"
 #include "fem/solver.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -32,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, NativeMemory, ::testing::Values(1, 2));
 
 TEST_P(NativeMemory, WhatDoesNotFitIsRefusedWithBothSizes) {
   const auto p = bar({8, 8, 8}, GetParam());
-  const auto needed = native::solve_bytes(p);
+  const auto needed = native_solve_bytes(p);
 
   const auto refused = make_native_backend({.memory_limit = needed - 1})->assemble(p, {});
   const auto taken = make_native_backend({.memory_limit = needed})->assemble(p, {});
@@ -45,8 +44,8 @@ TEST_P(NativeMemory, WhatDoesNotFitIsRefusedWithBothSizes) {
 }
 
 TEST_P(NativeMemory, TheEstimateGrowsWithTheProblem) {
-  const auto small = native::solve_bytes(bar({4, 4, 4}, GetParam()));
-  const auto large = native::solve_bytes(bar({8, 8, 8}, GetParam()));
+  const auto small = native_solve_bytes(bar({4, 4, 4}, GetParam()));
+  const auto large = native_solve_bytes(bar({8, 8, 8}, GetParam()));
 
   EXPECT_GT(large, 6 * small);
   EXPECT_LT(large, 9 * small);

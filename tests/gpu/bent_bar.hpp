@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/vulkan/backend.hpp"
+#include "fem/vulkan/system.hpp"
 #include "gpu/device.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -48,6 +48,16 @@ inline void read_whole_slices(const vulkan_settings& settings, hierarchy& h) {
     const auto rows = slice.first(std::min(side, slice.size()));
     std::ranges::fill(rows, std::ranges::max(rows));
   }
+}
+
+/// A system on `on` with kernels of its own.
+inline expected<std::unique_ptr<vulkan::system>> make_system(
+  const problem& p, const vulkan_settings& settings,
+  std::shared_ptr<gpu::device> on = *gpu::device::open("")) {
+  auto kernels = vulkan::kernel_store::make(on, settings);
+  if (!kernels)
+    return fail(kernels.error());
+  return vulkan::system::make(std::move(on), std::move(*kernels), p, settings, {});
 }
 
 inline std::vector<double> wave(std::size_t size, double step) {

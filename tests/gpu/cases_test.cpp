@@ -26,7 +26,7 @@ protected:
   void TearDown() override { EXPECT_EQ(gpu::device::validation_messages(), before_); }
 
   [[nodiscard]] std::unique_ptr<vulkan::system> open(const vulkan_settings& settings = {}) const {
-    auto made = vulkan::system::make(*gpu::device::open(""), p_, settings, {});
+    auto made = test::make_system(p_, settings);
     EXPECT_TRUE(made.has_value()) << (made ? "" : render(made.error()));
     return std::move(*made);
   }

@@ -41,7 +41,7 @@ protected:
 
   static std::unique_ptr<vulkan::system> open(const problem& p,
                                               const vulkan_settings& settings = {}) {
-    auto made = vulkan::system::make(*gpu::device::open(""), p, settings, {});
+    auto made = test::make_system(p, settings);
     EXPECT_TRUE(made.has_value()) << (made ? "" : render(made.error()));
     return std::move(*made);
   }
@@ -184,7 +184,7 @@ TEST_P(VulkanMultilevel, SizesThatCannotBeAreRefused) {
     vulkan_settings settings;
     settings.group_size = group;
     settings.slice_rows = slice;
-    const auto made = vulkan::system::make(on, p_, settings, {});
+    const auto made = test::make_system(p_, settings, on);
     ASSERT_FALSE(made.has_value());
     EXPECT_EQ(made.error().code, ec::invalid_argument);
   }

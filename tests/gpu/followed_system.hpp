@@ -87,7 +87,7 @@ public:
 
   /// A system of the problem as it is now, without history.
   [[nodiscard]] std::unique_ptr<vulkan::system> fresh() const {
-    auto made = vulkan::system::make(*gpu::device::open(""), p_, settings_, {});
+    auto made = make_system(p_, settings_);
     EXPECT_TRUE(made.has_value()) << (made ? "" : render(made.error()));
     return std::move(*made);
   }

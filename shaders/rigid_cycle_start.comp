@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The first Chebyshev step on a level of rigid motions: r = right; step = z = fresh B right.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
-#include "rigid.glsl"
+#include "rigid_cycle_bindings.h"
+#include "kernel.glsl"
+#include "rigid_cycle.glsl"
 
-TEDIT_FLOATS(2, right)
-layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
-TEDIT_FLOATS(4, inverses)
-layout(set = 0, binding = 5) writeonly buffer b5 { vec4 step_out[]; };
-layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
+TEDIT_FLOATS(at_x, right)
+layout(set = 0, binding = at_r) writeonly buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(at_diagonal, inverses)
+layout(set = 0, binding = at_next) writeonly buffer b5 { vec4 step_out[]; };
+layout(set = 0, binding = at_z) writeonly buffer b6 { vec4 z[]; };
 
 void main() {
   for (uint i = first_row(); i < push.rows; i += stride()) {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The first direction is the preconditioned residual.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "krylov_bindings.h"
+#include "kernel.glsl"
 
-TEDIT_FLOATS(2, z)
-layout(set = 0, binding = 6) writeonly buffer b6 { vec4 p[]; };
+TEDIT_FLOATS(at_z, z)
+layout(set = 0, binding = at_p) writeonly buffer b6 { vec4 p[]; };
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride())

@@ -3,12 +3,13 @@
 // From quadratic tets to the linear ones of their corners: r of the corner and half of its edges' middles. The residual
 // is filtered already.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "quadratic_cycle_bindings.h"
+#include "kernel.glsl"
 
-TEDIT_PAIRS(0, rows)    // first middle, last
-TEDIT_NUMBERS(1, middles)  // nodes
-TEDIT_FLOATS(3, r)
-layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };
+TEDIT_PAIRS(at_table, rows)
+TEDIT_NUMBERS(at_middles, middles)
+TEDIT_FLOATS(at_residual, r)
+layout(set = 0, binding = at_right) writeonly buffer b6 { vec4 right[]; };
 
 void main() {
   for (uint c = first_row(); c < push.rows; c += stride()) {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Partial sums of each case: r.z, then those of r.r behind them.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "krylov_bindings.h"
+#include "kernel.glsl"
 #include "group_sum.glsl"
 
-TEDIT_FLOATS(2, z)
-TEDIT_FLOATS(3, r)
-layout(set = 0, binding = 7) writeonly buffer b7 { float partials[]; };
+TEDIT_FLOATS(at_z, z)
+TEDIT_FLOATS(at_r, r)
+layout(set = 0, binding = at_partials) writeonly buffer b7 { float partials[]; };
 
 void main() {
   vec2 sums[cases];
@@ -19,7 +20,7 @@ void main() {
   for (uint c = 0; c < cases; ++c) {
     const float rz = group_sum(sums[c].x);
     const float rr = group_sum(sums[c].y);
-    const uint at = 2 * cases * (push.place + gl_WorkGroupID.x) + c;
+    const uint at = 2 * cases * (push.first_sum + gl_WorkGroupID.x) + c;
     if (gl_LocalInvocationID.x == 0) {
       partials[at] = rz;
       partials[at + cases] = rr;

@@ -3,13 +3,14 @@
 // Adds fresh * C^-1 r of the nodes of sliver clusters to the step and to z; one invocation per node. Their own blocks are
 // zero in B.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "smoother_bindings.h"
+#include "kernel.glsl"
 
-layout(set = 0, binding = 0) readonly buffer b0 { uvec4 rows[]; };    // node, first entry, count
-TEDIT_WORDS(1, blocks)  // 3 per entry: column, 9 values by rows
-TEDIT_FLOATS(3, r)
-layout(set = 0, binding = 5) buffer b5 { vec4 step_out[]; };
-layout(set = 0, binding = 6) buffer b6 { vec4 z[]; };
+layout(set = 0, binding = at_cluster_rows) readonly buffer b0 { uvec4 rows[]; };
+TEDIT_WORDS(at_cluster_blocks, blocks)
+TEDIT_FLOATS(at_r, r)
+layout(set = 0, binding = at_next) buffer b5 { vec4 step_out[]; };
+layout(set = 0, binding = at_z) buffer b6 { vec4 z[]; };
 
 void main() {
   for (uint i = first_row(); i < push.rows; i += stride()) {

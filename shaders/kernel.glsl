@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What the solver's kernels share. Nothing assumes a subgroup size. Workgroups stride over the rows, so that any
-// number of them will do.
-#extension GL_GOOGLE_include_directive : require
-#include "cycle_bindings.h"
+// number of them will do. Behind the bindings, which declare `push`.
 #include "operands.glsl"
 
 layout(local_size_x_id = 0) in;

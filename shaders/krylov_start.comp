@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // r = S r; u = 0.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "krylov_bindings.h"
+#include "kernel.glsl"
 
-layout(set = 0, binding = 0) writeonly buffer b0 { vec4 u[]; };
-layout(set = 0, binding = 3) buffer b3 { vec4 r[]; };
-TEDIT_FLOATS(4, filters)
+layout(set = 0, binding = at_u) writeonly buffer b0 { vec4 u[]; };
+layout(set = 0, binding = at_r) buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(at_filter, filters)
 
 void main() {
   for (uint n = first_row(); n < push.rows; n += stride())

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // From nodes to aggregates: force and moment of the filtered residual. One invocation per aggregate.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
+#include "cycle_bindings.h"
+#include "kernel.glsl"
 
-TEDIT_PAIRS(0, rows)  // first member, last
-TEDIT_NUMBERS(1, members)
-TEDIT_FLOATS(2, arms)
-TEDIT_FLOATS(3, r)
-layout(set = 0, binding = 6) writeonly buffer b6 { vec4 right[]; };  // 2 per aggregate and case
+TEDIT_PAIRS(at_table, rows)
+TEDIT_NUMBERS(at_members, members)
+TEDIT_FLOATS(at_arms, arms)
+TEDIT_FLOATS(at_residual, r)
+layout(set = 0, binding = at_right) writeonly buffer b6 { vec4 right[]; };
 
 void main() {
   for (uint a = first_row(); a < push.rows; a += stride()) {

@@ -1,20 +1,21 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Rows of a level of rigid motions, or of its prolongation or restriction. Modes: r = y; other = r - y; a Chebyshev step.
+// Rows of a level of rigid motions, or of its prolongation or restriction. Modes: r = y; next = r - y; a Chebyshev step.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
-#include "rigid.glsl"
+#include "rigid_cycle_bindings.h"
+#include "kernel.glsl"
+#include "rigid_cycle.glsl"
 
-TEDIT_PAIRS(0, rows)  // first entry, last
-TEDIT_NUMBERS(1, columns)
-TEDIT_FLOATS(2, x)
-layout(set = 0, binding = 3) writeonly buffer b3 { vec4 r[]; };
-TEDIT_FLOATS(3, old_r)
-TEDIT_FLOATS(4, inverses)
-layout(set = 0, binding = 5) writeonly buffer b5 { vec4 other[]; };
-layout(set = 0, binding = 6) writeonly buffer b6 { vec4 z[]; };
-TEDIT_FLOATS(6, old_z)
-TEDIT_FLOATS(8, blocks)
+TEDIT_PAIRS(at_table, rows)
+TEDIT_NUMBERS(at_columns, columns)
+TEDIT_FLOATS(at_x, x)
+layout(set = 0, binding = at_r) writeonly buffer b3 { vec4 r[]; };
+TEDIT_FLOATS(at_r, old_r)
+TEDIT_FLOATS(at_diagonal, inverses)
+layout(set = 0, binding = at_next) writeonly buffer b5 { vec4 next[]; };
+layout(set = 0, binding = at_z) writeonly buffer b6 { vec4 z[]; };
+TEDIT_FLOATS(at_z, old_z)
+TEDIT_FLOATS(at_blocks, blocks)
 
 block66 block_at(uint block) {
   block66 b;
@@ -55,8 +56,8 @@ void main() {
       }
       const motion left = motion(old_r(at).xyz - y[c].move, old_r(at + 1).xyz - y[c].turn);
       if (mode == TEDIT_RESIDUAL) {
-        other[at] = vec4(left.move, 0);
-        other[at + 1] = vec4(left.turn, 0);
+        next[at] = vec4(left.move, 0);
+        next[at + 1] = vec4(left.turn, 0);
         continue;
       }
       const motion image = block_times(inverse, left);
@@ -66,8 +67,8 @@ void main() {
       const vec3 turn = push.before * old_turn + push.fresh * image.turn;
       r[at] = vec4(left.move, 0);
       r[at + 1] = vec4(left.turn, 0);
-      other[at] = vec4(move, 0);
-      other[at + 1] = vec4(turn, 0);
+      next[at] = vec4(move, 0);
+      next[at + 1] = vec4(turn, 0);
       z[at] = old_z(at) + vec4(push.enter * old_move + move, 0);
       z[at + 1] = old_z(at + 1) + vec4(push.enter * old_turn + turn, 0);
     }

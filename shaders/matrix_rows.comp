@@ -1,16 +1,17 @@
 #version 450
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Rows of linear tets in difference form, y_i = sum_{j != i} K_ij (x_j - x_i), for the rows of one chunk. Products read
-// the values of the matrix to the bit, smoothers rounded ones, but in marked slices. See row_modes.glsl for the rest.
+// the values of the matrix to the bit, smoothers rounded ones, but in marked slices. See rows.glsl for the rest.
 #extension GL_GOOGLE_include_directive : require
-#include "cycle.glsl"
-#include "row_modes.glsl"
+#include "matrix_bindings.h"
+#include "kernel.glsl"
+#include "rows.glsl"
 #include "split_block.glsl"
 
 layout(constant_id = 3) const uint reading = TEDIT_READ_EXACTLY;
 
-TEDIT_PAIRS(0, slices)  // first entry; width, and TEDIT_EXACT_SLICE
-TEDIT_WORDS(1, blocks)
+TEDIT_PAIRS(at_slices, slices)
+TEDIT_WORDS(at_blocks, blocks)
 
 void add_entry(block33 b, uint column, vec3 own[cases], inout vec3 y[cases]) {
   for (uint c = 0; c < cases; ++c) {
