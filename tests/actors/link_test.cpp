@@ -30,15 +30,20 @@ struct node {
   caf::actor_system system{config};
 };
 
+/// Of any numbers: mutated bytes ask for many.
+int times(int a, int b) {
+  return static_cast<int>(static_cast<unsigned>(a) * static_cast<unsigned>(b));
+}
+
 /// With an argument: CAF 0.17 dereferences a null pointer when it starts a function without any.
 caf::behavior multiplier(caf::event_based_actor* self, int factor) {
   heed_only_own_exits(self);
-  return {[=](int x) { return factor * x; }};
+  return {[=](int x) { return times(factor, x); }};
 }
 
 /// Ends by whoever asks it to, as CAF's actors do.
 caf::behavior weak_multiplier(caf::event_based_actor*, int factor) {
-  return {[=](int x) { return factor * x; }};
+  return {[=](int x) { return times(factor, x); }};
 }
 
 caf::behavior linked_to(caf::event_based_actor* self, const caf::actor& peer) {
