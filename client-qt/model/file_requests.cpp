@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/file_requests.hpp"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -24,18 +25,40 @@ void file_requests::close() {
   emit part_.closed();
 }
 
-void file_requests::open(const QString& name, std::function<void()> when_refused) {
-  const auto look = [name = name.toStdString()](client::client& server,
-                                                const execution&) -> expected<ready> {
-    const auto state = server.open(name, false, false);
-    if (!state)
-      return fail(state.error());
-    if (!state->head)
-      return fail(ec::not_found, "the server has no document \"" + name + "\" any more",
-                  "Open the part's mesh, or look for the document where it was moved to");
-    return ready{name, {}, {}, {}};
+expected<file_requests::ready> file_requests::look_up(client::client& server,
+                                                      const std::string& name) {
+  const auto state = server.open(name, false, false);
+  if (!state)
+    return fail(state.error());
+  if (!state->head)
+    return fail(ec::not_found, "the server has no document \"" + name + "\" any more",
+                "Open the part's mesh, or look for the document where it was moved to");
+  return ready{name, {}, {}, {}};
+}
+
+void file_requests::open(const QString& name) {
+  switch_to(tr("Open %1").arg(title_of(name).words),
+            [name = name.toStdString()](client::client& server, const execution&) {
+              return look_up(server, name);
+            });
+}
+
+/// Of a copy nobody has heard.
+static error naming(error reason, const QString& copy, const QString& of) {
+  for (auto* text : {&reason.message, &reason.where, &reason.remedy})
+    *text = QString::fromStdString(*text).replace(copy, of).toStdString();
+  return reason;
+}
+
+void file_requests::open_copy(const QString& copy, const QString& of) {
+  const auto look = [copy, of](client::client& server, const execution&) -> expected<ready> {
+    auto found = look_up(server, QFileInfo(copy).completeBaseName().toStdString());
+    return found ? std::move(found) : expected<ready>(fail(naming(found.error(), copy, of)));
   };
-  switch_to(tr("Open %1").arg(title_of(name).words), look, std::move(when_refused));
+  switch_to(tr("Open %1").arg(QFileInfo(of).fileName()), look, [copy] {
+    for (const auto* part : {"", "-wal", "-shm"})
+      QFile::remove(copy + part);
+  });
 }
 
 void file_requests::add(const QString& path) {

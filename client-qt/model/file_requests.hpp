@@ -29,9 +29,11 @@ class file_requests : public QObject {
 public:
   file_requests(document& part, remote& link);
 
-  /// Opens a document that the server has. `document::failed` says `not_found` when it has none;
-  /// `when_refused` is called before it.
-  void open(const QString& name, std::function<void()> when_refused = {});
+  /// Opens a document that the server has. `document::failed` says `not_found` when it has none.
+  void open(const QString& name);
+  /// Opens the copy of a document's file, `of`, that was put in the folder of the server's. Errors
+  /// name the file that a person knows; what is no document leaves no copy.
+  void open_copy(const QString& copy, const QString& of);
   /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
   /// it. `unit` is the mesh's length unit, "mm" when empty.
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
@@ -66,6 +68,7 @@ private:
     std::vector<fem::load_case> loads;
   };
   void reopen();
+  [[nodiscard]] static expected<ready> look_up(client::client& server, const std::string& name);
   [[nodiscard]] static expected<client::document_state> open_named(client::client& server,
                                                                    const std::string& name,
                                                                    const std::string& or_else);

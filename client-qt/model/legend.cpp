@@ -366,8 +366,11 @@ std::vector<double> legend::ticks(int most) const {
 
 std::vector<double> legend::labels(int most) const {
   auto result = ticks(most);
-  if (map == colour_map::safety)
+  if (map == colour_map::safety) {
+    result.insert(result.begin(), safety_steps.front());
+    result.push_back(safety_steps.back());
     return result;
+  }
   const double room = 0.7 / std::max(1, most - 1);
   const auto from_low = [this](double value) {
     const double at = place(value);
@@ -387,6 +390,9 @@ std::vector<double> legend::labels(int most) const {
 }
 
 QString legend::label(double value) const {
+  if (map == colour_map::safety && value >= safety_steps.back())  // All above it are as blue.
+    return QCoreApplication::translate("legend", "%1 or more")
+      .arg(number(*(safety_steps.end() - 2)));
   const double scale = shown_as(field_unit(field)).scale;
   return logarithmic || map == colour_map::safety ? number(value * scale)
                                                   : number_in(value * scale, (high - low) * scale);

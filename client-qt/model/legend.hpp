@@ -138,7 +138,8 @@ struct legend {
   /// Where numbers stand beside the scale: both of its ends, and the ticks that are far enough from
   /// them and from each other for so many numbers; ascending.
   [[nodiscard]] std::vector<double> labels(int most) const;
-  /// Such a number in the unit that is shown, rounded by the size of the range.
+  /// Such a number in the unit that is shown, rounded by the size of the range; at the upper end of
+  /// the safety steps what its colour means: "5 or more".
   [[nodiscard]] QString label(double value) const;
 
   /// Whether both give any values the same colours: a range that follows them is that of the

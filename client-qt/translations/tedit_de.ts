@@ -364,6 +364,10 @@
         <source>The largest stretch at each point, in whatever direction it is: what a strain gauge could read there. 1000 µm/m are 0.1 %.</source>
         <translation>Die größte Dehnung an jedem Punkt, gleich in welcher Richtung: was ein Dehnungsmessstreifen dort anzeigen könnte. 1000 µm/m sind 0,1 %.</translation>
     </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
 </context>
 <context>
     <name>load_editing</name>
@@ -781,11 +785,11 @@
     </message>
     <message>
         <source>%1 (%2 new, %3 gone)</source>
-        <translation>%1 (%2 neu, %3 entfallen)</translation>
+        <translation>%1 (%2 neu, %3 weg)</translation>
     </message>
     <message>
         <source>Worst tet here</source>
-        <translation>Schlechtestes Tetraeder hier</translation>
+        <translation>Schlechteste Form</translation>
     </message>
     <message>
         <source>%1 before, %2 then</source>
@@ -1845,6 +1849,30 @@ Inhalt %1</translation>
         <source>The hundredth of the surface with the largest values has the colour of the upper end: one hot corner leaves colours for the rest</source>
         <translation>Das Hundertstel der Oberfläche mit den größten Werten hat die Farbe des oberen Endes: Eine heiße Ecke lässt Farben für den Rest übrig</translation>
     </message>
+    <message>
+        <source>No result is shown: choose one above as the field</source>
+        <translation>Gezeigt wird kein Ergebnis: oben eines als Feld wählen</translation>
+    </message>
+    <message>
+        <source>The safety steps have the same colours everywhere</source>
+        <translation>Die Sicherheitsstufen haben überall dieselben Farben</translation>
+    </message>
+    <message>
+        <source>Values with a sign have no logarithm</source>
+        <translation>Werte mit Vorzeichen haben keinen Logarithmus</translation>
+    </message>
+    <message>
+        <source>Choose the range &quot;As typed&quot; to type it</source>
+        <translation>Zum Eintippen den Bereich „Wie eingegeben“ wählen</translation>
+    </message>
+    <message>
+        <source>The envelope of all load cases has no deformation: choose one of them</source>
+        <translation>Die Einhüllende aller Lastfälle hat keine Verformung: einen davon wählen</translation>
+    </message>
+    <message>
+        <source>For the safety factor only</source>
+        <translation>Nur für den Sicherheitsfaktor</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::file_requests</name>
@@ -2107,6 +2135,10 @@ Inhalt %1</translation>
     <message>
         <source>out of order</source>
         <translation>außer Betrieb</translation>
+    </message>
+    <message>
+        <source>Nothing of yours runs.</source>
+        <translation>Von Ihnen läuft nichts.</translation>
     </message>
 </context>
 <context>
@@ -2481,6 +2513,10 @@ Inhalt %1</translation>
     <message>
         <source> copy</source>
         <translation> (Kopie)</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
     </message>
 </context>
 <context>

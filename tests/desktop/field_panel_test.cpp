@@ -131,6 +131,53 @@ TEST_F(FieldPanel, NamesNoRangeOfWhatHasNotArrived) {
   EXPECT_TRUE(missing->text().isEmpty());
 }
 
+TEST_F(FieldPanel, WhatDoesNothingIsOffAndSaysWhy) {
+  arrive_all();
+  panel_.set_case("a");
+  const std::vector<const char*> all{"range_mode", "colours", "bands", "isolines", "logarithmic"};
+  const auto off = [&] {
+    std::vector<std::string> result;
+    for (const auto* name : all)
+      if (const auto* one = panel_.findChild<QWidget*>(name); !one->isEnabled()) {
+        EXPECT_FALSE(one->toolTip().isEmpty()) << name;
+        result.emplace_back(name);
+      }
+    return result;
+  };
+  const auto hint = panel_.findChild<QWidget*>("bands")->toolTip();
+  EXPECT_TRUE(off().empty());
+
+  for (const auto plain : {shown_field::surfaces, shown_field::none}) {
+    panel_.set_field(plain);
+    EXPECT_EQ(off(), std::vector<std::string>(all.begin(), all.end()));
+  }
+  panel_.set_field(shown_field::safety_factor);
+  EXPECT_EQ(off(), (std::vector<std::string>{"range_mode", "bands", "logarithmic"}));
+  panel_.set_field(field_named("principal_1"));
+  EXPECT_EQ(off(), std::vector<std::string>{"logarithmic"});
+  panel_.set_field(shown_field::von_mises);
+  EXPECT_TRUE(off().empty());
+  EXPECT_EQ(panel_.findChild<QWidget*>("bands")->toolTip(), hint);
+}
+
+TEST_F(FieldPanel, SafetyStepsAreForTheSafetyFactorAndADeformationForALoadCase) {
+  arrive_all();
+  const auto* colours = panel_.findChild<QComboBox*>("colours");
+  const auto offers_steps = [&] {
+    constexpr auto row = static_cast<int>(colour_map::safety);
+    return colours->model()->index(row, 0).flags().testFlag(Qt::ItemIsEnabled);
+  };
+  EXPECT_FALSE(offers_steps());
+  panel_.set_field(shown_field::safety_factor);
+  EXPECT_TRUE(offers_steps());
+
+  ASSERT_TRUE(panel_.field()->envelope);
+  EXPECT_FALSE(panel_.deformation().isEnabled());
+  EXPECT_FALSE(panel_.deformation().toolTip().isEmpty());
+  panel_.set_case("a");
+  EXPECT_TRUE(panel_.deformation().isEnabled());
+}
+
 TEST_F(FieldPanel, SaysWhyThereIsNoSafetyFactor) {
   arrive(false);
   panel_.set_field(shown_field::safety_factor);

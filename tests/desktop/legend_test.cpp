@@ -212,6 +212,20 @@ TEST(Legend, SafetyIsReadByItsStepsWhateverTheValues) {
     EXPECT_DOUBLE_EQ(by.value(by.place(value)), value);
 }
 
+TEST(Legend, BothEndsOfTheSafetyStepsSayWhatTheirColourMeans) {
+  legend by;
+  by.field = shown_field::safety_factor;
+  by.map = colour_map::safety;
+
+  QStringList words;
+  for (const double at : by.labels(7))
+    words << by.label(at);
+
+  // The bluest step begins at 5 and has no end.
+  EXPECT_EQ(words, (QStringList{"0", "1", "1.5", "2", "3", "5", "5 or more"}));
+  EXPECT_EQ(by.colour_at(by.place(6)), by.colour_at(by.place(1e6)));
+}
+
 TEST(Legend, BandsHaveOneColourEachAndTicksAtTheirEdges) {
   legend by;
   by.low = 0;

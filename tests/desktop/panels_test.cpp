@@ -187,13 +187,13 @@ TEST_F(Words, TheSameWordsAreNoChange) {
 
 TEST(Receipt, SaysNoQualityWhereNoTetWasTouched) {
   client::edit_preview made;
-  for (const auto& html : {receipt_html(made.report), preview_html(made)})
+  for (const auto& html : {receipt_html(made.report), preview_figures(made)})
     EXPECT_FALSE(html.contains("Worst tet here")) << html.toStdString();
 
   made.report.ratios = {0.5, 0.25, 0.75};
 
   EXPECT_TRUE(receipt_html(made.report).contains("0.5 before, 0.25 now"));
-  EXPECT_TRUE(preview_html(made).contains("0.5 before, 0.25 then"));
+  EXPECT_TRUE(preview_figures(made).contains("0.5 before, 0.25 then"));
 }
 
 TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
@@ -205,7 +205,7 @@ TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
   made.report.receipt = {line};
 
   EXPECT_TRUE(receipt_html(made.report).contains("<b>it grew</b>"));
-  EXPECT_TRUE(preview_html(made).contains("<b>it grew</b>"));
+  EXPECT_TRUE(preview_details(made).contains("<b>it grew</b>"));
 }
 
 /// The line at the window's foot, after a solve with such a load.
@@ -259,6 +259,17 @@ TEST(JobsPanel, SaysWhatRunsAndCancelsOneOfThem) {
   EXPECT_EQ(cancelled, 1);
   work.end(edit);
   EXPECT_FALSE(panel.text().contains("Fill hole"));
+}
+
+TEST(JobsPanel, WhatTheServerDoesForOthersIsNotCalledNothing) {
+  client::server_status server;
+  EXPECT_EQ(nothing_words(server), "Nothing runs.");
+  server.workers.emplace_back();
+  EXPECT_EQ(nothing_words(server), "Nothing runs.");
+
+  server.workers.back().jobs = 1;
+
+  EXPECT_EQ(nothing_words(server), "Nothing of yours runs.");
 }
 
 TEST(JobsButton, IsIdleWhenNothingRuns) {

@@ -124,7 +124,9 @@ TEST_F(Documents, AFileThatIsNoDocumentLeavesNone) {
     window->context().messages.clear_message();
     window->tools().documents.open_file(wrong_file("letter.tedit"), {});
     ASSERT_TRUE(wait([&] { return said().contains("did not work"); }));
-    EXPECT_TRUE(said().contains("letter")) << said().toStdString();
+    EXPECT_TRUE(said().startsWith("Open letter.tedit did not work")) << said().toStdString();
+    EXPECT_TRUE(said().contains(state.path() + "/letter.tedit")) << said().toStdString();
+    EXPECT_FALSE(said().contains("/documents/")) << "a copy that nobody made or knows";
     EXPECT_TRUE(window->tools().documents.shows_start_page());
     EXPECT_TRUE(files().isEmpty()) << files().join(" ").toStdString();
   }

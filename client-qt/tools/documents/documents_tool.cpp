@@ -10,6 +10,8 @@
 #include <QStackedWidget>
 #include <QThreadPool>
 
+#include <array>
+
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/format_words.hpp"
@@ -18,6 +20,7 @@
 #include "client-qt/tools/documents/recent_documents.hpp"
 #include "client-qt/tools/documents/unit_question.hpp"
 #include "client-qt/tools/documents/welcome_page.hpp"
+#include "client-qt/tools/loads/loads_tool.hpp"
 #include "client-qt/tools/pictures/kept_picture.hpp"
 #include "client-qt/tools/probes/probes_tool.hpp"
 #include "client-qt/tools/recipes/recipes_tool.hpp"
@@ -27,6 +30,11 @@
 namespace tedit::desktop {
 
 static constexpr int most_recent = 12;
+
+/// What is kept among the settings under a document's name.
+static std::array<QString, 2> keys_of(const QString& document) {
+  return {pins_key(document), drafts_key(document)};
+}
 
 documents_tool::documents_tool(window_context& in, connection_tool& connection,
                                recipes_tool& recipes)
@@ -183,14 +191,14 @@ void documents_tool::copy_here(const QString& path, const QString& folder) {
   for (int i = 2; documents.exists(name + ".tedit"); ++i)
     name = stem + "-" + QString::number(i);
   const QString to = documents.absoluteFilePath(name + ".tedit");
-  QThreadPool::globalInstance()->start([path, to, name, tool = QPointer(this)] {
+  QThreadPool::globalInstance()->start([path, to, tool = QPointer(this)] {
     QDir().mkpath(QFileInfo(to).path());
     if (QFile::exists(path + "-wal"))  // Steps that are not in the main file yet.
       QFile::copy(path + "-wal", to + "-wal");
     const bool copied = QFile::copy(path, to);
     QMetaObject::invokeMethod(qApp, [=] {
       if (tool && copied)
-        tool->open_copy(name, to);
+        tool->open_copy(to, path);
       else if (tool)
         emit tool->in_.part.failed(
           tr("Open %1").arg(path),
@@ -200,12 +208,8 @@ void documents_tool::copy_here(const QString& path, const QString& folder) {
   });
 }
 
-void documents_tool::open_copy(const QString& name, const QString& file) {
-  const auto remove = [file] {
-    for (const auto* part : {"", "-wal", "-shm"})
-      QFile::remove(file + part);
-  };
-  connection_.when_connected([=, this] { in_.part.files().open(name, remove); });
+void documents_tool::open_copy(const QString& copy, const QString& of) {
+  connection_.when_connected([=, this] { in_.part.files().open_copy(copy, of); });
 }
 
 // -- recent documents ----------------------------------------------------------------
@@ -216,7 +220,8 @@ void documents_tool::remember(const QString& document) {
   recent.prepend(document);
   for (const auto& old : recent.mid(most_recent)) {  // What was kept to find it as it was left.
     remove_pictures(in_.server.folder(), old);
-    in_.settings.remove(pins_key(old));
+    for (const auto& key : keys_of(old))
+      in_.settings.remove(key);
   }
   recent = recent.mid(0, most_recent);
   QVariantMap used = in_.settings.value("recent_used").toMap();
@@ -245,12 +250,14 @@ void documents_tool::follow_name(const QString& before) {
   used[now] = used.take(before);
   in_.settings.setValue("recent", recent);
   in_.settings.setValue("recent_used", used);
-  const auto pins = in_.settings.value(pins_key(before));
-  in_.settings.remove(pins_key(before));
-  if (pins.isValid())
-    in_.settings.setValue(pins_key(now), pins);
-  else
-    in_.settings.remove(pins_key(now));
+  for (std::size_t i = 0; i < keys_of(now).size(); ++i) {
+    const auto kept = in_.settings.value(keys_of(before)[i]);
+    in_.settings.remove(keys_of(before)[i]);
+    if (kept.isValid())
+      in_.settings.setValue(keys_of(now)[i], kept);
+    else
+      in_.settings.remove(keys_of(now)[i]);
+  }
   move_pictures(in_.server.folder(), before, now);
 }
 

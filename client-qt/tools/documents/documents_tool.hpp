@@ -42,7 +42,7 @@ private:
   void ask_export();
   void open_document_file(const QString& path);
   void copy_here(const QString& path, const QString& folder);
-  void open_copy(const QString& name, const QString& file);
+  void open_copy(const QString& copy, const QString& of);
   void remember(const QString& document);
   void follow_name(const QString& before);
 

@@ -55,6 +55,12 @@ QString state_words(const std::string& state) {
 
 }  // namespace
 
+QString nothing_words(const client::server_status& server) {
+  const bool works =
+    std::ranges::any_of(server.workers, [](const auto& worker) { return worker.jobs > 0; });
+  return works ? jobs_panel::tr("Nothing of yours runs.") : jobs_panel::tr("Nothing runs.");
+}
+
 jobs_panel::jobs_panel(jobs& work, remote& link, QWidget* parent)
     : QFrame(parent, Qt::Popup), work_(work), link_(link) {
   setAttribute(Qt::WA_DeleteOnClose);
@@ -64,7 +70,8 @@ jobs_panel::jobs_panel(jobs& work, remote& link, QWidget* parent)
   setFixedWidth(panel_width);
   setStyleSheet("#jobs_panel { border: 1px solid palette(mid); }");
   auto* column = new QVBoxLayout(this);
-  nothing_ = make_line(tr("Nothing runs."), "section");
+  nothing_ = make_line({}, "section");
+  nothing_->setObjectName("nothing_runs");
   column->addWidget(nothing_);
   list_ = new QVBoxLayout;
   column->addLayout(list_);
@@ -153,6 +160,8 @@ void jobs_panel::refresh() {
   }
   for (const auto& one : all)
     show_job(one);
+  const bool serves = link_.current() == remote::state::connected;
+  nothing_->setText(nothing_words(serves ? link_.server() : client::server_status{}));
   nothing_->setVisible(all.empty());
   server_->setText(server());
   adjustSize();

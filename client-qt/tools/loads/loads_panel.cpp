@@ -47,7 +47,7 @@ QList<qint64> surfaces_of(const load_item& item) {
 
 load_item first_item(item_kind kind, const std::vector<surface_id>& picked) {
   if (kind == item_kind::material)
-    return fem::material{"Steel", 210e9, 0.3, 7850, 235e6, {}};
+    return fem::material{loads_panel::tr("Steel").toStdString(), 210e9, 0.3, 7850, 235e6, {}};
   if (kind == item_kind::support)
     return fem::constraint{picked, fem::fixed{}};
   return fem::load{picked, fem::force{}};
@@ -471,6 +471,14 @@ void loads_panel::change(const fem::load_case& loads) {
   if (missing(loads).isEmpty())
     part_.loads().set(loads);
   refresh();
+}
+
+void loads_panel::take_up(const std::vector<fem::load_case>& kept) {
+  for (const auto& one : kept)
+    if (!find(one.name, drafts_))
+      drafts_.push_back(one);
+  if (!kept.empty())
+    refresh();
 }
 
 void loads_panel::carry_drafts(const client::committed& what) {

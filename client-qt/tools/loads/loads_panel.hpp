@@ -38,6 +38,9 @@ public:
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
   /// What the form and a few rows of the list need, pixels.
   [[nodiscard]] int wanted_height() const;
+  /// Takes up load cases that could not be solved yet when the document was left; one of a name
+  /// that is being changed here stays as it is.
+  void take_up(const std::vector<fem::load_case>& kept);
   /// Load cases that cannot be solved yet, or are on their way.
   [[nodiscard]] const std::vector<fem::load_case>& drafts() const noexcept { return drafts_; }
 

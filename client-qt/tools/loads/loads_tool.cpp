@@ -3,10 +3,13 @@
 
 #include <QSettings>
 
+#include <utility>
+
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/tools/loads/load_glyphs.hpp"
 #include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/selection/selection_tool.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::desktop {
 
@@ -19,6 +22,9 @@ loads_tool::loads_tool(window_context& in, field_panel& fields, selection_tool& 
   connect(panel_, &loads_panel::surfaces_wanted, &selecting, &selection_tool::highlight);
   connect(panel_, &loads_panel::drafts_changed, glyphs_,
           [this] { glyphs_->set_drafts(panel_->drafts()); });
+  connect(panel_, &loads_panel::drafts_changed, this, &loads_tool::keep_drafts);
+  connect(&in_.part, &document::begun, this, [this] { looks_for_drafts_ = in_.part.is_open(); });
+  connect(&in_.part, &document::opened, this, &loads_tool::find_drafts);
   in_.esc.add(ends::load_form, [this] { return panel_->cancel(); });
   add_commands();
 }
@@ -58,6 +64,32 @@ void loads_tool::add_item(const char* id, const QString& title, const char* draw
                         in_.has_part(),
                         {},
                         drawing});
+}
+
+/// With the document's name, among the settings: nobody else can do anything with what is not
+/// complete yet.
+void loads_tool::keep_drafts() {
+  if (looks_for_drafts_ || !in_.part.head())
+    return;  // They go with their document, or come with it.
+  QStringList all;
+  for (const auto& one : panel_->drafts())
+    if (!missing(one).isEmpty())
+      all << QString::fromStdString(protocol::load_case_to_json(one));
+  const QString key = drafts_key(in_.part.name());
+  if (all.isEmpty())
+    in_.settings.remove(key);
+  else if (in_.settings.value(key).toStringList() != all)
+    in_.settings.setValue(key, all);
+}
+
+void loads_tool::find_drafts() {
+  if (!std::exchange(looks_for_drafts_, false))
+    return;
+  std::vector<fem::load_case> kept;
+  for (const auto& text : in_.settings.value(drafts_key(in_.part.name())).toStringList())
+    if (const auto read = protocol::load_case_from_json(text.toStdString(), "the settings"))
+      kept.push_back(*read);
+  panel_->take_up(kept);
 }
 
 void loads_tool::show_glyphs(bool on) {

@@ -167,14 +167,25 @@ void context_panel::choose(const QString& operation) {
 /// What stays in sight while the fields scroll is never squashed.
 QSize context_panel::minimumSizeHint() const {
   constexpr int some_fields = 70;
-  const int foot = foot_->isVisibleTo(this) ? foot_->sizeHint().height() : 0;
-  return {QWidget::minimumSizeHint().width(), some_fields + foot};
+  return {QWidget::minimumSizeHint().width(), some_fields + foot_height()};
+}
+
+/// Its words wrap at the panel's width.
+int context_panel::foot_height() const {
+  if (!foot_->isVisibleTo(this))
+    return 0;
+  return foot_->hasHeightForWidth() ? foot_->heightForWidth(width()) : foot_->sizeHint().height();
 }
 
 QSize context_panel::sizeHint() const {
   const QSize fields = scroll_->sizeHint();
-  const QSize foot = foot_->isVisibleTo(this) ? foot_->sizeHint() : QSize(0, 0);
-  return {std::max(fields.width(), foot.width()), fields.height() + foot.height()};
+  const int foot = foot_->isVisibleTo(this) ? foot_->sizeHint().width() : 0;
+  // Figures and details come with the preview, when nothing is moved any more.
+  constexpr int lines_to_come = 9;
+  const auto* figures = foot_->findChild<QLabel*>("preview_figures");
+  const int to_come =
+    figures && figures->isHidden() ? lines_to_come * fontMetrics().lineSpacing() : 0;
+  return {std::max(fields.width(), foot), fields.height() + foot_height() + to_come};
 }
 
 /// What the form would do is shown while its values move.

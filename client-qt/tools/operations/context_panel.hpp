@@ -64,6 +64,7 @@ private:
   [[nodiscard]] QWidget* make_activity();
   void show_activity();
   void show_readiness();
+  [[nodiscard]] int foot_height() const;
   void edited(const client::committed& what);
   [[nodiscard]] QString not_ready() const;
   [[nodiscard]] std::vector<const offered_operation*> offers() const;

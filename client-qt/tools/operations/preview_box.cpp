@@ -53,7 +53,7 @@ static bool asked_too_much(const error& reason) {
          reason.code == ec::mesher_failed;
 }
 
-QString preview_html(const client::edit_preview& made) {
+QString preview_figures(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html = "<table>";
   html += table_row(preview_box_phrases::tr("Volume"),
@@ -67,9 +67,16 @@ QString preview_html(const client::edit_preview& made) {
     html += table_row(preview_box_phrases::tr("Worst tet here"),
                       preview_box_phrases::tr("%1 before, %2 then")
                         .arg(number(ratios->min_before), number(ratios->min_after)));
+  return html + "</table>";
+}
+
+QString preview_details(const client::edit_preview& made) {
+  const auto& report = made.report;
+  QString html;
   for (const auto& figure : report.figures)
     html += table_row(escaped(figure.help), number(figure.value) + " " + escaped(figure.unit));
-  html += "</table>";
+  if (!html.isEmpty())
+    html = "<table>" + html + "</table>";
   const int changed = changed_loads(report);
   if (!report.receipt.empty())
     html +=
@@ -108,6 +115,8 @@ preview_box::preview_box(live_preview& preview, QWidget* parent)
   state_->setObjectName("preview_state");
   figures_ = make_label("plain");
   figures_->setObjectName("preview_figures");
+  more_ = make_label("plain");
+  more_->setObjectName("preview_details");
   fault_ = make_label("fault");
   fault_->setObjectName("preview_fault");
   place_ = new QPushButton(tr("Show the place"));
@@ -116,11 +125,11 @@ preview_box::preview_box(live_preview& preview, QWidget* parent)
   most_->setObjectName("find_most");
   most_->setProperty("role", "link");
   most_->setToolTip(tr("Looks for the largest value that the part takes, for up to 3 s"));
-  column->addWidget(figures_);
+  column->addWidget(more_);
   verdict_ = new QWidget(this);
   auto* lines = new QVBoxLayout(verdict_);
   lines->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* one : std::initializer_list<QWidget*>{state_, fault_, place_, most_})
+  for (QWidget* one : std::initializer_list<QWidget*>{figures_, state_, fault_, place_, most_})
     lines->addWidget(one);
   connect(follows_, &QCheckBox::toggled, this, [this](bool on) {
     QSettings("tedit", "tedit-qt").setValue(setting, on);
@@ -160,10 +169,14 @@ void preview_box::refresh() {
   now_->setVisible(preview_.has_wish() && !preview_.is_busy() && !preview_.shown() &&
                    !preview_.refusal() && (preview_.is_slow() || !preview_.is_on()));
   const auto& shown = preview_.shown();
-  figures_->setVisible(shown != nullptr);
-  figures_->setEnabled(!preview_.is_busy());  // Of the values before.
-  if (shown)
-    figures_->setText(preview_html(shown->made));
+  for (auto* one : {figures_, more_}) {
+    one->setVisible(shown != nullptr);
+    one->setEnabled(!preview_.is_busy());  // Of the values before.
+  }
+  if (shown) {
+    figures_->setText(preview_figures(shown->made));
+    more_->setText(preview_details(shown->made));
+  }
   const auto& refusal = preview_.refusal();
   fault_->setVisible(refusal.has_value());
   place_->setVisible(refusal && !places_of(*refusal).empty());

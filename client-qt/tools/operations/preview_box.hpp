@@ -19,8 +19,8 @@ class preview_box : public QWidget {
 public:
   explicit preview_box(live_preview& preview, QWidget* parent = nullptr);
 
-  /// What has to be seen beside the button that applies: how far the preview is, or why it cannot
-  /// be. To be put anywhere.
+  /// What has to be seen beside the button that applies: the figures, how far the preview is, or
+  /// why it cannot be. To be put anywhere.
   [[nodiscard]] QWidget& verdict() const { return *verdict_; }
 
 signals:
@@ -37,13 +37,16 @@ private:
   QPushButton* now_;
   QLabel* state_;
   QLabel* figures_;
+  QLabel* more_;
   QLabel* fault_;
   QPushButton* place_;
   QPushButton* most_;
 };
 
-/// What an edit would make, as a few rows.
-[[nodiscard]] QString preview_html(const client::edit_preview& made);
+/// What an edit would make, as a few rows: volume, tets, the worst of them.
+[[nodiscard]] QString preview_figures(const client::edit_preview& made);
+/// What the operation measured besides, and what becomes of loads.
+[[nodiscard]] QString preview_details(const client::edit_preview& made);
 
 /// The surfaces that an error names.
 [[nodiscard]] std::vector<surface_id> places_of(const error& reason);

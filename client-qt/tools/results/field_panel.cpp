@@ -35,6 +35,16 @@ QWidget* side_by_side(std::initializer_list<QWidget*> parts) {
   return box;
 }
 
+/// Off where it would do nothing, and then its hint says why. Nothing to say: on, with the hint
+/// that it had.
+void enable(QWidget& one, const QString& why_not) {
+  constexpr const char* usual = "usual_hint";
+  if (!one.property(usual).isValid())
+    one.setProperty(usual, one.toolTip());
+  one.setEnabled(why_not.isEmpty());
+  one.setToolTip(why_not.isEmpty() ? one.property(usual).toString() : why_not);
+}
+
 }  // namespace
 
 field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), part_(part) {
@@ -77,6 +87,7 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
   low_->setAccessibleName(tr("Lowest value"));
   high_->setAccessibleName(tr("Highest value"));
   log_ = new QCheckBox(tr("Logarithmic"));
+  log_->setObjectName("logarithmic");
   deform_ = new deformation_row;
   form->addRow(tr("Field"), field_);
   form->addRow(missing_);
@@ -191,6 +202,7 @@ void field_panel::list_cases() {
     case_->setCurrentIndex(same >= 0 ? same : any ? case_->count() - 1 : 0);
     case_->setEnabled(case_->count() > 1);
   }
+  enable_what_counts();
   say_what_is_missing();
   emit changed();
 }
@@ -254,20 +266,13 @@ void field_panel::read_form() {
   legend_.map = static_cast<colour_map>(map_->currentIndex());
   legend_.mode = static_cast<range_mode>(mode_->currentIndex());
   legend_.bands = bands_->currentData().toInt();
-  const bool fixed = legend_.map == colour_map::safety;  // Its steps are what they are.
-  const bool has_sign = kind_of(legend_.field) == field_kind::has_sign;
-  for (QWidget* one : {static_cast<QWidget*>(mode_), static_cast<QWidget*>(bands_)})
-    one->setEnabled(!fixed);
-  log_->setEnabled(!fixed && !has_sign);
+  enable_what_counts();
   legend_.logarithmic = log_->isChecked() && log_->isEnabled();
-  const bool typed = legend_.mode == range_mode::manual && !fixed;
-  low_->setEnabled(typed);
-  high_->setEnabled(typed);
   if (legend_.field != before && !follows_values()) {
     mode_->setCurrentIndex(0);  // Another quantity: the old range means nothing. Comes back here.
     return;
   }
-  if (typed) {
+  if (low_->isEnabled()) {
     const double scale = shown_as(field_unit(legend_.field)).scale;
     const double low = read_number(low_->text()).value_or(NAN) / scale;
     const double high = read_number(high_->text()).value_or(NAN) / scale;
@@ -278,6 +283,36 @@ void field_panel::read_form() {
   }
   say_what_is_missing();
   emit changed();
+}
+
+/// What does nothing to what is shown now is off, and says why.
+void field_panel::enable_what_counts() {
+  const bool coloured = is_of_result(legend_.field);
+  const bool is_safety = kind_of(legend_.field) == field_kind::safety;
+  const QString plain =
+    coloured ? QString() : tr("No result is shown: choose one above as the field");
+  const QString steps = coloured && legend_.map == colour_map::safety
+                          ? tr("The safety steps have the same colours everywhere")
+                          : plain;
+  for (auto* one : {mode_, bands_})
+    enable(*one, steps);
+  for (QWidget* one : std::initializer_list<QWidget*>{map_, isolines_})
+    enable(*one, plain);
+  enable(*log_, steps.isEmpty() && kind_of(legend_.field) == field_kind::has_sign
+                  ? tr("Values with a sign have no logarithm")
+                  : steps);
+  for (auto* edit : {low_, high_})
+    enable(*edit, steps.isEmpty() && legend_.mode != range_mode::manual
+                    ? tr("Choose the range \"As typed\" to type it")
+                    : steps);
+  const auto now = field();
+  enable(*deform_, now && now->envelope
+                     ? tr("The envelope of all load cases has no deformation: choose one of them")
+                     : QString());
+  constexpr auto safety = static_cast<int>(colour_map::safety);
+  auto* steps_choice = static_cast<QStandardItemModel*>(map_->model())->item(safety);
+  steps_choice->setEnabled(is_safety);
+  steps_choice->setToolTip(is_safety ? QString() : tr("For the safety factor only"));
 }
 
 bool field_panel::follows_values() const {

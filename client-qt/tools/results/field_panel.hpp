@@ -60,6 +60,7 @@ private:
   /// Whether the range is that of the values.
   [[nodiscard]] bool follows_values() const;
   void read_form();
+  void enable_what_counts();
 
   document& part_;
   legend legend_;
