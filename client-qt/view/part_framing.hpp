@@ -39,6 +39,8 @@ public:
   [[nodiscard]] double free_aspect() const { return free_aspect(size_); }
   void look_from(camera::direction from);
   void fly_to(const vec3& place);
+  /// Whether the whole part was made to fit and nobody has turned or moved it since.
+  [[nodiscard]] bool shows_whole() const { return whole_ && whole_ == eye_.get(); }
 
 signals:
   void moved();

@@ -2,11 +2,16 @@
 #include "client-qt/widgets/banner.hpp"
 
 #include <QEvent>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTextBoundaryFinder>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
 
 #include "client-qt/model/quantities.hpp"
 
@@ -16,6 +21,7 @@ namespace {
 
 constexpr int news_ms = 8000;
 constexpr int warning_ms = 30000;
+constexpr int least_line = 100;  // Pixels.
 
 QString sentence(const std::string& text) {
   QString result = QString::fromStdString(text);
@@ -46,6 +52,23 @@ QString explained(const error& reason) {
   if (!reason.remedy.empty())
     text += "\n" + sentence(reason.remedy);
   return words_of(text.toStdString());
+}
+
+QString fitted(const QString& words, const QFontMetrics& by, int width) {
+  const QString dots(QChar(0x2026));
+  const QString joiner(QChar(0x2060));  // Else a line may end behind the dots.
+  QString result;
+  QTextBoundaryFinder breaks(QTextBoundaryFinder::Line, words);
+  for (qsizetype from = 0, to = breaks.toNextBoundary(); to >= 0;
+       from = to, to = breaks.toNextBoundary()) {
+    const QString piece = words.mid(from, to - from);
+    const QString bare = piece.trimmed();
+    result += by.horizontalAdvance(bare) > width
+                ? by.elidedText(bare, Qt::ElideMiddle, width).replace(dots, dots + joiner) +
+                    piece.mid(bare.size())
+                : piece;
+  }
+  return result;
 }
 
 banner::banner(QWidget* parent) : QFrame(parent) {
@@ -92,18 +115,19 @@ void banner::set_theme(const theme& look) {
 QString banner::text() const {
   if (isHidden())
     return {};
-  return QStringList{standing_->text(), title_->text(), body_->text()}.join("\n").trimmed();
+  return QStringList{standing_->text(), title_words_, body_words_}.join("\n").trimmed();
 }
 
 bool banner::has_message() const {
-  return !title_->text().isEmpty() || !body_->text().isEmpty();
+  return !title_words_.isEmpty() || !body_words_.isEmpty();
 }
 
 void banner::present(const QString& title, const QString& body, const QColor& bar) {
-  title_->setText(title);
+  title_words_ = title;
+  body_words_ = body;
   title_->setVisible(!title.isEmpty());
-  body_->setText(body);
   body_->setVisible(!body.isEmpty());
+  fit_words();
   place_->setVisible(!surfaces_.isEmpty());
   bar_ = bar;
   paint_bar();
@@ -111,9 +135,23 @@ void banner::present(const QString& title, const QString& body, const QColor& ba
   emit changed();
 }
 
+/// Paths may be longer than a line; all of them stands in the hint and in the log.
+void banner::fit_words() {
+  for (const auto& [label, words] :
+       {std::pair(title_, &title_words_), std::pair(body_, &body_words_)}) {
+    const QString shown =
+      fitted(*words, label->fontMetrics(), std::max(least_line, label->contentsRect().width()));
+    if (label->text() != shown)
+      label->setText(shown);
+    label->setToolTip(shown == *words ? QString() : *words);
+  }
+}
+
 /// Fonts of words that are shown for the first time are known later than the words.
 bool banner::event(QEvent* event) {
   const bool done = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+    fit_words();
   if (event->type() == QEvent::LayoutRequest)
     emit changed();
   return done;
@@ -136,7 +174,7 @@ void banner::show_error(const QString& what, const error& reason) {
 void banner::add_to_error(const QString& text) {
   if (isHidden() || away_.isActive() || !has_message())
     return show_news(text);
-  present(title_->text(), body_->text() + "\n" + text, look_.error);
+  present(title_words_, body_words_ + "\n" + text, look_.error);
 }
 
 void banner::show_news(const QString& text) {
@@ -161,7 +199,7 @@ void banner::show_standing(const QString& text) {
   stands_ = true;
   standing_->setText(text);
   standing_->show();
-  present(title_->text(), body_->text(), has_message() ? look_.error : look_.warning);
+  present(title_words_, body_words_, has_message() ? look_.error : look_.warning);
 }
 
 void banner::clear_standing() {

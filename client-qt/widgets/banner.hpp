@@ -33,7 +33,7 @@ public:
   void clear_standing();
   /// What was said of a part that is closed now; what stands stays.
   void clear_message();
-  /// All that it says; empty while it is hidden.
+  /// All that it says, also what is elided for want of room; empty while it is hidden.
   [[nodiscard]] QString text() const;
 
 signals:
@@ -45,6 +45,7 @@ protected:
 
 private:
   void paint_bar();
+  void fit_words();
   void show_for(int ms, const QString& text, const QColor& bar);
   void present(const QString& title, const QString& body, const QColor& bar);
   [[nodiscard]] bool has_message() const;
@@ -53,6 +54,8 @@ private:
   QLabel* standing_;
   QLabel* title_;
   QLabel* body_;
+  QString title_words_;  ///< As they are, whatever there is room for.
+  QString body_words_;
   QPushButton* place_;
   QList<qint64> surfaces_;
   QColor bar_;
@@ -63,6 +66,10 @@ private:
 
 /// Cause, place and remedy in lines.
 [[nodiscard]] QString explained(const error& reason);
+
+/// The words with each one elided in its middle that no line of this many pixels takes: a label
+/// cannot break it, and would lose the lines that follow.
+[[nodiscard]] QString fitted(const QString& words, const QFontMetrics& by, int width);
 
 /// The surfaces that a sentence names: "surface 12", "surfaces 15, 91".
 [[nodiscard]] QList<qint64> surfaces_in(const QString& text);

@@ -2,6 +2,7 @@
 #include "client-qt/widgets/tall_scroll.hpp"
 
 #include <QEvent>
+#include <QScrollBar>
 
 namespace tedit::desktop {
 
@@ -10,12 +11,18 @@ tall_scroll::tall_scroll(QWidget* content, QWidget* parent) : QScrollArea(parent
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidget(content);
-  setMinimumWidth(content->minimumSizeHint().width());
 }
 
 QSize tall_scroll::sizeHint() const {
-  return widget() ? QSize(widget()->sizeHint().expandedTo(widget()->minimumSizeHint()))
-                  : QScrollArea::sizeHint();
+  if (!widget())
+    return QScrollArea::sizeHint();
+  const QSize whole(0, widget()->minimumHeight());  // With its words wrapped as they are.
+  return widget()->sizeHint().expandedTo(widget()->minimumSizeHint()).expandedTo(whole);
+}
+
+QSize tall_scroll::minimumSizeHint() const {
+  const int form = widget() ? widget()->minimumSizeHint().width() : 0;
+  return {form + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
 }
 
 /// Forms in forms let their fields be squashed below what these ask for.
@@ -34,8 +41,10 @@ void tall_scroll::resizeEvent(QResizeEvent* event) {
 }
 
 bool tall_scroll::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == widget() && event->type() == QEvent::LayoutRequest)
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) {
     keep_whole();
+    updateGeometry();  // It may need another width, too.
+  }
   return QScrollArea::eventFilter(watched, event);
 }
 

@@ -12,6 +12,8 @@ public:
   explicit tall_scroll(QWidget* content, QWidget* parent = nullptr);
 
   [[nodiscard]] QSize sizeHint() const override;
+  /// Wide enough for the form and the bar beside it.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -16,6 +16,8 @@ namespace tedit::desktop {
 
 namespace {
 
+// A dock's title is as high as its letters and twice the room above them: the line below it takes
+// its pixel from the room there, else from the letters.
 constexpr auto sheet = R"(
 QToolTip { color: %TEXT%; background: %PANEL%; border: 1px solid %LINE%; padding: 4px; }
 QMainWindow::separator { background: %LINE%; width: 1px; height: 1px; }
@@ -25,7 +27,7 @@ QToolButton:hover { background: %HOVER%; }
 QToolButton:checked, QToolButton:pressed { background: %PRESSED%; }
 QToolButton:focus { background: %HOVER%; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }
-QDockWidget::title { background: %PANEL%; padding: 6px 8px; border-bottom: 1px solid %LINE%; }
+QDockWidget::title { background: %PANEL%; padding: 6px 8px 4px 8px; border-bottom: 1px solid %LINE%; }
 QStatusBar { background: %PANEL%; border-top: 1px solid %LINE%; }
 QStatusBar::item { border: 0; }
 QPushButton { border: 1px solid %LINE%; border-radius: 5px; padding: 5px 14px; background: %BUTTON%;

@@ -7,6 +7,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLayout>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QStackedWidget>
@@ -36,7 +37,8 @@ namespace {
 constexpr int cube_margin = 12;
 constexpr int docks_width = 330;  // Those on the right.
 constexpr int widest_banner = 760;
-constexpr int below_titles = 70;  // Of a comparison.
+constexpr int narrowest_banner = 320;  // A file's name.
+constexpr int below_titles = 70;       // Of a comparison.
 
 }  // namespace
 
@@ -180,14 +182,27 @@ void main_window::place_overlays() {
   section.move(view_->width() - section.width() - cube_margin,
                view_->height() - section.height() - cube_margin);
   overlay_->keep_free(section.isVisible() ? section.height() + cube_margin : 0);
-  const int room = pages_->width() - 2 * (cube_->width() + 2 * cube_margin);
-  const int least = std::clamp(pages_->width() - 2 * cube_margin, 320, 480);  // A file's name.
-  const int width = std::clamp(room, least, widest_banner);
+  place_banner();
+}
+
+/// Over the view in its middle, where there is no room for that beside the cube, and below the cube
+/// where there is none there either.
+void main_window::place_banner() {
+  const bool has_cube = pages_->currentWidget() == view_;
+  const int all = pages_->width() - 2 * cube_margin;
+  const int taken = has_cube ? cube_->width() + cube_margin : 0;
+  const bool beside = all - taken >= narrowest_banner;
+  const int width = std::min(beside ? all - taken : all, widest_banner);
+  const int middle = (pages_->width() - width) / 2;
+  const int left =
+    beside ? std::min(middle, pages_->width() - cube_margin - taken - width) : middle;
   const int height =
     banner_->hasHeightForWidth() ? banner_->heightForWidth(width) : banner_->sizeHint().height();
-  const bool has_titles = pages_->currentWidget() != view_ && !tools_->documents.shows_start_page();
-  banner_->setGeometry((pages_->width() - width) / 2, has_titles ? below_titles : cube_margin,
-                       width, height);
+  const bool has_titles = !has_cube && !tools_->documents.shows_start_page();
+  const int top = has_titles ? below_titles
+                  : beside   ? cube_margin
+                             : 2 * cube_margin + cube_->height();
+  banner_->setGeometry(left, top, width, height);
   banner_->raise();
 }
 
@@ -260,8 +275,11 @@ void main_window::show_docks(bool on) {
   setContextMenuPolicy(on ? Qt::DefaultContextMenu : Qt::NoContextMenu);
 }
 
+/// A window that has not been shown still has the least width of all docks, hidden or not, beside
+/// each other: without them it is laid out first.
 void main_window::take_size(const QSize& size) {
   setWindowState(windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
+  layout()->activate();
   resize(size);
 }
 

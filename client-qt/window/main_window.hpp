@@ -47,6 +47,7 @@ private:
   void wire_look();
   void wire_messages();
   void place_overlays();
+  void place_banner();
   void make_room(int form_height, QDockWidget& dock, QDockWidget& gives, QDockWidget& keeps);
   void make_room_for_operation();
   void make_room_for_load();

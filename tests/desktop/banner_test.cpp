@@ -2,7 +2,11 @@
 // What is said over the view, and what is painted there: nothing covers what matters more.
 #include "client-qt/widgets/banner.hpp"
 
+#include <QFontMetrics>
+#include <QLabel>
 #include <QPushButton>
+
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -82,6 +86,31 @@ TEST_F(Banner, SaysWhenItNeedsOtherRoom) {
   EXPECT_EQ(changes, 2);
   close();
   EXPECT_EQ(changes, 3);
+}
+
+TEST_F(Banner, AWordThatNoLineTakesIsElidedInItsMiddleAndNothingElseIs) {
+  const QFontMetrics by = message.fontMetrics();
+  const QString file = QString("ctc01_plate").repeated(9) + ".tedit";
+  const QString words = "This is version 1 of /home/" + file + ", and it is safe.";
+  const int width = by.horizontalAdvance(file) / 2;
+
+  const auto shown = fitted(words, by, width);
+
+  EXPECT_TRUE(shown.startsWith("This is version 1 of /home/ctc01")) << shown.toStdString();
+  EXPECT_TRUE(shown.contains(QChar(0x2026)));
+  EXPECT_TRUE(shown.endsWith("tedit, and it is safe.")) << shown.toStdString();
+  EXPECT_EQ(fitted(words, by, 2 * by.horizontalAdvance(file)), words);
+}
+
+TEST_F(Banner, SaysAllOfALongNameToWhoAsks) {
+  const QString words = "Wrote " + QString("x").repeated(400);
+  message.resize(300, 100);
+  message.show_news(words);
+
+  EXPECT_EQ(message.text(), words);
+  const auto labels = message.findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(
+    labels, [&](const QLabel* one) { return one->toolTip() == words && one->text() != words; }));
 }
 
 TEST(Overlay, AMarkDoesNotCoverTheLegendWhereThereIsRoomBesideIt) {

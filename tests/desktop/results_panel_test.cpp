@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -131,6 +132,62 @@ TEST_F(ResultsPanel, HasNoColumnsForAVersionBeforeWhenThereIsNone) {
   EXPECT_TRUE(panel_.tree()->isColumnHidden(3));
   panel_.show_summary(two_sections());
   EXPECT_FALSE(panel_.tree()->isColumnHidden(2));
+}
+
+TEST_F(ResultsPanel, PlacesHaveTheRoomThatNotesDoNotNeed) {
+  auto some = two_sections();
+  auto& row = some.sections[0].rows[0];
+  row.where = "where Surface 66 and the wall of the long slot at the side meet";
+  const auto where = [&] {  // Its words, and how much of its column they need.
+    const QAbstractItemView* list = panel_.tree();
+    return panel_.tree()->columnWidth(4) - list->sizeHintForColumn(4);
+  };
+  panel_.resize(1000, 300);
+  row.warning = "short";
+  panel_.show_summary(some);
+  EXPECT_GE(where(), 0) << "beside a short note";
+
+  row.warning.clear();
+  panel_.show_summary(some);
+  EXPECT_TRUE(panel_.tree()->isColumnHidden(5)) << "nothing has a note";
+  EXPECT_GE(where(), 0);
+
+  row.warning = QString("a very long warning ").repeated(9);
+  panel_.show_summary(some);
+  EXPECT_FALSE(panel_.tree()->isColumnHidden(5));
+  EXPECT_LT(where(), 0);
+  EXPECT_GE(panel_.tree()->columnWidth(4), 200) << "it keeps enough to be read";
+}
+
+TEST_F(ResultsPanel, APlaceIsWrittenIntoTheRoomOfANoteThatIsNotThere) {
+  auto some = two_sections();
+  some.sections[0].rows[0].warning.clear();
+  some.sections[1].rows[0].note = "along +z";
+  const auto ink = [&](const QString& place) {  // In the note's cell of that row.
+    some.sections[0].rows[0].where = place;
+    panel_.show_summary(some);
+    const auto cell = panel_.tree()->model()->index(0, 5, panel_.tree()->model()->index(0, 0));
+    const auto drawn = panel_.tree()->viewport()->grab(panel_.tree()->visualRect(cell)).toImage();
+    int dark = 0;
+    for (int y = 0; y < drawn.height(); ++y)
+      for (int x = 0; x < drawn.width(); ++x)
+        dark += drawn.pixelColor(x, y).lightness() < 100 ? 1 : 0;
+    return dark;
+  };
+  const QString place = "where Surface 66 and the wall of the long slot at the side meet";
+  (void)ink(place);
+  const QAbstractItemView* list = panel_.tree();
+  for (int width = 1000; panel_.tree()->columnWidth(4) >= list->sizeHintForColumn(4); width -= 10) {
+    ASSERT_GT(width, 300) << "the place has its room however narrow the list is";
+    panel_.resize(width, 300);
+    QApplication::processEvents();
+  }
+
+  EXPECT_EQ(ink("here"), 0);
+  panel_.resize(panel_.width() - 60, 300);
+  QApplication::processEvents();
+  EXPECT_GT(ink(place), 10);
+  EXPECT_EQ(panel_.tree()->horizontalScrollBar()->maximum(), 0);
 }
 
 TEST_F(ResultsPanel, KeysGoFromRowToRowAndEnterGoesToThePlace) {

@@ -64,7 +64,8 @@ void compare_tool::open(quint32 before, quint32 after) {
   const auto field = fields_.field();
   page_->open({before, after, fields_.wanted(),
                field && !field->envelope ? field->report.load_case : std::string(),
-               fields_.deform(), in_.view.view().get(), in_.view.framing().free_aspect()});
+               fields_.deform(), in_.view.view().get(), in_.view.framing().free_aspect(),
+               in_.view.framing().shows_whole()});
   in_.pages.setCurrentWidget(page_);
 }
 

@@ -130,7 +130,7 @@ bool compare_view::eventFilter(QObject* watched, QEvent* event) {
         one->over->setGeometry(one->view->rect());
     const auto* change = static_cast<QResizeEvent*>(event);
     if (watched == after_.view && posed_ && change->oldSize().isValid())
-      step_back(distance_for(change->size()) / distance_for(change->oldSize()));
+      follow_size(change->oldSize(), change->size());
   }
   return QWidget::eventFilter(watched, event);
 }
@@ -148,9 +148,30 @@ void compare_view::step_back(double factor) {
   auto pose = after_.view->view().get();
   pose.position = pose.focus + factor * (pose.position - pose.focus);
   pose.parallel_scale *= factor;
+  look_from(pose);
+}
+
+/// Both, by their link.
+void compare_view::look_from(const camera::pose& pose) {
   after_.view->view().set(pose);
   after_.view->redraw();
   emit after_.view->view_changed();
+}
+
+/// What was made to fit is made so again, once the pane has its size: a wider one may be too low
+/// for what a narrow one showed.
+void compare_view::follow_size(const QSize& before, const QSize& now) {
+  if (whole_ != after_.view->view().get())
+    return step_back(distance_for(now) / distance_for(before));
+  QMetaObject::invokeMethod(
+    this,
+    [this] {
+      if (!posed_ || !after_.view->geometry() || !before_.view->geometry())
+        return;
+      whole_ = whole_pose();
+      look_from(*whole_);
+    },
+    Qt::QueuedConnection);
 }
 
 void compare_view::showEvent(QShowEvent* event) {
@@ -189,9 +210,7 @@ void compare_view::take_start_pose() {
       !before_.view->geometry() || !after_.view->geometry())
     return;
   posed_ = true;
-  after_.view->view().set(what_->from);
-  after_.view->redraw();
-  emit after_.view->view_changed();
+  look_from(what_->from);
   step_back(distance_for(after_.view->size()));
   const auto asked = after_.view->view().get();
   const auto whole = whole_pose();
@@ -199,9 +218,9 @@ void compare_view::take_start_pose() {
     const vec3 away = one.position - one.focus;
     return after_.view->view().is_parallel() ? one.parallel_scale : std::sqrt(dot(away, away));
   };
-  after_.view->view().set(far(whole) < far(asked) ? whole : asked);
-  after_.view->redraw();
-  emit after_.view->view_changed();
+  const bool fits = what_->whole || far(whole) < far(asked);
+  look_from(fits ? whole : asked);
+  whole_ = fits ? std::optional(whole) : std::nullopt;
 }
 
 /// What shows both parts, from the same side.

@@ -27,8 +27,9 @@ struct comparison {
   legend by;              ///< Quantity and colours; its range when it is not automatic.
   std::string load_case;  ///< Empty: the envelope, or the only one.
   double deform = 0;
-  camera::pose from;  ///< Where both are looked at from,
-  double aspect = 1;  ///< in a view of this width to height.
+  camera::pose from;   ///< Where both are looked at from,
+  double aspect = 1;   ///< in a view of this width to height.
+  bool whole = false;  ///< All of the part was made to fit there: so are both here.
 };
 
 /// Two versions side by side with linked cameras and one legend below, or their difference on the
@@ -72,6 +73,8 @@ private:
   void show_change(const version_record& before, const version_record& after);
   void take_start_pose();
   void step_back(double factor);
+  void look_from(const camera::pose& pose);
+  void follow_size(const QSize& before, const QSize& now);
   [[nodiscard]] camera::pose whole_pose();
   [[nodiscard]] double distance_for(const QSize& size) const;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -82,7 +85,8 @@ private:
   bool difference_ = false;
   bool linking_ = false;
   bool posed_ = false;
-  shared_field change_;  ///< Kept, so that a refresh shows the same one.
+  std::optional<camera::pose> whole_;  ///< As it was last made to fit.
+  shared_field change_;                ///< Kept, so that a refresh shows the same one.
   std::pair<shared_field, shared_field> change_of_;
   std::map<std::uint32_t, shared_surface> fetched_;  ///< Of versions that were not at hand.
   std::set<std::uint32_t> asked_;

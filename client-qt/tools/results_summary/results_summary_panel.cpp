@@ -3,14 +3,20 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
+#include <QPainter>
 #include <QPushButton>
 #include <QShortcut>
+#include <QStyledItemDelegate>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 #include "client-qt/model/results_table.hpp"
 
@@ -21,7 +27,8 @@ namespace {
 enum column { title_column, value_column, before_column, change_column, where_column, note_column };
 enum role { section_role = Qt::UserRole, row_role };
 
-constexpr int widest_where = 260;  // Pixels: what is longer is read in its hint.
+constexpr int enough_where = 260;  // Pixels: beside a long note what is longer is read in its hint.
+constexpr int least_where = 120;
 
 QString notes_of(const result_row& row) {
   if (row.warning.isEmpty())
@@ -29,6 +36,37 @@ QString notes_of(const result_row& row) {
   const QString warning = QString::fromUtf8("⚠ ") + row.warning;
   return row.note.isEmpty() ? warning : warning + " (" + row.note + ")";
 }
+
+bool has_notes(const results_summary& what) {
+  return std::ranges::any_of(what.sections, [](const result_section& one) {
+    return std::ranges::any_of(one.rows,
+                               [](const result_row& row) { return !notes_of(row).isEmpty(); });
+  });
+}
+
+/// A place has the room of its note, too, where there is none. Each of both cells paints its half:
+/// a list may paint one of them alone.
+class place_delegate : public QStyledItemDelegate {
+public:
+  explicit place_delegate(QTreeWidget& list) : QStyledItemDelegate(&list), list_(list) {}
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    const auto note = index.siblingAtColumn(note_column);
+    if (!note.data().toString().isEmpty())
+      return QStyledItemDelegate::paint(painter, option, index);
+    const auto place = index.siblingAtColumn(where_column);
+    auto both = option;
+    both.rect = list_.visualRect(place) | list_.visualRect(note);
+    painter->save();
+    painter->setClipRect(option.rect, Qt::IntersectClip);
+    QStyledItemDelegate::paint(painter, both, place);
+    painter->restore();
+  }
+
+private:
+  const QTreeWidget& list_;
+};
 
 /// What a screen reader says of a row.
 QString spoken(const QTreeWidgetItem& row) {
@@ -60,6 +98,7 @@ results_summary_panel::results_summary_panel(QWidget* parent) : QWidget(parent) 
   tree_->setSelectionBehavior(QAbstractItemView::SelectRows);
   tree_->setAllColumnsShowFocus(true);
   tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  tree_->header()->setStretchLastSection(false);  // `share_width` gives each its room.
   column->addWidget(tree_, 1);
   wire();
   show_summary({});
@@ -93,6 +132,9 @@ void results_summary_panel::wire() {
   connect(tree_, &QTreeWidget::itemClicked, this, &results_summary_panel::go_to);
   auto* keys = new QShortcut(QKeySequence::Copy, tree_);
   keys->setContext(Qt::WidgetShortcut);
+  tree_->viewport()->installEventFilter(this);
+  for (const int i : {where_column, note_column})
+    tree_->setItemDelegateForColumn(i, new place_delegate(*tree_));
   connect(keys, &QShortcut::activated, this, &results_summary_panel::copy);
 }
 
@@ -117,12 +159,36 @@ void results_summary_panel::show_summary(const results_summary& what) {
   set_columns();
   for (std::size_t i = 0; i < shown_.sections.size(); ++i)
     add_section(i);
-  for (const int i : {title_column, value_column, before_column, change_column, where_column})
+  for (const int i : {title_column, value_column, before_column, change_column})
     tree_->resizeColumnToContents(i);
-  tree_->setColumnWidth(where_column, std::min(tree_->columnWidth(where_column), widest_where));
+  share_width();
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)  // Who reads by keys stays where they were.
     if (std::pair((*it)->data(0, section_role).toInt(), (*it)->data(0, row_role).toInt()) == at)
       tree_->setCurrentItem(*it);
+}
+
+/// Places and notes share what the figures leave: neither is cut off beside empty room.
+void results_summary_panel::share_width() {
+  int left = tree_->viewport()->width();
+  for (const int i : {title_column, value_column, before_column, change_column})
+    left -= tree_->columnWidth(i);  // 0 where it is hidden.
+  const QAbstractItemView& list = *tree_;
+  const int heading = tree_->header()->sectionSizeHint(note_column);
+  const int note = std::max(list.sizeHintForColumn(note_column), heading);
+  const int where =
+    std::max(list.sizeHintForColumn(where_column), tree_->header()->sectionSizeHint(where_column));
+  const int enough =
+    std::clamp(left - heading, std::min(where, least_where), std::min(where, enough_where));
+  const bool notes = !tree_->isColumnHidden(note_column);
+  const int given = notes ? std::clamp(left - note, enough, where) : std::max(left, where);
+  tree_->setColumnWidth(where_column, given);
+  tree_->setColumnWidth(note_column, std::max(left - given, std::min(heading, least_where)));
+}
+
+bool results_summary_panel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_->viewport() && event->type() == QEvent::Resize)
+    QTimer::singleShot(0, this, &results_summary_panel::share_width);  // Once the header has it.
+  return QWidget::eventFilter(watched, event);
 }
 
 void results_summary_panel::set_columns() {
@@ -131,7 +197,7 @@ void results_summary_panel::set_columns() {
     {tr("Figure"), tr("Value"), before, tr("Change"), tr("Where"), tr("Note")});
   tree_->setColumnHidden(before_column, !shown_.before);
   tree_->setColumnHidden(change_column, !shown_.before);
-  tree_->header()->setStretchLastSection(true);
+  tree_->setColumnHidden(note_column, !has_notes(shown_));
 }
 
 void results_summary_panel::add_section(std::size_t at) {

@@ -35,12 +35,16 @@ signals:
   void row_wanted(const tedit::desktop::result_row& row, const QString& load_case);
   void report_wanted();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;  ///< Of the list's own room.
+
 private:
   void build_top();
   void wire();
   void add_section(std::size_t at);
   void add_row(QTreeWidgetItem* parent, std::size_t section, std::size_t at);
   void set_columns();
+  void share_width();
   void go_to(const QTreeWidgetItem* item);
 
   results_summary shown_;

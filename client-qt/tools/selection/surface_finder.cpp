@@ -15,7 +15,7 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int most_rows = 200;
-constexpr QRect beside_the_part{12, 52, 340, 300};  ///< Rows are walked through: the part is seen.
+constexpr QRect beside_the_part{12, 52, 370, 300};  ///< Rows are walked through: the part is seen.
 
 QString place_in_words(const vec3& at) {
   return surface_finder::tr("at (%1, %2, %3) mm")

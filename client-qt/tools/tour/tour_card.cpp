@@ -13,6 +13,7 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int card_width = 320;
+constexpr int beside_it = 112;  // The view cube, and the room around both.
 
 }  // namespace
 
@@ -58,7 +59,8 @@ void tour_card::show_step(const QString& title, const QString& words, int step, 
     button->setVisible(step < of);
   close_->setText(step < of ? tr("End the tour") : tr("Close"));
   layout()->activate();
-  const int wide = std::max(card_width, layout()->totalMinimumSize().width());
+  const int room = std::min(card_width, parentWidget()->width() - beside_it);
+  const int wide = std::max(room, layout()->totalMinimumSize().width());
   setFixedSize(wide, layout()->totalHeightForWidth(wide));
   show();
   raise();
