@@ -30,10 +30,13 @@ constexpr bool limit_addresses = false;
 constexpr bool limit_addresses = true;
 #endif
 
-/// A file without a name that parent and child share.
+/// A file without a name that parent and child share. Each write goes to its end: threads that
+/// write at once by the file's position would write over each other.
 class shared_file {
 public:
-  shared_file() : fd_(memfd_create("tedit-conformance", MFD_CLOEXEC)) {}
+  shared_file() : fd_(memfd_create("tedit-conformance", MFD_CLOEXEC)) {
+    fcntl(fd_, F_SETFL, O_APPEND);
+  }
   shared_file(const shared_file&) = delete;
   shared_file& operator=(const shared_file&) = delete;
   ~shared_file() { close(fd_); }

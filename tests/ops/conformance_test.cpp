@@ -42,6 +42,14 @@ std::vector<std::string> failures(const conformance_report& report) {
   return result;
 }
 
+std::string what_failed(const conformance_report& report) {
+  std::string result;
+  for (const auto& row : report.rows)
+    if (row.outcome == verdict::fail)
+      result += row.check + ": " + row.seen + "\n";
+  return result;
+}
+
 const conformance_row& row_of(const conformance_report& report, const std::string& check) {
   return *std::ranges::find(report.rows, check, &conformance_row::check);
 }
@@ -71,7 +79,7 @@ class BrokenRule : public ::testing::TestWithParam<const char*> {};
 TEST_P(BrokenRule, IsNamed) {
   const auto report = report_of(GetParam(), std::chrono::seconds(30));
 
-  EXPECT_THAT(failures(report), ElementsAre(GetParam()));
+  EXPECT_THAT(failures(report), ElementsAre(GetParam())) << what_failed(report);
   EXPECT_FALSE(report.ok());
   const auto& row = row_of(report, GetParam());
   EXPECT_FALSE(row.seen.empty());
