@@ -150,6 +150,8 @@ void main_window::lay_out_docks() {
   tabifyDockWidget(&docks_.of("log"), &docks_.of("probes"));
   docks_.raise("loads");
   docks_.raise("history");
+  for (const auto* name : {"context", "field", "loads"})
+    docks_.of(name).installEventFilter(this);
   resizeDocks({&docks_.of("context"), &docks_.of("field"), &docks_.of("loads")}, {320, 240, 240},
               Qt::Vertical);
   resizeDocks({&docks_.of("context")}, {docks_width}, Qt::Horizontal);
@@ -239,7 +241,6 @@ void main_window::make_room_for_load() {
     before_form_ = heights_of_docks();
   make_room(tools_->loads.panel().wanted_height(), docks_.of("loads"), docks_.of("field"),
             docks_.of("context"));
-  QTimer::singleShot(0, this, [this] { with_form_ = heights_of_docks(); });
 }
 
 main_window::dock_heights main_window::heights_of_docks() {
@@ -248,7 +249,7 @@ main_window::dock_heights main_window::heights_of_docks() {
 
 void main_window::give_room_back() {
   const auto before = std::exchange(before_form_, {});
-  if (!before.isEmpty() && with_form_ == heights_of_docks())
+  if (!before.isEmpty())
     resizeDocks({&docks_.of("loads"), &docks_.of("field"), &docks_.of("context")}, before,
                 Qt::Vertical);
 }
@@ -360,6 +361,10 @@ void main_window::wire_messages() {
 bool main_window::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_ && event->type() == QEvent::Resize && tools_)
     place_overlays();
+  // Moved by hand, and not by what stands in them.
+  if (event->type() == QEvent::Resize && qobject_cast<QDockWidget*>(watched) &&
+      QGuiApplication::mouseButtons() != Qt::NoButton)
+    before_form_.clear();
   return QMainWindow::eventFilter(watched, event);
 }
 

@@ -60,8 +60,7 @@ private:
   using dock_heights = QList<int>;
   [[nodiscard]] dock_heights heights_of_docks();
 
-  dock_heights before_form_;
-  dock_heights with_form_;
+  dock_heights before_form_;  ///< Of loads; empty once a person has moved the docks since.
   QSettings settings_;
   remote link_;
   local_server server_;
