@@ -137,12 +137,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<preview_request>::with<previewed>,
   // Undo and redo.
   caf::replies_to<move_request>::with<head_moved>,
-  // Replaces or adds a load case at the head.
-  caf::replies_to<load_case_request>::with<acknowledged>,
-  // Takes a load case from the head.
-  caf::replies_to<remove_case_request>::with<acknowledged>,
-  // Names a version.
-  caf::replies_to<annotate_request>::with<acknowledged>,
+  // What makes no new version: load cases of the head, names of versions.
+  caf::replies_to<note_request>::with<acknowledged>,
   // Gives the document another name, which its hub has found free; all subscribers hear of it.
   caf::replies_to<rename_atom, std::string>::with<document_renamed>,
   // The result of the head that is at hand.

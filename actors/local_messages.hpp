@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include <caf/actor.hpp>
@@ -114,22 +115,26 @@ struct move_request {
   caf::actor client = {};
 };
 
-struct load_case_request {
+/// A load case for the head: in the place of that with its name, else a new one.
+struct set_load_case {
   fem::load_case load_case;
-  change_terms terms;
 };
 
-struct remove_case_request {
+struct remove_load_case {
   std::string load_case;  ///< Name.
-  change_terms terms;
 };
 
-/// A name and a note for a version, checked by the session.
-struct annotate_request {
+/// A name and a note for a version.
+struct annotate_version {
   std::uint32_t number = 0;
   std::string name;
   std::string note;
-  change_terms terms;  ///< Without a version: it changes no head.
+};
+
+/// A change that makes no new version.
+struct note_request {
+  std::variant<set_load_case, remove_load_case, annotate_version> wanted;
+  change_terms terms;
 };
 
 struct solve_request {
@@ -352,9 +357,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::apply_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::preview_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::previewed)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::move_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::load_case_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::remove_case_request)
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::annotate_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::note_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::solve_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::export_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::history_request)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fem/problem.hpp"
+#include "fem/wide.hpp"
 
 namespace tedit::fem {
 
@@ -36,12 +37,21 @@ struct tet_gradients {
   return gradients_of({p.nodes[n[0]], p.nodes[n[1]], p.nodes[n[2]], p.nodes[n[3]]});
 }
 
-/// Stress (xx, yy, zz, xy, yz, zx; Pa) from the displacement gradient G_ij = du_i/dx_j.
+/// Hooke's law: stress (xx, yy, zz, xy, yz, zx; Pa) from the rows, or the columns, of the
+/// displacement gradient; of one element or of one in each lane. `twice_mu` is 2 mu.
+template <class Scalar, class Row, class Modulus>
+[[nodiscard]] TEDIT_INLINE std::array<Scalar, 6> stress_of(const Row& a, const Row& b, const Row& c,
+                                                           Modulus lambda, Modulus mu,
+                                                           Modulus twice_mu) {
+  const Scalar pressure = lambda * (a.x + b.y + c.z);
+  return {pressure + twice_mu * a.x, pressure + twice_mu * b.y, pressure + twice_mu * c.z,
+          mu * (a.y + b.x),          mu * (b.z + c.y),          mu * (c.x + a.z)};
+}
+
+/// The same from the displacement gradient G_ij = du_i/dx_j.
 [[nodiscard]] inline std::array<double, 6> stress_of(const std::array<vec3, 3>& g,
                                                      const lame_constants& c) {
-  const double pressure = c.lambda * (g[0].x + g[1].y + g[2].z);
-  return {pressure + 2 * c.mu * g[0].x, pressure + 2 * c.mu * g[1].y, pressure + 2 * c.mu * g[2].z,
-          c.mu * (g[0].y + g[1].x),     c.mu * (g[1].z + g[2].y),     c.mu * (g[2].x + g[0].z)};
+  return stress_of<double>(g[0], g[1], g[2], c.lambda, c.mu, 2 * c.mu);
 }
 
 /// Displacement gradient of element e of a problem of order 1, from differences to its first node,

@@ -72,10 +72,7 @@ using lanes6 = std::array<lanes, 6>;
 /// The stress of the displacement gradient with the rows a, b, c.
 TEDIT_INLINE lanes6 stress_of(const lanes3& a, const lanes3& b, const lanes3& c,
                               const lane_elements& e) {
-  const lanes pressure = e.lambda * (a.x + b.y + c.z);
-  const lanes twice = e.mu + e.mu;
-  return {pressure + twice * a.x, pressure + twice * b.y, pressure + twice * c.z,
-          e.mu * (a.y + b.x),     e.mu * (b.z + c.y),     e.mu * (c.x + a.z)};
+  return stress_of<lanes>(a, b, c, e.lambda, e.mu, e.mu + e.mu);
 }
 
 /// s n.

@@ -55,13 +55,14 @@ void set_load_case(client_state& client, std::uint64_t id, const v1::SetLoadCase
     return client.refuse(id, given.error());
   }
   carry_out(client, id, document->session,
-            load_case_request{std::move(*given), client.terms_of(body)}, "setting the load case");
+            note_request{actors::set_load_case{std::move(*given)}, client.terms_of(body)},
+            "setting the load case");
 }
 
 void remove_load_case(client_state& client, std::uint64_t id, const v1::RemoveLoadCase& body) {
   if (const auto* document = client.find(id, body.document()))
     carry_out(client, id, document->session,
-              remove_case_request{body.load_case(), client.terms_of(body)},
+              note_request{actors::remove_load_case{body.load_case()}, client.terms_of(body)},
               "removing the load case");
 }
 
@@ -73,8 +74,8 @@ void cancel_solve(client_state& client, std::uint64_t id, const v1::CancelSolve&
 void annotate(client_state& client, std::uint64_t id, const v1::AnnotateVersion& body) {
   if (const auto* document = client.find(id, body.document()))
     carry_out(client, id, document->session,
-              annotate_request{
-                body.number(), body.name(), body.note(), {client.client_name, body.edit_id(), {}}},
+              note_request{annotate_version{body.number(), body.name(), body.note()},
+                           {client.client_name, body.edit_id(), {}}},
               "naming the version");
 }
 

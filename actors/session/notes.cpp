@@ -34,19 +34,8 @@ bool has_control(const std::string& text, bool lines) {
   });
 }
 
-/// Errors: `conflict`.
-expected<void> check_size(const load_case_list& load_cases) {
-  const auto bytes = protocol::to_json(load_cases).size();
-  if (bytes <= most_load_case_bytes)
-    return {};
-  return fail(ec::conflict,
-              "the load cases of a version may have " + std::to_string(most_load_case_bytes) +
-                " bytes together (as JSON), not " + std::to_string(bytes),
-              "Remove load cases that are not needed");
-}
-
 /// Errors: `invalid_argument`.
-expected<void> check_words(const annotate_request& request) {
+expected<void> check_words(const annotate_version& request) {
   if (characters(request.name) > longest_name || has_control(request.name, false))
     return fail(ec::invalid_argument,
                 "a version's name has at most " + std::to_string(longest_name) +
@@ -60,11 +49,113 @@ expected<void> check_words(const annotate_request& request) {
   return {};
 }
 
+/// What the disk gets, and what is done when it is durable.
+struct quiet_change {
+  store::change change;
+  std::function<void()> done;
+};
+
+// For each kind of change: how it stands in the log, and what it is; the latter when its turn has
+// come.
+
+// -- load cases --------------------------------------------------------------------------------
+
+/// The head gets these load cases instead of its own. Errors: `conflict`.
+expected<quiet_change> change_load_cases(session_state& state, load_case_list load_cases) {
+  const auto number = state.graph.head()->info.number;
+  auto stored = stored_form(load_cases);
+  if (stored.size() > most_load_case_bytes)
+    return fail(ec::conflict,
+                "the load cases of a version may have " + std::to_string(most_load_case_bytes) +
+                  " bytes together (as JSON), not " + std::to_string(stored.size()),
+                "Remove load cases that are not needed");
+  quiet_change result;
+  result.change.load_cases.emplace_back(number, std::move(stored));
+  result.done = [=, &state,
+                 shared = std::make_shared<const load_case_list>(std::move(load_cases))] {
+    state.graph.set_load_cases(number, shared);
+    state.last_preview.reset();
+    state.broadcast(
+      load_cases_changed{state.parts.document, to_hex(state.graph.head()->info.id), shared});
+  };
+  return result;
+}
+
+asked_change in_log(const set_load_case& wanted) {
+  const nlohmann::json how{{"load_case", protocol::load_case_to_json(wanted.load_case)}};
+  return {"load_case", how.dump()};
+}
+
+expected<quiet_change> prepare(session_state& state, const set_load_case& wanted) {
+  const auto* head = state.graph.head();
+  if (!head)
+    return fail(empty_document());
+  const auto& given = wanted.load_case;
+  auto load_cases = *head->load_cases;
+  const auto same = std::ranges::find(load_cases, given.name, &fem::load_case::name);
+  if (same == load_cases.end())
+    load_cases.push_back(given);
+  else
+    *same = given;
+  auto change = change_load_cases(state, std::move(load_cases));
+  if (change)
+    change->done = [=, &state, then = std::move(change->done)] {
+      then();
+      state.restart_solve_of(given);
+    };
+  return change;
+}
+
+asked_change in_log(const remove_load_case& wanted) {
+  return {"remove_load_case", nlohmann::json{{"load_case", wanted.load_case}}.dump()};
+}
+
+/// The last one may go, too: the head is then as it was after its import.
+expected<quiet_change> prepare(session_state& state, const remove_load_case& wanted) {
+  const auto* head = state.graph.head();
+  if (!head)
+    return fail(empty_document());
+  auto load_cases = *head->load_cases;
+  const auto found = std::ranges::find(load_cases, wanted.load_case, &fem::load_case::name);
+  if (found == load_cases.end())
+    return fail(ec::not_found, "there is no load case \"" + wanted.load_case + "\"",
+                "Name one that the head has");
+  load_cases.erase(found);
+  auto change = change_load_cases(state, std::move(load_cases));
+  if (change)
+    change->done = [=, &state, then = std::move(change->done)] {
+      state.forget_solve_of(wanted.load_case);
+      then();
+    };
+  return change;
+}
+
+// -- names and notes ---------------------------------------------------------------------------
+
+asked_change in_log(const annotate_version& wanted) {
+  const nlohmann::json how{{"number", wanted.number}, {"name", wanted.name}, {"note", wanted.note}};
+  return {"annotate", how.dump()};
+}
+
+expected<quiet_change> prepare(session_state& state, const annotate_version& wanted) {
+  if (auto ok = check_words(wanted); !ok)
+    return fail(ok.error());
+  if (wanted.number >= state.graph.nodes().size())
+    return fail(ec::not_found, "there is no version " + std::to_string(wanted.number),
+                "Ask for the history to see which there are");
+  quiet_change result;
+  result.change.annotations.push_back({wanted.number, wanted.name, wanted.note});
+  result.done = [=, &state] {
+    state.graph.annotate(wanted.number, wanted.name, wanted.note);
+    state.broadcast(
+      version_annotated{state.parts.document, state.graph.nodes()[wanted.number].info});
+  };
+  return result;
+}
+
 }  // namespace
 
-caf::result<acknowledged> session_state::carry_out(
-  const change_terms& terms, asked_change request,
-  std::function<expected<quiet_change>()> prepare) {
+caf::result<acknowledged> session_state::note(const note_request& request) {
   const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
     self->make_response_promise<acknowledged>());
   const auto refuse = [=](const error& e) { promise->deliver(to_caf(e)); };
@@ -72,20 +163,22 @@ caf::result<acknowledged> session_state::carry_out(
     refuse(e);
     finish_command();
   };
-  const auto begin = [=, this, prepare = std::move(prepare)] {
-    const auto found = judge(terms, request);
+  const auto asked = std::visit([](const auto& wanted) { return in_log(wanted); }, request.wanted);
+  const auto begin = [=, this] {
+    const auto found = judge(request.terms, asked);
     if (found.refusal)
       promise->deliver(*found.refusal);
     else if (found.made)
       promise->deliver(acknowledged{});
     if (found.refusal || found.made)
       return finish_command();
-    auto prepared = prepare();
+    auto prepared =
+      std::visit([this](const auto& wanted) { return prepare(*this, wanted); }, request.wanted);
     if (!prepared)
       return end(prepared.error());
-    const auto made = begin_change(terms, request);
+    const auto made = begin_change(request.terms, asked);
     prepared->change.what = made.what;
-    prepared->change.details = made.to_details(request.how);
+    prepared->change.details = made.to_details(asked.how);
     commit(
       std::move(prepared->change),
       [=, this, done = std::move(prepared->done)](double) {
@@ -100,66 +193,7 @@ caf::result<acknowledged> session_state::carry_out(
   return *promise;
 }
 
-// -- load cases --------------------------------------------------------------------------------
-
-session_state::quiet_change session_state::change_load_cases(load_case_list load_cases) {
-  const auto number = graph.head()->info.number;
-  quiet_change result;
-  result.change.load_cases.emplace_back(number, stored_form(load_cases));
-  result.done = [=, this, shared = std::make_shared<const load_case_list>(std::move(load_cases))] {
-    graph.set_load_cases(number, shared);
-    last_preview.reset();
-    broadcast(load_cases_changed{parts.document, to_hex(graph.head()->info.id), shared});
-  };
-  return result;
-}
-
-caf::result<acknowledged> session_state::set_load_case(const load_case_request& request) {
-  const auto& given = request.load_case;
-  const nlohmann::json how{{"load_case", protocol::load_case_to_json(given)}};
-  return carry_out(request.terms, {"load_case", how.dump()}, [=, this]() -> expected<quiet_change> {
-    const auto* head = graph.head();
-    if (!head)
-      return fail(empty_document());
-    auto load_cases = *head->load_cases;
-    const auto same = std::ranges::find(load_cases, given.name, &fem::load_case::name);
-    if (same == load_cases.end())
-      load_cases.push_back(given);
-    else
-      *same = given;
-    if (auto ok = check_size(load_cases); !ok)
-      return fail(ok.error());
-    auto change = change_load_cases(std::move(load_cases));
-    change.done = [=, this, then = std::move(change.done)] {
-      then();
-      restart_solve_of(given);
-    };
-    return change;
-  });
-}
-
-/// The last one may go, too: the head is then as it was after its import.
-caf::result<acknowledged> session_state::remove_load_case(const remove_case_request& request) {
-  const asked_change asked{"remove_load_case",
-                           nlohmann::json{{"load_case", request.load_case}}.dump()};
-  return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
-    const auto* head = graph.head();
-    if (!head)
-      return fail(empty_document());
-    auto load_cases = *head->load_cases;
-    const auto found = std::ranges::find(load_cases, request.load_case, &fem::load_case::name);
-    if (found == load_cases.end())
-      return fail(ec::not_found, "there is no load case \"" + request.load_case + "\"",
-                  "Name one that the head has");
-    load_cases.erase(found);
-    auto change = change_load_cases(std::move(load_cases));
-    change.done = [=, this, then = std::move(change.done)] {
-      forget_solve_of(request.load_case);
-      then();
-    };
-    return change;
-  });
-}
+// -- solves of load cases that change ------------------------------------------------------------
 
 /// A field of the old loads would lie; the solve begins anew with the new ones, as after an edit.
 void session_state::restart_solve_of(const fem::load_case& changed) {
@@ -180,27 +214,7 @@ void session_state::forget_solve_of(const std::string& load_case) {
                      solve_phase::cancelled);
 }
 
-// -- names and notes ---------------------------------------------------------------------------
-
-caf::result<acknowledged> session_state::annotate(const annotate_request& request) {
-  const nlohmann::json how{
-    {"number", request.number}, {"name", request.name}, {"note", request.note}};
-  const asked_change asked{"annotate", how.dump()};
-  return carry_out(request.terms, asked, [=, this]() -> expected<quiet_change> {
-    if (auto ok = check_words(request); !ok)
-      return fail(ok.error());
-    if (request.number >= graph.nodes().size())
-      return fail(ec::not_found, "there is no version " + std::to_string(request.number),
-                  "Ask for the history to see which there are");
-    quiet_change result;
-    result.change.annotations.push_back({request.number, request.name, request.note});
-    result.done = [=, this] {
-      graph.annotate(request.number, request.name, request.note);
-      broadcast(version_annotated{parts.document, graph.nodes()[request.number].info});
-    };
-    return result;
-  });
-}
+// -- the document's name -----------------------------------------------------------------------
 
 /// Beside the queue: the disk sees to it that no commit is under way, and an edit of minutes need
 /// not hold it up.

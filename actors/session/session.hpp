@@ -198,22 +198,9 @@ struct session_state {
 
   // -- notes.cpp ------------------------------------------------------------------------------
 
-  caf::result<acknowledged> set_load_case(const load_case_request& request);
-  caf::result<acknowledged> remove_load_case(const remove_case_request& request);
-  caf::result<acknowledged> annotate(const annotate_request& request);
+  /// Queues a change that makes no new version; the same again is made once.
+  caf::result<acknowledged> note(const note_request& request);
   caf::result<document_renamed> rename(const std::string& wanted);
-
-  /// Queues a change that has no result. `prepare` makes it, or says why not; `done` is called when
-  /// it is durable.
-  struct quiet_change {
-    store::change change;
-    std::function<void()> done;
-  };
-  /// `request` describes the change, for the log and so that the same is made once.
-  caf::result<acknowledged> carry_out(const change_terms& terms, asked_change request,
-                                      std::function<expected<quiet_change>()> prepare);
-  /// The head gets these load cases instead of its own.
-  [[nodiscard]] quiet_change change_load_cases(load_case_list load_cases);
   void restart_solve_of(const fem::load_case& changed);
   void forget_solve_of(const std::string& load_case);
 
@@ -256,7 +243,7 @@ struct session_state {
                    std::function<void(std::shared_ptr<const std::vector<field>>)> use,
                    std::function<void(const error&)> refuse);
   /// How a solve goes on; its end is told to those who wait for it by their answer.
-  void note(const active_solve& which, solve_phase phase, const std::string& message = {});
+  void tell(const active_solve& which, solve_phase phase, const std::string& message = {});
 
   session_pointer self = nullptr;
   session_parts parts;

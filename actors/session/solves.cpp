@@ -90,7 +90,7 @@ void session_state::start_solve(const solve_request& request,
   if (!chosen) {
     for (auto& waiter : next.waiting)
       waiter.promise.deliver(to_caf(chosen.error()));
-    return note(next, solve_phase::failed, render(chosen.error()));
+    return tell(next, solve_phase::failed, render(chosen.error()));
   }
   next.key = {next.key.version,
               std::move(*chosen),
@@ -120,7 +120,7 @@ void session_state::start_solve(const solve_request& request,
 void session_state::launch(active_solve next, const order_base& base) {
   const auto job = next.job;
   active = std::move(next);
-  note(*active, solve_phase::started);
+  tell(*active, solve_phase::started);
   self->request(parts.workers.solver, answer_limit, job, order_of(active->key, active->mesh, base))
     .then([=, this](const solve_result& result) { receive_result(job, result); },
           [=, this](const caf::error& e) { fail_solve(job, from_caf(e, "the solve")); });
@@ -198,7 +198,7 @@ void session_state::end_active_solve(ec code, const std::string& why, solve_phas
   caf::anon_send(parts.workers.solver, cancel_atom::value, ended.job);
   for (auto& waiter : ended.waiting)
     waiter.promise.deliver(to_caf({code, why, {}, {}}));
-  note(ended, phase);
+  tell(ended, phase);
 }
 
 acknowledged session_state::end_solve() {
@@ -276,7 +276,7 @@ void session_state::fail_solve(job_id job, const error& e) {
   spdlog::warn("{}: solve failed: {}", parts.document, render(e));
   for (auto& waiter : failed.waiting)
     waiter.promise.deliver(to_caf(e));
-  note(failed, solve_phase::failed, render(e));
+  tell(failed, solve_phase::failed, render(e));
 }
 
 void session_state::on_frame(const job_frame& frame) {
@@ -291,7 +291,7 @@ void session_state::on_frame(const job_frame& frame) {
                        {}});
 }
 
-void session_state::note(const active_solve& which, solve_phase phase, const std::string& message) {
+void session_state::tell(const active_solve& which, solve_phase phase, const std::string& message) {
   const bool over = phase != solve_phase::started && phase != solve_phase::converging;
   broadcast(solve_note{parts.document, which.key.version, which.names, phase, 0, 1, message},
             over ? which.askers() : std::set<caf::actor>());

@@ -67,14 +67,8 @@ TEDIT_INLINE columns<float8> stress(const columns<float8>& g, float8 lambda, flo
 template <std::size_t W>
 TEDIT_INLINE columns<node_lanes<W>> stress(const columns<node_lanes<W>>& g, float lambda,
                                            float mu) {
-  using scalar = typename node_lanes<W>::scalar;
-  const scalar pressure = lambda * (g.x.x + g.y.y + g.z.z);
-  const scalar xy = mu * (g.x.y + g.y.x);
-  const scalar yz = mu * (g.y.z + g.z.y);
-  const scalar zx = mu * (g.z.x + g.x.z);
-  return {{2 * mu * g.x.x + pressure, xy, zx},
-          {xy, 2 * mu * g.y.y + pressure, yz},
-          {zx, yz, 2 * mu * g.z.z + pressure}};
+  const auto s = stress_of<typename node_lanes<W>::scalar>(g.x, g.y, g.z, lambda, mu, 2 * mu);
+  return {{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}};
 }
 
 /// sum_j column_j g_j: a tensor times a vector.
