@@ -257,7 +257,8 @@ expected<void> check_document_name(const std::string& name) {
 hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts) {
   heed_only_own_exits(self);
   self->state.parts = std::move(parts);
-  self->state.disks = disk_set::spawn(self);
+  const auto& disks = self->state.parts.disks;
+  self->state.disks = disks ? *disks : disk_set::spawn(self);
   return {[=](const std::string& name) { return open(self, name); },
           [=](const add_request& request) { return add(self, request); },
           [=](const rename_request& request) { return rename(self, request); },

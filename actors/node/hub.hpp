@@ -4,6 +4,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -24,6 +25,7 @@ struct hub_parts {
   page_store_actor pages;
   std::shared_ptr<page_cache> cache;
   std::string device = "auto";
+  std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
 };
 
 struct hub_state {

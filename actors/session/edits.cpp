@@ -308,7 +308,7 @@ caf::result<exported> session_state::write_file(const export_request& request) {
 
 void session_state::send_export(job_id job, const export_order& order, const std::string& file_name,
                                 std::shared_ptr<caf::typed_response_promise<exported>> promise,
-                                const page_set& held) {
+                                const page_set& held, int retries) {
   const auto refuse = [=, this](const error& e) {
     progress_of.erase(job);
     promise->deliver(to_caf(e));
@@ -326,7 +326,11 @@ void session_state::send_export(job_id job, const export_order& order, const std
             progress_of.erase(job);
             promise->deliver(std::move(file));
           },
-          refuse);
+          [=, this](const error& e) {  // The worker may have died after it answered.
+            if (!worth_a_retry(e) || retries >= most_retries)
+              return refuse(e);
+            send_export(job, order, file_name, promise, until_now, retries + 1);
+          });
       },
       [=](const caf::error& e) { refuse(from_caf(e, "writing the file")); });
 }

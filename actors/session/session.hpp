@@ -98,6 +98,7 @@ struct session_state {
     std::vector<std::string> names;  ///< Of its load cases.
     version_ptr mesh;
     bool asked_for = false;             ///< By a request; else it follows a new head by itself.
+    int retries = 0;
     std::vector<solve_waiter> waiting;  ///< The first one hears of progress.
 
     [[nodiscard]] std::set<caf::actor> askers() const {
@@ -151,7 +152,7 @@ struct session_state {
   /// that nobody else holds.
   void send_export(job_id job, const export_order& order, const std::string& file_name,
                    std::shared_ptr<caf::typed_response_promise<exported>> promise,
-                   const page_set& held = {});
+                   const page_set& held = {}, int retries = 0);
   caf::result<selected> select(const select_request& request);
 
   void begin_import(const std::shared_ptr<import_run>& run);
@@ -235,6 +236,7 @@ struct session_state {
   void tell_progress();
   void end_active_solve(ec code, const std::string& why, solve_phase phase);
   void receive_result(job_id job, const solve_result& result);
+  void retry_solve(job_id job, const error& e);
   void fail_solve(job_id job, const error& e);
   void on_frame(const job_frame& frame);
   void on_preview(const job_preview& preview);

@@ -251,7 +251,18 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       for (auto& waiter : done.waiting)
         waiter.promise.deliver(event);
     },
-    [=, this](const error& e) { fail_solve(job, e); });
+    [=, this](const error& e) { retry_solve(job, e); });
+}
+
+/// Its worker may have died after it answered, and the fields with it.
+void session_state::retry_solve(job_id job, const error& e) {
+  if (!active || active->job != job || !worth_a_retry(e) || active->retries++ >= most_retries)
+    return fail_solve(job, e);
+  spdlog::warn("{}: {}: solving again", parts.document, render(e));
+  auto again = std::move(*active);
+  const auto [ticket, client] = std::move(progress_of.extract(job).mapped());
+  again.job = new_job(ticket, client);
+  launch(std::move(again), base_order(client));
 }
 
 void session_state::on_preview(const job_preview& preview) {

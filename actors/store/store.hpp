@@ -23,6 +23,10 @@ struct disk {
 /// documents, so that none waits behind a large one that is read.
 class disk_set {
 public:
+  disk_set() = default;
+  /// Of these, at least two.
+  explicit disk_set(std::vector<disk> disks) : disks_(std::move(disks)) {}
+
   /// Linked to `owner`; each has a thread of its own.
   template <class Owner>
   static disk_set spawn(Owner* owner);

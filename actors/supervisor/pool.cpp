@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/supervisor/pool.hpp"
 
-#include <thread>
 #include <utility>
 
 #include <spdlog/spdlog.h>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
-#include "base/process.hpp"
 
 namespace tedit::actors {
 
@@ -39,7 +37,7 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
 void pool_state::stop() {
   for (const auto& c : children) {
     caf::anon_send_exit(c.enlister, caf::exit_reason::user_shutdown);
-    kill_process(c.pid);
+    options.processes->kill(c.pid);
   }
   children.clear();
   refuse_waiting({ec::service_unavailable, "the server is stopping", {}, {}});
@@ -123,7 +121,7 @@ void pool_state::dispatch() {
       return dispatch();
     }
     c.work = std::move(next);
-    c.work->deadline = clock::now() + limit_of(*c.work);
+    c.work->deadline = now() + limit_of(*c.work);
     wake();
     c.work->send(c.worker, c.work->deaths);
   }
@@ -149,7 +147,7 @@ void pool_state::cancel(job_id id) {
   if (c == children.end() || c->work->cancelled)
     return;
   c->work->cancelled = true;
-  c->work->deadline = std::min(c->work->deadline, clock::now() + options.cancel_grace);
+  c->work->deadline = std::min(c->work->deadline, now() + options.cancel_grace);
   caf::anon_send<caf::message_priority::high>(c->worker, cancel_atom::value, id);
 }
 
@@ -165,24 +163,23 @@ void pool_state::give_up_on(job_id id, const std::string& why) {
   const auto c = child_with(id);
   if (c == children.end())
     return;
-  kill_process(c->pid);
+  options.processes->kill(c->pid);
   bury(c, why);
 }
 
 // -- processes -----------------------------------------------------------------------------------
 
 expected<pool_state::child> pool_state::make_child() {
-  auto link = make_link();
-  if (!link)
-    return fail(link.error());
   child c;
-  const auto pid = spawn_process(options.command, link->theirs.get());
-  if (!pid)
-    return fail(pid.error());
   c.number = ++started;
+  c.started = now();
+  c.enlister = make_enlister(c.number);
+  const auto pid = options.processes->start(self->system(), options.command, c.enlister);
+  if (!pid) {
+    caf::anon_send_exit(c.enlister, caf::exit_reason::user_shutdown);
+    return fail(pid.error());
+  }
   c.pid = *pid;
-  c.started = clock::now();
-  c.enlister = serve(std::move(link->ours), c.number);
   return c;
 }
 
@@ -203,7 +200,7 @@ void pool_state::spawn_missing() {
     const bool first = !started_once && restarts + active() < options.workers;
     if (!first && forgiven > 0) {
       --forgiven;  // An operation's plugin is to blame, which has a count of its own.
-    } else if (!first && !budget->take(clock::now())) {
+    } else if (!first && !budget->take(now())) {
       if (!degraded)
         spdlog::error("{} worker: died {} times within {} s, giving up for now",
                       name_of(options.role), options.restart_budget + 1,
@@ -236,7 +233,7 @@ bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
   self->monitor(c->worker);
   spdlog::info(
     "{} worker: process {} ready after {} ms", name_of(options.role), c->pid,
-    std::chrono::duration_cast<std::chrono::milliseconds>(clock::now() - c->started).count());
+    std::chrono::duration_cast<std::chrono::milliseconds>(now() - c->started).count());
   for (const auto& q : std::exchange(asked, {}))
     q.ask(c->worker);
   dispatch();
@@ -310,13 +307,13 @@ void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
   if (c == children.end() || c->retired)
     return;
   spdlog::info("{} worker: process {} is replaced: {}", name_of(options.role), c->pid, why);
-  c->retired = clock::now();
+  c->retired = now();
   wake();
   ++forgiven;
   spawn_missing();
 }
 
-void pool_state::dismiss_retired(clock::time_point now) {
+void pool_state::dismiss_retired(clock::time_point at) {
   constexpr std::ptrdiff_t most = 2;
   auto too_many =
     std::ranges::count_if(children, [](const child& c) { return !!c.retired; }) - most;
@@ -324,9 +321,9 @@ void pool_state::dismiss_retired(clock::time_point now) {
     const auto current = c++;
     if (!current->retired || current->work)
       continue;
-    if (too_many-- <= 0 && now - *current->retired < options.retired_stay)
+    if (too_many-- <= 0 && at - *current->retired < options.retired_stay)
       continue;
-    kill_process(current->pid);
+    options.processes->kill(current->pid);
     caf::anon_send_exit(current->enlister, caf::exit_reason::user_shutdown);
     children.erase(current);
   }
@@ -339,13 +336,9 @@ void pool_state::on_down(const caf::actor_addr& source) {
     return;
   // Gone from the network is not yet gone as a process: a frozen one must not come back.
   // One that has ended says how within moments, though its connection closed first.
-  auto how = reap_process(c->pid);
-  for (int wait = 0; !how && wait < 10; ++wait) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    how = reap_process(c->pid);
-  }
+  const auto how = options.processes->reap(c->pid, std::chrono::milliseconds(20));
   if (!how)
-    kill_process(c->pid);
+    options.processes->kill(c->pid);
   bury(c, how ? *how : "did not answer any more");
 }
 
@@ -374,16 +367,16 @@ void pool_state::on_tick(std::uint64_t number) {
 
 void pool_state::tick() {
   say_health();
-  const auto now = clock::now();
+  const auto at = now();
   for (auto c = children.begin(); c != children.end();) {
     const auto current = c++;
-    if (const auto how = reap_process(current->pid))
+    if (const auto how = options.processes->reap(current->pid, {}))
       return bury(current, *how);  // The list has changed; the rest waits for the next tick.
-    const bool late_start = !current->worker && now - current->started > options.start_limit;
-    const bool late_work = current->work && now > current->work->deadline;
+    const bool late_start = !current->worker && at - current->started > options.start_limit;
+    const bool late_work = current->work && at > current->work->deadline;
     if (!late_start && !late_work)
       continue;
-    kill_process(current->pid);
+    options.processes->kill(current->pid);
     if (late_work && !current->work->cancelled) {
       current->work->refuse(
         {ec::timeout,
@@ -401,7 +394,7 @@ void pool_state::tick() {
     }
     return bury(current, late_start ? "did not start in time" : "hung and was killed");
   }
-  dismiss_retired(now);
+  dismiss_retired(at);
   if (active() < options.workers)
     spawn_missing();
 }

@@ -14,9 +14,9 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/interfaces.hpp"
-#include "actors/links/link.hpp"
 #include "actors/supervisor/quarantine.hpp"
 #include "actors/supervisor/turns.hpp"
+#include "actors/supervisor/worker_processes.hpp"
 
 namespace tedit::actors {
 
@@ -64,6 +64,7 @@ struct pool_options {
   unsigned quarantine_after = 3;  ///< Failed edits of one operation; see `quarantine`.
   std::chrono::milliseconds retired_stay{30000};  ///< For others to fetch its last result.
   std::shared_ptr<role_health> health;            ///< May be null.
+  std::shared_ptr<worker_processes> processes = system_processes();
 };
 
 /// The restarts of the recent past, against a budget.
@@ -159,7 +160,7 @@ struct pool_state {
   [[nodiscard]] job take_next();
   /// Ends previews that keep waiting edits from running.
   void make_way();
-  /// Starts a process and serves its link. Errors: `service_unavailable`.
+  /// Starts a process. Errors: `service_unavailable`.
   [[nodiscard]] expected<child> make_child();
   void spawn_child();
   void spawn_missing();
@@ -172,18 +173,20 @@ struct pool_state {
   void blame(const job& work, const std::string& how);
   /// A job whose worker died: given to another, or refused when that has been tried often enough.
   void try_again(job work, const std::string& how);
-  void dismiss_retired(clock::time_point now);
+  void dismiss_retired(clock::time_point at);
   [[nodiscard]] std::size_t active() const;  ///< Children that have not retired.
   void bury(std::list<child>::iterator dead, const std::string& how);
   [[nodiscard]] std::list<child>::iterator child_with(job_id id);
   [[nodiscard]] error no_worker() const;
+  /// The time by the actor's clock, which a test may turn.
+  [[nodiscard]] clock::time_point now() const { return self->clock().now(); }
   void refuse_waiting(const error& why);
 
   caf::scheduled_actor* self = nullptr;
   pool_options options;
   std::optional<restart_budget> budget;
-  /// Serves a link and makes the enlister of the child with this number; set by the actor.
-  std::function<caf::actor(unique_fd end, std::uint64_t number)> serve;
+  /// Makes the enlister of the child with this number; set by the actor.
+  std::function<caf::actor(std::uint64_t number)> make_enlister;
   /// Sends the tick with this number after a while; set by the actor.
   std::function<void(std::chrono::milliseconds wait, std::uint64_t number)> call_tick;
   std::uint64_t last_tick = 0;  ///< The one that is due.

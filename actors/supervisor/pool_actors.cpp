@@ -96,10 +96,8 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
                      [&](tick_atom, std::uint64_t number) { self->state.on_tick(number); }});
       return answer;
     });
-  state.serve = [=](unique_fd end, std::uint64_t number) {
-    auto enlister = self->spawn(make_enlister, own, number);
-    serve_link(self->system(), std::move(end), enlister);
-    return enlister;
+  state.make_enlister = [=](std::uint64_t number) {
+    return self->spawn(make_enlister, own, number);
   };
   state.call_tick = [=](std::chrono::milliseconds wait, std::uint64_t number) {
     caf::delayed_anon_send(own, wait, tick_atom::value, number);

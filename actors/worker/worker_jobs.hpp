@@ -189,16 +189,17 @@ caf::result<Result> perform(
   return *promise;
 }
 
-/// The jobs of a worker in this process.
+/// The jobs of a worker in this process; on a thread of their own unless one is given.
 template <class Self>
 worker_jobs make_jobs(Self self, worker_role role, std::shared_ptr<page_cache> cache,
-                      page_store_actor pages) {
+                      page_store_actor pages, job_thread_actor thread = {}) {
   worker_jobs jobs;
   jobs.role = role;
   jobs.cache = std::move(cache);
   jobs.pages = pages;
   jobs.pages_handle = caf::actor_cast<caf::actor>(pages);
-  jobs.thread = self->template spawn<job_thread, caf::linked + caf::detached>();
+  jobs.thread =
+    thread ? thread : self->template spawn<job_thread, caf::linked + caf::detached>();
   return jobs;
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/supervisor/worker_processes.hpp"
+
+#include <thread>
+
+#include "actors/links/link.hpp"
+#include "base/process.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+class linked_processes final : public worker_processes {
+public:
+  expected<pid_t> start(caf::actor_system& system, const std::vector<std::string>& command,
+                        const caf::actor& enlister) override {
+    auto link = make_link();
+    if (!link)
+      return fail(link.error());
+    const auto pid = spawn_process(command, link->theirs.get());
+    if (pid)
+      serve_link(system, std::move(link->ours), enlister);
+    return pid;
+  }
+
+  std::optional<std::string> reap(pid_t pid, std::chrono::milliseconds patience) override {
+    constexpr std::chrono::milliseconds step{2};
+    auto how = reap_process(pid);
+    for (; !how && patience.count() > 0; patience -= step) {
+      std::this_thread::sleep_for(step);
+      how = reap_process(pid);
+    }
+    return how;
+  }
+
+  void kill(pid_t pid) override { kill_process(pid); }
+};
+
+}  // namespace
+
+std::shared_ptr<worker_processes> system_processes() {
+  return std::make_shared<linked_processes>();
+}
+
+}  // namespace tedit::actors

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/simulation/client.hpp"
+
+#include <caf/send.hpp>
+
+#include "protocol/load_case_message.hpp"
+#include "protocol/version.hpp"
+
+namespace tedit::simulation {
+
+namespace {
+
+template <class List>
+std::vector<std::string> bytes_of(const List& load_cases) {
+  std::vector<std::string> result;
+  for (const auto& one : load_cases)
+    result.push_back(one.SerializeAsString());
+  return result;
+}
+
+}  // namespace
+
+fem::load_case made_up_load_case(const std::string& name, double newtons) {
+  fem::load_case result;
+  result.name = name;
+  result.loads.push_back({{2}, fem::force{{0, 0, newtons}}});
+  return result;
+}
+
+/// Frames in both directions, each after its time and in order. Small as they are, they count as
+/// large ones: so the line is full now and then.
+class simulated_client::line final : public gateway::connection,
+                                     public std::enable_shared_from_this<line> {
+public:
+  line(timeline& time, simulated_client* owner) : time_(time), owner_(owner) {}
+
+  void send(gateway::frame bytes) override {
+    if (!owner_)
+      return;
+    queued_ += weight_of(*bytes);
+    down_.push_back(std::move(bytes));
+    if (down_.size() == 1)
+      deliver_next();
+  }
+  [[nodiscard]] std::size_t queued_bytes() const override { return queued_; }
+  void authenticated() override {}
+  void handled(std::size_t) override {}
+  void close(std::uint16_t code, std::string reason) override {
+    if (owner_)
+      owner_->fault("the server closed the connection: " + std::to_string(code) + " " + reason);
+  }
+  [[nodiscard]] std::string peer() const override { return "simulated:1"; }
+
+  void upload(std::string bytes) {
+    up_.push_back(std::move(bytes));
+    if (up_.size() == 1)
+      forward_next();
+  }
+
+  /// What is on its way is lost.
+  void cut() { owner_ = nullptr; }
+  [[nodiscard]] bool is_empty() const { return up_.empty() && down_.empty(); }
+
+private:
+  static constexpr std::size_t low_water = std::size_t{1} << 20;
+  static std::size_t weight_of(const std::string& bytes) { return 200 * bytes.size(); }
+
+  void deliver_next() {
+    const bool slow = time_.now() < owner_->slow_until_;
+    const auto wait = slow ? 200 + time_.random.below(800) : time_.random.below(6);
+    time_.after(milliseconds(wait), [self = shared_from_this()] {
+      if (!self->owner_)
+        return;
+      const auto bytes = std::move(self->down_.front());
+      self->down_.pop_front();
+      const bool was_full = self->queued_ >= low_water;
+      self->queued_ -= weight_of(*bytes);
+      if (was_full && self->queued_ < low_water)
+        caf::anon_send(self->owner_->actor_, gateway::drained_atom::value);
+      if (!self->down_.empty())
+        self->deliver_next();
+      self->owner_->receive(*bytes);
+    });
+  }
+
+  void forward_next() {
+    time_.after(milliseconds(time_.random.below(6)), [self = shared_from_this()] {
+      if (!self->owner_)
+        return;
+      caf::anon_send(self->owner_->actor_, std::move(self->up_.front()));
+      self->up_.pop_front();
+      if (!self->up_.empty())
+        self->forward_next();
+    });
+  }
+
+  timeline& time_;
+  simulated_client* owner_;
+  std::deque<gateway::frame> down_;
+  std::deque<std::string> up_;
+  std::size_t queued_ = 0;
+};
+
+simulated_client::simulated_client(timeline& time, history& past, door server, std::string name,
+                                   std::string document)
+    : time_(time),
+      past_(past),
+      server_(std::move(server)),
+      name_(std::move(name)),
+      document_(std::move(document)) {
+  handlers_.on_field = [this](const client::field_event& field) {
+    if (field.interim())
+      return;
+    lost_solve_ = false;
+    last_solve_ = field.solve;
+    last_field_version_ = field.version_id();
+  };
+}
+
+simulated_client::~simulated_client() {
+  if (line_)
+    line_->cut();
+}
+
+void simulated_client::fault(const std::string& what) {
+  past_.faults.push_back(name_ + ": " + what);
+}
+
+void simulated_client::take(const expected<void>& done) {
+  if (!done)
+    fault("cannot follow the server: " + render(done.error()));
+}
+
+// -- the line ------------------------------------------------------------------------------------
+
+void simulated_client::connect() {
+  dropped_ = false;
+  line_ = std::make_shared<line>(time_, this);
+  inbox_.emplace(handlers_, [](std::uint64_t, client::incoming_stream) {});
+  actor_ = server_(line_);
+  if (!actor_) {  // No server: again soon.
+    line_.reset();
+    dropped_ = true;
+    return time_.after(milliseconds(200), [this] { connect(); });
+  }
+  request hello;
+  auto* body = hello.message.mutable_hello();
+  body->set_protocol_major(protocol::major_version);
+  body->set_protocol_minor(protocol::minor_version);
+  body->set_client(name_);
+  body->set_token("token");
+  ask(std::move(hello));
+  open_document();
+}
+
+void simulated_client::open_document() {
+  is_open_ = false;
+  inbox_->open(document_);
+  request open;
+  auto* body = open.message.mutable_open_document();
+  body->set_name(document_);
+  body->set_watch_surface(true);
+  body->set_watch_fields(true);
+  ask(std::move(open));
+}
+
+void simulated_client::drop() {
+  if (!line_)
+    return;
+  line_->cut();
+  line_.reset();
+  caf::anon_send(actor_, gateway::closed_atom::value);
+  actor_ = nullptr;
+  is_open_ = false;
+  seen_.reset();
+  for (auto& [id, one] : pending_)
+    if (!one.edit_id.empty())
+      to_repeat_.push_back(std::move(one));
+  pending_.clear();
+  dropped_ = true;
+  time_.after(milliseconds(1 + time_.random.below(400)), [this] {
+    if (dropped_)
+      connect();
+  });
+}
+
+bool simulated_client::is_content() const {
+  return line_ && line_->is_empty() && is_open_ && pending_.empty() && to_repeat_.empty();
+}
+
+std::string simulated_client::wants() const {
+  std::string text = name_ + (line_ ? "" : " is not connected;") + " waits for";
+  for (const auto& [id, one] : pending_)
+    text += " " + std::to_string(id) + " (body " + std::to_string(one.message.body_case()) + ")";
+  return text + (line_ && !line_->is_empty() ? "; frames are on their way" : "");
+}
+
+// -- requests ------------------------------------------------------------------------------------
+
+void simulated_client::ask(request wanted) {
+  if (!wanted.file.empty()) {
+    v1::ClientMessage piece;
+    auto* chunk = piece.mutable_upload_chunk();
+    chunk->set_upload(++last_upload_);
+    chunk->set_data(wanted.file);
+    wanted.message.mutable_import_mesh()->set_upload(last_upload_);
+    line_->upload(piece.SerializeAsString());
+  }
+  wanted.message.set_request_id(++last_id_);
+  line_->upload(wanted.message.SerializeAsString());
+  pending_.emplace(last_id_, std::move(wanted));
+}
+
+template <class Body>
+void simulated_client::set_terms(Body* body, request& made, const scenario_step& step) {
+  body->set_document(document_);
+  made.edit_id = name_ + "-" + std::to_string(++last_edit_);
+  body->set_edit_id(made.edit_id);
+  if constexpr (requires { body->set_expected_version(head_); })
+    if (step.value % 5 == 0)
+      body->set_expected_version(head_);
+}
+
+std::optional<simulated_client::request> simulated_client::make_request(const scenario_step& step) {
+  request made;
+  auto& message = made.message;
+  const auto edit = [&](v1::ApplyEdit* body) {
+    body->set_operation("nudge");
+    (*body->mutable_parameters())["vertex"].set_real(step.value % 9);
+    (*body->mutable_parameters())["by"].set_real(1e-3 * (1 + step.value % 7));
+  };
+  const auto load_case = "load " + std::to_string(step.value % 3);
+  switch (step.kind) {
+    case step_kind::import: {
+      auto* body = message.mutable_import_mesh();
+      set_terms(body, made, step);
+      made.file = step.value % 11 == 0 ? "rubbish" : "part " + std::to_string(step.value % 4);
+      body->set_size(made.file.size());
+      body->set_file_name("part.msh");
+      return made;
+    }
+    case step_kind::apply:
+      set_terms(message.mutable_apply_edit(), made, step);
+      edit(message.mutable_apply_edit());
+      return made;
+    case step_kind::preview:
+      message.mutable_preview_edit()->mutable_edit()->set_document(document_);
+      edit(message.mutable_preview_edit()->mutable_edit());
+      return made;
+    case step_kind::undo:
+      set_terms(message.mutable_undo(), made, step);
+      return made;
+    case step_kind::redo:
+      set_terms(message.mutable_redo(), made, step);
+      return made;
+    case step_kind::go_to:
+      set_terms(message.mutable_go_to_version(), made, step);
+      message.mutable_go_to_version()->set_number(step.value % 6);
+      return made;
+    case step_kind::set_load_case:
+      set_terms(message.mutable_set_load_case(), made, step);
+      protocol::to_message(made_up_load_case(load_case, 1 + step.value % 100),
+                           message.mutable_set_load_case()->mutable_load_case());
+      return made;
+    case step_kind::remove_load_case:
+      set_terms(message.mutable_remove_load_case(), made, step);
+      message.mutable_remove_load_case()->set_load_case(load_case);
+      return made;
+    case step_kind::annotate:
+      set_terms(message.mutable_annotate_version(), made, step);
+      message.mutable_annotate_version()->set_number(step.value % 4);
+      message.mutable_annotate_version()->set_name("name " + std::to_string(step.value));
+      return made;
+    case step_kind::solve:
+      message.mutable_solve()->set_document(document_);
+      if (step.value % 2 == 0)
+        message.mutable_solve()->set_load_case(load_case);
+      return made;
+    case step_kind::cancel_solve:
+      message.mutable_cancel_solve()->set_document(document_);
+      return made;
+    case step_kind::cancel_last:
+      message.mutable_cancel()->set_request_id(last_id_);
+      return made;
+    case step_kind::export_file:
+      message.mutable_export_file()->set_document(document_);
+      message.mutable_export_file()->set_format(step.value % 2 == 0 ? "vtu" : "msh");
+      return made;
+    case step_kind::history:
+      message.mutable_get_history()->set_document(document_);
+      return made;
+    default:
+      return std::nullopt;
+  }
+}
+
+void simulated_client::act(const scenario_step& step) {
+  if (step.kind == step_kind::drop_connection)
+    return drop();
+  if (step.kind == step_kind::reopen_document) {
+    if (!is_open_ || !pending_.empty())
+      return;
+    request closing;
+    closing.message.mutable_close_document()->set_document(document_);
+    ask(std::move(closing));
+    seen_.reset();
+    return open_document();
+  }
+  auto made = make_request(step);
+  if (!made)
+    return;
+  if (is_open_)
+    return ask(std::move(*made));
+  if (!made->edit_id.empty())
+    to_repeat_.push_back(std::move(*made));
+}
+
+// -- answers and events --------------------------------------------------------------------------
+
+void simulated_client::receive(const std::string& bytes) {
+  v1::ServerMessage message;
+  if (!message.ParseFromString(bytes))
+    return fault("what came is no message");
+  if (message.has_progress())
+    return;
+  if (message.request_id() != 0)
+    take_answer(message);
+  take_event(message, bytes.size());
+}
+
+void simulated_client::acknowledge(const std::string& edit_id, std::optional<seen_head> head) {
+  const auto known = past_.acknowledged.find(edit_id);
+  if (known != past_.acknowledged.end() && head &&
+      (!known->second || known->second->number != head->number))
+    fault("the change " + edit_id + " was acknowledged twice, with two heads");
+  past_.acknowledged.emplace(edit_id, std::move(head));
+}
+
+void simulated_client::take_answer(const v1::ServerMessage& message) {
+  const auto found = pending_.find(message.request_id());
+  if (found == pending_.end())
+    return fault("an answer (body " + std::to_string(message.body_case()) + ") to request " +
+                 std::to_string(message.request_id()) + ", which waits for none");
+  const auto asked = std::move(found->second);
+  pending_.erase(found);
+  ++past_.answers;
+  if (message.has_error()) {
+    const auto& code = message.error().code();
+    ++past_.errors[code];
+    if (message.error().message().empty())
+      fault("an error without words: " + code);
+    lost_solve_ = lost_solve_ || asked.message.has_solve();
+    if (!asked.edit_id.empty())
+      past_.refused[asked.edit_id] = code;
+    if (asked.message.has_open_document())
+      fault("the document cannot be opened: " + message.error().message());
+    return;
+  }
+  if (message.has_committed()) {
+    const auto& head = message.committed().head();
+    acknowledge(asked.edit_id,
+                seen_head{head.number(), head.version_id(), message.committed().cause()});
+  } else if (message.has_done() && !asked.edit_id.empty()) {
+    acknowledge(asked.edit_id, std::nullopt);
+  } else if (message.has_document_state()) {
+    const auto& state = message.document_state();
+    is_open_ = true;
+    document_ = state.document();
+    inbox_->opened(document_);
+    watch begun;
+    begun.client = name_;
+    begun.document = document_;
+    if (state.has_head())
+      begun.first = state.head().number();
+    seen_ = past_.watches.size();
+    past_.watches.push_back(std::move(begun));
+    head_ = state.head().version_id();
+    load_cases_ = bytes_of(state.load_cases());
+    for (auto& one : std::exchange(to_repeat_, {}))
+      ask(std::move(one));
+  }
+}
+
+void simulated_client::note_head(const v1::Committed& moved) {
+  if (moved.repeated() || !seen_)
+    return;
+  past_.watches[*seen_].moves.push_back(
+    {moved.head().number(), moved.head().version_id(), moved.cause()});
+  head_ = moved.head().version_id();
+  load_cases_ = bytes_of(moved.load_cases());
+  inbox_->head_moved(head_);
+}
+
+void simulated_client::take_event(const v1::ServerMessage& message, std::size_t bytes) {
+  if (message.has_committed())
+    note_head(message.committed());
+  else if (message.has_load_cases_changed())
+    load_cases_ = bytes_of(message.load_cases_changed().load_cases());
+  else if (message.has_solve_status())
+    lost_solve_ = message.solve_status().phase() != v1::SolveStatus::STARTED &&
+                  message.solve_status().phase() != v1::SolveStatus::CONVERGING;
+  else if (message.has_surface_update())
+    take(inbox_->take(message.surface_update(), bytes));
+  else if (message.has_field_update())
+    take(inbox_->take(message.field_update(), bytes));
+  else if (message.has_chunk())
+    take(inbox_->take(message.chunk(), bytes));
+  else if (message.has_file_ready())
+    take(inbox_->take(message.file_ready().stream(), message.request_id(), bytes));
+  else if (message.has_edit_preview())
+    take(inbox_->take(message.edit_preview().surface().stream(), message.request_id(), bytes));
+}
+
+}  // namespace tedit::simulation

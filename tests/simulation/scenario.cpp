@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/simulation/scenario.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tedit::simulation {
+
+const char* name_of(step_kind kind) {
+  constexpr std::array names{"import",
+                             "apply",
+                             "preview",
+                             "undo",
+                             "redo",
+                             "go_to",
+                             "set_load_case",
+                             "remove_load_case",
+                             "annotate",
+                             "solve",
+                             "cancel_solve",
+                             "cancel_last",
+                             "export_file",
+                             "history",
+                             "reopen_document",
+                             "drop_connection",
+                             "read_slowly",
+                             "worker_dies",
+                             "worker_dies_with_job",
+                             "worker_dies_after_answer",
+                             "worker_hangs",
+                             "disk_full",
+                             "disk_slow",
+                             "server_dies"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+scenario make_scenario(std::uint64_t seed) {
+  using enum step_kind;
+  // As often as a kind stands here.
+  constexpr std::array what_clients_do{apply,    apply,          apply,         apply,
+                                       apply,    preview,        preview,       undo,
+                                       redo,     go_to,          solve,         solve,
+                                       import,   set_load_case,  set_load_case, remove_load_case,
+                                       annotate, cancel_solve,   cancel_last,   export_file,
+                                       history,  reopen_document};
+
+  constexpr std::array what_befalls{drop_connection,
+                                    drop_connection,
+                                    read_slowly,
+                                    worker_dies,
+                                    worker_dies,
+                                    worker_dies_with_job,
+                                    worker_dies_after_answer,
+                                    worker_dies_after_answer,
+                                    worker_hangs,
+                                    disk_full,
+                                    disk_slow,
+                                    server_dies};
+  dice random(seed ^ 0xC0FFEE);
+  scenario result;
+  result.seed = seed;
+  result.clients = 1 + random.below(4);
+  result.documents = 1 + random.below(2);
+  // Dense ones try orders of events, long ones what time does.
+  const std::size_t length = random.one_in(3) ? 20'000 : random.one_in(2) ? 3000 : 300;
+  const auto add = [&](step_kind kind, std::size_t who, std::size_t at) {
+    result.steps.push_back(
+      {milliseconds(at), kind, who, static_cast<std::uint32_t>(random.next())});
+  };
+  for (std::size_t c = 0; c < result.clients; ++c)
+    add(import, c, c < result.documents ? 0 : random.below(length));
+  for (auto n = 3 + random.below(40); n > 0; --n)
+    add(what_clients_do[random.below(what_clients_do.size())], random.below(result.clients),
+        random.below(length));
+  if (!random.one_in(4))
+    for (auto n = 1 + random.below(4); n > 0; --n)
+      add(what_befalls[random.below(what_befalls.size())], random.below(12), random.below(length));
+  std::ranges::stable_sort(result.steps, {}, &scenario_step::at);
+  return result;
+}
+
+std::string describe(const scenario& all) {
+  std::string text = "seed " + std::to_string(all.seed) + ": " + std::to_string(all.clients) +
+                     " clients, " + std::to_string(all.documents) + " documents\n";
+  for (const auto& step : all.steps)
+    text += "  " + std::to_string(step.at.count()) + " ms: " + name_of(step.kind) + " by " +
+            std::to_string(step.who) + ", " + std::to_string(step.value) + "\n";
+  return text;
+}
+
+}  // namespace tedit::simulation

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <spdlog/spdlog.h>
+
+#include "tests/simulation/world.hpp"
+
+namespace tedit::simulation {
+namespace {
+
+using ::testing::IsEmpty;
+
+class Simulation : public ::testing::Test {
+protected:
+  Simulation() { spdlog::set_level(spdlog::level::off); }
+  ~Simulation() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_ =
+    std::filesystem::temp_directory_path() / ("tedit-simulation-" + std::to_string(::getpid()));
+};
+
+TEST_F(Simulation, KeepsItsPromisesForManySeeds) {
+  std::uint64_t answers = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    const auto all = make_scenario(seed);
+    const auto result = play(all, folder_);
+    answers += result.answers;
+    ASSERT_THAT(result.faults, IsEmpty()) << describe(all);
+  }
+  EXPECT_GT(answers, 10'000U);  // A simulation in which nobody is answered finds nothing.
+}
+
+/// One client and these steps, with twenty orders of events.
+std::vector<scenario> orders_of(const std::vector<scenario_step>& steps) {
+  std::vector<scenario> result;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    result.push_back({seed, 1, 1, steps});
+  return result;
+}
+
+constexpr std::size_t modeling = 0, solver = 2;
+
+// Its fields were fetched from a worker that was no more, and the solve was refused.
+TEST_F(Simulation, ASolveOutlivesItsWorkerThatDiesAfterTheAnswer) {
+  using enum step_kind;
+  for (const auto& one : orders_of({{milliseconds(0), import, 0, 1},
+                                    {milliseconds(20000), set_load_case, 0, 0},
+                                    {milliseconds(40000), worker_dies_after_answer, solver, 0},
+                                    {milliseconds(40001), solve, 0, 0}})) {
+    const auto result = play(one, folder_);
+    EXPECT_THAT(result.faults, IsEmpty()) << "order " << one.seed;
+    EXPECT_THAT(result.errors, IsEmpty()) << "order " << one.seed;
+  }
+}
+
+TEST_F(Simulation, AFileOutlivesItsWorkerThatDiesAfterTheAnswer) {
+  using enum step_kind;
+  for (const auto& one : orders_of({{milliseconds(0), import, 0, 1},
+                                    {milliseconds(40000), worker_dies_after_answer, modeling, 0},
+                                    {milliseconds(40001), export_file, 0, 1}})) {
+    const auto result = play(one, folder_);
+    EXPECT_THAT(result.faults, IsEmpty()) << "order " << one.seed;
+    EXPECT_THAT(result.errors, IsEmpty()) << "order " << one.seed;
+  }
+}
+
+TEST_F(Simulation, OneSeedIsOneReplay) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto all = make_scenario(seed);
+    const auto once = play(all, folder_);
+    const auto again = play(all, folder_);
+    EXPECT_EQ(once.trace, again.trace) << "seed " << seed;
+    EXPECT_EQ(once.steps, again.steps) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tedit::simulation
