@@ -198,8 +198,7 @@ worker_jobs make_jobs(Self self, worker_role role, std::shared_ptr<page_cache> c
   jobs.cache = std::move(cache);
   jobs.pages = pages;
   jobs.pages_handle = caf::actor_cast<caf::actor>(pages);
-  jobs.thread =
-    thread ? thread : self->template spawn<job_thread, caf::linked + caf::detached>();
+  jobs.thread = thread ? thread : self->template spawn<job_thread, caf::linked + caf::detached>();
   return jobs;
 }
 
