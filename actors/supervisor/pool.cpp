@@ -231,9 +231,8 @@ bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
   c->worker = who.worker;
   c->worker_pid = who.pid;
   self->monitor(c->worker);
-  spdlog::info(
-    "{} worker: process {} ready after {} ms", name_of(options.role), c->pid,
-    std::chrono::duration_cast<std::chrono::milliseconds>(now() - c->started).count());
+  spdlog::info("{} worker: process {} ready after {} ms", name_of(options.role), c->pid,
+               std::chrono::duration_cast<std::chrono::milliseconds>(now() - c->started).count());
   for (const auto& q : std::exchange(asked, {}))
     q.ask(c->worker);
   dispatch();
