@@ -14,11 +14,13 @@ namespace tedit::actors {
 
 using cancel_atom = caf::atom_constant<caf::atom("cancel")>;
 using catalog_atom = caf::atom_constant<caf::atom("catalogue")>;
+using close_atom = caf::atom_constant<caf::atom("close")>;
 using copy_atom = caf::atom_constant<caf::atom("copy")>;
 using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
 using held_atom = caf::atom_constant<caf::atom("held")>;
+using end_atom = caf::atom_constant<caf::atom("end")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
 using rename_atom = caf::atom_constant<caf::atom("rename")>;
@@ -102,6 +104,8 @@ using disk_actor = caf::typed_actor<
   caf::replies_to<adoption>::with<acknowledged>,
   // Gives the document another name in its folder.
   caf::replies_to<rename_atom, shared_file, std::string>::with<acknowledged>,
+  // Closes the document for good: its lock is free.
+  caf::replies_to<close_atom, shared_file>::with<acknowledged>,
   // Opens the file's descriptors ahead of a commit.
   caf::reacts_to<wake_atom, shared_file>,
   // Closes them until they are needed again.
@@ -118,6 +122,8 @@ using store_actor = caf::typed_actor<
   caf::replies_to<copy_atom>::with<exported>,
   // Gives the document another name; the answer means that it is durable.
   caf::replies_to<rename_atom, std::string>::with<acknowledged>,
+  // Closes the document for good, after the commits before this.
+  caf::replies_to<close_atom>::with<acknowledged>,
   // A commit is on its way.
   caf::reacts_to<wake_atom>,
   // From itself: nothing came since it was used so many times.
@@ -156,7 +162,12 @@ using session_actor = caf::typed_actor<
   // One of them.
   caf::replies_to<version_request>::with<session_version>,
   // Ends a request early; it is then answered with `cancelled`.
-  caf::reacts_to<cancel_atom, std::uint64_t>>;
+  caf::reacts_to<cancel_atom, std::uint64_t>,
+  // Closes the document and ends, unless somebody wants something of it (`conflict`). The answer is
+  // what only it has.
+  caf::replies_to<end_atom>::with<shared_remains>,
+  // From itself: nobody has had it open for a while, unless that was called off since.
+  caf::reacts_to<rest_atom, std::uint64_t>>;
 
 /// Opens documents and finds those that are open.
 using hub_actor = caf::typed_actor<
@@ -166,6 +177,8 @@ using hub_actor = caf::typed_actor<
   caf::replies_to<add_request>::with<added_document>,
   // Gives an open document another name; who asks for the one before still finds it.
   caf::replies_to<rename_request>::with<acknowledged>,
+  // A session of which nobody wants anything: it is ended.
+  caf::reacts_to<end_atom, session_actor>,
   // How the workers are, and how many documents are open.
   caf::replies_to<status_atom>::with<server_status>,
   // The operations there are.

@@ -280,6 +280,10 @@ struct session_history {
   std::uint32_t head = 0;
 };
 
+/// What a session has that its document does not (actors/session/session.hpp).
+struct session_remains;
+using shared_remains = std::shared_ptr<session_remains>;
+
 struct server_status {
   std::vector<worker_status> workers;
   std::uint32_t documents = 0;
@@ -376,6 +380,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::request_progress)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::exported)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::selected)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::session_history)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::shared_remains)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::server_status)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::shared_file)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_change)

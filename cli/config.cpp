@@ -180,6 +180,7 @@ const std::vector<option>& options() {
     {"limits", "edit_timeout_s", seconds(&c::edit_timeout_s)},
     {"limits", "import_timeout_s", seconds(&c::import_timeout_s)},
     {"limits", "solve_timeout_s", seconds(&c::solve_timeout_s)},
+    {"limits", "close_unused_after_s", seconds(&c::close_unused_after_s)},
     {"limits", "modeling_memory_mb", whole(&c::modeling_memory_mb, 0, 1 << 24)},
     {"limits", "upload_bytes", bytes(&c::upload_bytes)},
     {"limits", "all_upload_bytes", bytes(&c::all_upload_bytes)},

@@ -48,6 +48,7 @@ server_options to_server_options(const server_config& config) {
   options.import_limit = limit(config.import_timeout_s);
   options.edit_limit = limit(config.edit_timeout_s);
   options.solve_limit = limit(config.solve_timeout_s);
+  options.unused_limit = limit(config.close_unused_after_s);
   options.upload_bytes = static_cast<std::uint64_t>(config.upload_bytes);
   options.all_upload_bytes = static_cast<std::uint64_t>(config.all_upload_bytes);
   return options;

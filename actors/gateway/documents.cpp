@@ -57,12 +57,19 @@ expected<solve_request> read_solve(const v1::Solve& body) {
   return request;
 }
 
-void open(client_state& client, std::uint64_t id, const v1::OpenDocument& body) {
-  client.begin(id, {});
+/// A session that nobody has open may end while its name is on the way here: then the document is
+/// asked for again.
+void open_document(client_state& client, std::uint64_t id, const v1::OpenDocument& body,
+                   int retries) {
   const bool surface = body.watch_surface();
   const bool fields = body.watch_fields();
   const auto failed = [=, &client](const caf::error& e) {
     client.refuse(id, e, "opening the document");
+  };
+  const auto gone = [=, &client](const caf::error& e) {
+    if (retries >= most_retries || !worth_a_retry(from_caf(e, "")))
+      return failed(e);
+    open_document(client, id, body, retries + 1);
   };
   const auto attached = [=, &client](const session_snapshot& snapshot,
                                      const session_actor& session) {
@@ -93,9 +100,14 @@ void open(client_state& client, std::uint64_t id, const v1::OpenDocument& body) 
         const auto session = caf::actor_cast<session_actor>(opened.session);
         client.self
           ->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(client.self)})
-          .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, failed);
+          .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, gone);
       },
       failed);
+}
+
+void open(client_state& client, std::uint64_t id, const v1::OpenDocument& body) {
+  client.begin(id, {});
+  open_document(client, id, body, 0);
 }
 
 void close(client_state& client, std::uint64_t id, const v1::CloseDocument& body) {

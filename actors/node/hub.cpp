@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t longest_document_name = 64;
 
+/// Fields of documents that nobody has open, together.
+constexpr std::size_t most_remaining_bytes = std::size_t{256} << 20;
+
 /// Former names that are remembered, of all documents together.
 constexpr std::size_t most_former = 1000;
 
@@ -37,6 +40,28 @@ void refuse_all(hub_pointer self, const std::string& name, const error& e) {
     promise.deliver(to_caf(e));
 }
 
+/// What the session before left of a document; null when there is nothing.
+shared_remains take_remains(hub_state& state, const std::string& name) {
+  const auto found =
+    std::ranges::find(state.remains, name, &std::pair<std::string, shared_remains>::first);
+  if (found == state.remains.end())
+    return nullptr;
+  auto result = std::move(found->second);
+  state.remains.erase(found);
+  return result;
+}
+
+void keep_remains(hub_state& state, const std::string& name, shared_remains left) {
+  if (left->results.empty() && !left->followed)
+    return;
+  state.remains.emplace_front(name, std::move(left));
+  std::size_t sum = 0;
+  const auto too_much = std::ranges::find_if(state.remains, [&](const auto& one) {
+    return (sum += one.second->bytes()) > most_remaining_bytes;
+  });
+  state.remains.erase(too_much, state.remains.end());
+}
+
 void start_opening(hub_pointer self, const std::string& name) {
   const auto store =
     self->spawn<caf::linked>(make_store, file_of(self->state, name), self->state.disks);
@@ -44,14 +69,21 @@ void start_opening(hub_pointer self, const std::string& name) {
     .then(
       [=](const stored_document& stored) {
         const auto& with = self->state.parts;
-        const auto session = self->spawn<caf::linked>(
-          make_session,
-          session_parts{name, store, with.pages, with.cache, with.workers, with.device}, stored);
+        session_parts parts{name,
+                            store,
+                            with.pages,
+                            with.cache,
+                            with.workers,
+                            with.device,
+                            caf::actor_cast<caf::actor>(self),
+                            with.unused_limit,
+                            take_remains(self->state, name)};
+        const auto session = self->spawn<caf::linked>(make_session, std::move(parts), stored);
         self->state.open.emplace(name, session);
         answer_all(self, name, session);
       },
       [=](const caf::error& e) {
-        self->send_exit(store, caf::exit_reason::user_shutdown);
+        caf::anon_send(store, close_atom::value);
         refuse_all(self, name, from_caf(e, "opening the document " + name));
       });
 }
@@ -65,13 +97,25 @@ void forget_former(hub_state& state, const std::string& name) {
   std::erase_if(state.former, [&](const auto& one) { return one.first == name; });
 }
 
-/// The document that had this name, as long as no other takes it; null when there is none.
-session_actor find_former(hub_state& state, const std::string& name) {
+/// The present name of the document that had this one, as long as no other takes it; else the same.
+std::string present_name(hub_state& state, const std::string& name) {
   if (has_file(state, name))
     forget_former(state, name);
   const auto found =
     std::ranges::find_if(state.former, [&](const auto& one) { return one.first == name; });
-  return found == state.former.end() ? session_actor() : found->second;
+  return found == state.former.end() ? name : found->second;
+}
+
+void open_for(hub_pointer self, const std::string& name, hub_state::promise promise) {
+  auto& state = self->state;
+  if (const auto found = state.open.find(name); found != state.open.end()) {
+    promise.deliver(opened_document{name, caf::actor_cast<caf::actor>(found->second)});
+    return;
+  }
+  const bool first = !state.opening.contains(name);
+  state.opening[name].push_back(std::move(promise));
+  if (first)
+    start_opening(self, name);
 }
 
 caf::result<opened_document> open(hub_pointer self, const std::string& given) {
@@ -83,18 +127,40 @@ caf::result<opened_document> open(hub_pointer self, const std::string& given) {
            std::to_string(++state.unnamed);
   if (auto ok = check_document_name(name); !ok)
     return to_caf(ok.error());
-  if (const auto found = state.open.find(name); found != state.open.end())
-    return opened_document{name, caf::actor_cast<caf::actor>(found->second)};
   if (state.adding.contains(name))
     return to_caf({ec::conflict, "the document " + name + " is being added", "Try again soon", {}});
-  const bool first = !state.opening.contains(name);
-  if (const auto renamed = first ? find_former(state, name) : session_actor())
-    return opened_document{name, caf::actor_cast<caf::actor>(renamed)};
+  if (!state.open.contains(name) && !state.opening.contains(name))
+    name = present_name(state, name);
   auto promise = self->make_response_promise<opened_document>();
-  state.opening[name].push_back(promise);
-  if (first)
-    start_opening(self, name);
+  open_for(self, name, promise);
   return promise;
+}
+
+// -- documents that nobody has open --------------------------------------------------------------
+
+/// Those who ask for the document meanwhile wait, and get it anew.
+void end_session(hub_pointer self, const session_actor& session) {
+  auto& state = self->state;
+  const auto found =
+    std::ranges::find(state.open, session, &std::pair<const std::string, session_actor>::second);
+  if (found == state.open.end() || state.renaming.contains(session))
+    return;
+  const auto name = found->first;
+  state.open.erase(found);
+  state.opening[name];
+  self->request(session, std::chrono::minutes(10), end_atom::value)
+    .then(
+      [=](const shared_remains& left) {
+        keep_remains(self->state, name, left);
+        if (self->state.opening[name].empty())
+          self->state.opening.erase(name);
+        else
+          start_opening(self, name);
+      },
+      [=](const caf::error&) {
+        self->state.open.emplace(name, session);
+        answer_all(self, name, session);
+      });
 }
 
 // -- documents from elsewhere --------------------------------------------------------------------
@@ -157,7 +223,10 @@ void take_renamed(hub_pointer self, const session_actor& session, const document
   state.open.erase(renamed.before);
   state.open.emplace(renamed.document, session);
   forget_former(state, renamed.document);
-  state.former.emplace_back(renamed.before, session);
+  for (auto& [before, now] : state.former)
+    if (now == renamed.before)
+      now = renamed.document;
+  state.former.emplace_back(renamed.before, renamed.document);
   if (state.former.size() > most_former)
     state.former.pop_front();
   answer_all(self, renamed.document, session);
@@ -167,11 +236,10 @@ void take_renamed(hub_pointer self, const session_actor& session, const document
 void leave_name(hub_pointer self, const session_actor& session, const std::string& name) {
   auto& state = self->state;
   state.renaming.erase(session);
-  const auto former = find_former(state, name);
-  if (former || state.opening[name].empty())
-    answer_all(self, name, former);
-  else
-    start_opening(self, name);
+  auto promises = std::move(state.opening[name]);
+  state.opening.erase(name);
+  for (auto& promise : promises)
+    open_for(self, present_name(state, name), std::move(promise));
 }
 
 /// The name is held among those that are being opened: nobody else gets it, and who opens it waits
@@ -262,7 +330,9 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   return {[=](const std::string& name) { return open(self, name); },
           [=](const add_request& request) { return add(self, request); },
           [=](const rename_request& request) { return rename(self, request); },
-          [=](status_atom) { return status(self); }, [=](catalog_atom) { return catalogue(self); }};
+          [=](end_atom, const session_actor& session) { end_session(self, session); },
+          [=](status_atom) { return status(self); },
+          [=](catalog_atom) { return catalogue(self); }};
 }
 
 }  // namespace tedit::actors

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <list>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +15,7 @@
 
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
+#include "actors/session/session.hpp"
 #include "actors/store/store.hpp"
 
 namespace tedit::actors {
@@ -25,6 +27,7 @@ struct hub_parts {
   page_store_actor pages;
   std::shared_ptr<page_cache> cache;
   std::string device = "auto";
+  std::chrono::milliseconds unused_limit = actors::unused_limit;
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
 };
 
@@ -37,8 +40,11 @@ struct hub_state {
   std::map<std::string, std::vector<promise>> opening;
   std::set<std::string> adding;      ///< Names of documents that are being checked.
   std::set<session_actor> renaming;  ///< Whose name is being changed.
-  /// Names that open documents had, oldest first: who comes back with one finds its document.
-  std::deque<std::pair<std::string, session_actor>> former;
+  /// Names that documents had, oldest first, and their present ones: who comes back with one finds
+  /// its document.
+  std::deque<std::pair<std::string, std::string>> former;
+  /// What sessions that ended left, by document, the latest first.
+  std::list<std::pair<std::string, shared_remains>> remains;
   std::uint64_t unnamed = 0;
 
   static inline const char* name = "hub";

@@ -34,6 +34,8 @@ struct server_options {
   std::chrono::milliseconds import_limit{10 * 60 * 1000};  ///< Also for exports.
   std::chrono::milliseconds edit_limit{2 * 60 * 1000};
   std::chrono::milliseconds solve_limit{2 * 60 * 60 * 1000};
+  /// A document that no client has open for so long is closed, and its memory is free.
+  std::chrono::milliseconds unused_limit{120 * 1000};
   /// Bytes of uploads that wait for their import, of one connection and of all together.
   std::uint64_t upload_bytes = std::uint64_t{2} << 30;
   std::uint64_t all_upload_bytes = std::uint64_t{4} << 30;

@@ -225,6 +225,8 @@ caf::result<document_renamed> session_state::rename(const std::string& wanted) {
     .then(
       [=, this](acknowledged) {
         const document_renamed renamed{std::exchange(parts.document, wanted), wanted};
+        for (auto& one : results)
+          one.event.document = wanted;
         broadcast(renamed);
         promise->deliver(renamed);
       },

@@ -17,9 +17,14 @@ void session_state::start(session_pointer owner, session_parts with, stored_docu
   graph = version_graph(std::move(stored));
   for (const auto& node : graph.nodes())
     parts.cache->put(*node.mesh);
+  if (const auto before = std::exchange(parts.remains, nullptr))
+    take_over(*before);
+  look_later();
 }
 
-session_snapshot session_state::attach(const attach_request& request) {
+caf::result<session_snapshot> session_state::attach(const attach_request& request) {
+  if (ended)
+    return to_caf({ec::service_unavailable, "the document is being closed", "Open it again", {}});
   if (subscribers.insert(request.subscriber).second)
     self->monitor(request.subscriber);
   session_snapshot snapshot;
@@ -37,8 +42,10 @@ session_snapshot session_state::attach(const attach_request& request) {
 
 void session_state::detach(const caf::actor& subscriber) {
   subscribers.erase(subscriber);
-  if (subscribers.empty())
-    last_preview.reset();
+  if (!subscribers.empty())
+    return;
+  last_preview.reset();
+  look_later();
 }
 
 session_history session_state::history(const history_request& request) const {
@@ -60,6 +67,60 @@ caf::result<session_version> session_state::version(const version_request& reque
                    "The history lists those that there are",
                    {}});
   return session_version{parts.document, request.number, graph.nodes()[request.number].mesh};
+}
+
+// -- its end -----------------------------------------------------------------------------------
+
+bool session_state::is_unused() const {
+  return subscribers.empty() && !running && waiting.empty() && previews.empty() && !active &&
+         progress_of.empty() && !ended;
+}
+
+void session_state::look_later() {
+  if (parts.hub)
+    self->delayed_send(self, parts.unused_limit, rest_atom::value, ++looks);
+}
+
+void session_state::look(std::uint64_t number) {
+  if (number != looks || !subscribers.empty())
+    return;
+  if (is_unused())
+    caf::anon_send(caf::actor_cast<hub_actor>(parts.hub), end_atom::value, session_actor(self));
+  look_later();  // Something may come between.
+}
+
+/// Who asks the hub for the document meanwhile waits there; who has this session from it already is
+/// refused here and asks again.
+caf::result<shared_remains> session_state::end() {
+  if (!is_unused())
+    return to_caf({ec::conflict, "the document is in use", {}, {}});
+  ended = true;
+  const auto promise = std::make_shared<caf::typed_response_promise<shared_remains>>(
+    self->make_response_promise<shared_remains>());
+  self->request(parts.store, std::chrono::minutes(5), close_atom::value)
+    .then(
+      [=, this](acknowledged) {
+        auto remains = std::make_shared<session_remains>();
+        remains->results = std::move(results);
+        for (auto& one : remains->results)
+          one.event.version.reset();  // The next session has it from the document.
+        remains->followed = followed;
+        promise->deliver(std::move(remains));
+        self->quit();
+      },
+      [=, this](const caf::error& e) {
+        ended = false;
+        promise->deliver(to_caf(from_caf(e, "closing the document")));
+      });
+  return *promise;
+}
+
+std::size_t session_remains::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& one : results)
+    for (const auto& f : *one.event.fields)
+      sum += f.values.size() * sizeof(double);
+  return sum;
 }
 
 // -- the order of commands ---------------------------------------------------------------------
@@ -157,8 +218,9 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
   auto& state = self->state;
   state.start(self, std::move(parts), std::move(stored));
   self->set_down_handler([=](caf::down_msg& down) {
-    std::erase_if(self->state.subscribers,
-                  [&](const caf::actor& a) { return a.address() == down.source; });
+    for (const auto& one : std::set(self->state.subscribers))
+      if (one.address() == down.source)
+        self->state.detach(one);
   });
   // Notes of workers are no part of the typed interface: they have no answer and may be lost.
   self->set_default_handler(
@@ -185,7 +247,9 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const select_request& request) { return state.select(request); },
           [&state](const history_request& request) { return state.history(request); },
           [&state](const version_request& request) { return state.version(request); },
-          [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); }};
+          [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); },
+          [&state](end_atom) { return state.end(); },
+          [&state](rest_atom, std::uint64_t number) { state.look(number); }};
 }
 
 }  // namespace tedit::actors

@@ -27,6 +27,9 @@ inline constexpr std::chrono::minutes answer_limit{24 * 60};
 /// For what a session or the hub answers from memory.
 inline constexpr std::chrono::seconds short_limit{60};
 
+/// A session that nobody has open for so long ends; its document can be opened again.
+inline constexpr std::chrono::seconds unused_limit{120};
+
 /// What a session works with.
 struct session_parts {
   std::string document;
@@ -35,6 +38,9 @@ struct session_parts {
   std::shared_ptr<page_cache> cache;
   worker_set workers;
   std::string device = "auto";  ///< For solves that name none.
+  caf::actor hub = {};          ///< Who ends it when nobody has it open; null: nobody.
+  std::chrono::milliseconds unused_limit = actors::unused_limit;
+  shared_remains remains = {};  ///< Of the session before; may be null.
 };
 
 struct session_state;
@@ -97,7 +103,7 @@ struct session_state {
     solve_key key;
     std::vector<std::string> names;  ///< Of its load cases.
     version_ptr mesh;
-    bool asked_for = false;             ///< By a request; else it follows a new head by itself.
+    bool asked_for = false;  ///< By a request; else it follows a new head by itself.
     int retries = 0;
     std::vector<solve_waiter> waiting;  ///< The first one hears of progress.
 
@@ -119,11 +125,17 @@ struct session_state {
   // -- session.cpp ---------------------------------------------------------------------------
 
   void start(session_pointer owner, session_parts with, stored_document stored);
-  session_snapshot attach(const attach_request& request);
+  caf::result<session_snapshot> attach(const attach_request& request);
   void detach(const caf::actor& subscriber);
   [[nodiscard]] session_history history(const history_request& request) const;
   [[nodiscard]] caf::result<session_version> version(const version_request& request) const;
   void cancel(std::uint64_t ticket);
+  /// Whether nobody has the document open and nothing is done for it.
+  [[nodiscard]] bool is_unused() const;
+  /// Looks after a while whether it still is unused.
+  void look_later();
+  void look(std::uint64_t number);
+  caf::result<shared_remains> end();
   void cancel_jobs_of(std::uint64_t ticket);
   void enqueue(command c);
   void next_command();
@@ -213,6 +225,8 @@ struct session_state {
   /// field would lie. Null when there is none.
   [[nodiscard]] const kept_result* result_of(const graph_node& node) const;
   acknowledged end_solve();
+  /// Takes over what the session before had of versions that are there.
+  void take_over(session_remains& before);
   /// Has all fields of a result, those that only files have, too, in this process: from the worker
   /// that solved, or, where that has gone or forgotten them, by solving once more.
   void fetch_all_fields(const kept_result& result, const order_base& base,
@@ -261,7 +275,18 @@ struct session_state {
   std::optional<active_solve> active;
   std::list<kept_result> results;  ///< Used last at the front.
 
+  std::uint64_t looks = 0;  ///< Called for by `look_later`.
+  bool ended = false;       ///< Its document is being closed.
+
   static inline const char* name = "session";
+};
+
+struct session_remains {
+  std::list<session_state::kept_result> results;  ///< Without their versions.
+  std::optional<solve_request> followed;
+
+  /// Of the fields, that somebody keeps in memory.
+  [[nodiscard]] std::size_t bytes() const;
 };
 
 /// One document, opened: docs/actors.md draws one edit and one solve.

@@ -15,6 +15,16 @@ constexpr std::size_t most_results = 8;
 
 }  // namespace
 
+void session_state::take_over(session_remains& before) {
+  followed = before.followed;
+  for (auto& one : before.results)
+    if (const auto* node = graph.find(one.key.version)) {
+      one.event.version = node->mesh;
+      one.event.document = parts.document;
+      results.push_back(std::move(one));
+    }
+}
+
 caf::result<solved> session_state::solve(const solve_request& request) {
   auto promise = self->make_response_promise<solved>();
   followed = request;

@@ -268,6 +268,12 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
             end_job(file);
             return result;
           },
+          [=](close_atom, const shared_file& file) {
+            const std::lock_guard lock(file->in_use);
+            file->document.reset();
+            --*jobs;
+            return acknowledged{};
+          },
           [=](wake_atom, const shared_file& file) {
             const std::lock_guard lock(file->in_use);
             if (file->document)
@@ -306,6 +312,11 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
     [=](rename_atom, const std::string& name) {
       return self->delegate(use(self->state.disks.for_commit()), rename_atom::value,
                             self->state.file, name);
+    },
+    [=](close_atom) {
+      self->quit();  // The disk answers.
+      return self->delegate(use(self->state.disks.for_commit()), close_atom::value,
+                            self->state.file);
     },
     [=](wake_atom) {
       self->send(use(self->state.disks.for_commit()), wake_atom::value, self->state.file);

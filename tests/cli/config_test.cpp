@@ -106,6 +106,7 @@ solver_workers = 64
 edit_timeout_s = 0.5
 import_timeout_s = 60
 solve_timeout_s = 604800
+close_unused_after_s = 9.5
 upload_bytes = 1048576
 all_upload_bytes = 17179869184
 [log]
@@ -125,6 +126,7 @@ level = "debug"
   EXPECT_EQ(config->edit_timeout_s, 0.5);
   EXPECT_EQ(config->import_timeout_s, 60);
   EXPECT_EQ(config->solve_timeout_s, 604800);
+  EXPECT_EQ(config->close_unused_after_s, 9.5);
   EXPECT_EQ(config->upload_bytes, 1 << 20);
   EXPECT_EQ(config->all_upload_bytes, std::int64_t{16} << 30);
   EXPECT_EQ(config->log_level, "debug");

@@ -20,12 +20,15 @@ namespace fs = std::filesystem;
 /// `tedit serve` that may have so many files open.
 class small_server {
 public:
-  small_server(const scratch_folder& folder, int descriptors)
+  small_server(const scratch_folder& folder, int descriptors, double close_after_s = 120)
       : ready_(folder.path() / "ready"), token_(folder.path() / "token") {
+    const auto config = folder.path() / "config.toml";
+    std::ofstream(config) << "[limits]\nclose_unused_after_s = " << close_after_s << "\n";
     const auto command = "ulimit -n " + std::to_string(descriptors) +
                          "; exec " TEDIT_BIN
                          "/tedit serve --quiet --port 0 --device cpu "
-                         "--documents " +
+                         "--config " +
+                         config.string() + " --documents " +
                          (folder.path() / "documents").string() + " --token-file " +
                          token_.string() + " --ready-file " + ready_.string();
     pid_ = value(spawn_process({"/bin/sh", "-c", command}));
@@ -104,6 +107,41 @@ TEST(ManyDocuments, AnIdleOneHasNoThreadAndNoDescriptor) {
   value(user->open("first", false, false));
   EXPECT_EQ(value(user->edit("thicken", {4}, {{"depth", 0.25e-3}}, {})).head.number, 1U);
   EXPECT_EQ(value(user->undo()).head.number, 0U);
+}
+
+// Sessions once lived until the server ended, with all versions of their documents.
+TEST(ManyDocuments, ThoseThatNobodyHasOpenAreClosedAndTheirMemoryIsFree) {
+  const scratch_folder folder;
+  const small_server host(folder, number("TEDIT_NOFILE", 128), 0.5);
+  const int documents = number("TEDIT_DOCUMENTS", 120);
+  const auto open_all = [&](bool first_time) {
+    const auto user = host.connect();
+    for (int i = 0; i < documents; ++i) {
+      const auto state = value(user->open("part-" + std::to_string(i), false, false));
+      if (first_time)
+        value(user->import_file(test::cube_mesh, "mm", {}));
+      else
+        EXPECT_EQ(state.head.value_or(client::version_info()).operation, "import") << i;
+    }
+  };
+  const auto wait_until_closed = [&] {
+    const auto user = host.connect();
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (value(user->status()).documents > 0 && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(value(user->status()).documents, 0U);
+  };
+  open_all(true);
+  wait_until_closed();
+  host.print(std::to_string(documents) + " documents made and closed");
+  const auto resident = host.resident_kib();
+  const auto descriptors = host.count("fd");
+  for (int round = 0; round < 3; ++round)
+    open_all(false);
+  wait_until_closed();
+  host.print("the same three times more");
+  EXPECT_LE(host.count("fd"), descriptors);
+  EXPECT_LE(host.resident_kib(), resident + 8 * 1024);
 }
 
 }  // namespace

@@ -18,6 +18,16 @@ std::vector<std::string> bytes_of(const List& load_cases) {
   return result;
 }
 
+/// What is asked again is asked of the document by its present name.
+void set_document(v1::ClientMessage& message, const std::string& name) {
+  const auto* reflection = message.GetReflection();
+  const auto* body =
+    reflection->GetOneofFieldDescriptor(message, message.GetDescriptor()->FindOneofByName("body"));
+  auto* of = reflection->MutableMessage(&message, body);
+  if (const auto* field = of->GetDescriptor()->FindFieldByName("document"))
+    of->GetReflection()->SetString(of, field, name);
+}
+
 }  // namespace
 
 fem::load_case made_up_load_case(const std::string& name, double newtons) {
@@ -286,6 +296,10 @@ std::optional<simulated_client::request> simulated_client::make_request(const sc
       message.mutable_export_file()->set_document(document_);
       message.mutable_export_file()->set_format(step.value % 2 == 0 ? "vtu" : "msh");
       return made;
+    case step_kind::rename:
+      message.mutable_rename_document()->set_document(document_);
+      message.mutable_rename_document()->set_name("e" + std::to_string(step.value % 3));
+      return made;
     case step_kind::history:
       message.mutable_get_history()->set_document(document_);
       return made;
@@ -304,7 +318,13 @@ void simulated_client::act(const scenario_step& step) {
     closing.message.mutable_close_document()->set_document(document_);
     ask(std::move(closing));
     seen_.reset();
-    return open_document();
+    is_open_ = false;
+    // Now and then so late that its session has ended, or is about to.
+    return time_.after(milliseconds(step.value % 3 == 0 ? 0 : 1900 + step.value % 1000),
+                       [this, of = line_] {
+                         if (of == line_ && line_)
+                           open_document();
+                       });
   }
   auto made = make_request(step);
   if (!made)
@@ -376,8 +396,10 @@ void simulated_client::take_answer(const v1::ServerMessage& message) {
     past_.watches.push_back(std::move(begun));
     head_ = state.head().version_id();
     load_cases_ = bytes_of(state.load_cases());
-    for (auto& one : std::exchange(to_repeat_, {}))
+    for (auto& one : std::exchange(to_repeat_, {})) {
+      set_document(one.message, document_);
       ask(std::move(one));
+    }
   }
 }
 
@@ -396,7 +418,10 @@ void simulated_client::take_event(const v1::ServerMessage& message, std::size_t 
     note_head(message.committed());
   else if (message.has_load_cases_changed())
     load_cases_ = bytes_of(message.load_cases_changed().load_cases());
-  else if (message.has_solve_status())
+  else if (message.has_document_renamed() && message.document_renamed().before() == document_) {
+    document_ = message.document_renamed().document();
+    (void)inbox_->renamed(message.document_renamed().before(), document_);
+  } else if (message.has_solve_status())
     lost_solve_ = message.solve_status().phase() != v1::SolveStatus::STARTED &&
                   message.solve_status().phase() != v1::SolveStatus::CONVERGING;
   else if (message.has_surface_update())

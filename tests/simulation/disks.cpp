@@ -62,6 +62,9 @@ caf::behavior make_slow_disk(queue_pointer self, const disk_actor& real,
     [=](rename_atom atom, const shared_file& file, const std::string& name) {
       return forward(std::in_place_type<acknowledged>, atom, file, name);
     },
+    [=](close_atom atom, const shared_file& file) {
+      return forward(std::in_place_type<acknowledged>, atom, file);
+    },
     [=](wake_atom atom, const shared_file& file) { add([=] { self->send(real, atom, file); }); },
     [=](rest_atom atom, const shared_file& file) { add([=] { self->send(real, atom, file); }); },
     [=](tick_atom) {

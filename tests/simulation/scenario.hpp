@@ -26,6 +26,7 @@ enum class step_kind {
   export_file,
   history,
   reopen_document,
+  rename,
   drop_connection,  ///< The client comes back and asks again for what it does not know.
   read_slowly,
   worker_dies,

@@ -23,6 +23,7 @@ simulated_server::simulated_server(timeline& time, const std::filesystem::path& 
             make_solver_pool(system, options(worker_role::solver))};
   hub_parts hub{documents, pools_, pages_, cache_};
   hub.disks = disks_->disks();
+  hub.unused_limit = milliseconds(2000);
   hub_ = system.spawn(make_hub, hub);
   parts_.hub = hub_;
   parts_.guard = std::make_shared<gateway::token_guard>("token");

@@ -65,6 +65,37 @@ TEST_F(Simulation, AFileOutlivesItsWorkerThatDiesAfterTheAnswer) {
   }
 }
 
+// The result that was kept had the name of before, by which no client knows the document.
+TEST_F(Simulation, UndoShowsTheFieldThatWasSolvedUnderAnotherName) {
+  using enum step_kind;
+  for (const auto& one : orders_of({{milliseconds(0), import, 0, 1},
+                                    {milliseconds(20'000), set_load_case, 0, 0},
+                                    {milliseconds(40'000), solve, 0, 0},
+                                    {milliseconds(60'000), apply, 0, 1},
+                                    {milliseconds(100'000), rename, 0, 1},
+                                    {milliseconds(120'000), undo, 0, 1}})) {
+    const auto result = play(one, folder_);
+    EXPECT_THAT(result.faults, IsEmpty()) << "order " << one.seed;
+    EXPECT_THAT(result.errors, IsEmpty()) << "order " << one.seed;
+  }
+}
+
+// Also when the session has ended meanwhile, with all that it held.
+TEST_F(Simulation, AReopenedDocumentHasItsFieldsAndItsUndo) {
+  using enum step_kind;
+  for (const auto& one : orders_of({{milliseconds(0), import, 0, 1},
+                                    {milliseconds(20'000), set_load_case, 0, 0},
+                                    {milliseconds(40'000), solve, 0, 0},
+                                    {milliseconds(60'000), apply, 0, 1},
+                                    {milliseconds(100'000), reopen_document, 0, 1'000'000'900},
+                                    {milliseconds(130'000), undo, 0, 1},
+                                    {milliseconds(150'000), redo, 0, 1}})) {
+    const auto result = play(one, folder_);
+    EXPECT_THAT(result.faults, IsEmpty()) << "order " << one.seed;
+    EXPECT_THAT(result.errors, IsEmpty()) << "order " << one.seed;
+  }
+}
+
 TEST_F(Simulation, OneSeedIsOneReplay) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto all = make_scenario(seed);

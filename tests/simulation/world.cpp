@@ -211,6 +211,7 @@ private:
 
   void check_documents() {
     std::map<std::string, int> made;  // By edit id.
+    std::vector<stored_document> documents;
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
       if (entry.path().extension() != ".tedit")
         continue;
@@ -222,6 +223,7 @@ private:
         continue;
       }
       check_log(name, *stored, made);
+      documents.push_back(*stored);
       if (const auto held = held_.find(name); held != held_.end())
         check_same(name, held->second, *stored);
     }
@@ -229,22 +231,27 @@ private:
       if (made[id] != 1)
         past_.faults.push_back("the acknowledged change " + id + " stands " +
                                std::to_string(made[id]) + " times in the log");
+    for (const auto& seen : past_.watches)
+      if ((seen.first || !seen.moves.empty()) &&  // Else of a document that is still empty.
+          std::ranges::none_of(documents, [&](const auto& one) { return saw(seen, one); }))
+        past_.faults.push_back(seen.client + " saw heads of " + seen.document +
+                               " that are no piece of any log");
+    // A client that did not hear of another name comes back to another document.
+    const bool may_miss_a_name = has(step_kind::server_dies) && has(step_kind::rename);
     for (const auto& [id, code] : past_.refused)
-      if (made[id] != 0 && !past_.acknowledged.contains(id))
+      if (!may_miss_a_name && made[id] != 0 && !past_.acknowledged.contains(id))
         past_.faults.push_back("the change " + id + " was refused (" + code + ") and made");
   }
 
   void check_log(const std::string& name, const stored_document& stored,
                  std::map<std::string, int>& made) {
-    std::vector<std::uint32_t> moves;
+    const auto moves = moves_of(stored);
     for (const auto& row : stored.log) {
       const auto change = past_change::from_log(row);
       if (!change)
         continue;
       if (!change->edit_id.empty())
         ++made[change->edit_id];
-      if (change->version)
-        moves.push_back(*change->version);
       const auto told = past_.acknowledged.find(change->edit_id);
       if (told != past_.acknowledged.end() && told->second && change->version &&
           (told->second->number != *change->version ||
@@ -256,9 +263,6 @@ private:
       past_.faults.push_back(name + ": the head is not where the last change led");
     for (const auto& node : stored.nodes)
       check_node(name, stored, node);
-    for (const auto& seen : past_.watches)
-      if (seen.document == name)
-        check_watch(seen, stored, moves);
   }
 
   /// The session held what its file has.
@@ -292,27 +296,38 @@ private:
     say("is none that its operation could have made of its parent");
   }
 
-  /// The heads that a client saw are a piece of the log without gaps, and to its end when the
-  /// client was there to the end.
-  void check_watch(const watch& seen, const stored_document& stored,
-                   const std::vector<std::uint32_t>& moves) {
+  [[nodiscard]] bool has(step_kind kind) const {
+    return std::ranges::find(what_.steps, kind, &scenario_step::kind) != what_.steps.end();
+  }
+
+  static std::vector<std::uint32_t> moves_of(const stored_document& stored) {
+    std::vector<std::uint32_t> moves;
+    for (const auto& row : stored.log)
+      if (const auto change = past_change::from_log(row); change && change->version)
+        moves.push_back(*change->version);
+    return moves;
+  }
+
+  /// Whether the heads that a client saw are a piece of the log without gaps, and to its end when
+  /// the client was there to the end.
+  static bool saw(const watch& seen, const stored_document& stored) {
     std::vector<std::uint32_t> numbers;
     for (const auto& move : seen.moves) {
       numbers.push_back(move.number);
       if (move.number >= stored.nodes.size() ||
           to_hex(stored.nodes[move.number].info.id) != move.version)
-        past_.faults.push_back(seen.client + " saw a head that the document does not have");
+        return false;
     }
+    const auto moves = moves_of(stored);
     for (std::size_t from = 0; from + numbers.size() <= moves.size(); ++from) {
       const bool begins = seen.first ? from > 0 && moves[from - 1] == *seen.first : from == 0;
       const bool ends = !seen.to_the_end || from + numbers.size() == moves.size();
       if (begins && ends &&
           std::equal(numbers.begin(), numbers.end(),
                      moves.begin() + static_cast<std::ptrdiff_t>(from)))
-        return;
+        return true;
     }
-    past_.faults.push_back(seen.client + " saw heads that are no piece of the log of " +
-                           seen.document);
+    return false;
   }
 
   static inline std::uint64_t count = 0;
