@@ -144,8 +144,9 @@ void camera::fit(const std::array<double, 6>& bounds) {
   const vec3 back = unit_or_up(now.position - now.focus);
   const vec3 right = unit_or_up(cross(now.up, back));
   const vec3 up = cross(back, right);
-  const double aspect = (1 - left_margin_) * width_ / height_;
-  const double slope = std::tan(camera_->GetViewAngle() * std::numbers::pi / 360);
+  const double free_height = 1 - lower_margin_;
+  const double aspect = (1 - left_margin_) * width_ / (free_height * height_);
+  const double slope = free_height * std::tan(camera_->GetViewAngle() * std::numbers::pi / 360);
   now.focus = {(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
                (bounds[4] + bounds[5]) / 2};
   double half_height = 0;
@@ -160,14 +161,19 @@ void camera::fit(const std::array<double, 6>& bounds) {
   }
   now.position = now.focus + std::max(distance, 1e-12) * back;
   now.up = up;
-  now.parallel_scale = border * half_height;
+  now.parallel_scale = border * half_height / free_height;
   set(now);
 }
 
 void camera::set_left_margin(double share) {
   left_margin_ = std::clamp(share, 0.0, 0.4);
   // The picture's middle moves, the focus stays.
-  camera_->SetWindowCenter(-left_margin_, 0);
+  camera_->SetWindowCenter(-left_margin_, -lower_margin_);
+}
+
+void camera::set_lower_margin(double share) {
+  lower_margin_ = std::clamp(share, 0.0, 0.4);
+  camera_->SetWindowCenter(-left_margin_, -lower_margin_);
 }
 
 void camera::focus_on(const vec3& place) {

@@ -73,6 +73,8 @@ public:
   /// Keeps a part of the view's width at its left free when something is made to fit; turning still
   /// goes about the middle of what is seen. In [0, 0.4].
   void set_left_margin(double share);
+  /// The same of its height, at the lower edge.
+  void set_lower_margin(double share);
   /// Moves the focus to a place and keeps direction and distance.
   void focus_on(const vec3& place);
   void set_parallel(bool on);
@@ -103,6 +105,7 @@ private:
   double width_ = 1;
   double height_ = 1;
   double left_margin_ = 0;
+  double lower_margin_ = 0;
   turning turning_ = turning::turntable;
 };
 

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace tedit::desktop {
 
@@ -29,6 +30,7 @@ void part_framing::fit(const std::vector<surface_id>& around) {
       some->GetCellsBounds(bounds.data());
   }
   fitted_ = true;
+  eye_.set_lower_margin(static_cast<double>(lower_margin_) / std::max(1, size_.height()));
   eye_.fit(bounds);
   whole_ = around.empty() ? std::optional(eye_.get()) : std::nullopt;
   emit moved();
@@ -39,15 +41,24 @@ void part_framing::set_left_margin(int pixels) {
   eye_.set_left_margin(static_cast<double>(pixels) / std::max(1, size_.width()));
 }
 
+void part_framing::set_lower_margin(int pixels) {
+  if (std::exchange(lower_margin_, pixels) != pixels)
+    fit_again();
+}
+
 double part_framing::free_aspect(const QSize& size) const {
   const double width =
     std::max(0.6 * size.width(), static_cast<double>(size.width() - left_margin_));
-  return width / std::max(1, size.height());
+  return width / std::max(1, size.height() - lower_margin_);
 }
 
 void part_framing::set_size(const QSize& size) {
   size_ = size;
   set_left_margin(left_margin_);
+  fit_again();
+}
+
+void part_framing::fit_again() {
   if (keeps_fitted_ && whole_ == eye_.get())
     fit();
 }

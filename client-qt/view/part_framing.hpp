@@ -34,6 +34,9 @@ public:
   [[nodiscard]] bool keeps_fitted() const noexcept { return keeps_fitted_; }
   /// Pixels at the left that something else covers: what is made to fit stays beside them.
   void set_left_margin(int pixels);
+  /// The same at the lower edge, from the next time on that something is made to fit: what a person
+  /// has moved stays where it is.
+  void set_lower_margin(int pixels);
   /// Width to height of what that leaves.
   [[nodiscard]] double free_aspect(const QSize& size) const;
   [[nodiscard]] double free_aspect() const { return free_aspect(size_); }
@@ -46,6 +49,9 @@ signals:
   void moved();
 
 private:
+  /// Unless somebody has turned or moved the part.
+  void fit_again();
+
   camera& eye_;
   std::shared_ptr<const part_geometry> part_;
   QSize size_;
@@ -53,6 +59,7 @@ private:
   bool keeps_fitted_ = false;
   std::optional<camera::pose> whole_;  ///< As the last fit of the whole part left it.
   int left_margin_ = 0;
+  int lower_margin_ = 0;
 };
 
 }  // namespace tedit::desktop

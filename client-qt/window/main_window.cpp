@@ -183,7 +183,9 @@ void main_window::place_overlays() {
   section.adjustSize();
   section.move(view_->width() - section.width() - cube_margin,
                view_->height() - section.height() - cube_margin);
-  overlay_->keep_free(section.isVisible() ? section.height() + cube_margin : 0);
+  const int taken = section.isVisible() ? section.height() + cube_margin : 0;
+  overlay_->keep_free(taken);
+  view_->framing().set_lower_margin(taken);
   place_banner();
 }
 

@@ -91,6 +91,18 @@ TEST_F(Camera, FreeRoomAtTheLeftMovesThePictureNotTheFocus) {
   expect_near(eye.get().focus, {0, 0, 0});
 }
 
+TEST_F(Camera, FreeRoomBelowIsNotFilledByWhatIsMadeToFit) {
+  for (const bool parallel : {true, false}) {
+    eye.set_parallel(parallel);
+    eye.set_lower_margin(0.2);
+
+    eye.fit({-0.1, 0.1, -1, 1, 0, 0});
+
+    EXPECT_NEAR(eye.to_pixel({0, -1, 0})[1], 20 + 80 * (1 - 1 / 1.12) / 2, 1e-6);
+    EXPECT_NEAR(eye.to_pixel({0, 1, 0})[1], 100 - 80 * (1 - 1 / 1.12) / 2, 1e-6);
+  }
+}
+
 TEST_F(Camera, WhatIsMadeToFitHasABorder) {
   eye.fit({-4, 4, -1, 1, 0, 0});  // Twice as wide as the view is, by its height.
 

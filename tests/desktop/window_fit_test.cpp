@@ -10,6 +10,8 @@
 #include <QTranslator>
 #include <QTreeWidget>
 
+#include <cmath>
+
 #include "client-qt/model/language.hpp"
 #include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/view/view_cube.hpp"
@@ -139,6 +141,28 @@ TEST_P(Fit, WhatIsSaidLeavesTheViewCubeFreeAndLosesNoLine) {
     EXPECT_FALSE(said.geometry().intersects(cube->geometry())) << with_help;
     EXPECT_TRUE(window->context().pages.rect().contains(said.geometry())) << with_help;
   }
+}
+
+TEST_P(Fit, TheBarOfASectionLeavesThePartsFootFree) {
+  open_plate(false);
+  run("view.results");
+  ASSERT_TRUE(wait([&] { return view().is_settled(); }));
+  const auto before = view().view().get();
+
+  run("view.section");
+
+  const auto* bar = window->findChild<QWidget*>("section_bar");
+  ASSERT_TRUE(wait([&] { return bar->isVisible() && view().is_settled(); }));
+  const auto& box = view().geometry()->bounds;
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at = view().to_widget({box[static_cast<std::size_t>(corner & 1)],
+                                      box[static_cast<std::size_t>(2 + (corner >> 1 & 1))],
+                                      box[static_cast<std::size_t>(4 + (corner >> 2 & 1))]});
+    EXPECT_LT(at.y(), bar->geometry().top()) << "corner " << corner;
+  }
+  run("view.section");
+  const vec3 moved = view().view().get().position - before.position;
+  EXPECT_LT(std::sqrt(dot(moved, moved)), 1e-9) << "and gives the room back";
 }
 
 TEST_P(Fit, ADifferenceShowsAllOfThePart) {
