@@ -50,10 +50,6 @@ struct window_context {
   [[nodiscard]] std::function<bool()> has_part() const {
     return [&part = part] { return part.head() != nullptr; };
   }
-  /// For commands that change it: nothing else may be on its way.
-  [[nodiscard]] std::function<bool()> is_idle() const {
-    return [&part = part] { return part.head() && !part.foreground().current(); };
-  }
 };
 
 }  // namespace tedit::desktop

@@ -66,9 +66,8 @@ public:
   void hover(std::optional<surface_id> under_pointer);
   /// Leaves out what is selected and under the pointer, for a picture that is kept.
   void show_highlights(bool on);
-  /// Surfaces that are not drawn (nor picked, see `is_hidden`).
+  /// Surfaces that are not drawn (nor picked).
   void hide(const std::set<surface_id>& hidden);
-  [[nodiscard]] bool is_hidden(surface_id id) const { return hidden_.contains(id); }
   [[nodiscard]] const std::set<surface_id>& hidden() const noexcept { return hidden_; }
   void show_mesh(bool on);
   void show_edges(bool on);
