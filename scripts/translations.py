@@ -26,7 +26,7 @@ TABLES = ["fem/quantities.hpp", "mesh/formats.hpp"]
 
 
 def texts_of_operations():
-    """What the shipped operations say of themselves in `describe`: sentences, names, and choices."""
+    """What the shipped operations say of themselves in `describe`: sentences, names, choices; and of their figures."""
     literal = re.compile(r'"((?:[^"\\]|\\.)*)"')
     for file in sorted([*ROOT.glob("ops/*/operation.cpp"), ROOT / "ops/shapes/rounding/round_edges.cpp"]):
         source = re.sub(r'R"\(.*?\)"', "", file.read_text(), flags=re.S)
@@ -37,6 +37,18 @@ def texts_of_operations():
             for text in literal.findall(joined):
                 if " " in text or text[:1].isupper():
                     yield text.replace('\\"', '"')
+
+    yield from texts_of_figures()
+
+
+def texts_of_figures():
+    """What the figures of edits are called. A number among the words is %1."""
+    for file in sorted(ROOT.glob("ops/**/*.cpp")):
+        if "tests" in file.parts:
+            continue
+        for statement in re.findall(r"figures(?:\.push_back\(| = )\s*\{.*?;\n", file.read_text(), re.S):
+            numbered = re.sub(r'" \+ std::to_string\(\w+\) \+\s*"', "%1", statement)
+            yield from (text for text in re.findall(r'"([^"]*)"', numbered) if " " in text)
 
 
 def run_lupdate(program, targets):

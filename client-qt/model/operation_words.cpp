@@ -2,13 +2,30 @@
 #include "client-qt/model/operation_words.hpp"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
+
+#include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 
 std::string in_users_language(const std::string& english) {
   return QCoreApplication::translate("operations", english.c_str()).toStdString();
+}
+
+/// For a number in the words the catalogue has a place, %1.
+QString figure_words(const std::string& english) {
+  const auto exact = in_users_language(english);
+  static const QRegularExpression digits("[0-9]+");
+  QString pattern = QString::fromStdString(english);
+  const auto found = digits.match(pattern);
+  if (exact != english || !found.hasMatch())
+    return words_of(exact);
+  pattern.replace(found.capturedStart(), found.capturedLength(), "%1");
+  const auto numbered = in_users_language(pattern.toStdString());
+  return numbered == pattern.toStdString() ? words_of(english)
+                                           : QString::fromStdString(numbered).arg(found.captured());
 }
 
 QString choice_words(const std::string& choice) {

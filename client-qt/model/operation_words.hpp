@@ -13,6 +13,9 @@ namespace tedit::desktop {
 /// knows, as it is.
 [[nodiscard]] std::string in_users_language(const std::string& english);
 
+/// What a figure of an edit is ("pieces, of 2 bodies"), likewise; numbers in it stay.
+[[nodiscard]] QString figure_words(const std::string& english);
+
 /// One value of a parameter that is chosen from a list, as people read it.
 [[nodiscard]] QString choice_words(const std::string& choice);
 

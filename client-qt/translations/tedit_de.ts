@@ -731,6 +731,54 @@
         <source>The surfaces keep their names, so loads and supports on them stay. Pick both halves of a bore together. Where something is in the way, the edit is refused with the greatest thickness that works.</source>
         <translation>Die Flächen behalten ihre Namen, Lasten und Lager darauf bleiben also. Beide Hälften einer Bohrung zusammen auswählen. Wo etwas im Weg ist, wird die Änderung mit der größten Dicke abgelehnt, die geht.</translation>
     </message>
+    <message>
+        <source>thickness taken off</source>
+        <translation>abgetragene Dicke</translation>
+    </message>
+    <message>
+        <source>taken off at the least exact place</source>
+        <translation>abgetragen an der ungenauesten Stelle</translation>
+    </message>
+    <message>
+        <source>pieces, of 1 body</source>
+        <translation>Stücke, aus 1 Körper</translation>
+    </message>
+    <message>
+        <source>pieces, of %1 bodies</source>
+        <translation>Stücke, aus %1 Körpern</translation>
+    </message>
+    <message>
+        <source>hinges repaired</source>
+        <translation>ausgebesserte Scharnierkanten</translation>
+    </message>
+    <message>
+        <source>crumbs dropped</source>
+        <translation>entfernte Krümel</translation>
+    </message>
+    <message>
+        <source>of the part&apos;s volume</source>
+        <translation>des Volumens des Teils</translation>
+    </message>
+    <message>
+        <source>runs of edges rounded</source>
+        <translation>gerundete Kantenzüge</translation>
+    </message>
+    <message>
+        <source>facets over each arc</source>
+        <translation>Facetten über jeden Bogen</translation>
+    </message>
+    <message>
+        <source>put on at the least exact place</source>
+        <translation>aufgetragen an der ungenauesten Stelle</translation>
+    </message>
+    <message>
+        <source>change of the radius, fitted</source>
+        <translation>Änderung des Radius, angepasst</translation>
+    </message>
+    <message>
+        <source>thickness put on</source>
+        <translation>aufgetragene Dicke</translation>
+    </message>
 </context>
 <context>
     <name>operations_manual</name>

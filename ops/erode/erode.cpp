@@ -26,9 +26,10 @@ void add_counts(const erosion_sum& sum, edit_result& result) {
   const auto& removal = sum.removal;
   if (removal.pieces == 0)
     return;
-  result.figures.push_back({"pieces", static_cast<double>(removal.pieces), "",
-                            "pieces, of " + std::to_string(removal.pieces - sum.bodies_added) +
-                              (removal.pieces - sum.bodies_added == 1 ? " body" : " bodies")});
+  const auto bodies = removal.pieces - sum.bodies_added;
+  result.figures.push_back(
+    {"pieces", static_cast<double>(removal.pieces), "",
+     bodies == 1 ? "pieces, of 1 body" : "pieces, of " + std::to_string(bodies) + " bodies"});
   result.figures.push_back(
     {"hinges_repaired", static_cast<double>(removal.hinges_mended), "", "hinges repaired"});
   if (sum.bodies_added > 0)

@@ -11,6 +11,7 @@
 
 #include <string_view>
 
+#include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/receipt_words.hpp"
 #include "client-qt/tools/receipt/receipt_panel.hpp"
@@ -74,7 +75,8 @@ QString preview_details(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html;
   for (const auto& figure : report.figures)
-    html += table_row(escaped(figure.help), number(figure.value) + " " + escaped(figure.unit));
+    html += table_row(figure_words(figure.help).toHtmlEscaped(),
+                      number(figure.value) + " " + escaped(figure.unit));
   if (!html.isEmpty())
     html = "<table>" + html + "</table>";
   const int changed = changed_loads(report);
