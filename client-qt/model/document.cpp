@@ -70,10 +70,10 @@ void document::warn(const std::vector<std::string>& texts) {
 
 void document::begin(const QString& name) {
   ++opening_;
-  name_.clear();
+  const QString before = std::exchange(name_, {});
   versions_.forget();
   edits_.forget();
-  solver_.forget();
+  solver_.forget(before);
   loads_.forget();
   name_ = name;
   emit begun();

@@ -79,6 +79,18 @@ void jobs::end(int id) {
     emit changed();
 }
 
+void jobs::leave(int id, const QString& document) {
+  left_ = document;
+  left_since_.start();
+  end(id);
+}
+
+void jobs::forget_left() {
+  left_.clear();
+  left_since_.invalidate();
+  emit changed();
+}
+
 void jobs::cancel(int id) {
   auto* one = find(id);
   if (!one || !one->cancel)

@@ -46,6 +46,14 @@ public:
   void progress(int id, double fraction, const QString& stage);
   /// Another one than those that run does nothing.
   void end(int id);
+  /// Ends it here, where its document is left; at the server it goes on for a while.
+  void leave(int id, const QString& document);
+  /// The document that was left while work for it ran; empty: none.
+  [[nodiscard]] const QString& left() const noexcept { return left_; }
+  [[nodiscard]] qint64 left_for_ms() const {
+    return left_since_.isValid() ? left_since_.elapsed() : 0;
+  }
+  void forget_left();
   void cancel(int id);
   [[nodiscard]] const std::vector<job>& all() const noexcept { return all_; }
 
@@ -57,6 +65,8 @@ private:
 
   std::vector<job> all_;
   int last_ = 0;
+  QString left_;
+  QElapsedTimer left_since_;
 };
 
 }  // namespace tedit::desktop

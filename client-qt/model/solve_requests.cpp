@@ -8,8 +8,15 @@
 #include <utility>
 
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/document_name.hpp"
 
 namespace tedit::desktop {
+
+bool is_solving(const client::server_status& server) {
+  return std::ranges::any_of(server.workers, [](const client::worker_status& worker) {
+    return worker.role == "solver" && worker.jobs > 0;
+  });
+}
 
 solve_requests::solve_requests(document& part, version_store& versions, remote& link)
     : part_(part), versions_(versions), link_(link) {
@@ -19,10 +26,13 @@ solve_requests::solve_requests(document& part, version_store& versions, remote& 
   connect(&link_, &remote::state_changed, this, [this] {
     if (link_.current() == remote::state::lost && progress_ == field_state::solving)
       set_progress(field_state::waiting);
+    note_server();
   });
 }
 
-void solve_requests::forget() {
+void solve_requests::forget(const QString& document) {
+  if (is_running())
+    part_.work().leave(job_, title_of(document).words);
   status_ = {};
   set_progress(field_state::none);
 }
@@ -143,6 +153,15 @@ void solve_requests::set_progress(field_state next) {
   note_job();
   if (other)
     emit changed();
+}
+
+/// What was left is over once the server's solver has nothing to do. A status may have been on its
+/// way already when the document was left.
+void solve_requests::note_server() {
+  constexpr int two_statuses_ms = 6000;
+  const bool solves = link_.current() != remote::state::offline && is_solving(link_.server());
+  if (!solves && part_.work().left_for_ms() > two_statuses_ms)
+    part_.work().forget_left();
 }
 
 /// The solve among what runs.

@@ -13,6 +13,9 @@ class version_store;
 /// How far the field of the head is.
 enum class field_state { none, waiting, solving, interim, converged, failed, stopped };
 
+/// Whether the server solves something, for whomever.
+[[nodiscard]] bool is_solving(const client::server_status& server);
+
 /// The solver: what it is told, how far it is, and which quantities come with its fields.
 class solve_requests : public QObject {
   Q_OBJECT
@@ -39,7 +42,8 @@ public:
   void set_progress(field_state next);
   /// Also after the document was opened again: the server forgets it with the connection.
   void send_watch();
-  void forget();
+  /// `document`: the one that is left. A solve of it goes on at the server.
+  void forget(const QString& document);
   void forget_watch() { watched_ = {}; }
 
 signals:
@@ -50,6 +54,7 @@ private:
   void take_status(const client::solve_status& status);
   void note_residual(const client::solve_status& status);
   void note_job();
+  void note_server();
 
   document& part_;
   version_store& versions_;

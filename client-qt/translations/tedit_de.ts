@@ -2188,6 +2188,10 @@ Inhalt %1</translation>
         <source>Nothing of yours runs.</source>
         <translation>Von Ihnen läuft nichts.</translation>
     </message>
+    <message>
+        <source>The server still solves %1, which was open here before.</source>
+        <translation>Der Server rechnet noch an %1, das hier vorher offen war.</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::jobs_tool</name>

@@ -272,6 +272,23 @@ TEST(JobsPanel, WhatTheServerDoesForOthersIsNotCalledNothing) {
   EXPECT_EQ(nothing_words(server), "Nothing of yours runs.");
 }
 
+TEST(JobsPanel, ASolveThatGoesOnForADocumentThatWasLeftIsNamed) {
+  remote link;
+  document part(link);
+  part.begin("plate_20260102_030405");
+  part.solver().set_progress(field_state::solving);
+
+  part.begin("other");
+
+  EXPECT_TRUE(part.work().all().empty());
+  client::server_status server;
+  server.workers.push_back({"solver", "ready", 1, 0, 1, {}});
+  const auto said = nothing_words(server, part.work().left());
+  EXPECT_TRUE(said.startsWith("The server still solves plate")) << said.toStdString();
+  server.workers.back().jobs = 0;
+  EXPECT_EQ(nothing_words(server, part.work().left()), "Nothing runs.");
+}
+
 TEST(JobsButton, IsIdleWhenNothingRuns) {
   remote link;
   jobs work;

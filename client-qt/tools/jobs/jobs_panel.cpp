@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/solve_requests.hpp"
 
 namespace tedit::desktop {
 
@@ -55,7 +56,9 @@ QString state_words(const std::string& state) {
 
 }  // namespace
 
-QString nothing_words(const client::server_status& server) {
+QString nothing_words(const client::server_status& server, const QString& left) {
+  if (!left.isEmpty() && is_solving(server))
+    return jobs_panel::tr("The server still solves %1, which was open here before.").arg(left);
   const bool works =
     std::ranges::any_of(server.workers, [](const auto& worker) { return worker.jobs > 0; });
   return works ? jobs_panel::tr("Nothing of yours runs.") : jobs_panel::tr("Nothing runs.");
@@ -161,7 +164,7 @@ void jobs_panel::refresh() {
   for (const auto& one : all)
     show_job(one);
   const bool serves = link_.current() == remote::state::connected;
-  nothing_->setText(nothing_words(serves ? link_.server() : client::server_status{}));
+  nothing_->setText(nothing_words(serves ? link_.server() : client::server_status{}, work_.left()));
   nothing_->setVisible(all.empty());
   server_->setText(server());
   adjustSize();

@@ -52,8 +52,9 @@ private:
   std::map<int, row> rows_;  ///< By the job's id.
 };
 
-/// What is said where nothing of this window runs: the server may work for others.
-[[nodiscard]] QString nothing_words(const client::server_status& server);
+/// What is said where nothing of this window's part runs: the server may work for others, or still
+/// solve the document that was `left`.
+[[nodiscard]] QString nothing_words(const client::server_status& server, const QString& left = {});
 
 /// In the status line: what runs now in a word; a click opens the panel.
 class jobs_button : public QToolButton {
