@@ -11,6 +11,15 @@
 
 namespace tedit::desktop {
 
+namespace {
+
+QString hint_of(const command& what, const QString& keys, bool enabled) {
+  const QString title = keys.isEmpty() ? what.title : what.title + "  (" + keys + ")";
+  return enabled || what.why_off.isEmpty() ? title : title + "\n" + what.why_off;
+}
+
+}  // namespace
+
 command_actions::command_actions(commands& all, QSettings& settings, const appearance& look,
                                  QMainWindow& window)
     : all_(all), settings_(settings), look_(look), window_(window) {
@@ -25,9 +34,9 @@ QAction* command_actions::of(const QString& id) {
   made->setObjectName(id);
   if (what) {
     made->setText(what->title);
-    made->setToolTip(what->shortcut.isEmpty() ? what->title
-                                              : what->title + "  (" + what->shortcut + ")");
-    made->setShortcut(QKeySequence(shortcut_table(all_, settings_).keys(*what)));
+    const QString keys = shortcut_table(all_, settings_).keys(*what);
+    made->setToolTip(hint_of(*what, keys, true));
+    made->setShortcut(QKeySequence(keys));
     if (!what->icon.isEmpty())
       made->setIcon(icon(what->icon, look_.now().ink));
   }
@@ -51,9 +60,14 @@ void command_actions::forget_group(const QString& group) {
 }
 
 void command_actions::refresh() {
+  const shortcut_table table(all_, settings_);
   for (auto at = made_.begin(); at != made_.end(); ++at)
-    if (const auto* what = all_.find(at.key()))
-      at.value()->setEnabled(all_.is_enabled(*what));
+    if (const auto* what = all_.find(at.key())) {
+      const bool on = all_.is_enabled(*what);
+      at.value()->setEnabled(on);
+      if (!what->why_off.isEmpty())
+        at.value()->setToolTip(hint_of(*what, table.keys(*what), on));
+    }
 }
 
 void command_actions::take_shortcuts() {
@@ -62,7 +76,7 @@ void command_actions::take_shortcuts() {
     if (const auto* what = all_.find(at.key())) {
       const QString keys = table.keys(*what);
       at.value()->setShortcut(QKeySequence(keys));
-      at.value()->setToolTip(keys.isEmpty() ? what->title : what->title + "  (" + keys + ")");
+      at.value()->setToolTip(hint_of(*what, keys, all_.is_enabled(*what)));
     }
 }
 

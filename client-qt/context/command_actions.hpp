@@ -26,7 +26,7 @@ public:
   void make_all();
   /// Ends the actions of commands of which there will be others.
   void forget_group(const QString& group);
-  /// Enables those that can be run now.
+  /// Enables those that can be run now; the hints of others say why not, where that is known.
   void refresh();
   /// Takes a person's own shortcuts, as they are kept.
   void take_shortcuts();

@@ -20,6 +20,7 @@ struct command {
   std::function<bool()> enabled;  ///< Empty: always.
   QString help;                   ///< One sentence; may be empty.
   QString icon;                   ///< Name of an icon, or an SVG; may be empty.
+  QString why_off;                ///< Why it does nothing while it is not enabled; may be empty.
 };
 
 /// How well a person's letters fit a title: all must stand in it in their order; starts of words

@@ -2609,6 +2609,10 @@ Inhalt %1</translation>
         <source>What is chosen in &quot;Loads and supports&quot;</source>
         <translation>Was unter „Lasten und Lager“ gewählt ist</translation>
     </message>
+    <message>
+        <source>Choose one in &quot;Loads and supports&quot; first.</source>
+        <translation>Wählen Sie erst etwas unter „Lasten und Lager“.</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::local_server</name>
@@ -3200,6 +3204,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>stress before the edit that is previewed</source>
         <translation>Spannung vor der gezeigten Bearbeitung</translation>
+    </message>
+    <message>
+        <source>No solve of this part runs.</source>
+        <translation>Für dieses Teil läuft keine Rechnung.</translation>
     </message>
 </context>
 <context>

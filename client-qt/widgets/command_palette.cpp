@@ -22,8 +22,9 @@ void command_palette::search(const QString& letters) {
     auto* row = new QListWidgetItem(one->group + QString::fromUtf8("  \u203a  ") + one->title +
                                     (one->shortcut.isEmpty() ? "" : "    " + one->shortcut));
     row->setData(Qt::UserRole, one->id);
-    row->setToolTip(one->help);
-    if (!all_.is_enabled(*one))
+    const bool on = all_.is_enabled(*one);
+    row->setToolTip(on || one->why_off.isEmpty() ? one->help : one->why_off);
+    if (!on)
       row->setFlags(row->flags() & ~Qt::ItemIsEnabled);
     hits_->addItem(row);
   }

@@ -153,5 +153,22 @@ TEST_F(LoadsPanel, IsEmptyWhenThePartIsClosed) {
   EXPECT_TRUE(hint().startsWith("No loads yet"));
 }
 
+TEST_F(LoadsPanel, OnlyWhatIsChosenCanBeRemoved) {
+  EXPECT_FALSE(panel_.can_remove());
+  picked_.set({3});
+  panel_.add_item(item_kind::support);
+  apply();
+  panel_.tree()->setCurrentItem(nullptr);
+  EXPECT_FALSE(panel_.can_remove());
+  int told = 0;
+  QObject::connect(&panel_, &loads_panel::chosen_changed, &panel_, [&] { ++told; });
+
+  panel_.tree()->setCurrentItem(panel_.tree()->topLevelItem(0)->child(0));
+  EXPECT_TRUE(panel_.can_remove());
+  EXPECT_EQ(told, 1);
+  panel_.remove_current();
+  EXPECT_EQ(load_case()->childCount(), 0);
+}
+
 }  // namespace
 }  // namespace tedit::desktop

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/settings/settings_dialog.hpp"
 
 namespace tedit::desktop {
@@ -47,6 +48,26 @@ TEST_F(Menus, EveryCommandStandsInOneMenuOnce) {
   for (const auto& one : window->context().all_commands.all())
     EXPECT_EQ(found.count(one.id), 1U) << one.id.toStdString() << " in " << one.group.toStdString();
   EXPECT_NE(entry(menu("Operation"), "Fill hole"), nullptr);
+}
+
+TEST_F(Menus, WhatWouldDoNothingIsOffAndSaysWhy) {
+  open_plate();
+  const QString remove = "Remove the chosen load, support or load case";
+  auto* stop = entry(menu("Edit"), "Stop the solver");
+  EXPECT_FALSE(stop->isEnabled());
+  EXPECT_TRUE(stop->toolTip().contains("No solve of this part runs"));
+  auto* removes = entry(menu("Loads"), remove);
+  EXPECT_FALSE(removes->isEnabled());
+  EXPECT_TRUE(removes->toolTip().contains("Choose one in"));
+
+  auto* tree = window->tools().loads.panel().tree();
+  tree->setCurrentItem(tree->topLevelItem(0));
+  EXPECT_TRUE(removes->isEnabled());
+  EXPECT_FALSE(removes->toolTip().contains("Choose one in"));
+  part().solver().solve();
+  EXPECT_TRUE(stop->isEnabled());
+  ASSERT_TRUE(wait([&] { return is_final(); }));
+  EXPECT_FALSE(stop->isEnabled());
 }
 
 TEST_F(Menus, SettingsAndHelpAreFoundThere) {

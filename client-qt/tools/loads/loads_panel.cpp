@@ -142,6 +142,10 @@ void loads_panel::wire() {
   });
   connect(tree_, &QTreeWidget::customContextMenuRequested, this, &loads_panel::show_menu);
   connect(tree_, &QTreeWidget::itemChanged, this, &loads_panel::renamed);
+  connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
+    if (!filling_)
+      emit chosen_changed();
+  });
 }
 
 // -- the tree ------------------------------------------------------------------------
@@ -200,6 +204,7 @@ void loads_panel::refresh() {
       tree_->setCurrentItem(*at);
   filling_ = false;
   emit drafts_changed();
+  emit chosen_changed();
 }
 
 void loads_panel::add_case(const fem::load_case& loads) {

@@ -32,6 +32,7 @@ public:
   void add_item(item_kind kind);
   /// Takes away what is chosen in the tree: an item, or a whole load case.
   void remove_current();
+  [[nodiscard]] bool can_remove() const { return current().has_value(); }
   /// Closes the editor; false when it is not open.
   bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
@@ -47,6 +48,7 @@ public:
 signals:
   void surfaces_wanted(const QList<qint64>& surfaces);
   void drafts_changed();
+  void chosen_changed();
   void form_opened();
   void form_closed();
 

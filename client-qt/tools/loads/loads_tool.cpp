@@ -23,6 +23,7 @@ loads_tool::loads_tool(window_context& in, field_panel& fields, selection_tool& 
   connect(panel_, &loads_panel::drafts_changed, glyphs_,
           [this] { glyphs_->set_drafts(panel_->drafts()); });
   connect(panel_, &loads_panel::drafts_changed, this, &loads_tool::keep_drafts);
+  connect(panel_, &loads_panel::chosen_changed, &in_.buttons, &command_actions::refresh);
   connect(&in_.part, &document::begun, this, [this] { looks_for_drafts_ = in_.part.is_open(); });
   connect(&in_.part, &document::opened, this, &loads_tool::find_drafts);
   in_.esc.add(ends::load_form, [this] { return panel_->cancel(); });
@@ -47,8 +48,10 @@ void loads_tool::add_commands() {
                         command_groups::loads(),
                         {},
                         [this] { panel_->remove_current(); },
-                        in_.has_part(),
-                        tr("What is chosen in \"Loads and supports\"")});
+                        [this] { return in_.part.head() && panel_->can_remove(); },
+                        tr("What is chosen in \"Loads and supports\""),
+                        {},
+                        tr("Choose one in \"Loads and supports\" first.")});
 }
 
 void loads_tool::add_item(const char* id, const QString& title, const char* drawing,

@@ -31,6 +31,7 @@ void results_tool::wire() {
   });
   connect(&in_.view, &viewport::shown, this, &results_tool::say_verdict);
   connect(&in_.part.solver(), &solve_requests::changed, this, &results_tool::say_verdict);
+  connect(&in_.part.solver(), &solve_requests::changed, &in_.buttons, &command_actions::refresh);
 }
 
 void results_tool::add_commands() {
@@ -44,7 +45,10 @@ void results_tool::add_commands() {
                         edit,
                         {},
                         [this] { in_.part.solver().cancel(); },
-                        has_part});
+                        [this] { return in_.part.solver().is_running(); },
+                        {},
+                        {},
+                        tr("No solve of this part runs.")});
   in_.esc.add(ends::solve, [this] {
     in_.part.solver().cancel();
     return true;
