@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client-qt/model/load_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/receipt_words.hpp"
 
@@ -142,6 +143,22 @@ std::vector<surface_id> carried(const std::vector<surface_id>& before,
 
 item_kind kind_of(const load_item& item) {
   return static_cast<item_kind>(item.index());
+}
+
+QString words(const load_item& item) {
+  if (const auto* material = std::get_if<fem::material>(&item))
+    return QString::fromStdString(material->name) + ", E " +
+           quantity(material->young_modulus_pa, "Pa");
+  if (const auto* support = std::get_if<fem::constraint>(&item))
+    return words(*support);
+  return words(std::get<fem::load>(item));
+}
+
+std::vector<surface_id> surfaces_of(const load_item& item) {
+  if (const auto* support = std::get_if<fem::constraint>(&item))
+    return support->surfaces;
+  const auto* load = std::get_if<fem::load>(&item);
+  return load ? load->surfaces : std::vector<surface_id>{};
 }
 
 std::size_t count_of(const fem::load_case& loads, item_kind kind) {

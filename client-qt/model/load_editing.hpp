@@ -19,6 +19,10 @@ using load_item = std::variant<fem::material, fem::constraint, fem::load>;
 enum class item_kind { material, support, load };
 
 [[nodiscard]] item_kind kind_of(const load_item& item);
+/// "Al 6061, E 68900 MPa", "Fixed", "Force 500 N along −z".
+[[nodiscard]] QString words(const load_item& item);
+/// What it acts on; a material on none.
+[[nodiscard]] std::vector<surface_id> surfaces_of(const load_item& item);
 /// Items of a kind that a load case has.
 [[nodiscard]] std::size_t count_of(const fem::load_case& loads, item_kind kind);
 /// @pre at < count_of(loads, kind)

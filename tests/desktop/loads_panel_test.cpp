@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -81,6 +82,36 @@ TEST_F(LoadsPanel, ADoubleClickChangesTheItemWhereItStands) {
 
   ASSERT_EQ(load_case()->childCount(), 1);
   EXPECT_EQ(load_case()->child(0)->text(0), "Force 8 N along +x");
+}
+
+TEST_F(LoadsPanel, WhatWasTypedIsThereAgainAfterAnotherForm) {
+  const auto field = [&](const char* name) { return panel_.editor()->findChild<QLineEdit*>(name); };
+  picked_.set({3, 5});
+  panel_.add_item(item_kind::load);
+  panel_.editor()->findChild<QComboBox*>("load_kind")->setCurrentText("Moment");
+  field("component_x")->setText("12 k");  // No number yet.
+
+  panel_.add_item(item_kind::support);
+  picked_.set({});
+  panel_.add_item(item_kind::load);
+
+  EXPECT_EQ(panel_.editor()->findChild<QComboBox*>("load_kind")->currentText(), "Moment");
+  EXPECT_EQ(field("component_x")->text(), "12 k");
+  EXPECT_EQ(picked_.surfaces(), (std::vector<surface_id>{3, 5}));
+
+  client::committed edit;
+  edit.head.version_id = "1";
+  edit.cause = "edit";
+  emit link_.committed(edit);
+  ASSERT_FALSE(panel_.cancel()) << "an edit of the part closes the form";
+  picked_.set({8});
+  panel_.add_item(item_kind::load);
+  EXPECT_EQ(field("component_x")->text(), "12 k");
+  EXPECT_EQ(picked_.surfaces(), std::vector<surface_id>{8});
+
+  panel_.editor()->findChild<QPushButton*>("close_item")->click();
+  panel_.add_item(item_kind::load);
+  EXPECT_NE(field("component_x")->text(), "12 k") << "Cancel means it";
 }
 
 TEST_F(LoadsPanel, ADraftTakesAnotherNameWhereItStands) {

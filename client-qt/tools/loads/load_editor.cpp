@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMetaProperty>
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -337,6 +338,39 @@ std::vector<item_fault> load_editor::faults_now() const {
 
 std::optional<load_item> load_editor::value() const {
   return faults_now().empty() ? std::optional(read()) : std::nullopt;
+}
+
+/// Those that are shown; what others hang on comes first.
+std::vector<QWidget*> load_editor::fields() const {
+  const auto* page = pages_[static_cast<std::size_t>(kind_)];
+  std::vector<QWidget*> result;
+  for (auto* one : page->findChildren<QComboBox*>())
+    result.push_back(one);
+  for (auto* one : page->findChildren<QCheckBox*>())
+    result.push_back(one);
+  for (auto* one : page->findChildren<QLineEdit*>())
+    result.push_back(one);
+  return result;
+}
+
+std::optional<typed_item> load_editor::typed() const {
+  if (!touched_)
+    return std::nullopt;
+  typed_item result{{}, surfaces_};
+  for (const auto* one : fields())
+    result.fields.push_back(one->metaObject()->userProperty().read(one));
+  return result;
+}
+
+void load_editor::take_up(const typed_item& before) {
+  const auto all = fields();
+  filling_ = true;
+  for (std::size_t i = 0; i < std::min(all.size(), before.fields.size()); ++i)
+    all[i]->metaObject()->userProperty().write(all[i], before.fields[i]);
+  filling_ = false;
+  touched_ = true;
+  show_surfaces();
+  check();
 }
 
 void load_editor::touched() {

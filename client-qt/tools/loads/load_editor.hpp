@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QVariant>
 #include <QWidget>
 
 #include <array>
@@ -23,6 +24,12 @@ namespace tedit::desktop {
 class load_form;
 class quantity_field;
 
+/// What stands in the fields of a form, also what is no value yet.
+struct typed_item {
+  std::vector<QVariant> fields;
+  std::vector<surface_id> surfaces;
+};
+
 /// One material, support or load as a form, in mm, N and MPa or
 /// any unit that is typed. It is a panel, no dialog: the view
 /// stays free to pick surfaces. What is wrong stands in words below its field.
@@ -39,6 +46,10 @@ public:
   void set_selection(const std::vector<surface_id>& picked);
   /// As it is typed; nothing while a field is at fault.
   [[nodiscard]] std::optional<load_item> value() const;
+  /// What a person has typed so far; nothing while the form is as it was opened.
+  [[nodiscard]] std::optional<typed_item> typed() const;
+  /// Fills in what was typed before in a form of the same kind; its surfaces are the selection's.
+  void take_up(const typed_item& before);
 
 signals:
   void applied();  ///< `value` is complete.
@@ -61,6 +72,7 @@ private:
   void take_library(int row);
   [[nodiscard]] bool takes_surfaces() const;
   void show_surfaces();
+  [[nodiscard]] std::vector<QWidget*> fields() const;
   void touched();
   void check();
   /// The item as typed; what is no number becomes NaN, which is at fault.

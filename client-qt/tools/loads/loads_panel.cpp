@@ -12,10 +12,7 @@
 
 #include <algorithm>
 
-#include "client-qt/model/load_words.hpp"
 #include "client-qt/model/materials.hpp"
-#include "client-qt/model/quantities.hpp"
-#include "client-qt/tools/loads/load_editor.hpp"
 #include "client-qt/widgets/theme.hpp"
 #include "protocol/convert.hpp"
 
@@ -27,23 +24,6 @@ enum role { surfaces_role = Qt::UserRole, case_role, kind_role, at_role };
 
 constexpr int roomy_window = 850;  // Pixels: below, the editor takes the place of the tree.
 constexpr const char* drawings[] = {"material", "support", "load"};
-
-QString words_of(const load_item& item) {
-  if (const auto* material = std::get_if<fem::material>(&item))
-    return QString::fromStdString(material->name) + ", E " +
-           quantity(material->young_modulus_pa, "Pa");
-  if (const auto* support = std::get_if<fem::constraint>(&item))
-    return words(*support);
-  return words(std::get<fem::load>(item));
-}
-
-QList<qint64> surfaces_of(const load_item& item) {
-  if (const auto* support = std::get_if<fem::constraint>(&item))
-    return {support->surfaces.begin(), support->surfaces.end()};
-  if (const auto* load = std::get_if<fem::load>(&item))
-    return {load->surfaces.begin(), load->surfaces.end()};
-  return {};
-}
 
 load_item first_item(item_kind kind, const std::vector<surface_id>& picked) {
   if (kind == item_kind::material)
@@ -110,7 +90,7 @@ void loads_panel::build_buttons() {
 
 void loads_panel::wire() {
   connect(editor_, &load_editor::applied, this, &loads_panel::apply_editor);
-  connect(editor_, &load_editor::closed, this, &loads_panel::close_editor);
+  connect(editor_, &load_editor::closed, this, &loads_panel::cancel);
   connect(&picked_, &selection::changed, this, [this] {
     if (editing_)
       editor_->set_selection(picked_.surfaces());
@@ -128,7 +108,8 @@ void loads_panel::wire() {
   connect(&part_, &document::edited, this, &loads_panel::carry_drafts);
   connect(&part_, &document::begun, this, [this] {
     drafts_.clear();
-    close_editor();
+    cancel();
+    unfinished_.clear();
     refresh();
   });
   connect(tree_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
@@ -229,10 +210,10 @@ void loads_panel::add_case(const fem::load_case& loads) {
 
 void loads_panel::add_row(QTreeWidgetItem* parent, const load_item& item, const row_place& place,
                           const std::vector<item_mark>& changed) {
-  auto* row = new QTreeWidgetItem(parent, {words_of(item)});
+  auto* row = new QTreeWidgetItem(parent, {words(item)});
   const auto ids = surfaces_of(item);
   row->setIcon(0, icon(drawings[item.index()], palette().color(QPalette::WindowText)));
-  row->setData(0, surfaces_role, QVariant::fromValue(ids));
+  row->setData(0, surfaces_role, QVariant::fromValue(QList<qint64>(ids.begin(), ids.end())));
   row->setData(0, case_role, QString::fromStdString(place.load_case));
   row->setData(0, kind_role, static_cast<int>(*place.kind));
   row->setData(0, at_role, static_cast<qulonglong>(place.at));
@@ -245,7 +226,7 @@ void loads_panel::add_row(QTreeWidgetItem* parent, const load_item& item, const 
       row->setText(0, row->text(0) + (lost ? tr("  · reduced") : tr("  · area changed")));
       help << mark.text;
     }
-  if (!ids.isEmpty())
+  if (!ids.empty())
     help << tr("Surfaces: %1").arg(ids.size());
   help << tr("Double-click to change it");
   row->setToolTip(0, help.join("\n"));
@@ -334,6 +315,7 @@ void loads_panel::add_item(item_kind kind) {
   if (!loads)
     loads = &cases.front();
   editing_ = row_place{loads->name, kind, count_of(*loads, kind)};
+  unfinished_.open(*editor_, loads->name, kind, std::nullopt);
   const QString titles[] = {tr("New material"), tr("New support"), tr("New load")};
   open_editor(
     titles[static_cast<int>(kind)] + tr(" in %1").arg(QString::fromStdString(loads->name)),
@@ -347,15 +329,17 @@ void loads_panel::edit_row(const row_place& place) {
     return;
   editing_.reset();
   const auto item = item_at(*loads, *place.kind, place.at);
-  if (const auto ids = surfaces_of(item); !ids.isEmpty())  // Shift adds to what it has.
-    picked_.set({ids.begin(), ids.end()});
+  unfinished_.open(*editor_, loads->name, *place.kind, item);
+  if (const auto ids = surfaces_of(item); !ids.empty())  // Shift adds to what it has.
+    picked_.set(ids);
   editing_ = place;
-  open_editor(words_of(item), item);
+  open_editor(words(item), item);
 }
 
 void loads_panel::open_editor(const QString& title, const load_item& item) {
   editor_->set_selection(picked_.surfaces());
   editor_->edit(title, item);
+  unfinished_.take_up(*editor_, picked_, part_);
   tree_->setVisible(window()->height() >= roomy_window);
   editor_->show();
   emit form_opened();
@@ -384,11 +368,12 @@ void loads_panel::apply_editor() {
   if (material && *at >= loads->materials.size())
     at = place_for(*loads, *material);
   put(changed, *item, at);
-  close_editor();
+  cancel();
   change(changed);
 }
 
 void loads_panel::close_editor() {
+  unfinished_.leave(*editor_);
   editing_.reset();
   editor_->hide();
   emit form_closed();
@@ -397,6 +382,7 @@ void loads_panel::close_editor() {
 
 bool loads_panel::cancel() {
   const bool was_open = editing_.has_value();
+  unfinished_.forget();
   close_editor();
   return was_open;
 }

@@ -3,19 +3,17 @@
 
 #include <QTreeWidget>
 
-#include <map>
 #include <optional>
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/load_editing.hpp"
 #include "client-qt/model/selection.hpp"
+#include "client-qt/tools/loads/unfinished_forms.hpp"
 
 class QLabel;
 class QPushButton;
 
 namespace tedit::desktop {
-
-class load_editor;
 
 /// Materials, supports and loads of every load case of the head, and their editing. A load case is
 /// sent as a whole after each change, once it can be solved; until then it is kept here and the
@@ -33,7 +31,7 @@ public:
   /// Takes away what is chosen in the tree: an item, or a whole load case.
   void remove_current();
   [[nodiscard]] bool can_remove() const { return current().has_value(); }
-  /// Closes the editor; false when it is not open.
+  /// Closes the editor and forgets what was typed in it; false when it is not open.
   bool cancel();
   [[nodiscard]] load_editor* editor() const { return editor_; }
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
@@ -96,6 +94,7 @@ private:
   QLabel* hint_;
   std::vector<fem::load_case> drafts_;  ///< Not complete yet, or complete and on their way.
   std::optional<row_place> editing_;    ///< `at` past the end: a new item.
+  unfinished_forms unfinished_;
   bool filling_ = false;
 };
 
