@@ -12,6 +12,7 @@
 
 #include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/history/history_strip.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/probes/probes_tool.hpp"
 #include "client-qt/tools/receipt/receipt_panel.hpp"
 #include "client-qt/tools/selection/selection_tool.hpp"
@@ -280,6 +281,25 @@ TEST_F(Documents, LoadsThatCannotBeSolvedShowNoStress) {
   EXPECT_EQ(view().current().field, nullptr);
   EXPECT_FALSE(part().head()->outcome.has_value());
   EXPECT_FALSE(window->context().truth.verdict().contains("final"));
+}
+
+TEST_F(Documents, LoadsThatLackASupportSinceItWasTakenAwayShowNoStressUntilUndo) {
+  open_plate();
+  const auto original = part().loads().all();
+  auto* tree = window->tools().loads.panel().tree();
+  auto* support = tree->topLevelItem(0)->child(1);
+  ASSERT_EQ(support->text(0), "Fixed");
+  tree->setCurrentItem(support);
+
+  run("loads.remove");
+  ASSERT_TRUE(wait([&] { return shows_head() && !view().current().field; }));
+  EXPECT_EQ(window->context().truth.verdict(), "no field");
+  EXPECT_EQ(tree->topLevelItem(0)->childCount(), 2) << "the rest is there to go on with";
+
+  run("edit.undo");
+  ASSERT_TRUE(wait([&] { return part().loads().all() == original && is_final(); }));
+  EXPECT_TRUE(window->tools().loads.panel().drafts().empty());
+  EXPECT_EQ(tree->topLevelItem(0)->childCount(), 3);
 }
 
 TEST_F(Documents, APartThatIsOpenedAgainAtOnceIsAnotherDocument) {

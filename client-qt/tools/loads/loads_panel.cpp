@@ -98,11 +98,7 @@ void loads_panel::wire() {
   for (auto signal : {&document::head_changed, &document::opened})
     connect(&part_, signal, this, &loads_panel::refresh);
   connect(&part_.loads(), &load_requests::changed, this, [this] {
-    // The same only: a later change may be on its way.
-    std::erase_if(drafts_, [this](const fem::load_case& one) {
-      const auto* known = find(one.name, part_.loads().all());
-      return known && protocol::load_case_to_json(*known) == protocol::load_case_to_json(one);
-    });
+    forget_settled_drafts();
     refresh();
   });
   connect(&part_, &document::edited, this, &loads_panel::carry_drafts);
@@ -130,6 +126,20 @@ void loads_panel::wire() {
 }
 
 // -- the tree ------------------------------------------------------------------------
+
+/// The same only: a later change may be on its way. One that has come back, as by undo, is meant.
+void loads_panel::forget_settled_drafts() {
+  const auto& now = part_.loads().all();
+  std::erase_if(drafts_, [&](const fem::load_case& one) {
+    const auto* known = find(one.name, now);
+    const bool is_back = !known_.contains(one.name) && !missing(one).isEmpty();
+    return known &&
+           (is_back || protocol::load_case_to_json(*known) == protocol::load_case_to_json(one));
+  });
+  known_.clear();
+  for (const auto& one : now)
+    known_.insert(one.name);
+}
 
 /// Those of the head; drafts stand for the ones of their names.
 std::vector<fem::load_case> loads_panel::all() const {
@@ -457,10 +467,13 @@ void loads_panel::renamed(QTreeWidgetItem* row) {
   refresh();
 }
 
+/// One that cannot be solved any more leaves the server: its stress would be that of other loads.
 void loads_panel::change(const fem::load_case& loads) {
   put(drafts_, loads);
   if (missing(loads).isEmpty())
     part_.loads().set(loads);
+  else if (find(loads.name, part_.loads().all()))
+    part_.loads().remove(loads.name);
   refresh();
 }
 

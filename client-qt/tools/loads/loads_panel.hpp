@@ -4,6 +4,8 @@
 #include <QTreeWidget>
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/load_editing.hpp"
@@ -79,6 +81,7 @@ private:
   void renamed(QTreeWidgetItem* row);
   /// Sends it when it is complete, else keeps it as a draft.
   void change(const fem::load_case& loads);
+  void forget_settled_drafts();
   void carry_drafts(const client::committed& what);
 
   [[nodiscard]] std::optional<row_place> current() const;
@@ -93,6 +96,7 @@ private:
   load_editor* editor_ = nullptr;
   QLabel* hint_;
   std::vector<fem::load_case> drafts_;  ///< Not complete yet, or complete and on their way.
+  std::set<std::string> known_;         ///< Load cases that the server had when it told last.
   std::optional<row_place> editing_;    ///< `at` past the end: a new item.
   unfinished_forms unfinished_;
   bool filling_ = false;
