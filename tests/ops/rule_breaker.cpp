@@ -30,9 +30,11 @@ bool breaks(const std::string& rule) {
 }
 
 void* volatile lost = nullptr;
+int* volatile nowhere = nullptr;  // Volatile itself: a store through a known null may be left out.
 
-void crash() {
-  volatile int* nowhere = nullptr;
+/// Dies of the store, not of a sanitizer that is told of it.
+__attribute__((no_sanitize("null"))) void crash() {
+  signal(SIGSEGV, SIG_DFL);
   *nowhere = 1;
 }
 
