@@ -26,8 +26,9 @@ TEST(PluginNew, MakesAFolderWithoutPlaceholders) {
   const auto made = run("plugin new my_offset --dir " + folder.string() + " --json");
 
   EXPECT_EQ(made.status, 0);
-  EXPECT_EQ(made.parsed()["folder"], (folder / "my_offset").string());
-  for (const auto& file : made.parsed()["files"])
+  const auto told = made.parsed();
+  EXPECT_EQ(told["folder"], (folder / "my_offset").string());
+  for (const auto& file : told["files"])
     EXPECT_THAT(content(folder / "my_offset" / file.get<std::string>()),
                 ::testing::Not(::testing::ContainsRegex("@[A-Z_]+@")));
   EXPECT_THAT(content(folder / "my_offset/operation.cpp"), HasSubstr("TEDIT_PLUGIN(\"my_offset\""));

@@ -103,7 +103,7 @@ TEST(Info, ListsTheSurfacesForPeople) {
   EXPECT_THAT(all.out, ::testing::ContainsRegex("\n  2 +52 +73\\.46  plane"));
   EXPECT_THAT(some.out, HasSubstr("... and 109 more: --all lists them"));
   EXPECT_EQ(std::ranges::count(all.out, '\n') - std::ranges::count(some.out, '\n'), 108);
-  for (const auto& row : run("info --json " + block).parsed()["surfaces"])
+  for (const auto told = run("info --json " + block).parsed(); const auto& row : told["surfaces"])
     if (row["id"] == 11) {
       EXPECT_EQ(row["shape"], "cylinder");
       EXPECT_EQ(row["hollow"], true);
