@@ -64,12 +64,14 @@ std::shared_ptr<const facet_page> facet_page_of(const mesh_version& mesh, std::s
 
 std::map<surface_id, surface_size> surface_sizes(const mesh_version& mesh) {
   std::map<surface_id, surface_size> result;
-  for (std::size_t p = 0; p < mesh.data().facets.pages().size(); ++p)
-    for (const auto& part : facet_page_of(mesh, p)->parts) {
+  for (std::size_t p = 0; p < mesh.data().facets.pages().size(); ++p) {
+    const auto facts = facet_page_of(mesh, p);  // The page may lose them to another version's.
+    for (const auto& part : facts->parts) {
       auto& sum = result[part.surface];
       sum.facets += part.size.facets;
       sum.area_m2 += part.size.area_m2;
     }
+  }
   return result;
 }
 
