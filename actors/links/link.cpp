@@ -4,7 +4,9 @@
 #include <sys/socket.h>
 
 #include <cerrno>
+#include <chrono>
 #include <set>
+#include <utility>
 
 #include <spdlog/spdlog.h>
 #include <caf/io/basp_broker.hpp>
@@ -23,10 +25,25 @@ namespace {
 
 namespace net = caf::io::network;
 
+/// For a process to start and speak, at the most: its pool waits less, and ends it.
+constexpr auto time_to_join = std::chrono::minutes(1);
+
 /// CAF's connection with a guard before it.
 class guarded_scribe final : public net::scribe_impl {
 public:
-  using net::scribe_impl::scribe_impl;
+  guarded_scribe(net::default_multiplexer& by, net::native_socket fd, bool serves)
+      : scribe_impl(by, fd), early_(serves) {}
+
+  void configure_read(caf::io::receive_policy::config config) override {
+    scribe_impl::configure_read(config);
+    if (!std::exchange(early_, false))
+      return;
+    // Else the link counts as silent from here on, while a process begins at the other end, and is
+    // cut before a slow one has joined.
+    auto& known = static_cast<caf::io::basp_broker&>(*parent()).ctx;
+    if (const auto own = known.find(hdl()); own != known.end())
+      own->second.last_seen += time_to_join;
+  }
 
   bool consume(caf::execution_unit* context, const void* data, std::size_t size) override {
     if (guard_.admits({static_cast<const std::byte*>(data), size}))
@@ -39,6 +56,7 @@ public:
 
 private:
   basp_guard guard_;
+  bool early_;  ///< Served, and not listened to before.
 };
 
 caf::actor broker_of(caf::actor_system& system) {
@@ -49,8 +67,8 @@ net::default_multiplexer& multiplexer_of(caf::actor_system& system) {
   return dynamic_cast<net::default_multiplexer&>(system.middleman().backend());
 }
 
-caf::io::scribe_ptr make_scribe(caf::actor_system& system, unique_fd end) {
-  return caf::make_counted<guarded_scribe>(multiplexer_of(system), end.release());
+caf::io::scribe_ptr make_scribe(caf::actor_system& system, unique_fd end, bool serves) {
+  return caf::make_counted<guarded_scribe>(multiplexer_of(system), end.release(), serves);
 }
 
 }  // namespace
@@ -66,13 +84,14 @@ void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enli
   // The broker wants a port for what it publishes. None is opened: the number only names the
   // enlister between here and the greeting that the same message sends, so all links share one.
   constexpr std::uint16_t slot = 1;
-  caf::anon_send(broker_of(system), caf::publish_atom::value, make_scribe(system, std::move(end)),
-                 slot, caf::actor_cast<caf::strong_actor_ptr>(enlister), std::set<std::string>{});
+  caf::anon_send(broker_of(system), caf::publish_atom::value,
+                 make_scribe(system, std::move(end), true), slot,
+                 caf::actor_cast<caf::strong_actor_ptr>(enlister), std::set<std::string>{});
 }
 
 expected<caf::actor> join_link(caf::actor_system& system, unique_fd end, const cancel_token& stop) {
   const auto broker = broker_of(system);
-  auto scribe = make_scribe(system, std::move(end));
+  auto scribe = make_scribe(system, std::move(end), false);
   // Else the connection counts as silent since the epoch, and the first heartbeat ends it.
   multiplexer_of(system).post([broker, handle = scribe->hdl()] {
     auto* actor = caf::actor_cast<caf::abstract_actor*>(broker);

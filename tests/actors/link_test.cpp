@@ -7,6 +7,7 @@
 
 #include <array>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -101,6 +102,16 @@ protected:
 
 TEST_F(Link, JoinedNodesTalk) {
   expect_others_are_served();
+}
+
+// A busy machine takes longer to start a process than a node that fell silent is given.
+TEST_F(Link, WhoIsSlowToStartJoinsAllTheSame) {
+  auto end = served(enlister);
+  std::this_thread::sleep_for(std::chrono::seconds(8));  // Silent for 5 s: gone.
+  node worker;
+  const auto found = join_link(worker.system, std::move(end));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(ask(worker.system, *found, 21), 42);
 }
 
 TEST_F(Link, WhoJoinsHearsOfTheEndOfTheOther) {
