@@ -58,8 +58,7 @@ void pool_state::refuse_waiting(const error& why) {
 }
 
 void pool_state::ask(question q) {
-  const auto there =
-    std::ranges::find_if(children, [](const child& c) { return c.worker && !c.retired; });
+  const auto there = std::ranges::find_if(children, &child::is_there);
   if (there != children.end())
     return q.ask(there->worker);
   if (degraded && children.empty())
@@ -113,7 +112,7 @@ void pool_state::dispatch() {
   for (auto& c : children) {
     if (waiting.empty())
       return;
-    if (!c.worker || c.work || c.retired)
+    if (!c.is_there() || c.work)
       continue;
     auto next = take_next();
     if (const auto why = off.refusal(next.edit)) {
@@ -333,18 +332,19 @@ void pool_state::on_down(const caf::actor_addr& source) {
     children, [&](const child& one) { return one.worker && one.worker.address() == source; });
   if (c == children.end())
     return;
-  // Gone from the network is not yet gone as a process: a frozen one must not come back.
-  // One that has ended says how within moments, though its connection closed first.
-  const auto how = options.processes->reap(c->pid, std::chrono::milliseconds(20));
-  if (!how)
-    options.processes->kill(c->pid);
-  bury(c, how ? *how : "did not answer any more");
+  // Gone from the network is not yet gone as a process. One that has ended says how within moments,
+  // though its connection closed first; a frozen one must not come back.
+  if (const auto how = options.processes->reap(c->pid))
+    return bury(c, *how);
+  c->lost = now();
+  resting = false;
+  tick_after(lost_interval);
+  say_health();
 }
 
 bool pool_state::at_rest() const {
   return waiting.empty() && active() == options.workers &&
-         std::ranges::all_of(children,
-                             [](const child& c) { return c.worker && !c.work && !c.retired; });
+         std::ranges::all_of(children, [](const child& c) { return c.is_there() && !c.work; });
 }
 
 void pool_state::wake() {
@@ -361,7 +361,8 @@ void pool_state::on_tick(std::uint64_t number) {
     return;
   tick();
   resting = at_rest();
-  tick_after(resting ? rest_interval : tick_interval);
+  const bool some_lost = std::ranges::any_of(children, [](const child& c) { return !!c.lost; });
+  tick_after(some_lost ? lost_interval : resting ? rest_interval : tick_interval);
 }
 
 void pool_state::tick() {
@@ -369,13 +370,16 @@ void pool_state::tick() {
   const auto at = now();
   for (auto c = children.begin(); c != children.end();) {
     const auto current = c++;
-    if (const auto how = options.processes->reap(current->pid, {}))
+    if (const auto how = options.processes->reap(current->pid))
       return bury(current, *how);  // The list has changed; the rest waits for the next tick.
     const bool late_start = !current->worker && at - current->started > options.start_limit;
     const bool late_work = current->work && at > current->work->deadline;
-    if (!late_start && !late_work)
+    const bool frozen = current->lost && at - *current->lost > options.last_moments;
+    if (!late_start && !late_work && !frozen)
       continue;
     options.processes->kill(current->pid);
+    if (frozen)
+      return bury(current, "did not answer any more");
     if (late_work && !current->work->cancelled) {
       current->work->refuse(
         {ec::timeout,
@@ -411,8 +415,7 @@ const char* to_string(role_state state) {
 }
 
 role_state pool_state::state() const {
-  const bool served =
-    std::ranges::any_of(children, [](const child& c) { return c.worker && !c.retired; });
+  const bool served = std::ranges::any_of(children, &child::is_there);
   return served ? role_state::ready : degraded ? role_state::degraded : role_state::starting;
 }
 

@@ -62,6 +62,8 @@ struct pool_options {
   std::chrono::milliseconds restart_window{60000};
   int retries = 2;                ///< A job whose worker dies is given to another this often.
   unsigned quarantine_after = 3;  ///< Failed edits of one operation; see `quarantine`.
+  /// For a process to end whose link is down: a large one goes slowly. A frozen one is ended.
+  std::chrono::milliseconds last_moments{1000};
   std::chrono::milliseconds retired_stay{30000};  ///< For others to fetch its last result.
   std::shared_ptr<role_health> health;            ///< May be null.
   std::shared_ptr<worker_processes> processes = system_processes();
@@ -89,6 +91,8 @@ struct pool_state {
   static constexpr std::chrono::milliseconds tick_interval{100};
   /// Between ticks of a pool at rest, which a process that idles pays for.
   static constexpr std::chrono::milliseconds rest_interval{2000};
+  /// Between looks for how a worker ended whose link is down.
+  static constexpr std::chrono::milliseconds lost_interval{5};
 
   /// A job from its order to its answer. Order and result types live in the closures.
   struct job {
@@ -113,7 +117,11 @@ struct pool_state {
     std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is `pid`.
     /// Since when it gets no more work; others still fetch the pages of its last result.
     std::optional<clock::time_point> retired;
+    /// Since when its link is down; how its process ended is not known yet.
+    std::optional<clock::time_point> lost;
     std::optional<job> work;
+
+    [[nodiscard]] bool is_there() const { return worker && !retired && !lost; }
   };
 
   /// What is asked of a worker beside its jobs.

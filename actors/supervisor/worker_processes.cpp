@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/supervisor/worker_processes.hpp"
 
-#include <thread>
-
 #include "actors/links/link.hpp"
 #include "base/process.hpp"
 
@@ -23,15 +21,7 @@ public:
     return pid;
   }
 
-  std::optional<std::string> reap(pid_t pid, std::chrono::milliseconds patience) override {
-    constexpr std::chrono::milliseconds step{2};
-    auto how = reap_process(pid);
-    for (; !how && patience.count() > 0; patience -= step) {
-      std::this_thread::sleep_for(step);
-      how = reap_process(pid);
-    }
-    return how;
-  }
+  std::optional<std::string> reap(pid_t pid) override { return reap_process(pid); }
 
   void kill(pid_t pid) override { kill_process(pid); }
 };

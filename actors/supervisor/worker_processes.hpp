@@ -3,7 +3,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,9 +30,8 @@ public:
                                               const std::vector<std::string>& command,
                                               const caf::actor& enlister) = 0;
 
-  /// How a process ended; nothing while it runs. Waits up to `patience` for one that is about to.
-  [[nodiscard]] virtual std::optional<std::string> reap(pid_t pid,
-                                                        std::chrono::milliseconds patience) = 0;
+  /// How a process ended; nothing while it runs.
+  [[nodiscard]] virtual std::optional<std::string> reap(pid_t pid) = 0;
 
   /// Ends a process and waits for its end.
   virtual void kill(pid_t pid) = 0;

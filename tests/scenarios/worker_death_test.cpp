@@ -279,6 +279,31 @@ TEST_F(WorkerDeath, TooManyDeathsDegradeTheRoleAndOthersGoOn) {
   value(user->solve({.device = "cpu"}, {}));
 }
 
+// As a large process ends, or any on a busy machine: its link is down well before its end is known.
+TEST(WorkerEnd, OfOneThatTakesItsTimeIsToldAsItWas) {
+  const scratch_folder folder;
+  auto options = options_for(folder, true);
+  options.program = folder.path() / "slow_end";
+  std::ofstream(options.program) << "#!/bin/bash\n" TEDIT_BIN "/tedit \"$@\" &\nexec 3<&-\n"
+                                 << "wait $!\nhow=$?\nsleep 0.3\nkill -$((how - 128)) $$\n";
+  std::filesystem::permissions(options.program, std::filesystem::perms(0700));
+  const auto host = start(options);
+  const auto user = connect(host->url());
+  const auto modeling = [&] { return value(user->status()).workers.front(); };
+  const auto wait_until = [&](const auto& wanted) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (!wanted(modeling()) && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  wait_until([](const auto& w) { return w.state == "ready" && w.pid != 0; });
+  ASSERT_EQ(modeling().role, "modeling");
+
+  ASSERT_EQ(::kill(static_cast<pid_t>(modeling().pid), SIGKILL), 0);
+
+  wait_until([](const auto& w) { return !w.detail.empty(); });
+  EXPECT_THAT(modeling().detail, HasSubstr("signal 9"));
+}
+
 TEST(WorkerStart, WhoAsksForTheOperationsBeforeItGetsThemAfterIt) {
   const scratch_folder folder;
   auto options = options_for(folder, true);

@@ -43,7 +43,7 @@ FAULTS = [
     ("the work of a dead worker is lost", "actors/supervisor/pool.cpp",
      "  if (work)\n    try_again(std::move(*work), how);\n", ""),
     ("a worker gets work while it has some", "actors/supervisor/pool.cpp",
-     "if (!c.worker || c.work || c.retired)", "if (!c.worker || c.retired)"),
+     "if (!c.is_there() || c.work)", "if (!c.is_there())"),
     ("a batch of pages is not counted off", "actors/pages/page_store.cpp",
      "  --transfer.in_flight;\n", ""),
     ("an answered request is kept", "actors/gateway/client_actor.cpp",

@@ -298,7 +298,7 @@ void simulated_processes::run(caf::actor_system& system, process& p) {
   caf::anon_send(p.enlister, enlistment{p.pid, p.worker});
 }
 
-std::optional<std::string> simulated_processes::reap(pid_t pid, milliseconds) {
+std::optional<std::string> simulated_processes::reap(pid_t pid) {
   const auto found = std::ranges::find(processes_, pid, &process::pid);
   if (found == processes_.end() || !found->dead)
     return std::nullopt;

@@ -38,7 +38,7 @@ public:
 
   expected<pid_t> start(caf::actor_system& system, const std::vector<std::string>& command,
                         const caf::actor& enlister) override;
-  std::optional<std::string> reap(pid_t pid, milliseconds patience) override;
+  std::optional<std::string> reap(pid_t pid) override;
   void kill(pid_t pid) override;
 
   /// For the youngest process; for the next one when none runs.
