@@ -385,6 +385,7 @@ void simulated_client::take_answer(const v1::ServerMessage& message) {
   } else if (message.has_document_state()) {
     const auto& state = message.document_state();
     is_open_ = true;
+    saw_change_ = false;
     document_ = state.document();
     inbox_->opened(document_);
     watch begun;
@@ -408,6 +409,7 @@ void simulated_client::note_head(const v1::Committed& moved) {
     return;
   past_.watches[*seen_].moves.push_back(
     {moved.head().number(), moved.head().version_id(), moved.cause()});
+  saw_change_ = true;
   head_ = moved.head().version_id();
   load_cases_ = bytes_of(moved.load_cases());
   inbox_->head_moved(head_);
@@ -421,10 +423,11 @@ void simulated_client::take_event(const v1::ServerMessage& message, std::size_t 
   else if (message.has_document_renamed() && message.document_renamed().before() == document_) {
     document_ = message.document_renamed().document();
     (void)inbox_->renamed(message.document_renamed().before(), document_);
-  } else if (message.has_solve_status())
+  } else if (message.has_solve_status()) {
+    saw_change_ = true;
     lost_solve_ = message.solve_status().phase() != v1::SolveStatus::STARTED &&
                   message.solve_status().phase() != v1::SolveStatus::CONVERGING;
-  else if (message.has_surface_update())
+  } else if (message.has_surface_update())
     take(inbox_->take(message.surface_update(), bytes));
   else if (message.has_field_update())
     take(inbox_->take(message.field_update(), bytes));

@@ -38,8 +38,9 @@ public:
   [[nodiscard]] client::surface_model surface() const { return inbox_->surface(); }
   [[nodiscard]] std::uint64_t last_solve() const { return last_solve_; }
   [[nodiscard]] const std::string& last_field_version() const { return last_field_version_; }
-  /// Whether the last solve that it heard of gave no result.
-  [[nodiscard]] bool lost_solve() const { return lost_solve_; }
+  /// Whether it must have been sent the fields of the head's last solve: not when that was over
+  /// before it opened the document, nor when the last solve that it heard of gave no result.
+  [[nodiscard]] bool expects_fields() const { return saw_change_ && !lost_solve_; }
   /// Of the head, as messages of the protocol in bytes.
   [[nodiscard]] const std::vector<std::string>& load_cases() const { return load_cases_; }
   [[nodiscard]] const watch* watching() const { return seen_ ? &past_.watches[*seen_] : nullptr; }
@@ -83,6 +84,7 @@ private:
   std::string head_;
   std::vector<std::string> load_cases_;
   milliseconds slow_until_{0};
+  bool saw_change_ = false;  ///< Another head or a solve since the document was opened.
   bool lost_solve_ = false;
   std::uint64_t last_solve_ = 0;
   std::string last_field_version_;
