@@ -35,12 +35,14 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
 }
 
 void pool_state::stop() {
-  for (const auto& c : children) {
+  const error stopping{ec::service_unavailable, "the server is stopping", {}, {}};
+  for (const auto& c : std::exchange(children, {})) {
     caf::anon_send_exit(c.enlister, caf::exit_reason::user_shutdown);
     options.processes->kill(c.pid);
+    if (c.work)
+      c.work->refuse(stopping);
   }
-  children.clear();
-  refuse_waiting({ec::service_unavailable, "the server is stopping", {}, {}});
+  refuse_waiting(stopping);
 }
 
 error pool_state::no_worker() const {
@@ -212,8 +214,10 @@ void pool_state::spawn_missing() {
     degraded = false;
     const auto before = children.size();
     spawn_child();
-    if (children.size() == before)
-      break;  // Counted against the budget; the next tick tries again.
+    if (children.size() == before) {
+      started_once = true;  // The next tick tries again, and pays for it like any restart.
+      break;
+    }
   }
   started_once = started_once || active() >= options.workers;
   if (degraded && children.empty())

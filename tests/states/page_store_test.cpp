@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Pages of one process and their way from another.
+#include "actors/pages/page_store.hpp"
+
+#include <caf/stateful_actor.hpp>
+#include <caf/typed_event_based_actor.hpp>
+
+#include "tests/states/fixture.hpp"
+
+namespace tedit::actors {
+namespace {
+
+page_ptr page_of(unsigned seed, std::size_t size = max_page_bytes) {
+  std::vector<std::byte> bytes(size);
+  for (std::size_t i = 0; i < size; ++i)
+    bytes[i] = static_cast<std::byte>(seed + i / 251);
+  return page::from_bytes(bytes);
+}
+
+/// Another node, which sends when a test says so.
+struct remote_state {
+  struct question {
+    hash_list ids;
+    caf::typed_response_promise<page_batch> promise;
+  };
+  std::deque<question> asked;
+  static inline const char* name = "remote";
+};
+
+caf::behavior remote_node(caf::stateful_actor<remote_state>* self) {
+  return {[=](get_atom, const hash_list& ids) {
+            auto promise = self->make_response_promise<page_batch>();
+            self->state.asked.push_back({ids, promise});
+            return promise;
+          },
+          [](const doing& that) { that.what(); }};
+}
+
+class PageStore : public States {
+protected:
+  PageStore() {
+    for (unsigned i = 0; i < 40; ++i) {
+      pages_.push_back(page_of(i));
+      ids_.push_back(pages_.back()->id());
+    }
+    remote_ = stage_.system().spawn(remote_node);
+    store_ = stage_.system().spawn(make_page_store, cache_);
+  }
+
+  [[nodiscard]] std::deque<remote_state::question>& asked() {
+    auto* self = caf::actor_cast<caf::abstract_actor*>(remote_);
+    return dynamic_cast<caf::stateful_actor<remote_state>&>(*self).state.asked;
+  }
+
+  /// The remote answers the question that came first.
+  void send_one() {
+    page_cache all(std::size_t{1} << 30);
+    for (const auto& p : pages_)
+      all.put(p);
+    auto first = std::move(asked().front());
+    asked().pop_front();
+    send(first.promise, pack(all, first.ids).value());
+  }
+
+  void send(caf::typed_response_promise<page_batch> to, const page_batch& batch) {
+    within(remote_, [=]() mutable { to.deliver(batch); });
+  }
+
+  answer<page_set> fetch(const hash_list& ids) {
+    auto result = ask<page_set>(store_, fetch_atom::value, remote_, ids);
+    pass(milliseconds(1));
+    return result;
+  }
+
+  std::vector<page_ptr> pages_;
+  hash_list ids_;
+  std::shared_ptr<page_cache> cache_ = std::make_shared<page_cache>(std::size_t{1} << 20);
+  caf::actor remote_;
+  page_store_actor store_;
+};
+
+TEST_F(PageStore, AsksForBatchesOfFourUnderACreditOfSix) {
+  const auto got = fetch(ids_);
+  EXPECT_EQ(asked().size(), transfer_credit);
+  for (const auto& one : asked())
+    EXPECT_EQ(one.ids.size(), 4U);
+  int batches = 0;
+  for (; !asked().empty(); ++batches) {
+    EXPECT_LE(asked().size(), transfer_credit);
+    send_one();
+  }
+  EXPECT_EQ(batches, 10);
+  ASSERT_TRUE(got.is_success());
+  EXPECT_EQ(got.value().moved, 40U);
+  for (const auto& p : pages_) {
+    ASSERT_NE(got.value().find(p->id()), nullptr);
+    EXPECT_TRUE(std::ranges::equal(got.value().find(p->id())->bytes(), p->bytes()));
+  }
+}
+
+TEST_F(PageStore, HoldsWhatItsCacheLetsGo) {
+  const auto got = fetch(ids_);
+  while (!asked().empty())
+    send_one();
+  pages_.clear();  // 2.5 MiB; the cache keeps one.
+  ASSERT_TRUE(got.is_success());
+  for (const auto& id : ids_)
+    EXPECT_NE(cache_->find(id), nullptr);
+}
+
+TEST_F(PageStore, AsksOnlyForWhatIsNotThere) {
+  for (std::size_t i = 0; i < 39; ++i)
+    cache_->put(pages_[i]);
+  const auto got = fetch(ids_);
+  ASSERT_EQ(asked().size(), 1U);
+  EXPECT_THAT(asked().front().ids, ElementsAre(ids_[39]));
+  send_one();
+  EXPECT_EQ(got.value().moved, 1U);
+  EXPECT_EQ(got.value().pages->size(), 40U);
+}
+
+TEST_F(PageStore, WithAllThereNobodyIsAsked) {
+  for (const auto& p : pages_)
+    cache_->put(p);
+  const auto got = ask<page_set>(store_, fetch_atom::value, caf::actor{}, ids_);
+  pass(milliseconds(1));
+  EXPECT_EQ(got.value().moved, 0U);
+}
+
+TEST_F(PageStore, WithoutANodeMissingPagesAreRefused) {
+  const auto got = ask<page_set>(store_, fetch_atom::value, caf::actor{}, ids_);
+  pass(milliseconds(1));
+  EXPECT_EQ(got.refusal().code, ec::not_found);
+}
+
+TEST_F(PageStore, APageThatIsNotWhatItsNameSaysIsRefused) {
+  const auto got = fetch({ids_[0], ids_[1]});
+  page_batch batch;
+  for (const auto seed : {0, 7}) {
+    const auto bytes = pages_[static_cast<std::size_t>(seed)]->bytes();
+    batch.sizes.push_back(static_cast<std::uint32_t>(bytes.size()));
+    const auto* first = reinterpret_cast<const char*>(bytes.data());
+    batch.bytes.insert(batch.bytes.end(), first, first + bytes.size());
+  }
+  send(asked().front().promise, batch);
+  EXPECT_EQ(got.refusal().code, ec::protocol_error);
+  EXPECT_THAT(got.refusal().message, HasSubstr(to_hex(ids_[1])));
+  EXPECT_EQ(cache_->find(ids_[1]) ? pages_[1].use_count() : 0, 0) << "it was taken over";
+}
+
+TEST_F(PageStore, SizesThatTheBytesDoNotHaveAreRefused) {
+  for (const std::uint32_t size : {65U, 65537U, 0xFFFFFFFFU}) {
+    page_batch batch;
+    batch.sizes = {size};
+    batch.bytes.resize(64);
+    const auto pages = unpack(batch, {ids_[0]});
+    ASSERT_FALSE(pages) << size;
+    EXPECT_EQ(pages.error().code, ec::protocol_error) << size;
+  }
+  EXPECT_FALSE(unpack({}, {ids_[0]})) << "fewer than asked for";
+}
+
+TEST_F(PageStore, TooManyAtOnceAreRefused) {
+  const auto got = ask<page_batch>(store_, get_atom::value, hash_list(5));
+  pass(milliseconds(1));
+  EXPECT_EQ(got.refusal().code, ec::invalid_argument);
+}
+
+TEST_F(PageStore, AMissingPageIsNamed) {
+  const auto got = ask<page_batch>(store_, get_atom::value, hash_list{ids_[3]});
+  pass(milliseconds(1));
+  EXPECT_EQ(got.refusal().code, ec::not_found);
+  EXPECT_THAT(got.refusal().message, HasSubstr(to_hex(ids_[3])));
+}
+
+TEST_F(PageStore, ANodeThatDiesEndsItsTransfersAndNoOthers) {
+  const auto lost = fetch(ids_);
+  send_one();
+  simulation::cut_off(remote_);
+  pass(milliseconds(1));
+  EXPECT_EQ(lost.refusal().code, ec::service_unavailable);
+  EXPECT_EQ(lost.count(), 1);
+  const auto there = ask<page_set>(store_, fetch_atom::value, caf::actor{}, hash_list{ids_[0]});
+  pass(milliseconds(1));
+  EXPECT_TRUE(there.is_success()) << "what came before is kept";
+}
+
+TEST_F(PageStore, ANodeThatSaysNothingIsGivenUpAfterAWhile) {
+  const auto lost = fetch(ids_);
+  pass(milliseconds(19'000));
+  EXPECT_FALSE(lost.is_there());
+  pass(milliseconds(2'000));
+  EXPECT_TRUE(lost.is_there());
+  EXPECT_FALSE(lost.is_success());
+  EXPECT_EQ(lost.count(), 1) << "six batches were late";
+}
+
+TEST_F(PageStore, ATransferThatFailedAsksForNoMore) {
+  const auto lost = fetch(ids_);
+  const auto first = asked().front().promise;
+  asked().pop_front();
+  send(first, {});
+  EXPECT_EQ(lost.refusal().code, ec::protocol_error);
+  const auto before = asked().size();
+  send_one();
+  EXPECT_EQ(asked().size(), before - 1);
+  EXPECT_EQ(lost.count(), 1);
+}
+
+TEST(PageCache, KeepsWhatWasUsedLast) {
+  page_cache cache(3 * max_page_bytes);
+  std::vector<hash128> ids;
+  for (unsigned i = 0; i < 3; ++i) {
+    cache.put(page_of(i));
+    ids.push_back(page_of(i)->id());
+  }
+  ASSERT_NE(cache.find(ids[0]), nullptr);  // Now it was used after the second.
+  cache.put(page_of(3));
+  EXPECT_NE(cache.find(ids[0]), nullptr);
+  EXPECT_EQ(cache.find(ids[1]), nullptr);
+  EXPECT_NE(cache.find(ids[2]), nullptr);
+}
+
+TEST(PageCache, FindsWhatSomebodyHoldsWhateverItsBudget) {
+  page_cache cache(0);
+  const auto held = page_of(1);
+  cache.put(held);
+  cache.put(page_of(2));
+  EXPECT_EQ(cache.find(held->id()), held);
+  EXPECT_EQ(cache.find(page_of(2)->id()), nullptr);
+}
+
+}  // namespace
+}  // namespace tedit::actors

@@ -1,0 +1,531 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A pool whose workers do what a test says, in virtual time.
+#include "actors/supervisor/pool.hpp"
+
+#include <caf/send.hpp>
+
+#include "tests/states/fixture.hpp"
+
+namespace tedit::actors {
+namespace {
+
+/// A worker that answers when a test says so.
+struct puppet_state {
+  struct task {
+    job_id job;
+    std::string operation;
+    caf::typed_response_promise<operation_result> promise;
+  };
+  std::deque<task> tasks;
+  std::deque<caf::typed_response_promise<export_result>> files;
+  std::vector<std::uint64_t> cancelled;
+  static inline const char* name = "puppet";
+};
+using puppet_actor = caf::stateful_actor<puppet_state>;
+
+caf::behavior make_puppet(puppet_actor* self) {
+  return {[=](job_id job, const edit_order& order) {
+            auto promise = self->make_response_promise<operation_result>();
+            self->state.tasks.push_back({job, (*order.wanted.get())->operation, promise});
+            return promise;
+          },
+          [=](job_id, const export_order&) {
+            auto promise = self->make_response_promise<export_result>();
+            self->state.files.push_back(promise);
+            return promise;
+          },
+          [=](cancel_atom, job_id job) { self->state.cancelled.push_back(job.value); },
+          [](const doing& that) { that.what(); }};
+}
+
+/// Processes that a test starts, starves and kills.
+class puppet_processes final : public worker_processes {
+public:
+  struct process {
+    caf::actor enlister;
+    caf::actor worker;
+    std::string how;  ///< It ended; empty while it runs.
+    bool killed = false;
+  };
+
+  expected<pid_t> start(caf::actor_system& system, const std::vector<std::string>&,
+                        const caf::actor& enlister) override {
+    if (!refusal.empty())
+      return fail(ec::service_unavailable, refusal);
+    const auto worker = system.spawn(make_puppet);
+    all.push_back({enlister, worker, {}});
+    if (enlists)
+      caf::anon_send(enlister, enlistment{static_cast<std::int32_t>(all.size()), worker});
+    return static_cast<pid_t>(all.size());
+  }
+
+  std::optional<std::string> reap(pid_t pid) override {
+    const auto& how = all.at(static_cast<std::size_t>(pid - 1)).how;
+    return how.empty() ? std::nullopt : std::optional(how);
+  }
+
+  void kill(pid_t pid) override {
+    auto& one = all.at(static_cast<std::size_t>(pid - 1));
+    one.killed = true;
+    end(one, "was killed by signal 9 (Killed)");
+  }
+
+  static void end(process& one, const std::string& how) {
+    if (!one.how.empty())
+      return;
+    one.how = how;
+    simulation::cut_off(one.worker);
+  }
+
+  bool enlists = true;
+  std::string refusal;
+  std::deque<process> all;
+};
+
+class Pool : public States {
+protected:
+  ~Pool() override {
+    caf::anon_send_exit(pool_, caf::exit_reason::user_shutdown);
+    pass(milliseconds(1));
+  }
+
+  void start(pool_options options = {}) {
+    options.processes = processes_;
+    pool_ = make_modeling_pool(stage_.system(), std::move(options));
+    pass(milliseconds(10));
+  }
+
+  answer<operation_result> edit(std::uint64_t id, const std::string& operation = "fill",
+                                std::uint64_t client = 0, bool preview = false) {
+    edit_order order;
+    edit_request wanted;
+    wanted.operation = operation;
+    order.wanted = wire_value(wanted);
+    order.document = "part";
+    order.preview = preview;
+    order.base.client = client;
+    auto result = ask<operation_result>(pool_, job_id{id}, order);
+    pass(milliseconds(1));
+    return result;
+  }
+
+  answer<export_result> file(std::uint64_t id) {
+    auto result = ask<export_result>(pool_, job_id{id}, export_order{});
+    pass(milliseconds(1));
+    return result;
+  }
+
+  /// The process that was started last, or so many before it.
+  puppet_processes::process& process(std::size_t before = 0) {
+    return processes_->all.at(processes_->all.size() - 1 - before);
+  }
+  puppet_state& worker(std::size_t before = 0) {
+    auto* self = caf::actor_cast<caf::abstract_actor*>(process(before).worker);
+    return dynamic_cast<puppet_actor&>(*self).state;
+  }
+
+  /// The worker answers the job that it got first.
+  void finish(std::size_t before = 0) {
+    auto promise = worker(before).tasks.front().promise;
+    worker(before).tasks.pop_front();
+    within(process(before).worker, [=]() mutable { promise.deliver(operation_result{}); });
+  }
+
+  void refuse(const error& why) {
+    auto promise = worker().tasks.front().promise;
+    worker().tasks.pop_front();
+    within(process().worker, [=]() mutable { promise.deliver(to_caf(why)); });
+  }
+
+  void crash(const std::string& how = "was killed by signal 11 (Segmentation fault)") {
+    puppet_processes::end(process(), how);
+    pass(milliseconds(200));
+  }
+
+  worker_status status() {
+    const auto got = ask<worker_status>(pool_, status_atom::value);
+    pass(milliseconds(1));
+    return got.value();
+  }
+
+  std::shared_ptr<puppet_processes> processes_ = std::make_shared<puppet_processes>();
+  modeling_actor pool_;
+};
+
+TEST_F(Pool, AJobIsAnsweredByItsWorkerOnce) {
+  start();
+  const auto got = edit(1);
+  EXPECT_FALSE(got.is_there());
+  finish();
+  EXPECT_TRUE(got.is_success());
+  EXPECT_EQ(got.count(), 1);
+}
+
+TEST_F(Pool, AWorkerHasOneJobAtATime) {
+  start();
+  const auto first = edit(1);
+  const auto second = edit(2);
+  EXPECT_EQ(worker().tasks.size(), 1U);
+  finish();
+  ASSERT_EQ(worker().tasks.size(), 1U);
+  EXPECT_EQ(worker().tasks.front().job.value, 2U);
+  finish();
+  EXPECT_TRUE(first.is_success());
+  EXPECT_TRUE(second.is_success());
+}
+
+TEST_F(Pool, ARefusalOfTheOperationIsPassedOnAndCostsNoWorker) {
+  start();
+  const auto got = edit(1);
+  refuse({ec::invalid_argument, "surface 7 is not there", "Name another", {}});
+  EXPECT_EQ(got.refusal().code, ec::invalid_argument);
+  EXPECT_EQ(got.refusal().remedy, "Name another");
+  EXPECT_EQ(processes_->all.size(), 1U);
+}
+
+TEST_F(Pool, AFailureThatIsNoneOfOursEndsTheWorkerAndTheJobRunsElsewhere) {
+  start();
+  const auto got = edit(1);
+  auto promise = worker().tasks.front().promise;
+  within(process().worker,
+         [=]() mutable { promise.deliver(caf::make_error(caf::sec::runtime_error)); });
+  pass(milliseconds(50));
+  ASSERT_EQ(processes_->all.size(), 2U);
+  EXPECT_TRUE(process(1).killed);
+  finish();
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST_F(Pool, TheJobOfADeadWorkerIsDoneByTheNext) {
+  start();
+  const auto got = edit(1);
+  crash();
+  ASSERT_EQ(processes_->all.size(), 2U);
+  EXPECT_FALSE(got.is_there());
+  ASSERT_EQ(worker().tasks.size(), 1U);
+  finish();
+  EXPECT_TRUE(got.is_success());
+  EXPECT_EQ(got.count(), 1);
+  EXPECT_EQ(status().restarts, 1U);
+}
+
+TEST_F(Pool, TheJobOfADeadWorkerGoesBeforeThoseThatCameLater) {
+  start();
+  const auto first = edit(1);
+  const auto second = edit(2);
+  crash();
+  EXPECT_EQ(worker().tasks.front().job.value, 1U);
+}
+
+TEST_F(Pool, AJobThatEndsEveryWorkerIsRefusedByName) {
+  start();
+  const auto got = edit(1, "emboss");
+  crash();
+  crash();
+  EXPECT_FALSE(got.is_there());
+  crash();
+  EXPECT_EQ(got.refusal().code, ec::internal);
+  EXPECT_THAT(got.refusal().message, HasSubstr("emboss"));
+  EXPECT_THAT(got.refusal().message, HasSubstr("signal 11"));
+  EXPECT_THAT(got.refusal().message, HasSubstr("3 times"));
+  EXPECT_FALSE(got.refusal().remedy.empty());
+  const auto next = edit(2, "fill");
+  finish();
+  EXPECT_TRUE(next.is_success()) << "others go on";
+}
+
+TEST_F(Pool, APreviewIsTriedTwiceOnly) {
+  start();
+  const auto got = edit(1, "emboss", 0, true);
+  crash();
+  EXPECT_FALSE(got.is_there());
+  crash();
+  EXPECT_EQ(got.refusal().code, ec::internal);
+}
+
+TEST_F(Pool, AnOperationThatFailsThreeEditsOfADocumentIsSwitchedOffThere) {
+  start();
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    const auto got = edit(id, "emboss");
+    for (int death = 0; death < 3; ++death)
+      crash();
+    ASSERT_TRUE(got.is_there()) << id;
+  }
+  const auto started = processes_->all.size();
+  const auto got = edit(4, "emboss");
+  EXPECT_THAT(got.refusal().message, HasSubstr("emboss"));
+  EXPECT_EQ(processes_->all.size(), started) << "it was not tried";
+  const auto other = edit(5, "fill");
+  finish();
+  EXPECT_TRUE(other.is_success());
+}
+
+TEST_F(Pool, PreviewsDoNotCountAgainstAnOperation) {
+  start();
+  for (std::uint64_t id = 1; id <= 4; ++id) {
+    const auto got = edit(id, "emboss", 0, true);
+    crash();
+    crash();
+    ASSERT_TRUE(got.is_there());
+  }
+  const auto got = edit(5, "emboss");
+  finish();
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST_F(Pool, WorkersThatDieForNoReasonUseUpABudgetThatComesBack) {
+  start();
+  for (int i = 0; i < 4; ++i)
+    crash();
+  EXPECT_EQ(processes_->all.size(), 4U) << "one, and three restarts";
+  const auto refused = edit(1);
+  EXPECT_EQ(refused.refusal().code, ec::service_unavailable);
+  EXPECT_THAT(refused.refusal().message, HasSubstr("signal 11"));
+  EXPECT_FALSE(refused.refusal().remedy.empty());
+  pass(milliseconds(61'000));
+  EXPECT_EQ(processes_->all.size(), 5U);
+  const auto got = edit(2);
+  finish();
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST_F(Pool, WhatWaitsWhenTheBudgetIsUsedUpIsRefusedToo) {
+  processes_->enlists = false;
+  start();
+  const auto waiting = edit(1);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_FALSE(waiting.is_there());
+    crash();
+  }
+  EXPECT_EQ(waiting.refusal().code, ec::service_unavailable);
+}
+
+TEST_F(Pool, AProcessThatCannotBeStartedIsToldWithItsReason) {
+  processes_->refusal = "fork: Resource temporarily unavailable";
+  start();
+  pass(milliseconds(1'000));
+  const auto got = edit(1);
+  pass(milliseconds(1'000));
+  EXPECT_EQ(got.refusal().code, ec::service_unavailable);
+  EXPECT_THAT(got.refusal().message, HasSubstr("Resource temporarily unavailable"));
+  processes_->refusal.clear();
+  pass(milliseconds(61'000));
+  const auto later = edit(2);
+  finish();
+  EXPECT_TRUE(later.is_success());
+  EXPECT_EQ(got.count(), 1);
+}
+
+TEST_F(Pool, AProcessThatDoesNotEnlistIsReplaced) {
+  processes_->enlists = false;
+  start();
+  const auto got = edit(1);
+  pass(milliseconds(19'000));
+  EXPECT_EQ(processes_->all.size(), 1U);
+  processes_->enlists = true;
+  pass(milliseconds(2'000));
+  EXPECT_TRUE(process(1).killed);
+  finish();
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST_F(Pool, NobodyEnlistsInTheNameOfAnother) {
+  start();
+  const auto stranger = stage_.system().spawn(make_puppet);
+  const auto second = ask<bool>(process().enlister, enlistment{99, stranger});
+  pass(milliseconds(10));
+  EXPECT_FALSE(second.value());
+  const auto got = edit(1);
+  EXPECT_EQ(worker().tasks.size(), 1U);
+}
+
+TEST_F(Pool, WorkThatTakesTooLongIsEndedAndNamed) {
+  pool_options options;
+  options.job_limit = milliseconds(60'000);
+  options.operation_limit = milliseconds(5'000);
+  start(options);
+  const auto plugin = edit(1, "emboss");
+  pass(milliseconds(4'000));
+  EXPECT_FALSE(plugin.is_there());
+  pass(milliseconds(2'000));
+  EXPECT_EQ(plugin.refusal().code, ec::timeout);
+  EXPECT_THAT(plugin.refusal().message, HasSubstr("emboss did not end within 5 s"));
+  EXPECT_TRUE(process(1).killed);
+  const auto written = file(2);
+  pass(milliseconds(50'000));
+  EXPECT_FALSE(written.is_there()) << "a file has the longer limit";
+  pass(milliseconds(11'000));
+  EXPECT_EQ(written.refusal().code, ec::timeout);
+}
+
+TEST_F(Pool, AJobThatWaitsIsCancelledAtOnce) {
+  start();
+  const auto first = edit(1);
+  const auto second = edit(2);
+  caf::anon_send(pool_, cancel_atom::value, job_id{2});
+  pass(milliseconds(1));
+  EXPECT_EQ(second.refusal().code, ec::cancelled);
+  finish();
+  EXPECT_TRUE(first.is_success());
+  EXPECT_TRUE(worker().tasks.empty());
+}
+
+TEST_F(Pool, AJobThatRunsIsAskedToEndAndKilledWhenItDoesNot) {
+  start();
+  const auto got = edit(1);
+  caf::anon_send(pool_, cancel_atom::value, job_id{1});
+  pass(milliseconds(1));
+  EXPECT_THAT(worker().cancelled, ElementsAre(1U));
+  pass(milliseconds(4'000));
+  EXPECT_FALSE(got.is_there());
+  pass(milliseconds(2'000));
+  EXPECT_EQ(got.refusal().code, ec::cancelled);
+  EXPECT_TRUE(process(1).killed);
+}
+
+TEST_F(Pool, ACancelOfNobodysJobDoesNothing) {
+  start();
+  const auto got = edit(1);
+  caf::anon_send(pool_, cancel_atom::value, job_id{77});
+  pass(milliseconds(10'000));
+  EXPECT_TRUE(worker().cancelled.empty());
+  finish();
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST_F(Pool, AnEditGoesBeforePreviewsAndFiles) {
+  start();
+  const auto running = edit(1);
+  const auto written = file(2);
+  const auto preview = edit(3, "fill", 0, true);
+  const auto wanted = edit(4);
+  finish();
+  ASSERT_EQ(worker().tasks.size(), 1U);
+  EXPECT_EQ(worker().tasks.front().job.value, 4U);
+  finish();
+  ASSERT_EQ(worker().tasks.size(), 1U);
+  EXPECT_EQ(worker().tasks.front().job.value, 3U);
+  finish();
+  EXPECT_EQ(worker().files.size(), 1U);
+}
+
+TEST_F(Pool, ClientsTakeTurns) {
+  start();
+  std::vector<answer<operation_result>> all;
+  all.push_back(edit(1, "fill", 7));
+  all.push_back(edit(2, "fill", 7));
+  all.push_back(edit(3, "fill", 7));
+  all.push_back(edit(4, "fill", 8));
+  std::vector<std::uint64_t> order;
+  while (!worker().tasks.empty()) {
+    order.push_back(worker().tasks.front().job.value);
+    finish();
+  }
+  EXPECT_THAT(order, ElementsAre(1U, 4U, 2U, 3U));
+}
+
+TEST_F(Pool, APreviewGivesWayToAnEdit) {
+  start();
+  const auto preview = edit(1, "fill", 0, true);
+  EXPECT_TRUE(worker().cancelled.empty());
+  const auto wanted = edit(2);
+  EXPECT_THAT(worker().cancelled, ElementsAre(1U));
+  refuse({ec::cancelled, "the work was cancelled", {}, {}});
+  EXPECT_EQ(preview.refusal().code, ec::superseded);
+  EXPECT_FALSE(preview.refusal().remedy.empty());
+  finish();
+  EXPECT_TRUE(wanted.is_success());
+}
+
+TEST_F(Pool, APreviewOfWhichAnotherWorkerIsFreeGoesOn) {
+  pool_options options;
+  options.workers = 2;
+  start(options);
+  const auto preview = edit(1, "fill", 0, true);
+  const auto wanted = edit(2);
+  EXPECT_TRUE(worker(0).cancelled.empty());
+  EXPECT_TRUE(worker(1).cancelled.empty());
+  EXPECT_EQ(worker(0).tasks.size() + worker(1).tasks.size(), 2U);
+}
+
+TEST_F(Pool, AWorkerThatRetiresFinishesItsJobAndGetsNoMore) {
+  start();
+  const auto first = edit(1);
+  const caf::actor retired = process().worker;
+  caf::send_as(retired, caf::actor_cast<caf::actor>(pool_),
+               retirement{"it used up its descriptors"});
+  pass(milliseconds(10));
+  ASSERT_EQ(processes_->all.size(), 2U);
+  const auto second = edit(2);
+  EXPECT_EQ(worker(0).tasks.front().job.value, 2U);
+  finish(1);
+  EXPECT_TRUE(first.is_success());
+  EXPECT_FALSE(process(1).killed) << "others fetch its last result";
+  pass(milliseconds(31'000));
+  EXPECT_TRUE(process(1).killed);
+  EXPECT_EQ(processes_->all.size(), 2U);
+}
+
+TEST_F(Pool, AWorkerWhoseLinkIsDownAndThatDoesNotEndIsKilled) {
+  start();
+  const auto got = edit(1);
+  simulation::cut_off(process().worker);  // Its process goes on.
+  pass(milliseconds(900));
+  EXPECT_EQ(processes_->all.size(), 1U);
+  pass(milliseconds(300));
+  EXPECT_TRUE(process(1).killed);
+  finish();
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST_F(Pool, ALateAnswerOfADeadWorkerIsNobodys) {
+  start();
+  const auto got = edit(1);
+  auto late = worker().tasks.front().promise;
+  process().how = "was killed by signal 9 (Killed)";  // Its answer is on its way all the same.
+  pass(milliseconds(300));
+  ASSERT_EQ(processes_->all.size(), 2U);
+  within(process(1).worker, [=]() mutable { late.deliver(operation_result{}); });
+  EXPECT_FALSE(got.is_there());
+  finish();
+  EXPECT_EQ(got.count(), 1);
+}
+
+TEST_F(Pool, AtRestItLooksAfterItsWorkersEveryTwoSeconds) {
+  start();
+  pass(milliseconds(5'000));
+  const auto before = time_.now();
+  int steps = 0;
+  while (stage_.step(before + milliseconds(60'000)))
+    ++steps;
+  EXPECT_LE(steps, 100) << "30 ticks, each one message and one step of time";
+  crash();
+  pass(milliseconds(2'100));
+  EXPECT_EQ(processes_->all.size(), 2U);
+}
+
+TEST_F(Pool, SaysHowItIs) {
+  processes_->enlists = false;
+  start();
+  EXPECT_EQ(status().role, "modeling");
+  EXPECT_EQ(status().restarts, 0U);
+  const auto waiting = edit(1);
+  caf::anon_send(process().enlister, enlistment{1, process().worker});
+  pass(milliseconds(1));
+  EXPECT_EQ(worker().tasks.size(), 1U);
+}
+
+TEST_F(Pool, WhoWaitsIsToldWhenTheServerStops) {
+  start();
+  const auto running = edit(1);
+  const auto waiting = edit(2);
+  caf::anon_send_exit(pool_, caf::exit_reason::user_shutdown);
+  pass(milliseconds(10));
+  EXPECT_EQ(waiting.refusal().code, ec::service_unavailable);
+  EXPECT_THAT(waiting.refusal().message, HasSubstr("stopping"));
+  EXPECT_EQ(running.refusal().code, ec::service_unavailable);
+  EXPECT_TRUE(process().killed);
+}
+
+}  // namespace
+}  // namespace tedit::actors
