@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants small faults in the sources of a clone and says which tests notice them.
 
-usage: mutate.py TREE [--rooms actors,mesh,fem] [--count 150] [--seed 1] [--labels REGEX] [--table FILE]
+usage: mutate.py TREE [--rooms actors,mesh,fem] [--count 150] [--seed 1] [--labels REGEX] [--targets ...] [--table FILE]
 
 TREE is a clone of its own, which this changes. A fault is a negated condition, a bound that is off by one,
 a sign, a turned answer, a call that is left out. All are built into one program; TEDIT_MUTANT=NUMBER
@@ -126,20 +126,20 @@ def write(tree, originals, mutants):
         for line, (number, kind) in of_file.get(file, {}).items():
             lines[line] = KINDS[kind](lines[line])(number)
         head = next(i for i, line in enumerate(lines) if line.startswith("#include"))
-        lines[head] = '#include "tests/mutation/mutant.hpp" // NOLINT\n' .rstrip() + "\n" + lines[head]
+        lines[head] = '#include "tests/mutation/mutant.hpp"\n' + lines[head]
         changed = "\n".join(lines) + "\n"
         if (tree / file).read_text() != changed:
             (tree / file).write_text(changed)
 
 
-def build(tree, originals, mutants):
+def build(tree, originals, mutants, targets):
     """Builds; what does not compile is taken out again. Returns what is left."""
     folder = tree / "build" / PRESET
     subprocess.run(["cmake", "--preset", "ci", "-B", folder, "-DTEDIT_WERROR=OFF", "-DTEDIT_DESKTOP=OFF",
                     "-DTEDIT_RENDER=OFF"], cwd=tree, check=True, stdout=subprocess.DEVNULL)
     for _ in range(8):
         write(tree, originals, mutants)
-        done = subprocess.run(["ninja", "-C", folder, "-j2", "-k0"], capture_output=True, text=True)
+        done = subprocess.run(["ninja", "-C", folder, "-j2", "-k0", *targets], capture_output=True, text=True)
         if done.returncode == 0:
             return mutants
         wrong = set()
@@ -211,13 +211,14 @@ def main():
     options.add_argument("--count", type=int, default=150)
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--labels", default="mesh|store|actors|gateway|simulation|fem|multilevel|client_actor|io|scenarios")
+    options.add_argument("--targets", default="", help="of ninja; all when empty")
     options.add_argument("--table", type=pathlib.Path)
     given = options.parse_args()
     tree = given.tree.resolve()
     subprocess.run(["git", "checkout", "-q", "--", *given.rooms.split(",")], cwd=tree, check=True)
     chosen = choose(candidates(tree, given.rooms.split(",")), given.count, given.seed)
     originals = {place[0]: (tree / place[0]).read_text() for place in chosen}
-    mutants = build(tree, originals, dict(enumerate(chosen)))
+    mutants = build(tree, originals, dict(enumerate(chosen)), given.targets.split())
     print(f"{len(mutants)} faults planted", flush=True)
 
     reached = collections.defaultdict(list)
