@@ -442,13 +442,11 @@ error to_error(const check_report& report) {
   if (report.ok())
     return result;
   const auto& first = report.findings.front();
-  result.message = "the edit was rolled back: " + first.rule + " does not hold";
-  if (!first.element.empty())
-    result.message += " at " + first.element;
-  if (!first.numbers.empty())
-    result.message += " (" + first.numbers + ")";
-  if (report.total > 1)
-    result.message += " and " + std::to_string(report.total - 1) + " more findings";
+  result.message =
+    "the edit was rolled back: " + first.rule + " does not hold" +
+    (first.element.empty() ? "" : " at " + first.element) +
+    (first.numbers.empty() ? "" : " (" + first.numbers + ")") +
+    (report.total > 1 ? " and " + std::to_string(report.total - 1) + " more findings" : "");
   result.where = first.element;
   result.remedy = "The version is unchanged; try other surfaces or parameters";
   return result;

@@ -114,11 +114,11 @@ expected<void> check_facets_are_wide(const mesh_version& base, const mesh_versio
                  3;
   char text[96];
   std::snprintf(text, sizeof(text),
-                " that is too thin: no tet on it has more than q = %.3g (floor %.3g)", worst,
+                "that is too thin: no tet on it has more than q = %.3g (floor %.3g)", worst,
                 std::min(floor, before));
   return fail(ec::postcondition_failed,
               "the edit was rolled back: surface " + std::to_string(facet.surface) +
-                " would get a facet at " + place_text(p) + text,
+                " would get a facet at " + place_text(p) + " " + text,
               "The version is unchanged; try other surfaces or parameters");
 }
 

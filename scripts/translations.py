@@ -3,7 +3,7 @@
 
 usage: scripts/translations.py [--update] [--new LANGUAGE] [--lupdate PROGRAM]
 
-Checks that every word of client-qt, and of the tables that it shows, is in client-qt/translations/tedit_*.ts, that every translation is complete, and
+Checks that every word of client-qt, of the tables that it shows and of what the server says (said_texts.py) is in client-qt/translations/tedit_*.ts, that every translation is complete, and
 that placeholders (%1), shortcuts' leading and trailing blanks and line breaks are kept. With --update it runs lupdate
 first, which changes the files; --new fr also begins tedit_fr.ts, with all words to be filled in. Without lupdate
 (package qt6-l10n-tools) the words of the sources are not compared. Exit status: 0 all is well, 1 something is not,
@@ -17,7 +17,10 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
+import said_texts
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = ROOT / "client-qt" / "model" / "server_words.inc"
 FOLDER = ROOT / "client-qt" / "translations"
 
 
@@ -54,8 +57,9 @@ def texts_of_figures():
 def run_lupdate(program, targets):
     with tempfile.TemporaryDirectory() as folder:
         words = pathlib.Path(folder) / "operations.cpp"
-        quoted = (text.replace('"', '\\"') for text in texts_of_operations())
-        words.write_text("\n".join(f'QT_TRANSLATE_NOOP("operations", "{text}");' for text in quoted))
+        texts = [("operations", text) for text in texts_of_operations()]
+        texts += [("server", text) for text in said_texts.all_templates()]
+        words.write_text("\n".join(f'QT_TRANSLATE_NOOP("{context}", {said_texts.quoted(text)});' for context, text in texts))
         command = [program, "-I", ".", "-locations", "none", "-no-obsolete", "-silent",
                    "-tr-function-alias", "QT_TRANSLATE_NOOP+=for_people", "client-qt", *TABLES, str(words), "-ts"]
         subprocess.run(command + [str(one) for one in targets], cwd=ROOT, check=True)
@@ -119,12 +123,15 @@ def main():
             print(f"translations.py: {wanted.lupdate} is not there; install qt6-l10n-tools", file=sys.stderr)
             return 2
         files = sorted({*files, FOLDER / f"tedit_{wanted.new}.ts"} if wanted.new else files)
+        TABLE.write_text(said_texts.table())
         run_lupdate(wanted.lupdate, files)
     if wanted.new:
         print(f"fill in client-qt/translations/tedit_{wanted.new}.ts, then run scripts/translations.py")
         return 0
     words = words_of_the_sources(wanted.lupdate) if has_lupdate else messages(files[0]).keys()
     faults = [fault for path in files for fault in check(path, words)]
+    if not TABLE.exists() or TABLE.read_text() != said_texts.table():
+        faults.append(f"{TABLE.relative_to(ROOT)} has not what the server says")
     for fault in faults:
         print(fault, file=sys.stderr)
     if faults:

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/quantities.hpp"
+#include "client-qt/model/server_words.hpp"
 
 #include <QTimer>
 
@@ -50,7 +52,7 @@ namespace {
 QString sentences(const std::vector<std::string>& texts) {
   QStringList lines;
   for (const auto& text : texts)
-    lines << QString::fromStdString(text);
+    lines << words_of(text);
   return lines.join("\n");
 }
 
@@ -88,8 +90,7 @@ void document::load_catalogue() {
         emit operations_changed();
       } else if (link_.current() == remote::state::connected) {
         if (got.error().code != ec::service_unavailable)  // Else the server still starts.
-          emit notice(tr("The list of operations did not come: %1")
-                        .arg(QString::fromStdString(render(got.error()))));
+          emit notice(tr("The list of operations did not come: %1").arg(one_line(got.error())));
         QTimer::singleShot(catalogue_retry_ms, this, &document::load_catalogue);
       }
     });

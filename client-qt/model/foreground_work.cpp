@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/foreground_work.hpp"
+#include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 
@@ -20,8 +21,8 @@ void foreground_work::progressed(double fraction, const QString& stage) {
   if (!activity_)
     return;
   activity_->fraction = fraction;
-  activity_->stage = stage;
-  all_.progress(job_, fraction, stage);
+  activity_->stage = words_of(stage.toStdString());
+  all_.progress(job_, fraction, activity_->stage);
   emit changed();
 }
 

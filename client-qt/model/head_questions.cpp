@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client-qt/model/document.hpp"
+#include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 
@@ -73,7 +74,7 @@ void head_questions::cut(const vec3& at, const vec3& normal, const std::string& 
     [=](client::client& c, const execution& run) { return c.cut(at, normal, load_case, run); },
     finish,
     [&all, open](double fraction, const QString& stage) {
-      all.progress(open->job, fraction, stage);
+      all.progress(open->job, fraction, words_of(stage.toStdString()));
     });
 }
 

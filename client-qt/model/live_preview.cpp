@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/live_preview.hpp"
+#include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 
@@ -61,7 +62,7 @@ void live_preview::ask(bool find_most) {
     [this, mine](double, const QString& stage) {
       if (mine != question_)
         return;
-      stage_ = stage;
+      stage_ = words_of(stage.toStdString());
       emit changed();
     });
   emit changed();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/server_words.hpp"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -16,7 +17,10 @@ namespace {
 /// With the decimal point of the person's language; groups of digits are not parted, so that what
 /// is shown can be typed.
 QString digits(double value, char format, int precision) {
-  return QString::number(value, format, precision).replace('.', QLocale().decimalPoint());
+  static const QRegularExpression filling("(?<=e[-+])0(?=[0-9])");  // "e-07" is a program's way.
+  return QString::number(value, format, precision)
+    .remove(filling)
+    .replace('.', QLocale().decimalPoint());
 }
 
 /// From `from` on in SI, the unit and what an SI value is multiplied by.
@@ -163,13 +167,16 @@ QString change(double before, double after) {
   if (before == 0 || !std::isfinite(before) || !std::isfinite(after))
     return {};
   const double percent = 100 * (after - before) / std::abs(before);
-  const QString text = digits(std::abs(percent), 'f', std::abs(percent) < 10 ? 1 : 0) + " %";
+  const double size = std::abs(percent);
+  if (size < 0.005)
+    return digits(0, 'f', 1) + " %";
+  const QString text = digits(size, 'f', size < 0.05 ? 2 : size < 10 ? 1 : 0) + " %";
   return (percent < 0 ? QString::fromUtf8("−") : QString("+")) + text;
 }
 
 QString words_of(const std::string& said) {
   static const QRegularExpression power(R"(\b([mck]?m)([23])\b)");
-  QString text = QString::fromStdString(said);
+  QString text = in_window_language(said);
   for (auto found = power.match(text); found.hasMatch(); found = power.match(text))
     text.replace(found.capturedStart(2), 1, QChar(found.captured(2) == "2" ? 0x00b2 : 0x00b3));
   // Not in versions, addresses and names of files.

@@ -53,11 +53,12 @@ struct shown_quantity {
 [[nodiscard]] QString duration(double ms);
 /// "12", "12 400", "1.02 M".
 [[nodiscard]] QString count(double items);
-/// A change in percent with its sign: "+3.2 %"; nothing when `before` is zero.
+/// A change in percent with its sign: "+3.2 %", "−0.02 %"; "0.0 %" below 0.005 %; nothing when
+/// `before` is zero.
 [[nodiscard]] QString change(double before, double after);
 
-/// What the server says, which writes no letters beyond ASCII, as the window writes it: "3 mm²" for
-/// "3 mm2", and numbers with the decimal point of the language.
+/// What the server says, which writes English and no letters beyond ASCII, as the window writes it:
+/// in its language (`in_window_language`), "3 mm²" for "3 mm2", numbers with its decimal point.
 [[nodiscard]] QString words_of(const std::string& said);
 
 }  // namespace tedit::desktop

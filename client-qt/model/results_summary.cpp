@@ -2,7 +2,6 @@
 #include "client-qt/model/results_summary.hpp"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +47,6 @@ struct row_maker {
       return;
     row.before = shown(*before, unit);
     row.change = change(*before, now);
-    static const QRegularExpression nothing("^[+\\x{2212}]0[.,]0 %$");
-    if (nothing.match(row.change).hasMatch())
-      row.change.remove(0, 1);
   }
 };
 
@@ -274,7 +270,7 @@ summary_input summary_input_of(const document& part) {
   result.state = part.solver().progress();
   result.surface_name = [&part](surface_id id) { return part.surface_name(id); };
   if (const auto& status = part.solver().status(); status.phase == client::solve_phase::failed)
-    result.failure = QString::fromStdString(status.message);
+    result.failure = words_of(status.message);
   if (const auto* head = result.version; head && head->info.parent)
     if (const auto found = part.versions().find(*head->info.parent); found != part.versions().end())
       result.parent = &found->second;

@@ -9,6 +9,7 @@
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/document_name.hpp"
+#include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
 
@@ -63,7 +64,7 @@ void solve_requests::solve() {
       emit part_.failed(tr("Solve"), got.error());
     },
     [this](double fraction, const QString& stage) {
-      part_.work().progress(job_, fraction, stage);
+      part_.work().progress(job_, fraction, words_of(stage.toStdString()));
     });
 }
 
@@ -110,9 +111,9 @@ void solve_requests::take_outcome(const solve_outcome& outcome) {
   row->outcome = outcome;
   for (const auto& report : outcome.cases) {
     if (!report.notice.empty())
-      emit part_.notice(QString::fromStdString(report.notice));
+      emit part_.notice(words_of(report.notice));
     for (const auto& warning : report.warnings)
-      emit part_.notice(QString::fromStdString(warning));
+      emit part_.notice(words_of(warning));
   }
   emit changed();
   emit part_.history_changed();

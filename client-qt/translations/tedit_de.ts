@@ -1390,6 +1390,3072 @@
     </message>
 </context>
 <context>
+    <name>server</name>
+    <message>
+        <source>&quot;%1&quot; cannot name a document</source>
+        <translation>„%1“ kann kein Dokument heißen</translation>
+    </message>
+    <message>
+        <source>&quot;tedit info&quot; lists the surfaces</source>
+        <translation>„tedit info“ zählt die Flächen auf</translation>
+    </message>
+    <message>
+        <source>&quot;tedit ops %1&quot; lists its parameters</source>
+        <translation>„tedit ops %1“ zählt die Parameter auf</translation>
+    </message>
+    <message>
+        <source>&quot;tedit ops&quot; lists those that there are</source>
+        <translation>„tedit ops“ zählt die auf, die es gibt</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a whole number</source>
+        <translation>%1 „%2“ ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 %2 is out of range</source>
+        <translation>%1 %2 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1 %2s of %3 together were dropped</source>
+        <translation>weggelassen: %1 × %2, zusammen %3</translation>
+    </message>
+    <message>
+        <source>%1 (gravity) needs the density of every material</source>
+        <translation>%1 (Schwerkraft) braucht die Dichte jedes Werkstoffs</translation>
+    </message>
+    <message>
+        <source>%1 acts on no surface</source>
+        <translation>%1 wirkt auf keine Fläche</translation>
+    </message>
+    <message>
+        <source>%1 acts on surface</source>
+        <translation>%1 wirkt auf Fläche</translation>
+    </message>
+    <message>
+        <source>%1 acts on surfaces</source>
+        <translation>%1 wirkt auf Flächen</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same tet twice</source>
+        <translation>%1 und %2 sind zweimal derselbe Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1 and %2 lie on the same side of face %3: tets overlap</source>
+        <translation>%1 und %2 liegen auf derselben Seite von Dreieck %3: Tetraeder überlappen sich</translation>
+    </message>
+    <message>
+        <source>%1 belongs to a document that is not here</source>
+        <translation>%1 gehört zu einem Dokument, das nicht da ist</translation>
+    </message>
+    <message>
+        <source>%1 boundary components before, %2 after</source>
+        <translation>vorher %1 getrennte Ränder, danach %2</translation>
+    </message>
+    <message>
+        <source>%1 boundary faces had no surface id; they got %2 new surfaces, split at edges sharper than 30 degrees</source>
+        <translation>%1 Randdreiecke hatten keine Flächennummer; sie bekamen %2 neue Flächen, getrennt an Kanten schärfer als 30 Grad</translation>
+    </message>
+    <message>
+        <source>%1 boundary faces had no surface id; they got those of the faces around</source>
+        <translation>%1 Randdreiecke hatten keine Flächennummer; sie bekamen die der Dreiecke ringsum</translation>
+    </message>
+    <message>
+        <source>%1 cannot be rounded so far at %2: %3</source>
+        <translation>%1 lässt sich bei %2 nicht so weit runden: %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>%1 corner</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>%1 did not end within its time limit</source>
+        <translation>%1: nicht innerhalb der Zeitgrenze fertig geworden</translation>
+    </message>
+    <message>
+        <source>%1 ends where %2 surfaces meet at %3: it runs out there</source>
+        <translation>%1 endet, wo %2 Flächen zusammenstoßen, bei %3: sie läuft dort aus</translation>
+    </message>
+    <message>
+        <source>%1 ends where %2 surfaces meet at %3; only corners of three can be rounded</source>
+        <translation>%1 endet, wo %2 Flächen zusammenstoßen, bei %3; gerundet werden nur Ecken von dreien</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2</source>
+        <translation>%1 ist gescheitert: %2</translation>
+    </message>
+    <message>
+        <source>%1 failed: its worker is gone (%2)</source>
+        <translation>%1: gescheitert, der Arbeitsprozess ist weg (%2)</translation>
+    </message>
+    <message>
+        <source>%1 has %2 along the bore, where its wall cannot take a pin&apos;s pressure</source>
+        <translation>%1 hat %2 längs der Bohrung, wo ihre Wand den Druck eines Bolzens nicht aufnehmen kann</translation>
+    </message>
+    <message>
+        <source>%1 has a moment, and its surfaces are only a line</source>
+        <translation>%1 hat ein Moment, und die Flächen dazu sind nur eine Linie</translation>
+    </message>
+    <message>
+        <source>%1 has format %2</source>
+        <translation>%1 hat das Format %2</translation>
+    </message>
+    <message>
+        <source>%1 has no parameter &quot;%2&quot;</source>
+        <translation>%1 hat keinen Parameter „%2“</translation>
+    </message>
+    <message>
+        <source>%1 has no vertex inside its border, so no layer of tets lies below it alone</source>
+        <translation>%1 hat keine Ecke innerhalb des Randes, also liegt keine Schicht von Tetraedern darunter allein</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is not a finite number</source>
+        <translation>%1 ist „%2“, und das ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is a database, but no TEdit document</source>
+        <translation>%1 ist eine Datenbank, aber kein TEdit-Dokument</translation>
+    </message>
+    <message>
+        <source>%1 is as before</source>
+        <translation>%1 ist wie zuvor</translation>
+    </message>
+    <message>
+        <source>%1 is claimed by surface %2 and by surface %3</source>
+        <translation>%1 beanspruchen Fläche %2 und Fläche %3</translation>
+    </message>
+    <message>
+        <source>%1 is empty: it is no document</source>
+        <translation>%1 ist leer: es ist kein Dokument</translation>
+    </message>
+    <message>
+        <source>%1 is no face of any tet</source>
+        <translation>%1 ist Seite keines Tetraeders</translation>
+    </message>
+    <message>
+        <source>%1 is no file</source>
+        <translation>%1 ist keine Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a database</source>
+        <translation>%1 ist keine Datenbank</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not held: free are %2</source>
+        <translation>%1 ist nicht gehalten: frei sind %2</translation>
+    </message>
+    <message>
+        <source>%1 is open already in an older program</source>
+        <translation>%1 ist schon in einem älteren Programm offen</translation>
+    </message>
+    <message>
+        <source>%1 is open already%2</source>
+        <translation>%1 ist schon offen%2</translation>
+    </message>
+    <message>
+        <source>%1 is open in another program, too</source>
+        <translation>%1 ist auch in einem anderen Programm offen</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1 is too bent to be closed</source>
+        <translation>%1 ist zu krumm, um geschlossen zu werden</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a load case (more than 16 MiB)</source>
+        <translation>%1 ist zu groß für einen Lastfall (mehr als 16 MiB)</translation>
+    </message>
+    <message>
+        <source>%1 lies where regions %2 and %3 meet</source>
+        <translation>%1 liegt, wo die Bereiche %2 und %3 zusammenstoßen</translation>
+    </message>
+    <message>
+        <source>%1 live, %2 stated</source>
+        <translation>%1 vorhanden, %2 angegeben</translation>
+    </message>
+    <message>
+        <source>%1 loose crumbs of the part were removed with it</source>
+        <translation>%1 lose Krümel des Bauteils wurden mit entfernt</translation>
+    </message>
+    <message>
+        <source>%1 lost surface %2 and now acts on %3 (area %4)%5</source>
+        <translation>%1 verlor Fläche %2 und wirkt jetzt auf %3 (Flächeninhalt %4)%5</translation>
+    </message>
+    <message>
+        <source>%1 made an edit without a version</source>
+        <translation>%1 machte eine Änderung ohne Version</translation>
+    </message>
+    <message>
+        <source>%1 made it the head with %2 at %3</source>
+        <translation>%1 machte sie dazu mit %2 am %3</translation>
+    </message>
+    <message>
+        <source>%1 may not be written</source>
+        <translation>%1 darf nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 mm; it cannot be moved by as much towards its axis</source>
+        <translation>%1 mm; sie kann nicht so weit zu ihrer Achse hin verschoben werden</translation>
+    </message>
+    <message>
+        <source>%1 names a node that does not exist</source>
+        <translation>%1 nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>%1 names node %2, which does not exist</source>
+        <translation>%1 nennt Knoten %2, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>%1 names surface %2, which this version of the mesh does not have</source>
+        <translation>%1 nennt Fläche %2, die diese Version des Netzes nicht hat</translation>
+    </message>
+    <message>
+        <source>%1 names the same node twice</source>
+        <translation>%1 nennt denselben Knoten zweimal</translation>
+    </message>
+    <message>
+        <source>%1 needs about %2, %3 has %4 left</source>
+        <translation>%1 braucht etwa %2, aber %3 hat nur noch %4</translation>
+    </message>
+    <message>
+        <source>%1 needs at least %2 selected surface</source>
+        <translation>%1 braucht mindestens %2 ausgewählte Fläche</translation>
+    </message>
+    <message>
+        <source>%1 needs at least %2 selected surfaces</source>
+        <translation>%1 braucht mindestens %2 ausgewählte Flächen</translation>
+    </message>
+    <message>
+        <source>%1 new surfaces, split at edges sharper than 30 degrees</source>
+        <translation>%1 neue Flächen, getrennt an Kanten schärfer als 30 Grad</translation>
+    </message>
+    <message>
+        <source>%1 no longer acts: surface %2 is gone</source>
+        <translation>%1 wirkt nicht mehr: Fläche %2 ist weg</translation>
+    </message>
+    <message>
+        <source>%1 no longer acts: surface %2 is gone and none took its place</source>
+        <translation>%1 wirkt nicht mehr: Fläche %2 ist weg, und keine trat an ihre Stelle</translation>
+    </message>
+    <message>
+        <source>%1 nodes lie at the place of another node, from %2 to %3, and are not merged: what touches there is not joined, and no force passes. Merge them where it should be one part (in Gmsh: Coherence)</source>
+        <translation>%1 Knoten liegen am Ort eines anderen Knotens, von %2 bis %3, und sind nicht verschmolzen: was sich dort berührt, ist nicht verbunden, und keine Kraft geht hindurch. Sie verschmelzen, wo es ein Teil sein soll (in Gmsh: Coherence)</translation>
+    </message>
+    <message>
+        <source>%1 on its area</source>
+        <translation>%1 auf ihren Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>%1 presses on no wall: none of its surfaces faces it</source>
+        <translation>%1 drückt auf keine Wand: keine ihrer Flächen ist ihr zugewandt</translation>
+    </message>
+    <message>
+        <source>%1 presses on surface %2, which lies between two regions and has no outer side</source>
+        <translation>%1 drückt auf Fläche %2, die zwischen zwei Bereichen liegt und keine Außenseite hat</translation>
+    </message>
+    <message>
+        <source>%1 ran out of memory</source>
+        <translation>%1: der Speicher ging aus</translation>
+    </message>
+    <message>
+        <source>%1 runs out at %2, where surface %3 goes on smoothly</source>
+        <translation>%1 läuft bei %2 aus, wo Fläche %3 glatt weitergeht</translation>
+    </message>
+    <message>
+        <source>%1 takes at most %2 surface, %3 are selected</source>
+        <translation>%1 nimmt höchstens %2 Fläche, ausgewählt sind %3</translation>
+    </message>
+    <message>
+        <source>%1 takes at most %2 surfaces, %3 are selected</source>
+        <translation>%1 nimmt höchstens %2 Flächen, ausgewählt sind %3</translation>
+    </message>
+    <message>
+        <source>%1 tets %2: tet %3</source>
+        <translation>%1 Tetraeder %2: Tetraeder %3</translation>
+    </message>
+    <message>
+        <source>%1 tets have nodes on their edges; they are read as straight tets of their four corners</source>
+        <translation>%1 Tetraeder haben Knoten auf ihren Kanten; gelesen werden sie als gerade Tetraeder ihrer vier Ecken</translation>
+    </message>
+    <message>
+        <source>%1 tets have nodes on their edges; they are read as straight tets of their four corners%2</source>
+        <translation>%1 Tetraeder haben Knoten auf ihren Kanten; gelesen werden sie als gerade Tetraeder ihrer vier Ecken%2</translation>
+    </message>
+    <message>
+        <source>%1 tets listed their nodes the wrong way round and were turned: %2</source>
+        <translation>%1 Tetraeder nannten ihre Knoten verkehrt herum und wurden gewendet: %2</translation>
+    </message>
+    <message>
+        <source>%1 tets of zero volume lie on faces that other tets share and were left out: %2</source>
+        <translation>%1 Tetraeder ohne Volumen liegen auf Seiten, die andere Tetraeder teilen, und wurden ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 Threads</translation>
+    </message>
+    <message>
+        <source>%1 threw something that is no std::exception</source>
+        <translation>%1 warf etwas, das keine std::exception ist</translation>
+    </message>
+    <message>
+        <source>%1 triangles are listed twice and counted once</source>
+        <translation>%1 Dreiecke stehen zweimal da und zählen einmal</translation>
+    </message>
+    <message>
+        <source>%1 triangles lie inside one region and are left out</source>
+        <translation>%1 Dreiecke liegen innerhalb eines Bereichs und werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 was made by another program meanwhile</source>
+        <translation>%1 hat inzwischen ein anderes Programm gemacht</translation>
+    </message>
+    <message>
+        <source>%1, ... (%2 in all)</source>
+        <translation>%1, ... (%2 insgesamt)</translation>
+    </message>
+    <message>
+        <source>%1, the first at %2: no stress can be computed until the part is repaired or remeshed there (%3)</source>
+        <translation>%1, der erste bei %2: keine Spannung lässt sich rechnen, bis das Bauteil dort repariert oder neu vernetzt ist (%3)</translation>
+    </message>
+    <message>
+        <source>%1: area of surface %2 is now %3 mm2 (%4)%5</source>
+        <translation>%1: der Inhalt von Fläche %2 ist jetzt %3 mm2 (%4)%5</translation>
+    </message>
+    <message>
+        <source>%1: its file system might replace another file by it</source>
+        <translation>%1: sein Dateisystem könnte eine andere Datei damit ersetzen</translation>
+    </message>
+    <message>
+        <source>%1: surface %2 is gone, its share moved to surface %3</source>
+        <translation>%1: Fläche %2 ist weg, ihr Anteil ging auf Fläche %3 über</translation>
+    </message>
+    <message>
+        <source>1 %1 of %2 was dropped</source>
+        <translation>weggelassen: 1 %1, %2</translation>
+    </message>
+    <message>
+        <source>13-node pyramid</source>
+        <translation>Pyramide mit 13 Knoten</translation>
+    </message>
+    <message>
+        <source>15-node prism</source>
+        <translation>Prisma mit 15 Knoten</translation>
+    </message>
+    <message>
+        <source>20-node hexahedron</source>
+        <translation>Hexaeder mit 20 Knoten</translation>
+    </message>
+    <message>
+        <source>8-node quadrangle</source>
+        <translation>Viereck mit 8 Knoten</translation>
+    </message>
+    <message>
+        <source>Add a load to the load case</source>
+        <translation>Dem Lastfall eine Last hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ask for it again</source>
+        <translation>Noch einmal verlangen</translation>
+    </message>
+    <message>
+        <source>Ask for order 1 (linear) or 2 (quadratic)</source>
+        <translation>Ordnung 1 (linear) oder 2 (quadratisch) verlangen</translation>
+    </message>
+    <message>
+        <source>Ask for some of %1</source>
+        <translation>Etwas verlangen von %1</translation>
+    </message>
+    <message>
+        <source>Ask for the history to see which there are</source>
+        <translation>Den Verlauf ansehen: er zeigt, welche es gibt</translation>
+    </message>
+    <message>
+        <source>Ask for the preview again when that is done</source>
+        <translation>Die Vorschau danach noch einmal verlangen</translation>
+    </message>
+    <message>
+        <source>Assemble it again, or use --device cpu</source>
+        <translation>Noch einmal aufstellen, oder --device cpu nehmen</translation>
+    </message>
+    <message>
+        <source>Build or install TEdit again</source>
+        <translation>TEdit neu bauen oder installieren</translation>
+    </message>
+    <message>
+        <source>Check for very thin tets (tedit info), and for materials whose stiffness differs by many powers of ten</source>
+        <translation>Nach sehr dünnen Tetraedern suchen (tedit info), und nach Werkstoffen, deren Steifigkeit sich um viele Zehnerpotenzen unterscheidet</translation>
+    </message>
+    <message>
+        <source>Check for very thin tets (tedit info), or ask for a larger tolerance</source>
+        <translation>Nach sehr dünnen Tetraedern suchen (tedit info), oder eine größere Toleranz verlangen</translation>
+    </message>
+    <message>
+        <source>Check its coordinates and the length unit</source>
+        <translation>Seine Koordinaten und die Längeneinheit prüfen</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Die Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>Check that the file and its folder are there</source>
+        <translation>Prüfen, ob die Datei und ihr Ordner da sind</translation>
+    </message>
+    <message>
+        <source>Check the coordinates of its nodes</source>
+        <translation>Die Koordinaten seiner Knoten prüfen</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>Check the path and its permissions</source>
+        <translation>Den Pfad und seine Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>Check the path, its permissions and the disk</source>
+        <translation>Den Pfad, seine Zugriffsrechte und die Platte prüfen</translation>
+    </message>
+    <message>
+        <source>Check the permissions and the owner of the file and its folder</source>
+        <translation>Zugriffsrechte und Besitzer der Datei und ihres Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>Check the units of loads, materials and the mesh</source>
+        <translation>Die Einheiten von Lasten, Werkstoffen und Netz prüfen</translation>
+    </message>
+    <message>
+        <source>Check their units, and those of the materials</source>
+        <translation>Ihre Einheiten und die der Werkstoffe prüfen</translation>
+    </message>
+    <message>
+        <source>Choose a .msh file</source>
+        <translation>Eine .msh-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a .msh file of version 2.2 or 4.1</source>
+        <translation>Eine .msh-Datei der Version 2.2 oder 4.1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose another one</source>
+        <translation>Ein anderes wählen</translation>
+    </message>
+    <message>
+        <source>Choose one of</source>
+        <translation>Eines davon wählen</translation>
+    </message>
+    <message>
+        <source>Close it in every program and copy its file</source>
+        <translation>In jedem Programm schließen und die Datei kopieren</translation>
+    </message>
+    <message>
+        <source>Close it in the other TEdit first</source>
+        <translation>Zuerst im anderen TEdit schließen</translation>
+    </message>
+    <message>
+        <source>Close it there, then try again</source>
+        <translation>Dort schließen, dann noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Close other documents and try again</source>
+        <translation>Andere Dokumente schließen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Close other programs or take a coarser mesh</source>
+        <translation>Andere Programme schließen oder ein gröberes Netz nehmen</translation>
+    </message>
+    <message>
+        <source>Close other programs, raise the limit, or take a coarser mesh</source>
+        <translation>Andere Programme schließen, die Grenze anheben oder ein gröberes Netz nehmen</translation>
+    </message>
+    <message>
+        <source>Close the other program that uses the file</source>
+        <translation>Das andere Programm schließen, das die Datei benutzt</translation>
+    </message>
+    <message>
+        <source>Connect again.</source>
+        <translation>Neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>Ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>Did you mean %1? &quot;tedit ops&quot; lists all</source>
+        <translation>Ist %1 gemeint? „tedit ops“ zählt alle auf</translation>
+    </message>
+    <message>
+        <source>Facets over an arc of 90 degrees, at least; where the mesh is finer there are more.</source>
+        <translation>Facetten über einen Bogen von 90 Grad, mindestens; wo das Netz feiner ist, sind es mehr.</translation>
+    </message>
+    <message>
+        <source>Fill the hole (fill_hole) instead</source>
+        <translation>Statt dessen das Loch schließen (fill_hole)</translation>
+    </message>
+    <message>
+        <source>Fix or support more surfaces of it</source>
+        <translation>Mehr seiner Flächen einspannen oder lagern</translation>
+    </message>
+    <message>
+        <source>Give a depth above 0, or a number of layers</source>
+        <translation>Eine Tiefe über 0 oder eine Zahl von Schichten angeben</translation>
+    </message>
+    <message>
+        <source>Give a finite number</source>
+        <translation>Eine endliche Zahl angeben</translation>
+    </message>
+    <message>
+        <source>Give a number from %1 to %2</source>
+        <translation>Eine Zahl von %1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>Give at least one</source>
+        <translation>Mindestens einen angeben</translation>
+    </message>
+    <message>
+        <source>Give at least one, with Young&apos;s modulus and Poisson&apos;s ratio</source>
+        <translation>Mindestens einen angeben, mit E-Modul und Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Give both the same materials, or solve them one at a time</source>
+        <translation>Beiden dieselben Werkstoffe geben, oder sie einzeln lösen</translation>
+    </message>
+    <message>
+        <source>Give density_kg_m3</source>
+        <translation>density_kg_m3 angeben</translation>
+    </message>
+    <message>
+        <source>Give each boundary triangle one surface</source>
+        <translation>Jedem Randdreieck eine Fläche geben</translation>
+    </message>
+    <message>
+        <source>Give every change an edit_id of its own; only a retry has the same</source>
+        <translation>Jeder Änderung eine eigene edit_id geben; nur eine Wiederholung hat dieselbe</translation>
+    </message>
+    <message>
+        <source>Give finite numbers and a normal that is not zero</source>
+        <translation>Endliche Zahlen angeben und eine Normale, die nicht null ist</translation>
+    </message>
+    <message>
+        <source>Give it one of fixed, displacement, roller</source>
+        <translation>Eine Art angeben: fixed, displacement, roller</translation>
+    </message>
+    <message>
+        <source>Give it one of force, normal_force, traction, pressure, moment, remote_force, bearing_force, gravity</source>
+        <translation>Eine Art angeben: force, normal_force, traction, pressure, moment, remote_force, bearing_force, gravity</translation>
+    </message>
+    <message>
+        <source>Give surface ids</source>
+        <translation>Flächennummern angeben</translation>
+    </message>
+    <message>
+        <source>Give that part as a force of its own</source>
+        <translation>Diesen Teil als eigene Kraft angeben</translation>
+    </message>
+    <message>
+        <source>Give the new document another name</source>
+        <translation>Dem neuen Dokument einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give this one another name</source>
+        <translation>Diesem einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Import a mesh first</source>
+        <translation>Zuerst ein Netz importieren</translation>
+    </message>
+    <message>
+        <source>Import one first</source>
+        <translation>Zuerst eines importieren</translation>
+    </message>
+    <message>
+        <source>Import or drop what was sent, or raise limits.upload_bytes in the server&apos;s configuration</source>
+        <translation>Importieren oder verwerfen, was gesendet wurde, oder limits.upload_bytes in der Konfiguration des Servers anheben</translation>
+    </message>
+    <message>
+        <source>Import some of them first</source>
+        <translation>Zuerst einige davon importieren</translation>
+    </message>
+    <message>
+        <source>Improve the mesh there first</source>
+        <translation>Zuerst das Netz dort verbessern</translation>
+    </message>
+    <message>
+        <source>It is cut off: write or copy it again</source>
+        <translation>Sie ist abgeschnitten: neu schreiben oder kopieren</translation>
+    </message>
+    <message>
+        <source>It must lie between -1 and 0.5, both excluded</source>
+        <translation>Sie muss zwischen -1 und 0.5 liegen, beide ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>It takes %1 to %2 %3</source>
+        <translation>Erlaubt sind %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>It takes 0 to %1 mm here, a hundredth of the part&apos;s diagonal</source>
+        <translation>Erlaubt sind hier 0 bis %1 mm, ein Hundertstel der Diagonale des Bauteils</translation>
+    </message>
+    <message>
+        <source>Leave version_id and length_unit out</source>
+        <translation>version_id und length_unit weglassen</translation>
+    </message>
+    <message>
+        <source>Look at its name, then ask again</source>
+        <translation>Den Namen ansehen, dann noch einmal verlangen</translation>
+    </message>
+    <message>
+        <source>Look at the new head, then ask again</source>
+        <translation>Die neue aktuelle Version ansehen, dann noch einmal verlangen</translation>
+    </message>
+    <message>
+        <source>MSH version %1 is not supported</source>
+        <translation>MSH-Version %1 wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Mesh it first: gmsh part.step -3 -format msh41 -o part.msh</source>
+        <translation>Zuerst vernetzen: gmsh part.step -3 -format msh41 -o part.msh</translation>
+    </message>
+    <message>
+        <source>Mesh its volume first, for example with Gmsh</source>
+        <translation>Zuerst sein Volumen vernetzen, etwa mit Gmsh</translation>
+    </message>
+    <message>
+        <source>Mesh the part again</source>
+        <translation>Das Bauteil neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Mesh the volume in Gmsh (3D) and save all elements</source>
+        <translation>Das Volumen in Gmsh vernetzen (3D) und alle Elemente speichern</translation>
+    </message>
+    <message>
+        <source>Mesh the volume with tetrahedra</source>
+        <translation>Das Volumen mit Tetraedern vernetzen</translation>
+    </message>
+    <message>
+        <source>Mesh the volume, not only its surface</source>
+        <translation>Das Volumen vernetzen, nicht nur seine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Name a TEdit document or a new file</source>
+        <translation>Ein TEdit-Dokument oder eine neue Datei nennen</translation>
+    </message>
+    <message>
+        <source>Name a TEdit document or a new file; a mesh file is imported, not opened</source>
+        <translation>Ein TEdit-Dokument oder eine neue Datei nennen; eine Netzdatei wird importiert, nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>Name another file</source>
+        <translation>Eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>Name at least one surface</source>
+        <translation>Mindestens eine Fläche nennen</translation>
+    </message>
+    <message>
+        <source>Name each load case once</source>
+        <translation>Jeden Lastfall einmal nennen</translation>
+    </message>
+    <message>
+        <source>Name each region in one material</source>
+        <translation>Jeden Bereich in einem Werkstoff nennen</translation>
+    </message>
+    <message>
+        <source>Name it in a material, or give one material without regions</source>
+        <translation>Ihn in einem Werkstoff nennen, oder einen Werkstoff ohne Bereiche angeben</translation>
+    </message>
+    <message>
+        <source>Name one that the head has</source>
+        <translation>Einen nennen, den die aktuelle Version hat</translation>
+    </message>
+    <message>
+        <source>Only one material can stand for all remaining regions</source>
+        <translation>Nur ein Werkstoff kann für alle übrigen Bereiche stehen</translation>
+    </message>
+    <message>
+        <source>Open a document first.</source>
+        <translation>Zuerst ein Dokument öffnen.</translation>
+    </message>
+    <message>
+        <source>Open a part in it first</source>
+        <translation>Zuerst ein Bauteil darin öffnen</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Noch einmal öffnen</translation>
+    </message>
+    <message>
+        <source>Open it with a newer TEdit; this one reads up to %1</source>
+        <translation>Mit einem neueren TEdit öffnen; dieses liest bis %1</translation>
+    </message>
+    <message>
+        <source>Pick a surface of a boss, rib or fin, or take the surface alone</source>
+        <translation>Eine Fläche eines Auges oder einer Rippe anklicken, oder nur die Fläche nehmen</translation>
+    </message>
+    <message>
+        <source>Pick a wall of a hole, or take the surface alone</source>
+        <translation>Eine Wand eines Lochs anklicken, oder nur die Fläche nehmen</translation>
+    </message>
+    <message>
+        <source>Prescribe one value for each direction where surfaces meet</source>
+        <translation>Einen Wert für jede Richtung vorgeben, wo Flächen zusammenstoßen</translation>
+    </message>
+    <message>
+        <source>Put it on surfaces with a width</source>
+        <translation>Sie auf Flächen mit Breite setzen</translation>
+    </message>
+    <message>
+        <source>Put that document back beside it, or remove it to give its name to another</source>
+        <translation>Dieses Dokument wieder daneben legen, oder sie entfernen, um den Namen neu zu vergeben</translation>
+    </message>
+    <message>
+        <source>Put the document itself in its place, then try again</source>
+        <translation>Das Dokument selbst an seine Stelle legen, dann noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Put the rest into the note</source>
+        <translation>Den Rest in die Notiz schreiben</translation>
+    </message>
+    <message>
+        <source>Put them elsewhere first, or let the edit move or drop them</source>
+        <translation>Sie zuerst anderswo ansetzen, oder durch die Bearbeitung verschieben oder entfallen lassen</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that rolls along both walls.</source>
+        <translation>Radius der Kugel, die an beiden Wänden entlangrollt.</translation>
+    </message>
+    <message>
+        <source>Rebuild it against this version, or remove it</source>
+        <translation>Gegen diese Version neu bauen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Remove load cases that are not needed</source>
+        <translation>Lastfälle entfernen, die nicht gebraucht werden</translation>
+    </message>
+    <message>
+        <source>Remove one of them: its stiffness would count double</source>
+        <translation>Einen davon entfernen: seine Steifigkeit zählte doppelt</translation>
+    </message>
+    <message>
+        <source>Repair or remesh the part there</source>
+        <translation>Das Bauteil dort reparieren oder neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Repair the mesh there first</source>
+        <translation>Zuerst das Netz dort reparieren</translation>
+    </message>
+    <message>
+        <source>Restore it from a backup, or remove it to begin a new document of this name</source>
+        <translation>Aus einer Sicherung wiederherstellen, oder entfernen, um ein neues Dokument dieses Namens zu beginnen</translation>
+    </message>
+    <message>
+        <source>Restore the document from a backup</source>
+        <translation>Das Dokument aus einer Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Save a copy under the other name</source>
+        <translation>Unter dem anderen Namen eine Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Save the mesh as MSH 4.1 or 2.2</source>
+        <translation>Das Netz als MSH 4.1 oder 2.2 speichern</translation>
+    </message>
+    <message>
+        <source>See the message LoadCase in protocol/tedit/v1/load_case.proto</source>
+        <translation>Siehe die Nachricht LoadCase in protocol/tedit/v1/load_case.proto</translation>
+    </message>
+    <message>
+        <source>Select a surface with a simple border</source>
+        <translation>Eine Fläche mit einfachem Rand auswählen</translation>
+    </message>
+    <message>
+        <source>Select all surfaces inside the hole, or fill what stands in it first</source>
+        <translation>Alle Flächen im Loch auswählen, oder zuerst füllen, was darin steht</translation>
+    </message>
+    <message>
+        <source>Select all surfaces of the hole</source>
+        <translation>Alle Flächen des Lochs auswählen</translation>
+    </message>
+    <message>
+        <source>Select all surfaces of the hole, or only those up to a clean edge</source>
+        <translation>Alle Flächen des Lochs auswählen, oder nur die bis zu einer klaren Kante</translation>
+    </message>
+    <message>
+        <source>Select all wall surfaces of the hole</source>
+        <translation>Alle Wandflächen des Lochs auswählen</translation>
+    </message>
+    <message>
+        <source>Select fewer</source>
+        <translation>Weniger auswählen</translation>
+    </message>
+    <message>
+        <source>Select fewer surfaces</source>
+        <translation>Weniger Flächen auswählen</translation>
+    </message>
+    <message>
+        <source>Select flat and round surfaces; erode takes layers of tets off any other</source>
+        <translation>Ebene und runde Flächen auswählen; „Abtragen“ nimmt Schichten von Tetraedern von jeder anderen</translation>
+    </message>
+    <message>
+        <source>Select more surfaces, or take off a metric depth (parameter depth)</source>
+        <translation>Mehr Flächen auswählen, oder eine Tiefe als Länge abtragen (Parameter Tiefe)</translation>
+    </message>
+    <message>
+        <source>Select other edges</source>
+        <translation>Andere Kanten auswählen</translation>
+    </message>
+    <message>
+        <source>Select other surfaces: a smaller %1 does not work here</source>
+        <translation>Andere Flächen auswählen: ein kleinerer Wert (%1) geht hier nicht</translation>
+    </message>
+    <message>
+        <source>Select surface %1, too</source>
+        <translation>Auch Fläche %1 auswählen</translation>
+    </message>
+    <message>
+        <source>Select surfaces of the outside</source>
+        <translation>Flächen der Außenseite auswählen</translation>
+    </message>
+    <message>
+        <source>Select surfaces of the protrusion alone</source>
+        <translation>Nur Flächen des Vorsprungs auswählen</translation>
+    </message>
+    <message>
+        <source>Select the inner walls of a hole</source>
+        <translation>Die Innenwände eines Lochs auswählen</translation>
+    </message>
+    <message>
+        <source>Select the sides of a boss, rib or fin</source>
+        <translation>Die Seiten eines Auges oder einer Rippe auswählen</translation>
+    </message>
+    <message>
+        <source>Select the sides of one boss, rib or fin</source>
+        <translation>Die Seiten eines Auges oder einer Rippe auswählen</translation>
+    </message>
+    <message>
+        <source>Select the sides of one boss, rib or fin; fill_hole closes holes and pockets</source>
+        <translation>Die Seiten eines Auges oder einer Rippe auswählen; „Loch schließen“ schließt Löcher und Taschen</translation>
+    </message>
+    <message>
+        <source>Select the walls of a hole</source>
+        <translation>Die Wände eines Lochs auswählen</translation>
+    </message>
+    <message>
+        <source>Select the walls of one hole, without surfaces beside it</source>
+        <translation>Die Wände eines Lochs auswählen, ohne Flächen daneben</translation>
+    </message>
+    <message>
+        <source>Select the whole hole up to a clean edge</source>
+        <translation>Das ganze Loch bis zu einer klaren Kante auswählen</translation>
+    </message>
+    <message>
+        <source>Select two walls that are; other shapes cannot be rounded by this version</source>
+        <translation>Zwei Wände auswählen, die es sind; andere Formen kann diese Version nicht runden</translation>
+    </message>
+    <message>
+        <source>Select two walls that meet at an inner corner, or use open for outer edges</source>
+        <translation>Zwei Wände auswählen, die an einer Innenecke zusammenstoßen, oder für Außenkanten „Kanten abrunden“ nehmen</translation>
+    </message>
+    <message>
+        <source>Select two walls that meet at an outer edge, or use close for inner corners</source>
+        <translation>Zwei Wände auswählen, die an einer Außenkante zusammenstoßen, oder für Innenecken „Innenecken ausrunden“ nehmen</translation>
+    </message>
+    <message>
+        <source>Select two walls that meet, or one wall for all its edges</source>
+        <translation>Zwei Wände auswählen, die zusammenstoßen, oder eine Wand für alle ihre Kanten</translation>
+    </message>
+    <message>
+        <source>Select up to a clean edge</source>
+        <translation>Bis zu einer klaren Kante auswählen</translation>
+    </message>
+    <message>
+        <source>Select what to put material on</source>
+        <translation>Auswählen, worauf Werkstoff kommen soll</translation>
+    </message>
+    <message>
+        <source>Select what to take material off</source>
+        <translation>Auswählen, wovon Werkstoff abgetragen werden soll</translation>
+    </message>
+    <message>
+        <source>Send the file again</source>
+        <translation>Die Datei noch einmal senden</translation>
+    </message>
+    <message>
+        <source>Send the file again later, or raise limits.all_upload_bytes in the server&apos;s configuration</source>
+        <translation>Die Datei später noch einmal senden, oder limits.all_upload_bytes in der Konfiguration des Servers anheben</translation>
+    </message>
+    <message>
+        <source>Set the load case first</source>
+        <translation>Zuerst den Lastfall setzen</translation>
+    </message>
+    <message>
+        <source>Shorten it</source>
+        <translation>Kürzer fassen</translation>
+    </message>
+    <message>
+        <source>Surface and volume mesh must fit together: mesh the part again</source>
+        <translation>Oberflächen- und Volumennetz müssen zusammenpassen: das Bauteil neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+    <message>
+        <source>Take %1, which works here</source>
+        <translation>%1 nehmen: das geht hier</translation>
+    </message>
+    <message>
+        <source>Take %1: the most that works here</source>
+        <translation>%1 nehmen: das Größte, was hier geht</translation>
+    </message>
+    <message>
+        <source>Take DROP, MOVE or REFUSE</source>
+        <translation>DROP, MOVE oder REFUSE nehmen</translation>
+    </message>
+    <message>
+        <source>Take a coarser mesh, or a machine with more memory</source>
+        <translation>Ein gröberes Netz nehmen, oder einen Rechner mit mehr Speicher</translation>
+    </message>
+    <message>
+        <source>Take a coarser mesh, or raise the limit in the server&apos;s configuration</source>
+        <translation>Ein gröberes Netz nehmen, oder die Grenze in der Konfiguration des Servers anheben</translation>
+    </message>
+    <message>
+        <source>Take a coarser mesh, or use --device cpu</source>
+        <translation>Ein gröberes Netz nehmen, oder --device cpu</translation>
+    </message>
+    <message>
+        <source>Take a smaller %1, or select other surfaces</source>
+        <translation>Einen kleineren Wert nehmen (%1), oder andere Flächen auswählen</translation>
+    </message>
+    <message>
+        <source>Take another name</source>
+        <translation>Einen anderen Namen nehmen</translation>
+    </message>
+    <message>
+        <source>Take at most %1 printable ASCII characters without spaces, for example a UUID</source>
+        <translation>Höchstens %1 druckbare ASCII-Zeichen ohne Leerzeichen nehmen, etwa eine UUID</translation>
+    </message>
+    <message>
+        <source>Take at most 64 letters, digits, &apos;.&apos;, &apos;_&apos; and &apos;-&apos;, not beginning with a dot</source>
+        <translation>Höchstens 64 Buchstaben, Ziffern, &apos;.&apos;, &apos;_&apos; und &apos;-&apos; nehmen, nicht mit einem Punkt am Anfang</translation>
+    </message>
+    <message>
+        <source>Take drop, move or refuse</source>
+        <translation>drop, move oder refuse nehmen</translation>
+    </message>
+    <message>
+        <source>Take fewer segments or edges, or a radius of at least %1</source>
+        <translation>Weniger Segmente oder Kanten nehmen, oder einen Radius von mindestens %1</translation>
+    </message>
+    <message>
+        <source>Take less off</source>
+        <translation>Weniger abtragen</translation>
+    </message>
+    <message>
+        <source>Take less off, select fewer surfaces, or say what to keep (erode: parameter pieces)</source>
+        <translation>Weniger abtragen, weniger Flächen auswählen, oder sagen, was bleiben soll (Abtragen: Parameter Stücke)</translation>
+    </message>
+    <message>
+        <source>Take off a length (parameter depth), or select the surfaces beside it, too</source>
+        <translation>Eine Länge abtragen (Parameter Tiefe), oder auch die Flächen daneben auswählen</translation>
+    </message>
+    <message>
+        <source>Take off fewer layers, or a length (parameter depth)</source>
+        <translation>Weniger Schichten abtragen, oder eine Länge (Parameter Tiefe)</translation>
+    </message>
+    <message>
+        <source>Take one line of at most %1 bytes</source>
+        <translation>Eine Zeile von höchstens %1 Byte nehmen</translation>
+    </message>
+    <message>
+        <source>Take powers of two, at most %1, and no more rows than invocations</source>
+        <translation>Zweierpotenzen nehmen, höchstens %1, und nicht mehr Zeilen als Aufrufe</translation>
+    </message>
+    <message>
+        <source>The disk failed: check it, and restore the file from a backup</source>
+        <translation>Die Platte hat versagt: sie prüfen und die Datei aus einer Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The disk is full: free some space and try again</source>
+        <translation>Die Platte ist voll: Platz schaffen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>The file is cut off or damaged: write it again</source>
+        <translation>Die Datei ist abgeschnitten oder beschädigt: neu schreiben</translation>
+    </message>
+    <message>
+        <source>The file is no binary MSH file, or it is damaged</source>
+        <translation>Die Datei ist keine binäre MSH-Datei, oder sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>The file system is mounted read-only: choose a folder that can be written</source>
+        <translation>Das Dateisystem ist nur lesbar eingehängt: einen Ordner wählen, in den geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>The history lists those that there are</source>
+        <translation>Der Verlauf zählt die auf, die es gibt</translation>
+    </message>
+    <message>
+        <source>The last one is %1</source>
+        <translation>Der letzte ist %1</translation>
+    </message>
+    <message>
+        <source>The nearest id that it has is %1</source>
+        <translation>Die nächste vorhandene Nummer ist %1</translation>
+    </message>
+    <message>
+        <source>The server restarts workers by itself; try again</source>
+        <translation>Der Server startet Arbeitsprozesse von selbst neu; noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>The system has too many files open: end other programs or raise fs.file-max</source>
+        <translation>Im System sind zu viele Dateien offen: andere Programme beenden oder fs.file-max anheben</translation>
+    </message>
+    <message>
+        <source>The version is unchanged. &quot;tedit plugin test&quot; looks for such faults; report this to the plugin&apos;s author</source>
+        <translation>Die Version ist unverändert. „tedit plugin test“ sucht nach solchen Fehlern; dem Autor des Plugins melden</translation>
+    </message>
+    <message>
+        <source>The version is unchanged. Close other programs, or take a coarser mesh</source>
+        <translation>Die Version ist unverändert. Andere Programme schließen, oder ein gröberes Netz nehmen</translation>
+    </message>
+    <message>
+        <source>The version is unchanged; select fewer or other surfaces</source>
+        <translation>Die Version ist unverändert; weniger oder andere Flächen auswählen</translation>
+    </message>
+    <message>
+        <source>The version is unchanged; try other surfaces or parameters</source>
+        <translation>Die Version ist unverändert; andere Flächen oder Parameter versuchen</translation>
+    </message>
+    <message>
+        <source>They are started again within a minute; the server&apos;s log says more</source>
+        <translation>Sie werden binnen einer Minute neu gestartet; das Protokoll des Servers sagt mehr</translation>
+    </message>
+    <message>
+        <source>This is a defect of TEdit: please report it</source>
+        <translation>Dies ist ein Fehler in TEdit: bitte melden</translation>
+    </message>
+    <message>
+        <source>This is a defect of the operation: please report it</source>
+        <translation>Dies ist ein Fehler der Operation: bitte melden</translation>
+    </message>
+    <message>
+        <source>This process has too many files open: start it with a higher limit (ulimit -n)</source>
+        <translation>Dieser Prozess hat zu viele Dateien offen: mit einer höheren Grenze starten (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Try again soon</source>
+        <translation>Bald noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Try other values; if it goes on, report it with the server&apos;s log</source>
+        <translation>Andere Werte versuchen; wenn es so bleibt, mit dem Protokoll des Servers melden</translation>
+    </message>
+    <message>
+        <source>Turn the force round, or put it on the wall of a bore</source>
+        <translation>Die Kraft umdrehen, oder sie auf die Wand einer Bohrung setzen</translation>
+    </message>
+    <message>
+        <source>Use %1 there</source>
+        <translation>Dort %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Use a server and workers of one release</source>
+        <translation>Server und Arbeitsprozesse derselben Ausgabe benutzen</translation>
+    </message>
+    <message>
+        <source>Use auto or one of: %1</source>
+        <translation>auto nehmen oder eines von: %1</translation>
+    </message>
+    <message>
+        <source>Use the device cpu, or mesh the part in fewer pieces</source>
+        <translation>Das Gerät cpu nehmen, oder das Bauteil in weniger Stücken vernetzen</translation>
+    </message>
+    <message>
+        <source>Write the mesh again</source>
+        <translation>Das Netz neu schreiben</translation>
+    </message>
+    <message>
+        <source>Your disk quota is used up: free some space and try again</source>
+        <translation>Das Plattenkontingent ist erschöpft: Platz schaffen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>a STEP file (CAD geometry)</source>
+        <translation>eine STEP-Datei (CAD-Geometrie)</translation>
+    </message>
+    <message>
+        <source>a blocking call from one of the client&apos;s own events</source>
+        <translation>ein wartender Aufruf aus einem Ereignis des Clients selbst</translation>
+    </message>
+    <message>
+        <source>a bounding box coordinate of entity %1</source>
+        <translation>eine Koordinate der Hülle von Einheit %1</translation>
+    </message>
+    <message>
+        <source>a cap over the hole would cut surface %1</source>
+        <translation>ein Deckel über dem Loch würde Fläche %1 schneiden</translation>
+    </message>
+    <message>
+        <source>a cap over the hole would lie inside the part</source>
+        <translation>ein Deckel über dem Loch läge im Inneren des Bauteils</translation>
+    </message>
+    <message>
+        <source>a client without a name</source>
+        <translation>ein Client ohne Namen</translation>
+    </message>
+    <message>
+        <source>a coordinate of a node</source>
+        <translation>eine Koordinate eines Knotens</translation>
+    </message>
+    <message>
+        <source>a coordinate of node %1</source>
+        <translation>eine Koordinate von Knoten %1</translation>
+    </message>
+    <message>
+        <source>a corner moved</source>
+        <translation>eine Ecke hat sich bewegt</translation>
+    </message>
+    <message>
+        <source>a document is written with all its versions, as they are</source>
+        <translation>ein Dokument wird mit allen Versionen geschrieben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>a hole is found from one surface of its wall</source>
+        <translation>ein Loch wird von einer Fläche seiner Wand aus gefunden</translation>
+    </message>
+    <message>
+        <source>a mesh holds at most 2^31 tets</source>
+        <translation>ein Netz fasst höchstens 2^31 Tetraeder</translation>
+    </message>
+    <message>
+        <source>a newer version is the head</source>
+        <translation>eine neuere Version ist die aktuelle</translation>
+    </message>
+    <message>
+        <source>a node block&apos;s dimension or parametric flag is out of range</source>
+        <translation>Dimension oder Parameterkennung eines Knotenblocks liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a node of the element</source>
+        <translation>ein Knoten des Elements</translation>
+    </message>
+    <message>
+        <source>a page to store is null or over 64 KiB</source>
+        <translation>eine zu speichernde Seite ist leer oder größer als 64 KiB</translation>
+    </message>
+    <message>
+        <source>a parametric coordinate</source>
+        <translation>eine Parameterkoordinate</translation>
+    </message>
+    <message>
+        <source>a part of this problem has %1 MiB, the device can bind %2</source>
+        <translation>ein Teil dieser Aufgabe hat %1 MiB, das Gerät kann %2 binden</translation>
+    </message>
+    <message>
+        <source>a physical name must stand in double quotes</source>
+        <translation>ein physikalischer Name muss in doppelten Anführungszeichen stehen</translation>
+    </message>
+    <message>
+        <source>a piece of an upload is missing: it goes on at byte %1 after %2 bytes</source>
+        <translation>ein Stück der Übertragung fehlt: sie geht bei Byte %1 weiter nach %2 Byte</translation>
+    </message>
+    <message>
+        <source>a radius of %1 on %2 would need more than %3 facets: the edge is %4 long, the mesh&apos;s edges %5</source>
+        <translation>ein Radius von %1 an %2 brauchte mehr als %3 Facetten: die Kante ist %4 lang, die Kanten des Netzes %5</translation>
+    </message>
+    <message>
+        <source>a request cannot be encoded</source>
+        <translation>eine Anfrage lässt sich nicht verschlüsseln</translation>
+    </message>
+    <message>
+        <source>a rim crosses itself or another rim</source>
+        <translation>ein Rand kreuzt sich selbst oder einen anderen Rand</translation>
+    </message>
+    <message>
+        <source>a rim encloses no area</source>
+        <translation>ein Rand umschließt keine Fläche</translation>
+    </message>
+    <message>
+        <source>a section name was expected here, not &quot;%1&quot;</source>
+        <translation>hier wurde der Name eines Abschnitts erwartet, nicht „%1“</translation>
+    </message>
+    <message>
+        <source>a traction or a force</source>
+        <translation>eine Flächenlast oder eine Kraft</translation>
+    </message>
+    <message>
+        <source>a triangle names a node that does not exist</source>
+        <translation>ein Dreieck nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a version&apos;s name has at most %1 characters and is one line</source>
+        <translation>der Name einer Version hat höchstens %1 Zeichen und ist eine Zeile</translation>
+    </message>
+    <message>
+        <source>a version&apos;s note has at most %1 printable characters</source>
+        <translation>die Notiz einer Version hat höchstens %1 druckbare Zeichen</translation>
+    </message>
+    <message>
+        <source>a worker has not enough memory for this</source>
+        <translation>ein Arbeitsprozess hat dafür nicht genug Speicher</translation>
+    </message>
+    <message>
+        <source>all boundary faces have the surface id %1, though edges sharper than 30 degrees part them into %2 patches: only the whole boundary can be picked. Save the faces of the CAD model as surfaces, or leave the triangles out of the file to have it split at those edges</source>
+        <translation>alle Randdreiecke haben die Flächennummer %1, obwohl Kanten schärfer als 30 Grad sie in %2 Stücke teilen: nur der ganze Rand lässt sich anklicken. Die Flächen des CAD-Modells als Flächen speichern, oder die Dreiecke in der Datei weglassen, damit an diesen Kanten geteilt wird</translation>
+    </message>
+    <message>
+        <source>all six rigid-body motions</source>
+        <translation>alle sechs Starrkörperbewegungen</translation>
+    </message>
+    <message>
+        <source>an earlier failure left this system incomplete</source>
+        <translation>ein früherer Fehler ließ dieses System unvollständig</translation>
+    </message>
+    <message>
+        <source>an edit moved %1 from %2 mm2 to %3 mm2 (surface %4): check that it may act on all of that</source>
+        <translation>eine Bearbeitung verlegte %1 von %2 mm2 auf %3 mm2 (Fläche %4): prüfen, ob sie auf all das wirken darf</translation>
+    </message>
+    <message>
+        <source>an edit takes at most %1 surfaces, not %2</source>
+        <translation>eine Bearbeitung nimmt höchstens %1 Flächen, nicht %2</translation>
+    </message>
+    <message>
+        <source>an element block&apos;s counts are out of range</source>
+        <translation>die Zahlen eines Elementblocks liegen außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>an element has %1 tags</source>
+        <translation>ein Element hat %1 Kennungen</translation>
+    </message>
+    <message>
+        <source>another preview was asked for meanwhile</source>
+        <translation>inzwischen wurde eine andere Vorschau verlangt</translation>
+    </message>
+    <message>
+        <source>another section was asked for meanwhile</source>
+        <translation>inzwischen wurde ein anderer Schnitt verlangt</translation>
+    </message>
+    <message>
+        <source>are inverted (negative volume)</source>
+        <translation>sind umgestülpt (negatives Volumen)</translation>
+    </message>
+    <message>
+        <source>around %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>assembling</source>
+        <translation>Aufstellen</translation>
+    </message>
+    <message>
+        <source>bearing force</source>
+        <translation>Lagerkraft</translation>
+    </message>
+    <message>
+        <source>between surfaces %1 has no concave edge (inner corner) to be rounded</source>
+        <translation>zwischen den Flächen %1 liegt keine einspringende Kante (Innenecke) zum Runden</translation>
+    </message>
+    <message>
+        <source>between surfaces %1 has no convex edge (outer edge) to be rounded</source>
+        <translation>zwischen den Flächen %1 liegt keine vorspringende Kante (Außenkante) zum Runden</translation>
+    </message>
+    <message>
+        <source>between surfaces %1 there is no concave edge (inner corner) to be rounded</source>
+        <translation>zwischen den Flächen %1 liegt keine einspringende Kante (Innenecke) zum Runden</translation>
+    </message>
+    <message>
+        <source>between surfaces %1 there is no convex edge (outer edge) to be rounded</source>
+        <translation>zwischen den Flächen %1 liegt keine vorspringende Kante (Außenkante) zum Runden</translation>
+    </message>
+    <message>
+        <source>binary files need 8-byte numbers, this one says %1</source>
+        <translation>binäre Dateien brauchen Zahlen von 8 Byte, diese nennt %1</translation>
+    </message>
+    <message>
+        <source>boundary face has its facet</source>
+        <translation>Randdreieck hat seine Facette</translation>
+    </message>
+    <message>
+        <source>boundary is a 2-manifold</source>
+        <translation>Rand ist eine 2-Mannigfaltigkeit</translation>
+    </message>
+    <message>
+        <source>bounding entities</source>
+        <translation>begrenzende Einheiten</translation>
+    </message>
+    <message>
+        <source>bounding entity</source>
+        <translation>begrenzende Einheit</translation>
+    </message>
+    <message>
+        <source>byte offset %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>cancelled, but the server did not confirm it</source>
+        <translation>abgebrochen, aber der Server hat es nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>cannot compress: %1</source>
+        <translation>Verdichten gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>cannot lock %1</source>
+        <translation>%1 lässt sich nicht sperren</translation>
+    </message>
+    <message>
+        <source>cannot open &apos;%1&apos;: %2</source>
+        <translation>„%1“ lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>cannot read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>cannot read the load case %1</source>
+        <translation>der Lastfall %1 lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>cannot write</source>
+        <translation>nicht schreibbar</translation>
+    </message>
+    <message>
+        <source>change of the radius, fitted</source>
+        <translation>Änderung des Radius, angepasst</translation>
+    </message>
+    <message>
+        <source>checking the edit</source>
+        <translation>Prüfen der Bearbeitung</translation>
+    </message>
+    <message>
+        <source>closing the document</source>
+        <translation>Schließen des Dokuments</translation>
+    </message>
+    <message>
+        <source>concave edge (inner corner)</source>
+        <translation>einspringende Kante (Innenecke)</translation>
+    </message>
+    <message>
+        <source>constraint %1</source>
+        <translation>Lager %1</translation>
+    </message>
+    <message>
+        <source>constraint %1 (%2)</source>
+        <translation>Lager %1 (%2)</translation>
+    </message>
+    <message>
+        <source>constraint %1 contradicts another one on surface %2</source>
+        <translation>Lager %1 widerspricht einem anderen auf Fläche %2</translation>
+    </message>
+    <message>
+        <source>constraint %1 names no surface</source>
+        <translation>Lager %1 nennt keine Fläche</translation>
+    </message>
+    <message>
+        <source>constraint %1 says no kind</source>
+        <translation>Lager %1 nennt keine Art</translation>
+    </message>
+    <message>
+        <source>convex edge (outer edge)</source>
+        <translation>vorspringende Kante (Außenkante)</translation>
+    </message>
+    <message>
+        <source>corners exist</source>
+        <translation>Ecken sind da</translation>
+    </message>
+    <message>
+        <source>counts are right</source>
+        <translation>Zahlen stimmen</translation>
+    </message>
+    <message>
+        <source>crumbs dropped</source>
+        <translation>Krümel entfallen</translation>
+    </message>
+    <message>
+        <source>cubic line</source>
+        <translation>kubische Linie</translation>
+    </message>
+    <message>
+        <source>cubic tetrahedron</source>
+        <translation>kubischer Tetraeder</translation>
+    </message>
+    <message>
+        <source>cubic triangle</source>
+        <translation>kubisches Dreieck</translation>
+    </message>
+    <message>
+        <source>cutting</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>cutting at the foot</source>
+        <translation>Schneiden am Fuß</translation>
+    </message>
+    <message>
+        <source>data size</source>
+        <translation>Zahlengröße</translation>
+    </message>
+    <message>
+        <source>did not answer any more</source>
+        <translation>antwortete nicht mehr</translation>
+    </message>
+    <message>
+        <source>did not end when it was cancelled</source>
+        <translation>endete nicht, als er abgebrochen wurde</translation>
+    </message>
+    <message>
+        <source>did not start in time</source>
+        <translation>startete nicht rechtzeitig</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>edge %1-%2 has more than two facets</source>
+        <translation>Kante %1-%2 hat mehr als zwei Facetten</translation>
+    </message>
+    <message>
+        <source>edge %1-%2 has one facet</source>
+        <translation>Kante %1-%2 hat eine Facette</translation>
+    </message>
+    <message>
+        <source>element %1 names node %2</source>
+        <translation>Element %1 nennt Knoten %2</translation>
+    </message>
+    <message>
+        <source>element blocks</source>
+        <translation>Elementblöcke</translation>
+    </message>
+    <message>
+        <source>element number</source>
+        <translation>Elementnummer</translation>
+    </message>
+    <message>
+        <source>element type</source>
+        <translation>Elementart</translation>
+    </message>
+    <message>
+        <source>elements in a block</source>
+        <translation>Elemente in einem Block</translation>
+    </message>
+    <message>
+        <source>ended with status %1</source>
+        <translation>endete mit Status %1</translation>
+    </message>
+    <message>
+        <source>entity dimension</source>
+        <translation>Dimension der Einheit</translation>
+    </message>
+    <message>
+        <source>entity tag</source>
+        <translation>Kennung der Einheit</translation>
+    </message>
+    <message>
+        <source>entity tag %1 is out of range</source>
+        <translation>Kennung %1 einer Einheit liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>eroded</source>
+        <translation>abgetragen</translation>
+    </message>
+    <message>
+        <source>eroded %1</source>
+        <translation>abgetragene %1</translation>
+    </message>
+    <message>
+        <source>face %1 belongs to %2 tets (%3, %4, %5): tets overlap</source>
+        <translation>Dreieck %1 gehört zu %2 Tetraedern (%3, %4, %5): Tetraeder überlappen sich</translation>
+    </message>
+    <message>
+        <source>face %1-%2-%3</source>
+        <translation>Dreieck %1-%2-%3</translation>
+    </message>
+    <message>
+        <source>facet %1 to cover does not exist</source>
+        <translation>die zu bedeckende Facette %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>facet has a surface of the table</source>
+        <translation>Facette hat eine Fläche der Tabelle</translation>
+    </message>
+    <message>
+        <source>facet lies on its tet</source>
+        <translation>Facette liegt an ihrem Tetraeder</translation>
+    </message>
+    <message>
+        <source>facets over each arc</source>
+        <translation>Facetten über jeden Bogen</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>fetching the result</source>
+        <translation>Abholen des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>file type</source>
+        <translation>Dateiart</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>gefüllt</translation>
+    </message>
+    <message>
+        <source>finding edges</source>
+        <translation>Kanten suchen</translation>
+    </message>
+    <message>
+        <source>finding rims</source>
+        <translation>Ränder suchen</translation>
+    </message>
+    <message>
+        <source>finding the foot</source>
+        <translation>Fuß suchen</translation>
+    </message>
+    <message>
+        <source>finding the region</source>
+        <translation>Gebiet suchen</translation>
+    </message>
+    <message>
+        <source>first at %1</source>
+        <translation>zuerst bei %1</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>growing the slab</source>
+        <translation>Aufdicken</translation>
+    </message>
+    <message>
+        <source>have zero volume (flat within rounding)</source>
+        <translation>haben kein Volumen (flach bis auf Rundung)</translation>
+    </message>
+    <message>
+        <source>hinges repaired</source>
+        <translation>ausgebesserte Scharnierkanten</translation>
+    </message>
+    <message>
+        <source>hung and was killed</source>
+        <translation>hing und wurde beendet</translation>
+    </message>
+    <message>
+        <source>improving and checking</source>
+        <translation>Verbessern und Prüfen</translation>
+    </message>
+    <message>
+        <source>incident tet holds the vertex</source>
+        <translation>anliegender Tetraeder hat die Ecke</translation>
+    </message>
+    <message>
+        <source>is gone</source>
+        <translation>ist weg</translation>
+    </message>
+    <message>
+        <source>is part open edge, part inner corner: no flat cap closes it</source>
+        <translation>ist teils offene Kante, teils Innenecke: kein ebener Deckel schließt ihn</translation>
+    </message>
+    <message>
+        <source>it changed but was not reported</source>
+        <translation>er änderte sich, ohne genannt zu sein</translation>
+    </message>
+    <message>
+        <source>it ended early</source>
+        <translation>sie endete vorzeitig</translation>
+    </message>
+    <message>
+        <source>it failed while it was loaded: %1</source>
+        <translation>es scheiterte beim Laden: %1</translation>
+    </message>
+    <message>
+        <source>it failed while it was loaded: it threw something that is no std::exception</source>
+        <translation>es scheiterte beim Laden: es warf etwas, das keine std::exception ist</translation>
+    </message>
+    <message>
+        <source>it has no entry tedit_plugin_query</source>
+        <translation>es hat keinen Einstieg tedit_plugin_query</translation>
+    </message>
+    <message>
+        <source>it is a number</source>
+        <translation>er ist eine Zahl</translation>
+    </message>
+    <message>
+        <source>it is a text</source>
+        <translation>er ist ein Text</translation>
+    </message>
+    <message>
+        <source>it is a whole number</source>
+        <translation>er ist eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>it is given twice, in m and in mm</source>
+        <translation>er ist zweimal angegeben, in m und in mm</translation>
+    </message>
+    <message>
+        <source>it is no regular file</source>
+        <translation>sie ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>er ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>it is true or false</source>
+        <translation>er ist wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>it says %1 m3, the tets say %2 m3</source>
+        <translation>sie nennt %1 m3, die Tetraeder ergeben %2 m3</translation>
+    </message>
+    <message>
+        <source>its pressure by place kept</source>
+        <translation>sein Druck je Ort bleibt</translation>
+    </message>
+    <message>
+        <source>its three edges have different walls</source>
+        <translation>ihre drei Kanten haben verschiedene Wände</translation>
+    </message>
+    <message>
+        <source>its type is unknown</source>
+        <translation>seine Art ist unbekannt</translation>
+    </message>
+    <message>
+        <source>largest element number</source>
+        <translation>größte Elementnummer</translation>
+    </message>
+    <message>
+        <source>largest node number</source>
+        <translation>größte Knotennummer</translation>
+    </message>
+    <message>
+        <source>lifting the worst tets</source>
+        <translation>Anheben der schlechtesten Tetraeder</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation>Last %1</translation>
+    </message>
+    <message>
+        <source>load %1 (%2)</source>
+        <translation>Last %1 (%2)</translation>
+    </message>
+    <message>
+        <source>load %1 says no kind</source>
+        <translation>Last %1 nennt keine Art</translation>
+    </message>
+    <message>
+        <source>load case &quot;%1&quot; is not among those that were solved</source>
+        <translation>der Lastfall „%1“ ist nicht unter den gelösten</translation>
+    </message>
+    <message>
+        <source>load case %1: %2 acts on surface</source>
+        <translation>Lastfall %1: %2 wirkt auf Fläche</translation>
+    </message>
+    <message>
+        <source>load case %1: %2 acts on surfaces</source>
+        <translation>Lastfall %1: %2 wirkt auf Flächen</translation>
+    </message>
+    <message>
+        <source>load case &apos;%1&apos; has other materials than &apos;%2&apos;, and load cases share one stiffness matrix</source>
+        <translation>der Lastfall „%1“ hat andere Werkstoffe als „%2“, und Lastfälle teilen sich eine Steifigkeitsmatrix</translation>
+    </message>
+    <message>
+        <source>load case &apos;%1&apos;: %2</source>
+        <translation>Lastfall „%1“: %2</translation>
+    </message>
+    <message>
+        <source>looking at the surfaces</source>
+        <translation>Flächen ansehen</translation>
+    </message>
+    <message>
+        <source>loose crumb</source>
+        <translation>loser Krümel</translation>
+    </message>
+    <message>
+        <source>loose piece</source>
+        <translation>loses Stück</translation>
+    </message>
+    <message>
+        <source>material &quot;%1&quot; names region %2, which no mesh can have</source>
+        <translation>der Werkstoff „%1“ nennt den Bereich %2, den kein Netz haben kann</translation>
+    </message>
+    <message>
+        <source>material &quot;%1&quot;: %2</source>
+        <translation>Werkstoff „%1“: %2</translation>
+    </message>
+    <message>
+        <source>material &quot;%1&quot;: Poisson&apos;s ratio is %2</source>
+        <translation>Werkstoff „%1“: die Querkontraktionszahl ist %2</translation>
+    </message>
+    <message>
+        <source>memory ran out</source>
+        <translation>der Speicher ging aus</translation>
+    </message>
+    <message>
+        <source>mending the cut</source>
+        <translation>Schnitt ausbessern</translation>
+    </message>
+    <message>
+        <source>meshing around the edge</source>
+        <translation>Vernetzen um die Kante</translation>
+    </message>
+    <message>
+        <source>meshing the plug</source>
+        <translation>Vernetzen der Füllung</translation>
+    </message>
+    <message>
+        <source>moment %1 N m kept</source>
+        <translation>Moment %1 N m bleibt</translation>
+    </message>
+    <message>
+        <source>more than one fan of facets meets there</source>
+        <translation>mehr als ein Fächer von Facetten stößt dort zusammen</translation>
+    </message>
+    <message>
+        <source>moving the surfaces</source>
+        <translation>Verschieben der Flächen</translation>
+    </message>
+    <message>
+        <source>negative volume (inverted)</source>
+        <translation>negatives Volumen (umgestülpt)</translation>
+    </message>
+    <message>
+        <source>neighbours share a face</source>
+        <translation>Nachbarn teilen eine Seite</translation>
+    </message>
+    <message>
+        <source>neither a depth nor layers of tets are given</source>
+        <translation>weder eine Tiefe noch Schichten von Tetraedern sind angegeben</translation>
+    </message>
+    <message>
+        <source>no %1 worker runs: %2</source>
+        <translation>kein Arbeitsprozess (%1) läuft: %2</translation>
+    </message>
+    <message>
+        <source>no ball touches the three walls</source>
+        <translation>keine Kugel berührt die drei Wände</translation>
+    </message>
+    <message>
+        <source>no document is open</source>
+        <translation>kein Dokument ist offen</translation>
+    </message>
+    <message>
+        <source>no material lies below surface %1</source>
+        <translation>unter Fläche %1 liegt kein Werkstoff</translation>
+    </message>
+    <message>
+        <source>no new closed void or separate boundary</source>
+        <translation>kein neuer Hohlraum oder getrennter Rand</translation>
+    </message>
+    <message>
+        <source>no surface was picked</source>
+        <translation>keine Fläche wurde angeklickt</translation>
+    </message>
+    <message>
+        <source>no surface was selected</source>
+        <translation>keine Fläche ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>no text that starts with $MeshFormat</source>
+        <translation>kein Text, der mit $MeshFormat beginnt</translation>
+    </message>
+    <message>
+        <source>node %1 has a coordinate that is no number</source>
+        <translation>Knoten %1 hat eine Koordinate, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>node %1 is listed twice</source>
+        <translation>Knoten %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>node %1 lies %2 powers of ten metres away; at most 30 are supported</source>
+        <translation>Knoten %1 liegt %2 Zehnerpotenzen von Metern entfernt; höchstens 30 gehen</translation>
+    </message>
+    <message>
+        <source>node blocks</source>
+        <translation>Knotenblöcke</translation>
+    </message>
+    <message>
+        <source>node number</source>
+        <translation>Knotennummer</translation>
+    </message>
+    <message>
+        <source>node numbers start at 1, this one is %1</source>
+        <translation>Knotennummern beginnen bei 1, diese ist %1</translation>
+    </message>
+    <message>
+        <source>node of an element</source>
+        <translation>Knoten eines Elements</translation>
+    </message>
+    <message>
+        <source>nodes in a block</source>
+        <translation>Knoten in einem Block</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>keines ist vorhanden</translation>
+    </message>
+    <message>
+        <source>normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>nothing acts on the part: no load and no prescribed displacement</source>
+        <translation>nichts wirkt auf das Bauteil: keine Last und keine vorgegebene Verschiebung</translation>
+    </message>
+    <message>
+        <source>nothing can be taken off: the rest would hang together by edges or corners only</source>
+        <translation>nichts kann abgetragen werden: der Rest hinge nur an Kanten oder Ecken zusammen</translation>
+    </message>
+    <message>
+        <source>nothing stands above the foot of the selected surfaces</source>
+        <translation>nichts steht über dem Fuß der ausgewählten Flächen</translation>
+    </message>
+    <message>
+        <source>number of bounding entities</source>
+        <translation>Zahl der begrenzenden Einheiten</translation>
+    </message>
+    <message>
+        <source>number of element blocks</source>
+        <translation>Zahl der Elementblöcke</translation>
+    </message>
+    <message>
+        <source>number of elements</source>
+        <translation>Zahl der Elemente</translation>
+    </message>
+    <message>
+        <source>number of elements in a block</source>
+        <translation>Zahl der Elemente in einem Block</translation>
+    </message>
+    <message>
+        <source>number of entities</source>
+        <translation>Zahl der Einheiten</translation>
+    </message>
+    <message>
+        <source>number of node blocks</source>
+        <translation>Zahl der Knotenblöcke</translation>
+    </message>
+    <message>
+        <source>number of nodes</source>
+        <translation>Zahl der Knoten</translation>
+    </message>
+    <message>
+        <source>number of nodes in a block</source>
+        <translation>Zahl der Knoten in einem Block</translation>
+    </message>
+    <message>
+        <source>number of physical names</source>
+        <translation>Zahl der physikalischen Namen</translation>
+    </message>
+    <message>
+        <source>number of physical tags</source>
+        <translation>Zahl der physikalischen Kennungen</translation>
+    </message>
+    <message>
+        <source>number of tags</source>
+        <translation>Zahl der Kennungen</translation>
+    </message>
+    <message>
+        <source>of the part&apos;s volume</source>
+        <translation>des Volumens des Teils</translation>
+    </message>
+    <message>
+        <source>one of the %1 separate bodies (%2 tets)</source>
+        <translation>einer der %1 getrennten Körper (%2 Tetraeder)</translation>
+    </message>
+    <message>
+        <source>only one of load_case, load_cases and all_load_cases may be given</source>
+        <translation>nur eines von load_case, load_cases und all_load_cases darf angegeben sein</translation>
+    </message>
+    <message>
+        <source>operation %1 could not be made</source>
+        <translation>Operation %1 ließ sich nicht herstellen</translation>
+    </message>
+    <message>
+        <source>page %1 is not in the document</source>
+        <translation>Seite %1 ist nicht im Dokument</translation>
+    </message>
+    <message>
+        <source>parameter %1: %2</source>
+        <translation>Parameter %1: %2</translation>
+    </message>
+    <message>
+        <source>parameter surface_tolerance: the boundary of this part may not move so far</source>
+        <translation>Parameter Flächentoleranz: der Rand dieses Bauteils darf sich nicht so weit bewegen</translation>
+    </message>
+    <message>
+        <source>parametric flag</source>
+        <translation>Parameterkennung</translation>
+    </message>
+    <message>
+        <source>physical names</source>
+        <translation>physikalische Namen</translation>
+    </message>
+    <message>
+        <source>physical tag</source>
+        <translation>physikalische Kennung</translation>
+    </message>
+    <message>
+        <source>physical tag %1 is out of range</source>
+        <translation>physikalische Kennung %1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>physical tags</source>
+        <translation>physikalische Kennungen</translation>
+    </message>
+    <message>
+        <source>pieces, of %1 bodies</source>
+        <translation>Stücke, aus %1 Körpern</translation>
+    </message>
+    <message>
+        <source>pieces, of 1 body</source>
+        <translation>Stücke, aus 1 Körper</translation>
+    </message>
+    <message>
+        <source>positive orientation</source>
+        <translation>positive Orientierung</translation>
+    </message>
+    <message>
+        <source>preparing the preconditioner</source>
+        <translation>Vorbereiten des Vorkonditionierers</translation>
+    </message>
+    <message>
+        <source>process %1 %2</source>
+        <translation>Prozess %1 %2</translation>
+    </message>
+    <message>
+        <source>put on at the least exact place</source>
+        <translation>aufgetragen an der ungenauesten Stelle</translation>
+    </message>
+    <message>
+        <source>q = %1, before %2, floor %3</source>
+        <translation>q = %1, vorher %2, Grenze %3</translation>
+    </message>
+    <message>
+        <source>quadratic hexahedron</source>
+        <translation>quadratischer Hexaeder</translation>
+    </message>
+    <message>
+        <source>quadratic line</source>
+        <translation>quadratische Linie</translation>
+    </message>
+    <message>
+        <source>quadratic prism</source>
+        <translation>quadratisches Prisma</translation>
+    </message>
+    <message>
+        <source>quadratic pyramid</source>
+        <translation>quadratische Pyramide</translation>
+    </message>
+    <message>
+        <source>quadratic quadrangle</source>
+        <translation>quadratisches Viereck</translation>
+    </message>
+    <message>
+        <source>quadratic tetrahedron</source>
+        <translation>quadratischer Tetraeder</translation>
+    </message>
+    <message>
+        <source>quadratic triangle</source>
+        <translation>quadratisches Dreieck</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>Lesen: %1</translation>
+    </message>
+    <message>
+        <source>recovering stresses</source>
+        <translation>Spannungen ermitteln</translation>
+    </message>
+    <message>
+        <source>region %1 has no material</source>
+        <translation>der Bereich %1 hat keinen Werkstoff</translation>
+    </message>
+    <message>
+        <source>region %1 has two materials</source>
+        <translation>der Bereich %1 hat zwei Werkstoffe</translation>
+    </message>
+    <message>
+        <source>remote force</source>
+        <translation>entfernte Kraft</translation>
+    </message>
+    <message>
+        <source>remove %1 to have it tried again</source>
+        <translation>%1 entfernen, damit es noch einmal versucht wird</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>renaming the document</source>
+        <translation>Umbenennen des Dokuments</translation>
+    </message>
+    <message>
+        <source>rotation about the axis %1 through %2</source>
+        <translation>Drehung um die Achse %1 durch %2</translation>
+    </message>
+    <message>
+        <source>rounded</source>
+        <translation>gerundet</translation>
+    </message>
+    <message>
+        <source>rounding %1 takes %2 of the edge between surfaces %3 and %4, which is only %5 long, at %6</source>
+        <translation>Runden: %1 nimmt %2 der Kante zwischen den Flächen %3 und %4, die nur %5 lang ist, bei %6</translation>
+    </message>
+    <message>
+        <source>runs into surface %1, which reaches beyond the hole</source>
+        <translation>läuft in Fläche %1, die über das Loch hinausreicht</translation>
+    </message>
+    <message>
+        <source>runs of edges rounded</source>
+        <translation>gerundete Kantenzüge</translation>
+    </message>
+    <message>
+        <source>section %1 is not closed</source>
+        <translation>Abschnitt %1 ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>section %1 should end here, but &quot;%2&quot; follows: its counts and its content disagree</source>
+        <translation>Abschnitt %1 sollte hier enden, aber „%2“ folgt: Zahlen und Inhalt stimmen nicht überein</translation>
+    </message>
+    <message>
+        <source>side above %1</source>
+        <translation>Seite über %1</translation>
+    </message>
+    <message>
+        <source>smallest element number</source>
+        <translation>kleinste Elementnummer</translation>
+    </message>
+    <message>
+        <source>smallest node number</source>
+        <translation>kleinste Knotennummer</translation>
+    </message>
+    <message>
+        <source>smoothing</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>storing the document</source>
+        <translation>Speichern des Dokuments</translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>surface %1 at %2 finds no place on its neighbours so far away</source>
+        <translation>Fläche %1 findet bei %2 so weit entfernt keinen Platz auf ihren Nachbarn</translation>
+    </message>
+    <message>
+        <source>surface %1 bounds no hole or pocket: it is flat, or bends outwards</source>
+        <translation>Fläche %1 begrenzt kein Loch und keine Tasche: sie ist eben oder nach außen gewölbt</translation>
+    </message>
+    <message>
+        <source>surface %1 cannot be moved so far: %2</source>
+        <translation>Fläche %1 kann nicht so weit verschoben werden: %2</translation>
+    </message>
+    <message>
+        <source>surface %1 has no concave edge (inner corner) to be rounded</source>
+        <translation>Fläche %1 hat keine einspringende Kante (Innenecke) zum Runden</translation>
+    </message>
+    <message>
+        <source>surface %1 has no convex edge (outer edge) to be rounded</source>
+        <translation>Fläche %1 hat keine vorspringende Kante (Außenkante) zum Runden</translation>
+    </message>
+    <message>
+        <source>surface %1 has no outer side: it lies between two regions, or is gone already</source>
+        <translation>Fläche %1 hat keine Außenseite: sie liegt zwischen zwei Bereichen oder ist schon weg</translation>
+    </message>
+    <message>
+        <source>surface %1 has no room for the rounding at %2</source>
+        <translation>Fläche %1 hat bei %2 keinen Platz für die Rundung</translation>
+    </message>
+    <message>
+        <source>surface %1 is a wall of the part, of no boss, rib or fin</source>
+        <translation>Fläche %1 ist eine Wand des Bauteils, keines Auges und keiner Rippe</translation>
+    </message>
+    <message>
+        <source>surface %1 is in the way at %2</source>
+        <translation>Fläche %1 ist bei %2 im Weg</translation>
+    </message>
+    <message>
+        <source>surface %1 is neither flat nor a round cylinder</source>
+        <translation>Fläche %1 ist weder eben noch ein runder Zylinder</translation>
+    </message>
+    <message>
+        <source>surface %1 is neither flat nor a round cylinder or cone</source>
+        <translation>Fläche %1 ist weder eben noch ein runder Zylinder oder Kegel</translation>
+    </message>
+    <message>
+        <source>surface %1 is not in this version of the mesh</source>
+        <translation>Fläche %1 ist nicht in dieser Version des Netzes</translation>
+    </message>
+    <message>
+        <source>surface %1 is round with a radius of %2</source>
+        <translation>Fläche %1 ist rund mit einem Radius von %2</translation>
+    </message>
+    <message>
+        <source>surface %1 itself has a radius of %2</source>
+        <translation>Fläche %1 hat selbst einen Radius von %2</translation>
+    </message>
+    <message>
+        <source>surface %1 runs on flush with surface %2 or leaves it no way at %3</source>
+        <translation>Fläche %1 geht bündig in Fläche %2 über oder lässt ihr keinen Weg, bei %3</translation>
+    </message>
+    <message>
+        <source>surface %1 there is no concave edge (inner corner) to be rounded</source>
+        <translation>an Fläche %1 ist keine einspringende Kante (Innenecke) zum Runden</translation>
+    </message>
+    <message>
+        <source>surface %1 there is no convex edge (outer edge) to be rounded</source>
+        <translation>an Fläche %1 ist keine vorspringende Kante (Außenkante) zum Runden</translation>
+    </message>
+    <message>
+        <source>surface id %1 does not fit into a MSH file</source>
+        <translation>die Flächennummer %1 passt nicht in eine MSH-Datei</translation>
+    </message>
+    <message>
+        <source>surfaces %1</source>
+        <translation>Flächen %1</translation>
+    </message>
+    <message>
+        <source>surfaces %1 cannot be moved so far: %2</source>
+        <translation>die Flächen %1 können nicht so weit verschoben werden: %2</translation>
+    </message>
+    <message>
+        <source>taken off at the least exact place</source>
+        <translation>abgetragen an der ungenauesten Stelle</translation>
+    </message>
+    <message>
+        <source>taking off</source>
+        <translation>Abnehmen</translation>
+    </message>
+    <message>
+        <source>taking off a layer</source>
+        <translation>Abtragen einer Schicht</translation>
+    </message>
+    <message>
+        <source>tedit info lists the surfaces</source>
+        <translation>tedit info zählt die Flächen auf</translation>
+    </message>
+    <message>
+        <source>tet %1</source>
+        <translation>Tetraeder %1</translation>
+    </message>
+    <message>
+        <source>tet %1 is too flat to be cut (radius ratio %2)</source>
+        <translation>Tetraeder %1 ist zum Schneiden zu flach (Radienverhältnis %2)</translation>
+    </message>
+    <message>
+        <source>tet %1 to remove does not exist</source>
+        <translation>den zu entfernenden Tetraeder %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>that is too thin: no tet on it has more than q = %1 (floor %2)</source>
+        <translation>das zu schmal ist: kein Tetraeder darauf hat mehr als q = %1 (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>the %1 worker %2 while it worked on this (operation %3), %4 times</source>
+        <translation>der Arbeitsprozess (%1) %2 bei dieser Arbeit (Operation %3), %4-mal</translation>
+    </message>
+    <message>
+        <source>the %1 worker %2 while it worked on this, %3 times</source>
+        <translation>der Arbeitsprozess (%1) %2 bei dieser Arbeit, %3-mal</translation>
+    </message>
+    <message>
+        <source>the angle must lie between 0 and 180 degrees</source>
+        <translation>der Winkel muss zwischen 0 und 180 Grad liegen</translation>
+    </message>
+    <message>
+        <source>the answer to the selection cannot be read: %1</source>
+        <translation>die Antwort zur Auswahl ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>the backend&apos;s limit</source>
+        <translation>die Grenze des Rechenwerks</translation>
+    </message>
+    <message>
+        <source>the ball does not fit between the walls</source>
+        <translation>die Kugel passt nicht zwischen die Wände</translation>
+    </message>
+    <message>
+        <source>the border of surface %1 touches itself</source>
+        <translation>der Rand von Fläche %1 berührt sich selbst</translation>
+    </message>
+    <message>
+        <source>the boundary is not a clean surface at edge %1-%2</source>
+        <translation>der Rand ist an der Kante %1-%2 keine saubere Fläche</translation>
+    </message>
+    <message>
+        <source>the boundary touches itself along %1 edges (more than two boundary facets meet there)</source>
+        <translation>der Rand berührt sich selbst entlang %1 Kanten (mehr als zwei Randfacetten stoßen dort zusammen)</translation>
+    </message>
+    <message>
+        <source>the boundary touches itself at %1 vertices: parts that meet in a vertex only are hinged, not joined</source>
+        <translation>der Rand berührt sich selbst an %1 Ecken: Teile, die sich nur in einer Ecke treffen, sind gelenkig, nicht verbunden</translation>
+    </message>
+    <message>
+        <source>the byte-order marker is neither 1 nor a swapped 1</source>
+        <translation>die Marke der Bytereihenfolge ist weder 1 noch eine gedrehte 1</translation>
+    </message>
+    <message>
+        <source>the catalogue</source>
+        <translation>die Liste der Operationen</translation>
+    </message>
+    <message>
+        <source>the connection to the server is closed</source>
+        <translation>die Verbindung zum Server ist geschlossen</translation>
+    </message>
+    <message>
+        <source>the connection was ended</source>
+        <translation>die Verbindung wurde beendet</translation>
+    </message>
+    <message>
+        <source>the control group</source>
+        <translation>die Kontrollgruppe</translation>
+    </message>
+    <message>
+        <source>the cut below surface %1 would run into material that rises beside it</source>
+        <translation>der Schnitt unter Fläche %1 liefe in Werkstoff, der daneben aufragt</translation>
+    </message>
+    <message>
+        <source>the cut would take off surface %1, which lies %2 below surface %3</source>
+        <translation>der Schnitt nähme Fläche %1 weg, die %2 unter Fläche %3 liegt</translation>
+    </message>
+    <message>
+        <source>the density</source>
+        <translation>die Dichte</translation>
+    </message>
+    <message>
+        <source>the depth was taken off; layers count where the depth is 0</source>
+        <translation>die Tiefe wurde abgetragen; Schichten zählen, wo die Tiefe 0 ist</translation>
+    </message>
+    <message>
+        <source>the device &quot;%1&quot; failed its trial and is not used: %2</source>
+        <translation>das Gerät „%1“ bestand seine Probe nicht und wird nicht benutzt: %2</translation>
+    </message>
+    <message>
+        <source>the device &quot;%1&quot;, which was the fastest, is gone: %2</source>
+        <translation>das Gerät „%1“, das schnellste, ist weg: %2</translation>
+    </message>
+    <message>
+        <source>the device was lost once and opened again</source>
+        <translation>das Gerät ging einmal verloren und wurde neu geöffnet</translation>
+    </message>
+    <message>
+        <source>the device was lost; the processor solved instead</source>
+        <translation>das Gerät ging verloren; statt dessen rechnete der Prozessor</translation>
+    </message>
+    <message>
+        <source>the document %1 is being added</source>
+        <translation>das Dokument %1 wird gerade hinzugefügt</translation>
+    </message>
+    <message>
+        <source>the document has %1 bytes, and a copy may have %2</source>
+        <translation>das Dokument hat %1 Byte, und eine Kopie darf %2 haben</translation>
+    </message>
+    <message>
+        <source>the document has no mesh yet</source>
+        <translation>das Dokument hat noch kein Netz</translation>
+    </message>
+    <message>
+        <source>the document holds nothing</source>
+        <translation>das Dokument enthält nichts</translation>
+    </message>
+    <message>
+        <source>the document holds nothing yet</source>
+        <translation>das Dokument enthält noch nichts</translation>
+    </message>
+    <message>
+        <source>the document is a link to %1</source>
+        <translation>das Dokument ist ein Verweis auf %1</translation>
+    </message>
+    <message>
+        <source>the document is being changed</source>
+        <translation>das Dokument wird gerade geändert</translation>
+    </message>
+    <message>
+        <source>the document is being closed</source>
+        <translation>das Dokument wird gerade geschlossen</translation>
+    </message>
+    <message>
+        <source>the document is being renamed</source>
+        <translation>das Dokument wird gerade umbenannt</translation>
+    </message>
+    <message>
+        <source>the document is damaged: %1</source>
+        <translation>das Dokument ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>the document is empty</source>
+        <translation>das Dokument ist leer</translation>
+    </message>
+    <message>
+        <source>the document is in use</source>
+        <translation>das Dokument ist in Gebrauch</translation>
+    </message>
+    <message>
+        <source>the document is not open</source>
+        <translation>das Dokument ist nicht offen</translation>
+    </message>
+    <message>
+        <source>the document was changed meanwhile</source>
+        <translation>das Dokument wurde inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>the document was closed</source>
+        <translation>das Dokument wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the edge between surfaces %1 and %2 at %3</source>
+        <translation>die Kante zwischen den Flächen %1 und %2 bei %3</translation>
+    </message>
+    <message>
+        <source>the edge is %1 long, which leaves nothing between its ends</source>
+        <translation>die Kante ist %1 lang, und das lässt nichts zwischen ihren Enden</translation>
+    </message>
+    <message>
+        <source>the edges that meet there have different angles, and the corner between them stays sharp</source>
+        <translation>die Kanten, die dort zusammenstoßen, haben verschiedene Winkel, und die Ecke dazwischen bleibt scharf</translation>
+    </message>
+    <message>
+        <source>the edit takes away surfaces that loads or supports need: %1</source>
+        <translation>die Bearbeitung nimmt Flächen weg, die Lasten oder Lager brauchen: %1</translation>
+    </message>
+    <message>
+        <source>the edit was cancelled</source>
+        <translation>die Bearbeitung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold (%2)</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold (%2) and %3 more findings</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 (%2) und %3 weitere Befunde</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold and %2 more findings</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 und %2 weitere Befunde</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold at %2</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 bei %2</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold at %2 (%3)</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 bei %2 (%3)</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold at %2 (%3) and %4 more findings</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 bei %2 (%3) und %4 weitere Befunde</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: %1 does not hold at %2 and %3 more findings</source>
+        <translation>die Bearbeitung wurde zurückgenommen: nicht erfüllt: %1 bei %2 und %3 weitere Befunde</translation>
+    </message>
+    <message>
+        <source>the edit was rolled back: surface %1 would get a facet at %2 %3</source>
+        <translation>die Bearbeitung wurde zurückgenommen: Fläche %1 bekäme bei %2 ein Dreieck, %3</translation>
+    </message>
+    <message>
+        <source>the edit_id &quot;%1&quot; was used for another request (%2 at %3)</source>
+        <translation>die edit_id „%1“ wurde für eine andere Anfrage benutzt (%2 am %3)</translation>
+    </message>
+    <message>
+        <source>the element order must be 1 or 2, not %1</source>
+        <translation>die Elementordnung muss 1 oder 2 sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>the energy tolerance must be a number, 0 or more</source>
+        <translation>die Energietoleranz muss eine Zahl sein, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the energy tolerance must lie between 1e-9 and 0.5</source>
+        <translation>die Energietoleranz muss zwischen 1e-9 und 0.5 liegen</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: %1</source>
+        <translation>die Datei ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>the file ends inside section %1</source>
+        <translation>die Datei endet innerhalb von Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>the file ends or cannot be read near byte %1</source>
+        <translation>die Datei endet oder ist nicht lesbar nahe Byte %1</translation>
+    </message>
+    <message>
+        <source>the file holds no nodes</source>
+        <translation>die Datei enthält keine Knoten</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file lists tets in the opposite orientation; all were turned</source>
+        <translation>die Datei nennt Tetraeder verkehrt herum; alle wurden gewendet</translation>
+    </message>
+    <message>
+        <source>the file says %1 %2, more than the %3 bytes that are left can hold</source>
+        <translation>die Datei nennt %1 %2, mehr als die übrigen %3 Byte fassen können</translation>
+    </message>
+    <message>
+        <source>the file says %1 elements but lists %2</source>
+        <translation>die Datei nennt %1 Elemente, zählt aber %2 auf</translation>
+    </message>
+    <message>
+        <source>the file says %1 nodes but lists %2</source>
+        <translation>die Datei nennt %1 Knoten, zählt aber %2 auf</translation>
+    </message>
+    <message>
+        <source>the file starts with %1 instead of $MeshFormat</source>
+        <translation>die Datei beginnt mit %1 statt mit $MeshFormat</translation>
+    </message>
+    <message>
+        <source>the file type must be 0 (ASCII) or 1 (binary)</source>
+        <translation>die Dateiart muss 0 (ASCII) oder 1 (binär) sein</translation>
+    </message>
+    <message>
+        <source>the file&apos;s name has no suffix that says its format</source>
+        <translation>der Name der Datei hat keine Endung, die das Format nennt</translation>
+    </message>
+    <message>
+        <source>the head is version %1 (number %2), not %3</source>
+        <translation>die aktuelle Version ist %1 (Nummer %2), nicht %3</translation>
+    </message>
+    <message>
+        <source>the head is version %1 (number %2), not %3: %4</source>
+        <translation>die aktuelle Version ist %1 (Nummer %2), nicht %3: %4</translation>
+    </message>
+    <message>
+        <source>the import</source>
+        <translation>der Import</translation>
+    </message>
+    <message>
+        <source>the largest diameter</source>
+        <translation>der größte Durchmesser</translation>
+    </message>
+    <message>
+        <source>the line has too few numbers: %1 is missing</source>
+        <translation>die Zeile hat zu wenige Zahlen: es fehlt %1</translation>
+    </message>
+    <message>
+        <source>the load case &quot;%1&quot; is named twice</source>
+        <translation>der Lastfall „%1“ ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>the load case &quot;%1&quot; was changed</source>
+        <translation>der Lastfall „%1“ wurde geändert</translation>
+    </message>
+    <message>
+        <source>the load case &quot;%1&quot; was removed</source>
+        <translation>der Lastfall „%1“ wurde entfernt</translation>
+    </message>
+    <message>
+        <source>the load case has no material</source>
+        <translation>der Lastfall hat keinen Werkstoff</translation>
+    </message>
+    <message>
+        <source>the load cases of a version may have %1 bytes together (as JSON), not %2</source>
+        <translation>die Lastfälle einer Version dürfen zusammen %1 Byte haben (als JSON), nicht %2</translation>
+    </message>
+    <message>
+        <source>the loads and prescribed displacements add up to no finite number</source>
+        <translation>die Lasten und vorgegebenen Verschiebungen ergeben keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the machine</source>
+        <translation>der Rechner</translation>
+    </message>
+    <message>
+        <source>the materials &quot;%1&quot; and &quot;%2&quot; both name no region</source>
+        <translation>die Werkstoffe „%1“ und „%2“ nennen beide keinen Bereich</translation>
+    </message>
+    <message>
+        <source>the mesh at %1 leaves no room</source>
+        <translation>das Netz lässt bei %1 keinen Platz</translation>
+    </message>
+    <message>
+        <source>the mesh consists of %1 separate bodies</source>
+        <translation>das Netz besteht aus %1 getrennten Körpern</translation>
+    </message>
+    <message>
+        <source>the mesh has no volume elements (tets)</source>
+        <translation>das Netz hat keine Volumenelemente (Tetraeder)</translation>
+    </message>
+    <message>
+        <source>the mesh holds %1 quadrangles; only triangles and tetrahedra are supported</source>
+        <translation>das Netz enthält %1 Vierecke; nur Dreiecke und Tetraeder gehen</translation>
+    </message>
+    <message>
+        <source>the mesh holds a %1 (element type %2); only tetrahedra are supported</source>
+        <translation>das Netz enthält ein anderes Element: %1 (Elementart %2); nur Tetraeder gehen</translation>
+    </message>
+    <message>
+        <source>the mesh is too large: at most 2^29 tets are supported</source>
+        <translation>das Netz ist zu groß: höchstens 2^29 Tetraeder gehen</translation>
+    </message>
+    <message>
+        <source>the name of a %1 has %2 bytes: &quot;%3...&quot;</source>
+        <translation>ein Name (%1) hat %2 Byte: „%3...“</translation>
+    </message>
+    <message>
+        <source>the name of a %1 has control characters</source>
+        <translation>ein Name (%1) hat Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>the open document is %1, not %2</source>
+        <translation>das offene Dokument ist %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>the operation &quot;%1&quot; of the plugin %2</source>
+        <translation>die Operation „%1“ des Plugins %2</translation>
+    </message>
+    <message>
+        <source>the operation %1</source>
+        <translation>die Operation %1</translation>
+    </message>
+    <message>
+        <source>the operation %1 did not end within %2 s</source>
+        <translation>die Operation %1 wurde nicht innerhalb von %2 s fertig</translation>
+    </message>
+    <message>
+        <source>the operation id %1 is taken already</source>
+        <translation>die Operation %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>the operation made no readable version: %1</source>
+        <translation>die Operation machte keine lesbare Version: %1</translation>
+    </message>
+    <message>
+        <source>the part</source>
+        <translation>das Bauteil</translation>
+    </message>
+    <message>
+        <source>the part fell apart: %1 pieces more than before</source>
+        <translation>das Bauteil zerfiel: %1 Stücke mehr als zuvor</translation>
+    </message>
+    <message>
+        <source>the part is in too many separate pieces for this device: its coarsest level has %1 aggregates, the device takes %2</source>
+        <translation>das Bauteil hat für dieses Gerät zu viele getrennte Stücke: die gröbste Stufe hat %1 Aggregate, das Gerät nimmt %2</translation>
+    </message>
+    <message>
+        <source>the part would fall into %1 pieces of %2</source>
+        <translation>das Bauteil zerfiele in %1 Stücke von %2</translation>
+    </message>
+    <message>
+        <source>the plugin %1 is not used: %2</source>
+        <translation>das Plugin %1 wird nicht benutzt: %2</translation>
+    </message>
+    <message>
+        <source>the preconditioner cannot be set up: the matrix of its coarsest level (%1 unknowns) is not positive definite</source>
+        <translation>der Vorkonditionierer lässt sich nicht aufstellen: die Matrix seiner gröbsten Stufe (%1 Unbekannte) ist nicht positiv definit</translation>
+    </message>
+    <message>
+        <source>the preview gave way to other work</source>
+        <translation>die Vorschau wich anderer Arbeit</translation>
+    </message>
+    <message>
+        <source>the preview was cancelled</source>
+        <translation>die Vorschau wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the process&apos;s address space</source>
+        <translation>der Adressraum des Prozesses</translation>
+    </message>
+    <message>
+        <source>the program %1 is not there</source>
+        <translation>das Programm %1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>the request has %1 bytes, the server takes %2</source>
+        <translation>die Anfrage hat %1 Byte, der Server nimmt %2</translation>
+    </message>
+    <message>
+        <source>the request was cancelled</source>
+        <translation>die Anfrage wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the request was cancelled before it began</source>
+        <translation>die Anfrage wurde abgebrochen, bevor sie begann</translation>
+    </message>
+    <message>
+        <source>the result is beyond what a number can hold: displacement %1 m, stress %2 Pa, energy %3 J</source>
+        <translation>das Ergebnis geht über das hinaus, was eine Zahl fasst: Verschiebung %1 m, Spannung %2 Pa, Energie %3 J</translation>
+    </message>
+    <message>
+        <source>the rim at %1 with radius %2</source>
+        <translation>der Rand bei %1 mit Radius %2</translation>
+    </message>
+    <message>
+        <source>the rounding does not end at the wall there</source>
+        <translation>die Rundung endet dort nicht an der Wand</translation>
+    </message>
+    <message>
+        <source>the rounding of %1 does not join the walls around it</source>
+        <translation>die Rundung an %1 schließt nicht an die Wände ringsum an</translation>
+    </message>
+    <message>
+        <source>the rounding of %1 leaves the edge between surfaces %2 and %3 by %4 at %5</source>
+        <translation>die Rundung an %1 verlässt die Kante zwischen den Flächen %2 und %3 um %4 bei %5</translation>
+    </message>
+    <message>
+        <source>the rounding of %1 would run into surface %2 at %3</source>
+        <translation>die Rundung an %1 liefe in Fläche %2 bei %3</translation>
+    </message>
+    <message>
+        <source>the rounding went on smoothly onto surface %1</source>
+        <translation>die Rundung ging glatt weiter auf Fläche %1</translation>
+    </message>
+    <message>
+        <source>the rounding would fold over</source>
+        <translation>die Rundung würde sich überschlagen</translation>
+    </message>
+    <message>
+        <source>the search was cancelled</source>
+        <translation>die Suche wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the section was cancelled</source>
+        <translation>der Schnitt wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the section&apos;s point and normal give no plane</source>
+        <translation>Punkt und Normale des Schnitts ergeben keine Ebene</translation>
+    </message>
+    <message>
+        <source>the selected surfaces bound %1 % of the part, not a boss, rib or fin on it</source>
+        <translation>die ausgewählten Flächen begrenzen %1 % des Bauteils, kein Auge und keine Rippe daran</translation>
+    </message>
+    <message>
+        <source>the selected surfaces bound material, not a hole</source>
+        <translation>die ausgewählten Flächen begrenzen Werkstoff, kein Loch</translation>
+    </message>
+    <message>
+        <source>the selected surfaces have no outer side: they lie between two regions</source>
+        <translation>die ausgewählten Flächen haben keine Außenseite: sie liegen zwischen zwei Bereichen</translation>
+    </message>
+    <message>
+        <source>the selected surfaces stand on nothing: no inner corner runs around them</source>
+        <translation>die ausgewählten Flächen stehen auf nichts: keine Innenecke läuft um sie herum</translation>
+    </message>
+    <message>
+        <source>the selection</source>
+        <translation>die Auswahl</translation>
+    </message>
+    <message>
+        <source>the selection was completed by surface %1</source>
+        <translation>die Auswahl wurde ergänzt um Fläche %1</translation>
+    </message>
+    <message>
+        <source>the selection was completed by surface %1 (bottom or inner part of the hole)</source>
+        <translation>die Auswahl wurde ergänzt um Fläche %1 (Boden oder Inneres des Lochs)</translation>
+    </message>
+    <message>
+        <source>the server gave an answer of the wrong kind (field %1)</source>
+        <translation>der Server gab eine Antwort der falschen Art (Feld %1)</translation>
+    </message>
+    <message>
+        <source>the server gave no answer within %1 ms</source>
+        <translation>der Server antwortete nicht innerhalb von %1 ms</translation>
+    </message>
+    <message>
+        <source>the server is stopping</source>
+        <translation>der Server wird beendet</translation>
+    </message>
+    <message>
+        <source>the server sent %1 bytes that are no message of the protocol</source>
+        <translation>der Server sandte %1 Byte, die keine Nachricht des Protokolls sind</translation>
+    </message>
+    <message>
+        <source>the slab would run into surface %1</source>
+        <translation>die Aufdickung liefe in Fläche %1</translation>
+    </message>
+    <message>
+        <source>the slab would run into surface %1, which hangs over surface %2</source>
+        <translation>die Aufdickung liefe in Fläche %1, die über Fläche %2 hängt</translation>
+    </message>
+    <message>
+        <source>the smallest diameter</source>
+        <translation>der kleinste Durchmesser</translation>
+    </message>
+    <message>
+        <source>the smallest diameter is larger than the largest</source>
+        <translation>der kleinste Durchmesser ist größer als der größte</translation>
+    </message>
+    <message>
+        <source>the solve</source>
+        <translation>das Lösen</translation>
+    </message>
+    <message>
+        <source>the solve of %1 nodes</source>
+        <translation>das Lösen mit %1 Knoten</translation>
+    </message>
+    <message>
+        <source>the solve was cancelled</source>
+        <translation>das Lösen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the solver stopped at a relative residual of %1 after %2 iterations; %3 was asked for</source>
+        <translation>der Löser endete bei einem relativen Residuum von %1 nach %2 Schritten; verlangt war %3</translation>
+    </message>
+    <message>
+        <source>the space above surface %1 is not bounded by sides that go straight up</source>
+        <translation>der Raum über Fläche %1 ist nicht von Seiten begrenzt, die gerade nach oben gehen</translation>
+    </message>
+    <message>
+        <source>the start value has the wrong length</source>
+        <translation>der Anfangswert hat die falsche Länge</translation>
+    </message>
+    <message>
+        <source>the surface tolerance must be a length, 0 or more</source>
+        <translation>die Flächentoleranz muss eine Länge sein, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the system needs about %1 MiB, the device has %2</source>
+        <translation>das System braucht etwa %1 MiB, das Gerät hat %2</translation>
+    </message>
+    <message>
+        <source>the target quality must be between 0 and 1</source>
+        <translation>die Zielgüte muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>the tolerance must be a positive number</source>
+        <translation>die Toleranz muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>the tolerance must lie between 1e-12 and 0.1</source>
+        <translation>die Toleranz muss zwischen 1e-12 und 0.1 liegen</translation>
+    </message>
+    <message>
+        <source>the transfer was cancelled</source>
+        <translation>die Übertragung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the upload is not complete</source>
+        <translation>die Übertragung ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>the upload was cancelled</source>
+        <translation>die Übertragung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the volume of %1 is too large for a number</source>
+        <translation>das Volumen von %1 ist zu groß für eine Zahl</translation>
+    </message>
+    <message>
+        <source>the wall below surface %1 is only %2 thick at its thinnest</source>
+        <translation>die Wand unter Fläche %1 ist an der dünnsten Stelle nur %2 dick</translation>
+    </message>
+    <message>
+        <source>the whole body of %1 would vanish</source>
+        <translation>der ganze Körper von %1 würde verschwinden</translation>
+    </message>
+    <message>
+        <source>the work</source>
+        <translation>die Arbeit</translation>
+    </message>
+    <message>
+        <source>the work did not end within %1 s</source>
+        <translation>die Arbeit wurde nicht innerhalb von %1 s fertig</translation>
+    </message>
+    <message>
+        <source>the work was cancelled</source>
+        <translation>die Arbeit wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the work was cancelled before it began</source>
+        <translation>die Arbeit wurde abgebrochen, bevor sie begann</translation>
+    </message>
+    <message>
+        <source>the yield strength</source>
+        <translation>die Streckgrenze</translation>
+    </message>
+    <message>
+        <source>there are no elements of order %1</source>
+        <translation>Elemente der Ordnung %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is a document %1 already</source>
+        <translation>das Dokument %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>there is a file %1 already</source>
+        <translation>die Datei %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>there is no device &quot;%1&quot; here</source>
+        <translation>das Gerät „%1“ gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>there is no file format &quot;%1&quot; to write</source>
+        <translation>das Dateiformat „%1“ gibt es zum Schreiben nicht</translation>
+    </message>
+    <message>
+        <source>there is no layer %1: the surface that layer %2 laid bare has no vertex inside its border</source>
+        <translation>Schicht %1 gibt es nicht: die Fläche, die Schicht %2 freilegte, hat keine Ecke innerhalb ihres Randes</translation>
+    </message>
+    <message>
+        <source>there is no load case &quot;%1&quot;</source>
+        <translation>den Lastfall „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no load case to solve</source>
+        <translation>es gibt keinen Lastfall zu lösen</translation>
+    </message>
+    <message>
+        <source>there is no memory for the document, or it cannot be read</source>
+        <translation>für das Dokument fehlt der Speicher, oder es ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>there is no memory to write the file in</source>
+        <translation>es fehlt der Speicher, um die Datei zu schreiben</translation>
+    </message>
+    <message>
+        <source>there is no operation &quot;%1&quot;</source>
+        <translation>die Operation „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no policy &quot;%1&quot; for loads</source>
+        <translation>die Regel „%1“ für Lasten gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no quantity &quot;%1&quot; to watch</source>
+        <translation>die Größe „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no space to fill: the selected surfaces are flat</source>
+        <translation>es gibt keinen Raum zu füllen: die ausgewählten Flächen sind eben</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such improvement</source>
+        <translation>diese Verbesserung gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such policy for loads</source>
+        <translation>diese Regel für Lasten gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no surface %1</source>
+        <translation>Fläche %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no version %1</source>
+        <translation>Version %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this mesh</source>
+        <translation>für dieses Netz reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read this mesh</source>
+        <translation>der Speicher reicht nicht, um dieses Netz zu lesen</translation>
+    </message>
+    <message>
+        <source>there is nothing to redo</source>
+        <translation>es gibt nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>there is nothing to undo</source>
+        <translation>es gibt nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>thickened</source>
+        <translation>aufgedickt</translation>
+    </message>
+    <message>
+        <source>thickness put on</source>
+        <translation>aufgetragene Dicke</translation>
+    </message>
+    <message>
+        <source>thickness taken off</source>
+        <translation>abgetragene Dicke</translation>
+    </message>
+    <message>
+        <source>this connection has %1 uploads that are not imported yet</source>
+        <translation>diese Verbindung hat %1 Übertragungen, die noch nicht importiert sind</translation>
+    </message>
+    <message>
+        <source>this is %1, not a Gmsh mesh</source>
+        <translation>dies ist %1, kein Gmsh-Netz</translation>
+    </message>
+    <message>
+        <source>this is no edit_id</source>
+        <translation>dies ist keine edit_id</translation>
+    </message>
+    <message>
+        <source>this is no load case: %1</source>
+        <translation>dies ist kein Lastfall: %1</translation>
+    </message>
+    <message>
+        <source>this version has no load case</source>
+        <translation>diese Version hat keinen Lastfall</translation>
+    </message>
+    <message>
+        <source>those of the faces around</source>
+        <translation>die der Dreiecke ringsum</translation>
+    </message>
+    <message>
+        <source>total %1 N kept</source>
+        <translation>insgesamt %1 N wie zuvor</translation>
+    </message>
+    <message>
+        <source>total changed from %1 to %2 N</source>
+        <translation>insgesamt von %1 auf %2 N geändert</translation>
+    </message>
+    <message>
+        <source>total force %1 N kept</source>
+        <translation>Gesamtkraft %1 N wie zuvor</translation>
+    </message>
+    <message>
+        <source>translation along %1</source>
+        <translation>Verschiebung entlang %1</translation>
+    </message>
+    <message>
+        <source>triangle %1-%2-%3</source>
+        <translation>Dreieck %1-%2-%3</translation>
+    </message>
+    <message>
+        <source>two points of a rim coincide</source>
+        <translation>zwei Punkte eines Randes fallen zusammen</translation>
+    </message>
+    <message>
+        <source>unknown element type %1</source>
+        <translation>unbekannte Elementart %1</translation>
+    </message>
+    <message>
+        <source>untouched tets are identical</source>
+        <translation>unberührte Tetraeder sind gleich geblieben</translation>
+    </message>
+    <message>
+        <source>untouched tets keep their region</source>
+        <translation>unberührte Tetraeder behalten ihren Bereich</translation>
+    </message>
+    <message>
+        <source>uploading</source>
+        <translation>Übertragen</translation>
+    </message>
+    <message>
+        <source>uploads of %1 that are not imported yet may hold %2 bytes</source>
+        <translation>Übertragungen, die noch nicht importiert sind, dürfen %2 Byte haben (%1)</translation>
+    </message>
+    <message>
+        <source>version %1 is not stored</source>
+        <translation>Version %1 ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>vertex %1 of a new tet does not exist</source>
+        <translation>Ecke %1 eines neuen Tetraeders gibt es nicht</translation>
+    </message>
+    <message>
+        <source>volume %1 m3</source>
+        <translation>Volumen %1 m3</translation>
+    </message>
+    <message>
+        <source>volume changes as the operation says</source>
+        <translation>das Volumen ändert sich, wie die Operation sagt</translation>
+    </message>
+    <message>
+        <source>wall below %1</source>
+        <translation>Wand unter %1</translation>
+    </message>
+    <message>
+        <source>walls and caps do not close</source>
+        <translation>Wände und Deckel schließen nicht</translation>
+    </message>
+    <message>
+        <source>walls and caps do not form a clean closed surface</source>
+        <translation>Wände und Deckel bilden keine saubere geschlossene Fläche</translation>
+    </message>
+    <message>
+        <source>was killed by signal %1 (%2)</source>
+        <translation>wurde durch Signal %1 beendet (%2)</translation>
+    </message>
+    <message>
+        <source>what the selected surfaces stand on at %1 is neither flat nor evenly curved</source>
+        <translation>worauf die ausgewählten Flächen bei %1 stehen, ist weder eben noch gleichmäßig gekrümmt</translation>
+    </message>
+    <message>
+        <source>workgroups of %1 with slices of %2 rows do not exist on this device</source>
+        <translation>Arbeitsgruppen von %1 mit Scheiben von %2 Zeilen gibt es auf diesem Gerät nicht</translation>
+    </message>
+    <message>
+        <source>worst quality of the touched region</source>
+        <translation>schlechteste Güte des berührten Gebiets</translation>
+    </message>
+    <message>
+        <source>writing %1</source>
+        <translation>Schreiben: %1</translation>
+    </message>
+    <message>
+        <source>writing the file</source>
+        <translation>Schreiben der Datei</translation>
+    </message>
+    <message>
+        <source>zero volume (flat within rounding)</source>
+        <translation>kein Volumen (flach bis auf Rundung)</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+</context>
+<context>
+    <name>server_lists</name>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::about_dialog</name>
     <message>
         <source>About TEdit</source>
@@ -2259,7 +5325,7 @@ Inhalt %1</translation>
     </message>
     <message>
         <source>Yield</source>
-        <translation>Streckgr.</translation>
+        <translation>Streckgrenze</translation>
     </message>
     <message>
         <source>Regions of the mesh</source>
@@ -2488,7 +5554,7 @@ Inhalt %1</translation>
     </message>
     <message>
         <source>  · area changed</source>
-        <translation>  · Flächeninhalt geändert</translation>
+        <translation>  · geändert</translation>
     </message>
     <message>
         <source>Surfaces: %1</source>
@@ -3831,7 +6897,7 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
     <message>
         <source>%1 waiting</source>
-        <translation>%1 warten</translation>
+        <translation>wartend: %1</translation>
     </message>
     <message>
         <source>solver stopped</source>

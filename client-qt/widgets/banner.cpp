@@ -24,7 +24,7 @@ constexpr int warning_ms = 30000;
 constexpr int least_line = 100;  // Pixels.
 
 QString sentence(const std::string& text) {
-  QString result = QString::fromStdString(text);
+  QString result = words_of(text);
   if (!result.isEmpty())
     result[0] = result[0].toUpper();
   if (!result.isEmpty() && !result.endsWith('.'))
@@ -48,10 +48,10 @@ QList<qint64> surfaces_in(const QString& text) {
 QString explained(const error& reason) {
   QString text = sentence(reason.message);
   if (!reason.where.empty())
-    text += "\n" + banner::tr("Where: %1").arg(QString::fromStdString(reason.where));
+    text += "\n" + banner::tr("Where: %1").arg(words_of(reason.where));
   if (!reason.remedy.empty())
     text += "\n" + sentence(reason.remedy);
-  return words_of(text.toStdString());
+  return text;
 }
 
 QString fitted(const QString& words, const QFontMetrics& by, int width) {

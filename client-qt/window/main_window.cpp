@@ -20,6 +20,7 @@
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/part_size.hpp"
+#include "client-qt/model/server_words.hpp"
 #include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
@@ -339,8 +340,7 @@ void main_window::wire_look() {
 /// What has to be said goes over the view and into the log.
 void main_window::wire_messages() {
   connect(&part_, &document::failed, this, [this](const QString& what, const error& reason) {
-    log_->write(tr("%1: %2").arg(what, QString::fromStdString(tedit::render(reason))),
-                log_level::errors);
+    log_->write(tr("%1: %2").arg(what, one_line(reason)), log_level::errors);
     if (reason.code != ec::cancelled)
       banner_->show_error(what, reason);
   });

@@ -14,11 +14,12 @@ namespace tedit::ops {
 namespace {
 
 /// "2 loose crumbs of 3 mm3 together were dropped".
-std::string gone(std::size_t count, const char* what, double volume) {
-  char text[96];
-  std::snprintf(text, sizeof(text), "%zu loose %s%s of %.4g mm3%s dropped", count, what,
-                count == 1 ? "" : "s", 1e9 * volume, count == 1 ? " was" : " together were");
-  return text;
+std::string gone(std::size_t count, const std::string& what, double volume) {
+  char size[32];
+  std::snprintf(size, sizeof(size), "%.4g mm3", 1e9 * volume);
+  return count == 1
+           ? "1 " + what + " of " + size + " was dropped"
+           : std::to_string(count) + " " + what + "s of " + size + " together were dropped";
 }
 
 /// Nothing to say where no tet was taken off.
@@ -36,11 +37,11 @@ void add_counts(const erosion_sum& sum, edit_result& result) {
     result.notices.push_back("the part fell apart: " + std::to_string(sum.bodies_added) +
                              " pieces more than before");
   if (removal.dropped > 0)
-    result.notices.push_back(gone(removal.dropped, "piece", removal.dropped_volume));
+    result.notices.push_back(gone(removal.dropped, "loose piece", removal.dropped_volume));
   if (removal.crumbs == 0)
     return;
   result.figures.push_back({"crumbs", static_cast<double>(removal.crumbs), "", "crumbs dropped"});
-  result.notices.push_back(gone(removal.crumbs, "crumb", removal.crumb_volume));
+  result.notices.push_back(gone(removal.crumbs, "loose crumb", removal.crumb_volume));
 }
 
 /// From the boundary alone: that is quicker than over all tets. m^3. By cones from a vertex of the

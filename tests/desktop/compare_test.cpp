@@ -155,7 +155,7 @@ TEST(TitleOf, GivesTheChangeAgainstTheVersionBefore) {
 
   EXPECT_TRUE(title.startsWith("v3")) << title.toStdString();
   EXPECT_TRUE(title.contains("12 MPa (+20 %)")) << title.toStdString();
-  EXPECT_TRUE(title.contains("mass 200 g (+0.0 %)")) << title.toStdString();
+  EXPECT_TRUE(title.contains("mass 200 g (0.0 %)")) << title.toStdString();
 }
 
 }  // namespace

@@ -9,7 +9,10 @@
 
 #include "client-qt/model/legend.hpp"
 #include "client-qt/model/operation_words.hpp"
+#include "client-qt/model/quantities.hpp"
+#include "client-qt/model/server_words.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
+#include "client-qt/widgets/banner.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -56,6 +59,83 @@ TEST_F(Language, FiguresOfAnEditAreInTheWindowsLanguageToo) {
   EXPECT_TRUE(shown.contains("abgetragene Dicke")) << shown.toStdString();
   EXPECT_TRUE(shown.contains("Stücke, aus 2 Körpern")) << shown.toStdString();
   EXPECT_TRUE(shown.contains("wobbles of 2,5 mm")) << "a plugin's own: " << shown.toStdString();
+}
+
+/// What the window makes of a sentence of the server.
+std::string shown_words(const std::string& english) {
+  return words_of(english).toStdString();
+}
+
+TEST_F(Language, RefusalsOfTheServerAreInTheWindowsLanguage) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+
+  EXPECT_EQ(shown_words("there is nothing to undo"), "es gibt nichts rückgängig zu machen");
+  EXPECT_EQ(shown_words("the wall below surface 7 is only 1.25 mm thick at its thinnest"),
+            "die Wand unter Fläche 7 ist an der dünnsten Stelle nur 1,25 mm dick");
+  EXPECT_EQ(shown_words("load case 'Bending': the loads and prescribed displacements add up to no "
+                        "finite number"),
+            "Lastfall „Bending“: die Lasten und vorgegebenen Verschiebungen ergeben keine endliche "
+            "Zahl");
+  EXPECT_EQ(
+    shown_words("the part is not held: free are translation along x; rotation about the "
+                "axis z through (1, 2, 3) mm"),
+    "das Bauteil ist nicht gehalten: frei sind Verschiebung entlang x; Drehung um die Achse "
+    "z durch (1, 2, 3) mm");
+  EXPECT_EQ(shown_words("material \"Steel\": Young's modulus is -5 Pa"),
+            "Werkstoff „Steel“: E-Modul ist -5 Pa");
+}
+
+TEST_F(Language, NoticesAndRemediesOfTheServerAreInTheWindowsLanguage) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+
+  EXPECT_EQ(shown_words("the selection was completed by surface 3, 4 (bottom or inner part of the "
+                        "hole)"),
+            "die Auswahl wurde ergänzt um Fläche 3, 4 (Boden oder Inneres des Lochs)");
+  EXPECT_EQ(shown_words("2 loose crumbs of 3.5 mm3 together were dropped"),
+            "weggelassen: 2 × loser Krümel, zusammen 3,5 mm³");
+  EXPECT_EQ(shown_words("Take 0.25 mm: the most that works here"),
+            "0,25 mm nehmen: das Größte, was hier geht");
+  EXPECT_EQ(shown_words("Try again. Connect again."), "Noch einmal versuchen. Neu verbinden.");
+}
+
+TEST_F(Language, ARefusalIsExplainedInTheWindowsLanguageWithItsPlaceAndRemedy) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+  const error reason{ec::under_constrained,
+                     "the part is not held: free are all six rigid-body motions",
+                     "Fix or support more surfaces of it", "around (15, 2, 3) mm"};
+
+  EXPECT_EQ(explained(reason).toStdString(),
+            "Das Bauteil ist nicht gehalten: frei sind alle sechs Starrkörperbewegungen.\n"
+            "Wo: um (15, 2, 3) mm\n"
+            "Mehr seiner Flächen einspannen oder lagern.");
+  EXPECT_EQ(one_line(reason).toStdString(),
+            "das Bauteil ist nicht gehalten: frei sind alle sechs Starrkörperbewegungen "
+            "[um (15, 2, 3) mm]. Mehr seiner Flächen einspannen oder lagern");
+}
+
+TEST_F(Language, WhatNobodyTranslatedIsShownAsItWasSent) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+
+  EXPECT_EQ(shown_words("the widget is broken"), "the widget is broken");
+  EXPECT_EQ(shown_words("my plugin found 3 wobbles"), "my plugin found 3 wobbles");
+  EXPECT_EQ(shown_words("there is no load case \"%2 and %1\""),
+            "den Lastfall „%2 and %1“ gibt es nicht")
+    << "a name that looks like a place";
+}
+
+TEST_F(Language, InEnglishTheServersWordsStayAsTheyAre) {
+  speak(*qApp, "en");
+
+  EXPECT_EQ(shown_words("the wall below surface 7 is only 1.25 mm thick at its thinnest"),
+            "the wall below surface 7 is only 1.25 mm thick at its thinnest");
 }
 
 }  // namespace

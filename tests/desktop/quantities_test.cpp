@@ -28,7 +28,7 @@ TEST(Quantities, ShowWhatEngineersThinkIn) {
 TEST(Quantities, NumbersKeepTheirSizeReadable) {
   EXPECT_EQ(text(number(0)), "0");
   EXPECT_EQ(text(number(21992.1)), "21992.1");
-  EXPECT_EQ(text(number(1.234e-5)), "1.23e-05");
+  EXPECT_EQ(text(number(1.234e-5)), "1.23e-5");
   EXPECT_EQ(text(number(3.2e7)), "3.2e+07");
   EXPECT_EQ(text(number(NAN)), "none");
   EXPECT_EQ(text(quantity(2.19921e-5, "m3")), "21992.1 mm³");
@@ -40,7 +40,7 @@ TEST(Quantities, NumbersOnAScaleAreRoundedByItsRange) {
   EXPECT_EQ(text(number_in(7.117, 7.117)), "7.12");
   EXPECT_EQ(text(number_in(5, 13.4)), "5");
   EXPECT_EQ(text(number_in(1000.003, 0.004)), "1000.003");
-  EXPECT_EQ(text(number_in(2.5e-7, 5e-7)), "2.5e-07");
+  EXPECT_EQ(text(number_in(2.5e-7, 5e-7)), "2.5e-7");
   EXPECT_EQ(text(number_in(-120, 240)), "-120");
 }
 
@@ -106,6 +106,9 @@ TEST(Quantities, Changes) {
   EXPECT_EQ(text(change(100, 75)), "−25 %");
   EXPECT_EQ(text(change(-100, -50)), "+50 %");
   EXPECT_EQ(text(change(0, 5)), "");
+  EXPECT_EQ(text(change(100, 100.02)), "+0.02 %") << "not +0.0 %";
+  EXPECT_EQ(text(change(100, 100.001)), "0.0 %") << "nothing has no sign";
+  EXPECT_EQ(text(change(100, 99.96)), "−0.04 %");
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST_F(Report, HasTheHistoryWithWhatEachStepDid) {
 TEST_F(Report, SaysWhatToTrust) {
   EXPECT_TRUE(text().contains("Quadratic tets, converged"));
   EXPECT_TRUE(text().contains("energy norm: 7 %; fair"));
-  EXPECT_TRUE(text().contains("4e-07"));
+  EXPECT_TRUE(text().contains("4e-7"));
   EXPECT_TRUE(text().contains("sharp inner edges): 12."));
   EXPECT_TRUE(text().contains("13 MPa, sharp inner edge: at the foot"));
   EXPECT_TRUE(text().contains("Held on 9 mm² instead of 3."));

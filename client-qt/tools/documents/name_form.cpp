@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/documents/name_form.hpp"
+#include "client-qt/model/server_words.hpp"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -59,8 +60,7 @@ void name_form::leave() {
 
 void name_form::refuse(const error& why) {
   name_->setReadOnly(false);
-  words_->setText(
-    QString::fromStdString(why.message + (why.remedy.empty() ? "" : ". ") + why.remedy));
+  words_->setText(one_line({why.code, why.message, why.remedy, {}}));
   adjustSize();
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "client-qt/model/materials.hpp"
+#include "client-qt/model/server_words.hpp"
 #include "client-qt/widgets/theme.hpp"
 #include "protocol/convert.hpp"
 
@@ -57,8 +58,7 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
   const auto library = shipped_materials();
   editor_ = new load_editor(library ? *library : std::vector<fem::material>{});
   if (!library)
-    editor_->findChild<QComboBox*>("library")->setToolTip(
-      QString::fromStdString(tedit::render(library.error())));
+    editor_->findChild<QComboBox*>("library")->setToolTip(one_line(library.error()));
   editor_->hide();
   column->addWidget(editor_);
   wire();
