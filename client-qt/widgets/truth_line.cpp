@@ -15,6 +15,7 @@ namespace {
 
 constexpr double slow_answer_ms = 1000;
 constexpr int beside_server = 3;  // After the verdict, its button and the facts.
+constexpr int around_words = 10;  // Pixels above and below a line of words, together.
 
 }  // namespace
 
@@ -49,6 +50,7 @@ truth_line::truth_line(document& part, remote& link, QWidget* parent)
   connect(&part_, &document::head_changed, this, &truth_line::refresh);
   connect(&part_, &document::closed, this, &truth_line::refresh);
   connect(&link_, &remote::state_changed, this, &truth_line::refresh);
+  keep_height();
   refresh();
 }
 
@@ -56,8 +58,16 @@ void truth_line::add(QWidget* widget) {
   insertPermanentWidget(beside_server, widget);
 }
 
+/// As high at every start: a QStatusBar's height hangs on when its items were last measured, before
+/// or after their style, and two pixels move all that stands in the middle of the window.
+void truth_line::keep_height() {
+  ensurePolished();
+  setFixedHeight(fontMetrics().height() + around_words);
+}
+
 void truth_line::set_theme(const theme& look) {
   look_ = look;
+  keep_height();
   refresh();
 }
 

@@ -31,6 +31,7 @@ public:
 
 private:
   void refresh();
+  void keep_height();
   [[nodiscard]] QString facts() const;
   [[nodiscard]] QString server() const;
 

@@ -208,6 +208,24 @@ TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
   EXPECT_TRUE(preview_details(made).contains("<b>it grew</b>"));
 }
 
+/// What stands in the window's middle must not hang on when a widget of the line was measured.
+TEST(TruthLine, HasOneHeightWhateverIsPutIntoIt) {
+  remote link;
+  document part(link);
+  truth_line line(part, link);
+  const int height = line.minimumHeight();
+  ASSERT_EQ(line.maximumHeight(), height);
+
+  auto* large = new QWidget;
+  large->setMinimumHeight(3 * height);
+  line.add(large);
+  large->show();
+  line.adjustSize();
+
+  EXPECT_EQ(line.height(), height);
+  EXPECT_GE(height, QFontMetrics(line.font()).height());
+}
+
 /// The line at the window's foot, after a solve with such a load.
 TEST(TruthLine, SaysThatTheLoadsWantALook) {
   remote link;

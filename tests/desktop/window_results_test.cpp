@@ -2,6 +2,7 @@
 // Results and history as a person uses them: fields on demand, boxes, names, load cases, recording.
 #include "tests/desktop/window_fixture.hpp"
 
+#include <QComboBox>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -151,6 +152,22 @@ TEST_F(Window, IsolinesAndBandsAreDrawnOnASection) {
   window->tools().results.panel().set_bands(8);
   ASSERT_TRUE(wait([&] { return view().is_settled() && window->context().link.running() == 0; }));
   EXPECT_NE(window->context().over.picture(), smooth);
+}
+
+TEST_F(Window, ASectionAcrossAnAxisIsCalledSoAndKeepsItsSide) {
+  open_plate(false);
+  auto& bar = window->tools().section.bar();
+  const auto called = [&] { return bar.findChild<QComboBox*>()->currentText(); };
+
+  bar.set_plane({0, 0, 0}, {0, -2, 0});
+
+  EXPECT_EQ(called(), QString("Section across y"));
+  ASSERT_TRUE(view().section());
+  EXPECT_EQ(view().section()->normal, (vec3{0, -1, 0}));
+
+  bar.set_plane({0, 0, 0}, {0, 1, 1});
+
+  EXPECT_EQ(called(), QString("Parallel to the picked surface"));
 }
 
 TEST_F(Window, ABoxToTheRightTakesWhatLiesInItAndOneToTheLeftWhatItTouches) {

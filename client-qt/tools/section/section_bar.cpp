@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSlider>
 
+#include <algorithm>
 #include <cmath>
 
 #include "client-qt/model/quantities.hpp"
@@ -80,10 +81,15 @@ void section_bar::set_on(bool on) {
 
 void section_bar::set_plane(const vec3& at, const vec3& normal) {
   own_normal_ = normal / std::sqrt(dot(normal, normal));
-  flipped_ = false;
-  const auto ends = reach(own_normal_);
-  axis_->setCurrentIndex(own);
-  set_place((dot(at, own_normal_) - ends[0]) / std::max(1e-300, ends[1] - ends[0]));
+  const std::array<double, 3> parts{own_normal_.x, own_normal_.y, own_normal_.z};
+  const auto along = std::ranges::find_if(parts, [](double c) { return std::abs(c) == 1; });
+  // Across an axis it is called so.
+  axis_->setCurrentIndex(along == parts.end() ? own : static_cast<int>(along - parts.begin()));
+  flipped_ = along != parts.end() && *along < 0;
+  const vec3 direction = flipped_ ? -own_normal_ : own_normal_;
+  const auto ends = reach(direction);
+  set_place((dot(at, direction) - ends[0]) / std::max(1e-300, ends[1] - ends[0]));
+  on_ = true;  // The side is given, not the viewer's.
   set_on(true);
 }
 
