@@ -5333,7 +5333,7 @@ Inhalt %1</translation>
     </message>
     <message>
         <source>all that no other material names</source>
-        <translation>alle, die kein anderer Werkstoff nennt</translation>
+        <translation>alle übrigen</translation>
     </message>
     <message>
         <source>Regions</source>

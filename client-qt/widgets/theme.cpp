@@ -46,6 +46,9 @@ QLineEdit:focus { border-color: %ACCENT%; }
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: 0; padding: 0; }
 QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %FAINT%; border-radius: 3px;
   background: %FIELD%; }
+QCheckBox::indicator:checked { width: 12px; height: 12px; border: 1px solid %ACCENT%; border-radius: 3px;
+  background: %ACCENT%; image: url(:/icons/tick.svg); }
+QCheckBox::indicator:checked:disabled { border-color: %FAINT%; background: %FAINT%; }
 QPlainTextEdit { border: 0; background: %FIELD%; }
 QTextBrowser { border: 0; background: %PANEL%; padding: 6px; }
 QListView, QTreeView { border: 0; background: %PANEL%; outline: 0; }

@@ -2,6 +2,7 @@
 // What is said over the view, and what is painted there: nothing covers what matters more.
 #include "client-qt/widgets/banner.hpp"
 
+#include <QCheckBox>
 #include <QFontMetrics>
 #include <QLabel>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "client-qt/view/overlay.hpp"
+#include "client-qt/widgets/theme.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -129,6 +131,31 @@ TEST(Tags, ABoxThatWouldCoverAnotherGoesAboveItOrBelow) {
   EXPECT_EQ(clear_of(other, {30, 60, 60, 20}, 4), QRectF(30, 26, 60, 20));
   const QRectF at_the_top(10, 5, 60, 20);
   EXPECT_EQ(clear_of(at_the_top, {30, 10, 60, 20}, 4), QRectF(30, 29, 60, 20));
+}
+
+/// Light and dark: Qt's own frame is nearly the window's colour in the dark.
+TEST(Theme, ATickedBoxIsSeenInBothLooks) {
+  for (const bool dark : {false, true}) {
+    const auto look = make_theme(dark);
+    QCheckBox box("Preview");
+    box.setPalette(look.palette);
+    box.setStyleSheet(look.style_sheet);
+    box.setChecked(true);
+    box.resize(box.sizeHint());
+    const auto picture = box.grab().toImage();
+
+    int filled = 0;
+    int light = 0;
+    for (int y = -3; y <= 3; ++y)  // Within the box: around it all is light in the light look.
+      for (int x = 4; x < 11; ++x) {
+        const auto at = picture.pixelColor(x, picture.height() / 2 + y);
+        filled += at == look.palette.color(QPalette::Highlight);
+        light += at.lightness() > 235;
+      }
+
+    EXPECT_GT(filled, 10) << "the box, dark: " << dark;
+    EXPECT_GT(light, 4) << "its tick, dark: " << dark;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTranslator>
 
 #include "client-qt/model/legend.hpp"
@@ -129,6 +130,24 @@ TEST_F(Language, WhatNobodyTranslatedIsShownAsItWasSent) {
   EXPECT_EQ(shown_words("there is no load case \"%2 and %1\""),
             "den Lastfall „%2 and %1“ gibt es nicht")
     << "a name that looks like a place";
+}
+
+/// All that the server can say: each with a number at every place.
+TEST_F(Language, EverySentenceOfTheServerIsFoundAgain) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+  constexpr const char* all[] = {
+#include "client-qt/model/server_words.inc"
+  };
+  static const QRegularExpression place("%[0-9]");
+
+  for (const auto* english : all) {
+    const auto said = QString::fromUtf8(english).replace(place, "7");
+    const auto german = QCoreApplication::translate("server", english).replace(place, "7");
+    EXPECT_EQ(in_window_language(said.toStdString()).toStdString(), german.toStdString())
+      << english;
+  }
 }
 
 TEST_F(Language, InEnglishTheServersWordsStayAsTheyAre) {

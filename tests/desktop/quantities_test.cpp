@@ -29,7 +29,7 @@ TEST(Quantities, NumbersKeepTheirSizeReadable) {
   EXPECT_EQ(text(number(0)), "0");
   EXPECT_EQ(text(number(21992.1)), "21992.1");
   EXPECT_EQ(text(number(1.234e-5)), "1.23e-5");
-  EXPECT_EQ(text(number(3.2e7)), "3.2e+07");
+  EXPECT_EQ(text(number(3.2e7)), "3.2e+7");
   EXPECT_EQ(text(number(NAN)), "none");
   EXPECT_EQ(text(quantity(2.19921e-5, "m3")), "21992.1 mm³");
   EXPECT_EQ(text(quantity(-3.8e-3, "m3")), "-3800 cm³");
