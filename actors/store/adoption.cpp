@@ -9,7 +9,7 @@
 
 #include "actors/store/document_file.hpp"
 #include "actors/store/documents_folder.hpp"
-#include "actors/store/store.hpp"
+#include "actors/store/loading.hpp"
 #include "base/system_failure.hpp"
 #include "base/unique_fd.hpp"
 

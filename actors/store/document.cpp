@@ -13,6 +13,8 @@
 
 #include "actors/store/document_file.hpp"
 #include "actors/store/document_lock.hpp"
+#include "actors/store/reading.hpp"
+#include "actors/store/removal.hpp"
 #include "actors/store/schema.hpp"
 #include "actors/store/seal.hpp"
 #include "base/system_failure.hpp"
@@ -76,9 +78,7 @@ struct document::impl {
   expected<void> put_rows(const change& c, seal& sum);
   expected<void> put_version(const version_row& v, seal& sum);
   expected<void> update(query&& with, std::uint32_t number);
-  expected<void> read_rows(contents& all, seal& sum);
-  expected<void> check_numbers(const contents& all, bool sound);
-  expected<bool> has(const hash128& id) { return query(find_page, id).next(); }
+  expected<bool> has(const hash128& id) { return query(has_page, id).next(); }
 
   fs::path file;
   bool linked = false;  ///< It is somewhere else than where it was asked for.
@@ -87,7 +87,7 @@ struct document::impl {
   connection db;  ///< None while the document rests.
   seal last;      ///< As this object read or wrote it last.
   seal_keeper seals;
-  statement find_page, page_by_id, insert_page, insert_version, set_load_cases, set_redo, set_head;
+  statement has_page, page_by_id, insert_page, insert_version, set_load_cases, set_redo, set_head;
   statement insert_annotation, insert_log;
 };
 
@@ -126,7 +126,7 @@ expected<void> document::impl::wake() {
 void document::impl::rest() {
   if (!db)
     return;
-  for (auto* one : {&find_page, &page_by_id, &insert_page, &insert_version, &set_load_cases,
+  for (auto* one : {&has_page, &page_by_id, &insert_page, &insert_version, &set_load_cases,
                     &set_redo, &set_head, &insert_annotation, &insert_log})
     one->reset();
   seals = {};
@@ -227,8 +227,8 @@ void document::impl::close_to_others() const {
 
 expected<void> document::impl::prepare_all() {
   const std::pair<statement*, const char*> rows[] = {
-    {&find_page, "SELECT 1 FROM page WHERE id = ?"},
-    {&page_by_id, "SELECT size, data FROM page WHERE id = ?"},
+    {&has_page, "SELECT 1 FROM page WHERE id = ?"},
+    {&page_by_id, page_query},
     {&insert_page, "INSERT INTO page(id, size, data) VALUES(?, ?, ?)"},
     {&insert_version,
      "INSERT INTO version(number, parent, id, manifest, operation, load_cases, report, redo)"
@@ -306,47 +306,6 @@ expected<void> document::impl::put_rows(const change& c, seal& sum) {
   return done;
 }
 
-/// All rows but the pages, each checked and all together. Errors: `storage_error`.
-expected<void> document::impl::read_rows(contents& all, seal& sum) {
-  bool sound = true;
-  const auto read_version = [&](query& row) {
-    all.versions.push_back({row.u32(0).value_or(0), row.u32(1), row.hash(2), row.blob(3),
-                            row.text(4), row.text(5), row.text(6), row.u32(7), "", ""});
-    sound = sound && row.sound();
-  };
-  const auto read_head = [&](query& row) { all.head = row.u32(1); };
-  const auto read_log = [&](query& row) {
-    all.log.push_back({static_cast<std::uint64_t>(row.number(0)), row.text(1), row.text(2)});
-  };
-  const auto read_annotation = [&](query& row) {
-    const auto number = row.u32(0).value_or(0);
-    const auto of = std::ranges::lower_bound(all.versions, number, {}, &version_row::number);
-    sound = sound && of != all.versions.end() && of->number == number;
-    if (sound) {
-      of->name = row.text(1);
-      of->note = row.text(2);
-    }
-  };
-  return seals.read_all(table::version, sum, read_version)
-    .and_then([&] { return seals.read_all(table::head, sum, read_head); })
-    .and_then([&] { return seals.read_all(table::log, sum, read_log); })
-    .and_then([&] { return seals.read_all(table::annotation, sum, read_annotation); })
-    .and_then([&] { return seals.compare(sum); })
-    .and_then([&] { return check_numbers(all, sound); });
-}
-
-/// What hashes do not tell: whether numbers fit, and the log's next one, which SQLite keeps.
-expected<void> document::impl::check_numbers(const contents& all, bool sound) {
-  const auto last_used = number_of(db.get(), "SELECT coalesce(max(seq), 0) FROM sqlite_sequence");
-  if (!last_used)
-    return fail(last_used.error());
-  if (*last_used != (all.log.empty() ? 0 : static_cast<std::int64_t>(all.log.back().sequence)))
-    return damaged("the document is damaged: the numbers of the log were changed");
-  if (!sound)
-    return damaged("the document has a version with impossible numbers");
-  return {};
-}
-
 document::document() : impl_(std::make_unique<impl>()) {}
 document::~document() = default;
 
@@ -379,17 +338,7 @@ expected<void> document::commit(const change& c) {
 expected<contents> document::read() const {
   if (!impl_->exists)
     return contents{};
-  if (auto sound = impl_->wake().and_then([&] { return check_structure(impl_->db.get()); }); !sound)
-    return fail(sound.error());
-  contents all;
-  seal sum;
-  const auto schema = impl_->seals.schema_hash();
-  if (!schema)
-    return fail(schema.error());
-  sum.schema = *schema;
-  if (auto done = impl_->read_rows(all, sum); !done)
-    return fail(done.error());
-  return all;
+  return impl_->wake().and_then([&] { return read_contents(impl_->db.get(), impl_->seals); });
 }
 
 expected<page_ptr> document::read_page(const hash128& id) const {
@@ -397,23 +346,27 @@ expected<page_ptr> document::read_page(const hash128& id) const {
     return fail(awake.error());
   if (!impl_->exists)
     return fail(ec::not_found, "page " + to_hex(id) + " is not in the document");
-  query row(impl_->page_by_id, id);
-  const auto found = row.next();
-  if (!found)
-    return fail(found.error());
-  if (!*found)
-    return fail(ec::not_found, "page " + to_hex(id) + " is not in the document",
-                "Restore the document from a backup");
-  const auto size = row.number(0);
-  if (size < 0 || size > std::int64_t{max_page_bytes})
-    return damaged("page " + to_hex(id) + " claims " + std::to_string(size) + " bytes");
-  auto result = std::make_shared<page>(static_cast<std::size_t>(size));
-  const auto packed = row.blob(1);
-  const auto written = ZSTD_decompress(result->mutable_bytes().data(), result->bytes().size(),
-                                       packed.data(), packed.size());
-  if (ZSTD_isError(written) || written != result->bytes().size() || result->id() != id)
-    return damaged("page " + to_hex(id) + " is damaged");
-  return result;
+  return find_page(impl_->page_by_id, id);
+}
+
+expected<removed> document::remove(const removal& what) {
+  if (auto awake = impl_->wake(); !awake)
+    return fail(awake.error());
+  if (!impl_->exists)
+    return fail(ec::not_found, "the document holds nothing yet", "Open a part in it first");
+  auto* db = impl_->db.get();
+  removed result;
+  return impl_->check_mine()
+    .and_then([&] { return remove_rows(db, impl_->seals, what); })
+    .and_then([&](std::int64_t pages) {
+      result.pages = pages;
+      return impl_->seals.stored();
+    })
+    .and_then([&](const seal& now) {
+      impl_->last = now;
+      return squeeze(db);
+    })
+    .map([&] { return result; });
 }
 
 /// A file of its own: what is in the log beside the database's file is in it, too.

@@ -65,6 +65,19 @@ struct contents {
   std::vector<log_row> log;           ///< Ascending by sequence.
 };
 
+/// What is taken out of a document, and what the rest is called then.
+struct removal {
+  /// By the numbers before: the number that a version has from then on, none for one that goes.
+  /// Those that stay keep their order, without gaps, and the parent of each stays, too.
+  std::vector<std::optional<std::uint32_t>> numbers;
+  std::vector<log_row> log;  ///< Lines that say something else from then on, by `sequence`.
+};
+
+/// What a removal took.
+struct removed {
+  std::int64_t pages = 0;
+};
+
 /// What a copy of a document may have in memory.
 inline constexpr std::int64_t most_bytes_of_a_copy = std::int64_t{2} << 30;
 
@@ -120,6 +133,14 @@ public:
   /// `storage_error` when another program has changed it; `io_error`. Then it is as it was. Cost:
   /// that of `rest`, and an fsync.
   [[nodiscard]] expected<void> rename(const std::string& file_name);
+
+  /// Takes versions out, then all pages that no version names, and gives the room back to the
+  /// disk. All pages that stay are read before anything is written. A kill at any moment leaves
+  /// the document as it was, or without what was to go.
+  /// Errors: `invalid_argument` for numbers that are not as `removal` says; those of `read` and
+  /// `read_page`, then nothing is taken out; `storage_error` when the disk is full, also when only
+  /// the room could not be given back. Cost: the whole document is read and written.
+  [[nodiscard]] expected<removed> remove(const removal& what);
 
   /// Opens what `rest` closed, ahead of a call that is to be quick. Errors: those of `open`.
   [[nodiscard]] expected<void> wake();

@@ -39,14 +39,20 @@ off_t byte_of(const std::string& name) {
   return static_cast<off_t>(hash_bytes(std::as_bytes(std::span(name))).low >> 2);
 }
 
-/// Locks or unlocks the byte of a name, for this descriptor and not for the process: a lock goes
-/// with the last copy of the descriptor.
-bool set_lock(int handle, const std::string& name, short kind) {
+/// The lock of a name's byte, for `fcntl`.
+struct flock byte_lock(const std::string& name, short kind) {
   struct flock byte {};
   byte.l_type = kind;
   byte.l_whence = SEEK_SET;
   byte.l_start = byte_of(name);
   byte.l_len = 1;
+  return byte;
+}
+
+/// Locks or unlocks the byte of a name, for this descriptor and not for the process: a lock goes
+/// with the last copy of the descriptor.
+bool set_lock(int handle, const std::string& name, short kind) {
+  auto byte = byte_lock(name, kind);
   return ::fcntl(handle, F_OFD_SETLK, &byte) == 0;
 }
 
@@ -80,6 +86,14 @@ expected<document_lock> document_lock::take(const fs::path& file) {
   taken.folder_ = std::move(shared);
   taken.name_ = name;
   return taken;
+}
+
+bool document_lock::held(const fs::path& file) {
+  // A descriptor of its own: what this process holds is asked for in the same way.
+  const auto path = file.parent_path() / ".tedit-lock";
+  const unique_fd handle(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  auto byte = byte_lock(file.filename().string(), F_WRLCK);
+  return handle && ::fcntl(handle.get(), F_OFD_GETLK, &byte) == 0 && byte.l_type != F_UNLCK;
 }
 
 document_lock& document_lock::operator=(document_lock&& other) noexcept {

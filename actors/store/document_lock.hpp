@@ -18,6 +18,10 @@ public:
   /// Errors: `conflict` when somebody holds it; `io_error` when the system refuses.
   [[nodiscard]] static expected<document_lock> take(const std::filesystem::path& file);
 
+  /// Whether somebody holds it, here or elsewhere; takes and makes nothing. False, too, where that
+  /// cannot be found out.
+  [[nodiscard]] static bool held(const std::filesystem::path& file);
+
   document_lock() = default;  ///< Holds nothing.
   document_lock(document_lock&& other) noexcept = default;
   document_lock& operator=(document_lock&& other) noexcept;

@@ -38,15 +38,17 @@ public:
   [[nodiscard]] expected<seal> stored() const;
 
   /// Reads every row of `of`, checks its hash, adds it to `sum`, and hands the row on; columns as
-  /// in `columns_of`. Errors: `storage_error` naming the row that is damaged.
-  template <class Use>
-  [[nodiscard]] expected<void> read_all(table of, seal& sum, Use use) const {
+  /// in `columns_of`. `damage` is told of each row that is damaged, by a `storage_error` that names
+  /// it: what it returns ends the reading, or the row is left out.
+  template <class Use, class Damage>
+  [[nodiscard]] expected<void> read_all(table of, seal& sum, Use use, const Damage& damage) const {
     query rows(all_[static_cast<int>(of)]);
     expected<bool> more;
     while ((more = rows.next()) && *more) {
-      if (auto ok = check(of, rows, sum); !ok)
-        return ok;
-      use(rows);
+      if (auto ok = check(of, rows, sum); ok)
+        use(rows);
+      else if (auto go_on = damage(ok.error()); !go_on)
+        return fail(go_on.error());
     }
     return more.map([](bool) {});
   }

@@ -64,9 +64,6 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
 
 // -- without actors ----------------------------------------------------------------------
 
-/// Everything in a document; versions share the pages that they have in common.
-[[nodiscard]] expected<stored_document> load(const store::document& document);
-
 /// A node and the head moved to it, as one transaction; pages of `parent` are there already.
 [[nodiscard]] store::change change_of(const graph_node& node, const mesh_version* parent);
 

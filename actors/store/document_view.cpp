@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/store/document_view.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+#include "actors/store/document_file.hpp"
+#include "actors/store/documents_folder.hpp"
+#include "actors/store/schema.hpp"
+#include "base/system_failure.hpp"
+#include "base/unique_fd.hpp"
+
+namespace tedit::store {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 5000;
+constexpr auto only_reads = "PRAGMA query_only = ON; PRAGMA trusted_schema = OFF;";
+
+/// Where nothing can be made beside the file, nobody changes it, and SQLite must be told so.
+std::string address_of(const fs::path& file) {
+  const bool still = ::access(file.parent_path().c_str(), W_OK) != 0 &&
+                     ::access((file.string() + "-wal").c_str(), F_OK) != 0;
+  std::string address = "file:";
+  for (const char c : file.string())
+    if (c == '%' || c == '?' || c == '#') {
+      char code[4];
+      std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned>(c));
+      address += code;
+    } else {
+      address += c;
+    }
+  return address + (still ? "?immutable=1" : "");
+}
+
+/// A connection that may write closes the log behind it as every other does; one that may not
+/// would leave it beside the file.
+expected<connection> connect_to_read(const fs::path& file) {
+  sqlite3* made = nullptr;
+  const int code =
+    sqlite3_open_v2(address_of(file).c_str(), &made,
+                    SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, nullptr);
+  connection db(made);
+  if (code != SQLITE_OK)
+    return sql_failure(made);
+  sqlite3_busy_timeout(made, patience_ms);
+  if (auto done = execute(made, only_reads); !done)
+    return fail(done.error());
+  return db;
+}
+
+/// A copy in memory that takes part in no log of the file.
+expected<connection> copy_in_memory(sqlite3* db) {
+  constexpr std::size_t log_marks = 18;  // Two bytes of the header: 2 with a log, 1 without.
+  auto bytes = image_of(db);
+  if (!bytes)
+    return fail(bytes.error());
+  if (bytes->size() <= log_marks + 1)
+    return fail(ec::storage_error, "the document is damaged: it is too short",
+                "Restore the document from a backup");
+  (*bytes)[log_marks] = (*bytes)[log_marks + 1] = std::byte{1};
+  sqlite3* made = nullptr;
+  const int code = sqlite3_open_v2(":memory:", &made, SQLITE_OPEN_READWRITE, nullptr);
+  connection copy(made);
+  auto* taken = static_cast<unsigned char*>(sqlite3_malloc64(bytes->size()));
+  if (code != SQLITE_OK || !taken)
+    return fail(ec::out_of_memory, "there is no memory for the document",
+                "Close other programs and try again");
+  std::ranges::transform(*bytes, taken,
+                         [](std::byte b) { return std::to_integer<unsigned char>(b); });
+  const auto size = static_cast<sqlite3_int64>(bytes->size());
+  if (sqlite3_deserialize(made, "main", taken, size, size,
+                          SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE) !=
+      SQLITE_OK)
+    return sql_failure(made);
+  return copy;
+}
+
+struct backup_end {
+  void operator()(sqlite3_backup* one) const noexcept { sqlite3_backup_finish(one); }
+};
+
+/// Page by page. Errors: those of `sql_failure`.
+expected<void> back_up(sqlite3* from, const fs::path& to) {
+  sqlite3* made = nullptr;
+  const int code =
+    sqlite3_open_v2(to.c_str(), &made, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  const connection out(made);
+  if (code != SQLITE_OK)
+    return sql_failure(made);
+  const std::unique_ptr<sqlite3_backup, backup_end> work(
+    sqlite3_backup_init(made, "main", from, "main"));
+  if (!work || sqlite3_backup_step(work.get(), -1) != SQLITE_DONE)
+    return sql_failure(made);
+  return {};
+}
+
+expected<void> sync_path(const fs::path& path, int flags) {
+  const unique_fd handle(::open(path.c_str(), flags | O_CLOEXEC));
+  if (!handle || ::fsync(handle.get()) != 0)
+    return system_failure("cannot write " + path.string(), errno);
+  return {};
+}
+
+/// Gone with what SQLite made beside it, whatever happens.
+struct copy_draft {
+  fs::path path;
+
+  void remove() const {
+    for (const char* with : {"", "-wal", "-shm", "-journal"})
+      ::unlink((path.string() + with).c_str());
+  }
+  ~copy_draft() { remove(); }
+};
+
+expected<void> put_in_place(const fs::path& draft, const fs::path& file) {
+  if (::link(draft.c_str(), file.c_str()) != 0) {
+    if (errno == EEXIST)
+      return fail(ec::conflict, "there is a file " + file.string() + " already",
+                  "Take another name");
+    return system_failure("cannot make " + file.string(), errno);
+  }
+  return sync_path(file.parent_path(), O_RDONLY | O_DIRECTORY);
+}
+
+}  // namespace
+
+struct document_view::impl {
+  fs::path file;
+  connection db;     ///< Of the file; within one transaction.
+  connection newer;  ///< Of an older format: the same in this one, in memory.
+  std::int64_t format = 0;
+  seal_keeper seals;
+  statement by_id, all_ids;
+
+  [[nodiscard]] sqlite3* rows() const { return newer ? newer.get() : db.get(); }
+
+  expected<void> open();
+  expected<void> bring_up();
+  expected<void> prepare_all();
+};
+
+expected<void> document_view::impl::open() {
+  const auto there = has_database(file);
+  if (!there)
+    return fail(there.error());
+  if (!*there)
+    return fail(ec::not_found, "there is no file " + file.string(), "Check the path");
+  auto made = connect_to_read(file);
+  if (!made)
+    return fail(made.error());
+  db = std::move(*made);
+  // The first read decides which moment the transaction sees.
+  return execute(db.get(), "BEGIN")
+    .and_then([&] { return number_of(db.get(), "PRAGMA user_version"); })
+    .and_then([&](std::int64_t number) {
+      format = number;
+      return check_format(db.get(), file);
+    })
+    .and_then([&](bool current) { return current ? expected<void>() : bring_up(); })
+    .and_then([&] { return prepare_all(); });
+}
+
+expected<void> document_view::impl::bring_up() {
+  return copy_in_memory(db.get()).and_then([&](connection&& made) {
+    newer = std::move(made);
+    return upgrade(newer.get());
+  });
+}
+
+expected<void> document_view::impl::prepare_all() {
+  auto page = prepare(rows(), page_query);
+  auto ids = prepare(rows(), "SELECT id FROM page ORDER BY id");
+  if (!page || !ids)
+    return fail(page ? ids.error() : page.error());
+  by_id = std::move(*page);
+  all_ids = std::move(*ids);
+  return seals.prepare_all(rows());
+}
+
+document_view::document_view() : impl_(std::make_unique<impl>()) {}
+document_view::~document_view() = default;
+
+expected<std::unique_ptr<document_view>> document_view::open(const fs::path& file) {
+  std::unique_ptr<document_view> made(new document_view);
+  std::error_code code;
+  made->impl_->file = fs::weakly_canonical(fs::absolute(file, code), code);
+  if (code || made->impl_->file.empty())
+    return fail(ec::io_error, "cannot open '" + file.string() + "': " + code.message());
+  if (auto opened = made->impl_->open(); !opened)
+    return fail(opened.error());
+  return made;
+}
+
+std::int64_t document_view::format() const {
+  return impl_->format;
+}
+
+expected<std::vector<hash128>> document_view::page_ids() const {
+  std::vector<hash128> result;
+  query row(impl_->all_ids);
+  expected<bool> more;
+  while ((more = row.next()) && *more)
+    result.push_back(row.hash(0));
+  if (!more)
+    return fail(more.error());
+  return result;
+}
+
+expected<sound_rows> document_view::read() const {
+  return read_sound_rows(impl_->rows(), impl_->seals);
+}
+
+expected<page_ptr> document_view::read_page(const hash128& id) const {
+  return find_page(impl_->by_id, id);
+}
+
+expected<void> document_view::copy_to(const fs::path& file) const {
+  std::error_code code;
+  const auto target = fs::absolute(file, code);
+  const copy_draft draft{draft_of(target)};
+  draft.remove();  // What a kill left.
+  return check_place(target)
+    .and_then([&] { return back_up(impl_->db.get(), draft.path); })
+    .and_then([&]() -> expected<void> {
+      if (::chmod(draft.path.c_str(), 0600) != 0)
+        return system_failure("cannot write " + draft.path.string(), errno);
+      return sync_path(draft.path, O_RDONLY);
+    })
+    .and_then([&] { return put_in_place(draft.path, target); });
+}
+
+expected<file_state> state_of(const fs::path& file) {
+  file_state result;
+  for (const char* with : {"", "-wal"}) {
+    struct stat about {};
+    const auto path = file.string() + with;
+    if (::stat(path.c_str(), &about) == 0) {
+      result.bytes += about.st_size;
+      const auto changed =
+        std::int64_t{about.st_mtim.tv_sec} * 1000 + about.st_mtim.tv_nsec / 1'000'000;
+      // A log without content is made by who reads, too.
+      if (about.st_size > 0)
+        result.changed_ms = std::max(result.changed_ms, changed);
+    } else if (*with == '\0' && errno == ENOENT) {
+      return fail(ec::not_found, "there is no file " + path, "Check the path");
+    } else if (errno != ENOENT) {
+      return system_failure("cannot look at " + path, errno);
+    }
+  }
+  return result;
+}
+
+}  // namespace tedit::store
