@@ -46,6 +46,7 @@ void add_serve(CLI::App& app, action& chosen);
 void add_worker(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
 void add_verify(CLI::App& app, action& chosen);
+void add_doc(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);
 
 /// The format of a file to write, by its suffix. Errors: `usage`, naming those that there are.

@@ -84,6 +84,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_serve(app, chosen);
   tedit::cli::add_worker(app, chosen);
   tedit::cli::add_render(app, chosen);
+  tedit::cli::add_doc(app, chosen);
   tedit::cli::add_ops(app, chosen);
   tedit::cli::add_select(app, chosen);
   tedit::cli::add_plugin(app, chosen);

@@ -30,6 +30,8 @@ expect "drop move refuse " tedit edit a.msh --loads ""
 expect "move " tedit edit a.msh --loads m
 expect "lavapipe " tedit solve a.msh --device l
 expect "new test " tedit plugin ""
+expect "check copy export gc list " tedit doc ""
+expect "--drop-unreachable --dry-run " tedit doc gc part.tedit --dr
 cd "$source/examples/ctc01_plate"
 expect "load_case.json load_case_sideways.json " tedit solve ctc01_plate.coarse.msh --load-case load
 expect "ctc01_plate.coarse.msh " tedit info ctc01_plate.co
