@@ -15,14 +15,14 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROOMS = ["base", "mesh", "fem", "edit", "ops", "protocol", "client", "actors"]
 
 # Read by developers, integrators and operators alone: the kits of plugins, input decks and file headers, what is said
-# of bytes that two programs of one release send each other, logs.
+# of bytes that two programs of one release send each other, logs; what "tedit doc" alone says.
 LEFT_OUT = re.compile(r"""
     ops/(conformance|probe|sdk|tetgen)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
   | ops/[a-z_]+/operation\. | ops/services/tetrahedralise
   | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/(vtu|obj|stl)_writer
   | base/(error|virtual_display|process_usage|forked_call|units|child_process)
   | client/(recipes/|recipe_|streams|surface|messages|inbox|client\.|socket) | protocol/(forms|json|selection_message)
-  | actors/(links|pages|exits|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder)
+  | actors/(links|pages|exits|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder|removal|cleaning|check\.|document_view)
   | actors/gateway/(client_actor|http_session|ws_session|token_guard|transport|gateway\.|requests)
 """, re.X)
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double slow_answer_ms = 1000;
 constexpr int beside_server = 3;  // After the verdict, its button and the facts.
-constexpr int around_words = 8;  // Pixels above and below a line of words, together.
+constexpr int around_words = 8;   // Pixels above and below a line of words, together.
 
 }  // namespace
 

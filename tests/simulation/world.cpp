@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "actors/session/change_log.hpp"
+#include "actors/store/loading.hpp"
 #include "protocol/load_case_message.hpp"
 #include "tests/simulation/client.hpp"
 #include "tests/simulation/server.hpp"
