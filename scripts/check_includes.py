@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 # What crosses the wire, and nothing of the solver or of the hosts of plugins.
-WIRE = ("edit/report.hpp", "fem/load_case.hpp", "fem/quantities.hpp", "fem/receipt.hpp", "fem/solve_report.hpp", "ops/sdk", "mesh", "base")
+WIRE = ("compare/comparison.hpp", "edit/report.hpp", "fem/load_case.hpp", "fem/quantities.hpp", "fem/receipt.hpp", "fem/solve_report.hpp", "ops/sdk", "mesh", "base")
 CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", *WIRE)
 
 # room: (other rooms or single headers of theirs, third-party prefixes). The longest room that is a prefix of a path
@@ -27,6 +27,7 @@ ROOMS = {
     "fem/vulkan": (("fem/multilevel", "fem", "gpu", "shaders", "mesh", "base"), ("Eigen/",)),
     "fem/solver.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
     "fem/devices.cpp": (("fem", "fem/native", "fem/vulkan", "mesh", "base"), ("Eigen/",)),
+    "compare": (("fem/load_case.hpp", "mesh", "base"), ()),
     "verification": (("fem", "mesh", "base"), ("Eigen/",)),
     "ops/sdk": (("mesh", "base"), ()),
     "ops/shapes": (("ops/sdk", "mesh", "base"), ()),
@@ -45,16 +46,16 @@ ROOMS = {
     "client": (("protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors": (
-        ("protocol", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
     "actors/node/server.cpp": (("actors/gateway", "actors", "base"), ("caf/", "spdlog/")),
     "actors/gateway": (
-        ("actors", "protocol", "fem", "ops/sdk", "mesh", "base"),
+        ("actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "cli": (
-        ("actors", "client", "protocol", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
+        ("actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
          "ops/sdk", "mesh/io", "mesh", "base"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
