@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_edit(app, chosen);
   tedit::cli::add_convert(app, chosen);
   tedit::cli::add_solve(app, chosen);
+  tedit::cli::add_compare(app, chosen);
   tedit::cli::add_export(app, chosen);
   tedit::cli::add_run(app, chosen);
   tedit::cli::add_serve(app, chosen);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <filesystem>
 #include <memory>
-#include <set>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -9,12 +7,12 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/field_file.hpp"
+#include "cli/load_case_files.hpp"
 #include "cli/number_option.hpp"
 #include "cli/reports.hpp"
 #include "fem/make_report.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
-#include "protocol/convert.hpp"
 
 namespace tedit::cli {
 
@@ -62,27 +60,6 @@ std::string describe(const solve_outcome& outcome, const solve_times& times) {
   return text + preview_text(outcome);
 }
 
-/// Reads all load cases. Several have names of their own: a case without one is called after its
-/// file, and a name that was there before gets a number.
-expected<std::vector<fem::load_case>> read_cases(const std::vector<std::string>& files) {
-  std::vector<fem::load_case> cases;
-  std::set<std::string> names;
-  for (const auto& file : files) {
-    auto one = protocol::load_case_from_file(file);
-    if (!one)
-      return fail(one.error());
-    if (files.size() > 1) {
-      if (one->name.empty())
-        one->name = std::filesystem::path(file).stem().string();
-      const auto name = one->name;
-      for (int i = 2; !names.insert(one->name).second; ++i)
-        one->name = name + " " + std::to_string(i);
-    }
-    cases.push_back(std::move(*one));
-  }
-  return cases;
-}
-
 fem::solve_settings settings_of(const solve_options& options) {
   fem::solve_settings settings;
   settings.tolerance = options.tolerance;
@@ -102,7 +79,7 @@ expected<void> write_output(const solve_options& options, const mesh_version& me
 int run_solve(const solve_options& options, session& s) {
   const stopwatch total;
   stopwatch clock;
-  const auto loads = read_cases(options.load_cases);
+  const auto loads = read_load_cases(options.load_cases);
   if (!loads)
     return print_error(s, loads.error());
   const auto imported = import_mesh(options.mesh, options.length_unit);

@@ -166,7 +166,7 @@ private:
 }  // namespace
 
 std::string difference_array(std::string_view name) {
-  return std::string(name) + "_difference";
+  return std::string(name) + std::string(difference_ending);
 }
 
 expected<field_difference> compare_fields(const compared_fields& before,

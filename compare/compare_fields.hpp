@@ -7,10 +7,6 @@
 
 namespace tedit {
 
-/// The array that says of each vertex how its difference was made: the numbers of
-/// `difference_mark`.
-inline constexpr std::string_view mark_array = "difference_mark";
-
 /// The name of the difference of an array: "von_mises_pa_difference".
 [[nodiscard]] std::string difference_array(std::string_view name);
 

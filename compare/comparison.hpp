@@ -78,6 +78,13 @@ enum class difference_mark : std::uint8_t {
   outside  ///< It lies outside the version before: there is no difference; it is written as 0.
 };
 
+/// The array that says of each vertex how its difference was made: the numbers of
+/// `difference_mark`.
+inline constexpr std::string_view mark_array = "difference_mark";
+
+/// What the names of differences end in: "von_mises_pa_difference".
+inline constexpr std::string_view difference_ending = "_difference";
+
 /// A value of both versions at a place; `change` is after minus before.
 struct value_change {
   double before = 0;

@@ -151,4 +151,18 @@ std::vector<field> make_fields(const mesh_version& mesh, const case_set& set,
   return fields;
 }
 
+std::vector<field> fields_of_case(const std::vector<field>& all, const std::string& load_case,
+                                  bool several) {
+  if (!several)
+    return all;
+  const auto ending = case_field("", load_case);
+  std::vector<field> result;
+  for (const auto& one : all)
+    if (one.name.ends_with(ending)) {
+      result.push_back(one);
+      result.back().name.resize(one.name.size() - ending.size());
+    }
+  return result;
+}
+
 }  // namespace tedit::fem

@@ -35,4 +35,10 @@ enum class field_range { shown, all };
                                              const solved_cases& result,
                                              field_range range = field_range::all);
 
+/// Of the arrays of load cases that were solved together (`several`) those of one, under their own
+/// names: "von_mises_pa (braking)" as "von_mises_pa"; of a single case all, as they are. Cheap: the
+/// values are shared.
+[[nodiscard]] std::vector<field> fields_of_case(const std::vector<field>& all,
+                                                const std::string& load_case, bool several);
+
 }  // namespace tedit::fem

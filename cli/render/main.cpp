@@ -48,6 +48,8 @@ int main(int argc, char** argv) {
     ->expected(2)
     ->delimiter(',')
     ->check(any);
+  app.add_flag("--diverging", options.diverging,
+               "Blue below zero, red above it, as far on both sides; always so for a difference");
   app.add_option("--title", options.title, "Heading");
   app.add_option("--caption", options.caption, "Small print");
   app.add_option("--size", size, "WIDTH HEIGHT in pixels")

@@ -31,6 +31,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string_view>
 
 namespace tedit::picture {
 
@@ -50,6 +51,28 @@ constexpr std::array<std::array<double, 3>, 11> viridis{{{0.267, 0.005, 0.329},
                                                          {0.741, 0.873, 0.150},
                                                          {0.993, 0.906, 0.144}}};
 
+// From blue over a light grey to red in even steps of lightness (Moreland 2009, "cool to warm"):
+// what is near zero steps back, and a sign is never mistaken.
+constexpr std::array<std::array<double, 3>, 11> cool_to_warm{{{0.230, 0.299, 0.754},
+                                                              {0.348, 0.466, 0.888},
+                                                              {0.484, 0.622, 0.975},
+                                                              {0.619, 0.744, 0.999},
+                                                              {0.754, 0.830, 0.961},
+                                                              {0.865, 0.865, 0.865},
+                                                              {0.947, 0.795, 0.717},
+                                                              {0.969, 0.679, 0.561},
+                                                              {0.934, 0.525, 0.412},
+                                                              {0.839, 0.346, 0.279},
+                                                              {0.706, 0.016, 0.150}}};
+
+// What has no value: darker than the middle of the colours and without a tint.
+constexpr double no_value = 0.45;
+
+// As compare/compare_fields.hpp calls the arrays of a difference, and its mark for what is outside.
+constexpr std::string_view difference_ending = "_difference";
+constexpr const char* mark_name = "difference_mark";
+constexpr double outside_mark = 2;
+
 // Of the picture's height: where the texts stand, and by what its pixels are divided for their
 // size.
 constexpr double title_at = 0.935;
@@ -57,7 +80,8 @@ constexpr int title_share = 32;
 constexpr double caption_at = 0.03;
 constexpr int caption_share = 52;
 
-void fill_colours(vtkLookupTable* table) {
+void fill_colours(vtkLookupTable* table, bool diverging) {
+  const auto& colours = diverging ? cool_to_warm : viridis;
   constexpr int steps = 256;
   table->SetNumberOfTableValues(steps);
   for (int i = 0; i < steps; ++i) {
@@ -65,9 +89,40 @@ void fill_colours(vtkLookupTable* table) {
     const int low = std::min(9, static_cast<int>(at));
     std::array<double, 3> c{};
     for (int k = 0; k < 3; ++k)
-      c[k] = viridis[low][k] + (at - low) * (viridis[low + 1][k] - viridis[low][k]);
+      c[k] = colours[low][k] + (at - low) * (colours[low + 1][k] - colours[low][k]);
     table->SetTableValue(i, c[0], c[1], c[2], 1);
   }
+  table->SetNanColor(no_value, no_value, no_value, 1);
+}
+
+/// The mark of a difference's points, whose field is called "NAME_difference", of several load
+/// cases "NAME_difference (CASE)". Null: the field is no difference.
+vtkDataArray* mark_of(vtkPolyData* surface, const std::string& field) {
+  const auto at = field.find(difference_ending);
+  if (at == std::string::npos)
+    return nullptr;
+  const auto of_case = field.substr(at + difference_ending.size());
+  return surface->GetPointData()->GetArray((mark_name + of_case).c_str());
+}
+
+bool is_diverging(vtkPolyData* surface, const picture_options& options) {
+  return options.diverging || mark_of(surface, options.field) != nullptr;
+}
+
+/// From the smallest value to the largest one, as far on both sides of zero when the colours
+/// diverge.
+std::array<double, 2> range_of(vtkDataArray* values, bool diverging) {
+  std::array<double, 2> range{1e300, -1e300};
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    if (const double value = values->GetComponent(i, 0); std::isfinite(value))
+      range = {std::min(range[0], value), std::max(range[1], value)};
+  if (range[0] > range[1])
+    range = {0, 0};
+  if (diverging) {
+    const double most = std::max(std::abs(range[0]), std::abs(range[1]));
+    range = {-most, most};
+  }
+  return range;
 }
 
 /// The field as one number per point in the legend's unit, under the name "shown".
@@ -83,13 +138,15 @@ expected<void> add_shown(vtkPolyData* surface, const picture_options& options) {
   vtkNew<vtkDoubleArray> shown;
   shown->SetName("shown");
   shown->SetNumberOfTuples(field->GetNumberOfTuples());
+  auto* mark = mark_of(surface, options.field);
   for (vtkIdType i = 0; i < field->GetNumberOfTuples(); ++i) {
     double sum = 0;
     for (int c = 0; c < field->GetNumberOfComponents(); ++c)
       sum += field->GetComponent(i, c) * field->GetComponent(i, c);
     const double value =
       field->GetNumberOfComponents() == 1 ? field->GetComponent(i, 0) : std::sqrt(sum);
-    shown->SetValue(i, options.scale * value);
+    const bool known = !mark || mark->GetComponent(i, 0) != outside_mark;
+    shown->SetValue(i, known ? options.scale * value : std::nan(""));
   }
   surface->GetPointData()->SetScalars(shown);
   return {};
@@ -288,13 +345,13 @@ expected<void> draw_picture(const picture_options& options) {
     return ok;
 
   vtkNew<vtkLookupTable> table;
-  fill_colours(table);
-  std::array<double, 2> range{};
-  surface->GetPointData()->GetScalars()->GetRange(range.data());
+  const bool diverging = is_diverging(surface, options);
+  fill_colours(table, diverging);
+  auto range = range_of(surface->GetPointData()->GetScalars(), diverging);
   if (options.range)
     range = {options.range->first, options.range->second};
-  if (!(range[1] > range[0]))
-    range[1] = range[0] + std::max(1e-12, std::abs(range[0]) * 1e-6);
+  if (const double least = std::max(1e-12, std::abs(range[0]) * 1e-6); !(range[1] > range[0]))
+    range = {range[0] - (diverging ? least : 0), range[1] + least};
   table->SetRange(range.data());
 
   vtkNew<vtkRenderer> backdrop;

@@ -17,6 +17,9 @@ struct picture_options {
   std::string unit = "MPa";                        ///< Unit of the legend.
   double scale = 1e-6;                             ///< Field value times this is in `unit`.
   std::optional<std::pair<double, double>> range;  ///< In `unit`; automatic when empty.
+  /// Blue below zero, red above it; without a range it reaches as far on both sides. Always so for
+  /// a difference of versions, whose points without a value are grey.
+  bool diverging = false;
   std::string title;
   std::string caption;  ///< Small print at the lower edge: what the numbers are worth.
   int width = 1600;

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "actors/store/check.hpp"
+#include "actors/store/loading.hpp"
+#include "cli/command.hpp"
+#include "cli/compare_report.hpp"
+#include "cli/load_case_files.hpp"
+#include "cli/number_option.hpp"
+#include "compare/compare_fields.hpp"
+#include "compare/compare_versions.hpp"
+#include "fem/fields.hpp"
+#include "fem/solver.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/io/file.hpp"
+#include "mesh/io/import.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct compare_options {
+  std::string before;
+  std::string after;
+  std::optional<std::uint32_t> from;
+  std::optional<std::uint32_t> to;
+  std::vector<std::string> load_cases;
+  std::string output;
+  std::string length_unit = "mm";
+  std::string device = "auto";
+  double tolerance = 1e-6;
+  int order = 2;
+};
+
+/// One of the two that are compared.
+struct part_side {
+  std::string name;  ///< For messages.
+  version_ptr mesh;
+  std::vector<fem::load_case> load_cases;  ///< All that it has.
+};
+
+struct part_sides {
+  part_side before;
+  part_side after;
+  std::vector<std::string> solved;  ///< Names of the load cases whose fields are compared.
+};
+
+// -- from a document -----------------------------------------------------------------------
+
+expected<part_side> side_of(const store::document_view& document, const store::contents& rows,
+                            std::uint32_t number) {
+  auto mesh = actors::read_version(document, number);
+  if (!mesh)
+    return fail(mesh.error());
+  const auto row = std::ranges::find(rows.versions, number, &store::version_row::number);
+  const auto loads = actors::read_load_cases(*row);
+  if (!loads)
+    return fail(loads.error());
+  return part_side{"version " + std::to_string(number), std::move(*mesh), **loads};
+}
+
+/// Without numbers: the first version and the one that is the present one.
+expected<part_sides> sides_of_document(const compare_options& options) {
+  const auto document = store::document_view::open(options.before);
+  if (!document)
+    return fail(document.error());
+  const auto all = (*document)->read();
+  if (!all)
+    return fail(all.error());
+  auto before = side_of(**document, all->rows, options.from.value_or(0));
+  if (!before)
+    return fail(before.error());
+  auto after = side_of(**document, all->rows, options.to.value_or(all->rows.head.value_or(0)));
+  if (!after)
+    return fail(after.error());
+  return part_sides{std::move(*before), std::move(*after), options.load_cases};
+}
+
+// -- from mesh files -------------------------------------------------------------------------
+
+expected<part_side> side_of_file(const std::string& file, const compare_options& options,
+                                 const std::vector<fem::load_case>& load_cases, session& s) {
+  const auto imported = import_mesh(file, options.length_unit);
+  if (!imported)
+    return fail(imported.error());
+  for (const auto& warning : imported->warnings)
+    notice(s, "note: " + file + ": " + warning);
+  return part_side{file, imported->version, load_cases};
+}
+
+expected<part_sides> sides_of_files(const compare_options& options, session& s) {
+  const auto loads = read_load_cases(options.load_cases);
+  if (!loads)
+    return fail(loads.error());
+  auto before = side_of_file(options.before, options, *loads, s);
+  if (!before)
+    return fail(before.error());
+  auto after = side_of_file(options.after, options, *loads, s);
+  if (!after)
+    return fail(after.error());
+  part_sides result{std::move(*before), std::move(*after), {}};
+  for (const auto& one : *loads)
+    result.solved.push_back(one.name);
+  return result;
+}
+
+bool is_document(const std::string& file) {
+  return fs::path(file).extension() == ".tedit";
+}
+
+/// Errors: `usage` when the options do not fit to each other.
+expected<part_sides> read_sides(const compare_options& options, session& s) {
+  const auto usage = [](const std::string& what, const std::string& remedy) {
+    return fail(ec::usage, what, remedy);
+  };
+  if (!options.output.empty() && options.load_cases.empty())
+    return usage("a file holds the difference of fields, and no load case is given",
+                 "Give --load-case, or leave -o out");
+  if (!options.output.empty() && fs::path(options.output).extension() != ".vtu")
+    return usage(options.output + " does not end in .vtu", "Fields are written as VTU");
+  if (is_document(options.before)) {
+    if (!options.after.empty())
+      return usage("of a document two versions are compared",
+                   "Give the document alone, with --from and --to");
+    return sides_of_document(options);
+  }
+  if (options.after.empty() || is_document(options.after))
+    return usage("a second mesh file is needed", "Write \"tedit compare BEFORE AFTER\"");
+  if (options.from || options.to)
+    return usage("--from and --to name versions of a document (.tedit)", "Leave them out");
+  return sides_of_files(options, s);
+}
+
+// -- fields ----------------------------------------------------------------------------------
+
+/// Of each load case in the order asked for.
+using case_fields = std::vector<std::vector<field>>;
+
+expected<std::vector<fem::load_case>> wanted_cases(const part_side& of,
+                                                   const std::vector<std::string>& names) {
+  std::vector<fem::load_case> result;
+  for (const auto& name : names) {
+    const auto found = std::ranges::find(of.load_cases, name, &fem::load_case::name);
+    if (found == of.load_cases.end()) {
+      std::string known;
+      for (const auto& one : of.load_cases)
+        known += (known.empty() ? "\"" : ", \"") + one.name + "\"";
+      return fail(ec::not_found, of.name + " has no load case \"" + name + "\"",
+                  known.empty() ? "It has none" : "It has " + known);
+    }
+    result.push_back(*found);
+  }
+  return result;
+}
+
+expected<case_fields> solve_side(const part_side& of, const compare_options& options,
+                                 const std::vector<std::string>& names, fem::backend& device,
+                                 const execution& run) {
+  const auto named = [&](error e) {
+    e.message = of.name + ": " + e.message;
+    return fail(std::move(e));
+  };
+  const auto loads = wanted_cases(of, names);
+  if (!loads)
+    return fail(loads.error());
+  auto set = fem::make_cases(*of.mesh, *loads, options.order);
+  if (!set)
+    return named(set.error());
+  fem::solve_settings settings;
+  settings.tolerance = options.tolerance;
+  const auto solved = fem::solve_cases(*set, device, settings, run);
+  if (!solved)
+    return named(solved.error());
+  const bool several = names.size() > 1;
+  const auto all = several ? fem::make_fields(*of.mesh, *set, *solved, fem::field_range::shown)
+                           : fem::make_fields(*of.mesh, set->problem, solved->cases.front(),
+                                              fem::field_range::shown);
+  case_fields result;
+  for (const auto& name : names)
+    result.push_back(fem::fields_of_case(all, name, several));
+  return result;
+}
+
+/// Adds what the file shows of one load case: its mark, its differences, and stress and
+/// displacement after.
+void add_to_file(const field_difference& made, const std::vector<field>& after,
+                 const std::string& load_case, bool several, std::vector<field>& file) {
+  const auto add = [&](field one) {
+    if (several)
+      one.name = fem::case_field(one.name, load_case);
+    file.push_back(std::move(one));
+  };
+  for (const auto& one : made.fields)
+    add(one);
+  for (const auto* name : {"von_mises_pa", "displacement_m"})
+    if (const auto* found = find_field(after, name))
+      add(*found);
+}
+
+/// Solves both and compares; `file` gets the arrays to write.
+expected<void> add_fields(const compare_options& options, const part_sides& sides,
+                          const version_match& match, session& s, version_comparison& result,
+                          std::vector<field>& file) {
+  const auto& names = sides.solved;
+  if (names.empty())
+    return {};
+  const auto device = fem::open_backend(options.device);
+  if (!device)
+    return fail(device.error());
+  const auto run = make_execution(s);
+  const auto was = solve_side(sides.before, options, names, **device, run.part(0, .5));
+  if (!was)
+    return fail(was.error());
+  const auto is = solve_side(sides.after, options, names, **device, run.part(.5, 1));
+  if (!is)
+    return fail(is.error());
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    auto made =
+      compare_fields({*sides.before.mesh, (*was)[c]}, {*sides.after.mesh, (*is)[c]}, match, run);
+    if (!made)
+      return fail(made.error());
+    made->figures.load_case = names[c];
+    result.fields.push_back(made->figures);
+    add_to_file(*made, (*is)[c], names[c], names.size() > 1, file);
+  }
+  return {};
+}
+
+expected<void> write_difference(const compare_options& options, const version_comparison& result,
+                                const mesh_version& mesh, std::vector<field> file) {
+  if (options.output.empty())
+    return {};
+  const char* quality = options.order < 2 ? "preview (linear tets)" : "final (quadratic tets)";
+  return formats::vtu::write(
+    options.output, mesh,
+    {.fields = std::move(file),
+     .notes = {
+       {"before_id", result.before_id}, {"version_id", result.after_id}, {"quality", quality}}});
+}
+
+int run_compare(const compare_options& options, session& s) {
+  const auto sides = read_sides(options, s);
+  if (!sides)
+    return print_error(s, sides.error());
+  const auto& before = *sides->before.mesh;
+  const auto& after = *sides->after.mesh;
+  const auto match = match_versions(before, after, make_execution(s));
+  if (!match)
+    return print_error(s, match.error());
+  auto result = compare_versions({before, sides->before.load_cases},
+                                 {after, sides->after.load_cases}, *match, make_execution(s));
+  if (!result)
+    return print_error(s, result.error());
+  std::vector<field> file;
+  if (auto ok = add_fields(options, *sides, *match, s, *result, file); !ok)
+    return print_error(s, ok.error());
+  if (auto ok = write_difference(options, *result, after, std::move(file)); !ok)
+    return print_error(s, ok.error());
+  print_result(
+    s, to_json(*result),
+    sides->before.name + " -> " + sides->after.name + "\n" + describe_comparison(*result));
+  return 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, action& chosen) {
+  auto options = std::make_shared<compare_options>();
+  auto* command = app.add_subcommand(
+    "compare", "Compare two meshes, or two versions of a document, and their stress");
+  command
+    ->add_option("before", options->before,
+                 "A Gmsh file (MSH 2.2 or 4.1), or a document "
+                 "(.tedit)")
+    ->required();
+  command->add_option("after", options->after, "The other Gmsh file; not with a document");
+  command->add_option("--from", options->from,
+                      "Version of the document before; the first one when it is not given");
+  command->add_option("--to", options->to,
+                      "Version of the document after; the present one when it is not given");
+  command
+    ->add_option("--load-case", options->load_cases,
+                 "Compare the fields of this load case, too: a file (JSON) for meshes, the name of "
+                 "one that both versions have for a document; again for more")
+    ->allow_extra_args(false);
+  command->add_option("-o,--output", options->output,
+                      "Write the difference at the vertices after to this VTU file");
+  command->add_option("--length-unit", options->length_unit, "Unit of the files' coordinates")
+    ->capture_default_str();
+  command
+    ->add_option("--device", options->device,
+                 "cpu, lavapipe, auto (the fastest by a short trial) or part of a device's name")
+    ->capture_default_str();
+  command->add_option("--tolerance", options->tolerance, "True relative residual to reach")
+    ->check(number_in({1e-12, 1e-1, {}}))
+    ->capture_default_str();
+  command
+    ->add_option("--order", options->order,
+                 "2: quadratic tets; 1: linear tets, a quick preview that is too stiff in bending")
+    ->check(CLI::IsMember({1, 2}))
+    ->capture_default_str();
+  command->callback(
+    [options, &chosen] { chosen = [options](session& s) { return run_compare(*options, s); }; });
+}
+
+}  // namespace tedit::cli
