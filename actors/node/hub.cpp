@@ -6,6 +6,7 @@
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/session/session.hpp"
+#include "actors/store/former_names.hpp"
 #include "actors/store/store.hpp"
 
 namespace tedit::actors {
@@ -327,6 +328,8 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   self->state.parts = std::move(parts);
   const auto& disks = self->state.parts.disks;
   self->state.disks = disks ? *disks : disk_set::spawn(self);
+  for (auto& one : store::read_former_names(self->state.parts.documents))
+    self->state.former.push_back(std::move(one));
   return {[=](const std::string& name) { return open(self, name); },
           [=](const add_request& request) { return add(self, request); },
           [=](const rename_request& request) { return rename(self, request); },

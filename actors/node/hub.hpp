@@ -41,7 +41,7 @@ struct hub_state {
   std::set<std::string> adding;      ///< Names of documents that are being checked.
   std::set<session_actor> renaming;  ///< Whose name is being changed.
   /// Names that documents had, oldest first, and their present ones: who comes back with one finds
-  /// its document.
+  /// its document. Those of the last day are there again after a restart.
   std::deque<std::pair<std::string, std::string>> former;
   /// What sessions that ended left, by document, the latest first.
   std::list<std::pair<std::string, shared_remains>> remains;

@@ -13,6 +13,7 @@
 
 #include "actors/store/document_file.hpp"
 #include "actors/store/document_lock.hpp"
+#include "actors/store/former_names.hpp"
 #include "actors/store/reading.hpp"
 #include "actors/store/removal.hpp"
 #include "actors/store/schema.hpp"
@@ -168,7 +169,9 @@ expected<void> document::impl::rename(const fs::path& to) {
     return fail(taken.error());
   if (!exists && ::access(to.c_str(), F_OK) == 0)
     return fail(ec::conflict, "there is a file " + to.string() + " already", "Take another name");
-  return (exists ? close_whole().and_then([&] { return rename_file(file, to); }) : check_place(to))
+  return (exists ? close_whole() : check_place(to))
+    .and_then([&] { return note_former_name(file, to); })
+    .and_then([&] { return exists ? rename_file(file, to) : expected<void>(); })
     .map([&] {
       file = to;
       lock = std::move(*taken);

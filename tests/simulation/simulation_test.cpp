@@ -96,6 +96,14 @@ TEST_F(Simulation, AReopenedDocumentHasItsFieldsAndItsUndo) {
   }
 }
 
+// A client that heard of no new name before the server died imported again, into another document.
+TEST_F(Simulation, WhoComesBackWithANameOfBeforeFindsTheDocumentAlsoAfterARestart) {
+  for (const std::uint64_t seed : {1913U, 5606U, 6818U}) {
+    const auto all = make_scenario(seed);
+    EXPECT_THAT(play(all, folder_).faults, IsEmpty()) << describe(all);
+  }
+}
+
 TEST_F(Simulation, OneSeedIsOneReplay) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto all = make_scenario(seed);

@@ -238,10 +238,8 @@ private:
           std::ranges::none_of(documents, [&](const auto& one) { return saw(seen, one); }))
         past_.faults.push_back(seen.client + " saw heads of " + seen.document +
                                " that are no piece of any log");
-    // A client that did not hear of another name comes back to another document.
-    const bool may_miss_a_name = has(step_kind::server_dies) && has(step_kind::rename);
     for (const auto& [id, code] : past_.refused)
-      if (!may_miss_a_name && made[id] != 0 && !past_.acknowledged.contains(id))
+      if (made[id] != 0 && !past_.acknowledged.contains(id))
         past_.faults.push_back("the change " + id + " was refused (" + code + ") and made");
   }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Documents that get another name: the file goes there whole, and nothing is ever replaced.
+#include <ctime>
 #include <fstream>
 #include <set>
 
+#include "actors/store/former_names.hpp"
 #include "tests/store/fixture.hpp"
 
 namespace tedit::store {
@@ -10,11 +12,12 @@ namespace {
 
 class Rename : public Document {
 protected:
-  /// All that lies in the folder, but for the locks.
+  /// All that lies in the folder, but for the locks and the names of before.
   [[nodiscard]] std::set<std::string> names() const {
     std::set<std::string> result;
     for (const auto& entry : fs::directory_iterator(folder))
-      if (const auto name = entry.path().filename().string(); name != ".tedit-lock")
+      if (const auto name = entry.path().filename().string();
+          name != ".tedit-lock" && name != ".tedit-names")
         result.insert(name);
     return result;
   }
@@ -132,6 +135,50 @@ TEST_F(Rename, ALinkToADocumentIsNotRenamed) {
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(refused.error().message, HasSubstr("is a link to"));
   EXPECT_TRUE(fs::exists(file));
+}
+
+using names_of_before = std::vector<std::pair<std::string, std::string>>;
+
+// A client that did not hear of the new name came back after a restart and began another document.
+TEST_F(Rename, TheNamesOfBeforeAreKnownAlsoToALaterServer) {
+  const auto doc = open();
+  ASSERT_TRUE(doc->commit(make_change(0)));
+  ASSERT_TRUE(doc->rename("wing.tedit"));
+  ASSERT_TRUE(doc->rename("tail.tedit"));
+  EXPECT_EQ(read_former_names(folder), (names_of_before{{"part", "tail"}, {"wing", "tail"}}));
+
+  ASSERT_TRUE(doc->rename("wing.tedit"));
+  EXPECT_EQ(read_former_names(folder), (names_of_before{{"part", "wing"}, {"tail", "wing"}}));
+}
+
+TEST_F(Rename, ANameOfBeforeThatAnotherDocumentHasLeadsNowhere) {
+  ASSERT_TRUE(open()->rename("wing.tedit"));
+  ASSERT_NE(open(), nullptr);
+  EXPECT_EQ(read_former_names(folder), names_of_before());
+  fs::remove(file);
+  EXPECT_EQ(read_former_names(folder), (names_of_before{{"part", "wing"}}));
+  fs::remove(folder / "wing.tedit");
+  EXPECT_EQ(read_former_names(folder), names_of_before());
+}
+
+TEST_F(Rename, NotesThatAreNoneAreLeftOut) {
+  ASSERT_TRUE(open()->rename("wing.tedit"));
+  const auto notes = folder / ".tedit-names";
+  const auto good = text_of(".tedit-names");
+  const auto now = std::to_string(std::time(nullptr));
+  const std::vector<std::string> all_bad = {"x",
+                                            now + " a",
+                                            now + " a wing",
+                                            "1 a wing .",
+                                            "99999999999999 a wing .",
+                                            now + " a " + std::string(300, 'w') + " .",
+                                            std::string(1, '\0')};
+  for (const auto& bad : all_bad) {
+    std::ofstream(notes, std::ios::binary) << bad << good;
+    EXPECT_EQ(read_former_names(folder), (names_of_before{{"part", "wing"}})) << bad;
+  }
+  fs::remove(notes);
+  EXPECT_EQ(read_former_names(folder), names_of_before());
 }
 
 }  // namespace
