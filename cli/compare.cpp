@@ -11,7 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/compare_report.hpp"
 #include "cli/load_case_files.hpp"
-#include "cli/number_option.hpp"
+#include "cli/solver_options.hpp"
 #include "compare/compare_fields.hpp"
 #include "compare/compare_versions.hpp"
 #include "fem/fields.hpp"
@@ -34,9 +34,7 @@ struct compare_options {
   std::vector<std::string> load_cases;
   std::string output;
   std::string length_unit = "mm";
-  std::string device = "auto";
-  double tolerance = 1e-6;
-  int order = 2;
+  solver_options solver;
 };
 
 /// One of the two that are compared.
@@ -170,11 +168,11 @@ expected<case_fields> solve_side(const part_side& of, const compare_options& opt
   const auto loads = wanted_cases(of, names);
   if (!loads)
     return fail(loads.error());
-  auto set = fem::make_cases(*of.mesh, *loads, options.order);
+  auto set = fem::make_cases(*of.mesh, *loads, options.solver.order);
   if (!set)
     return named(set.error());
   fem::solve_settings settings;
-  settings.tolerance = options.tolerance;
+  settings.tolerance = options.solver.tolerance;
   const auto solved = fem::solve_cases(*set, device, settings, run);
   if (!solved)
     return named(solved.error());
@@ -211,7 +209,7 @@ expected<void> add_fields(const compare_options& options, const part_sides& side
   const auto& names = sides.solved;
   if (names.empty())
     return {};
-  const auto device = fem::open_backend(options.device);
+  const auto device = fem::open_backend(options.solver.device);
   if (!device)
     return fail(device.error());
   const auto run = make_execution(s);
@@ -237,7 +235,8 @@ expected<void> write_difference(const compare_options& options, const version_co
                                 const mesh_version& mesh, std::vector<field> file) {
   if (options.output.empty())
     return {};
-  const char* quality = options.order < 2 ? "preview (linear tets)" : "final (quadratic tets)";
+  const char* quality =
+    options.solver.order < 2 ? "preview (linear tets)" : "final (quadratic tets)";
   return formats::vtu::write(
     options.output, mesh,
     {.fields = std::move(file),
@@ -294,18 +293,7 @@ void add_compare(CLI::App& app, action& chosen) {
                       "Write the difference at the vertices after to this VTU file");
   command->add_option("--length-unit", options->length_unit, "Unit of the files' coordinates")
     ->capture_default_str();
-  command
-    ->add_option("--device", options->device,
-                 "cpu, lavapipe, auto (the fastest by a short trial) or part of a device's name")
-    ->capture_default_str();
-  command->add_option("--tolerance", options->tolerance, "True relative residual to reach")
-    ->check(number_in({1e-12, 1e-1, {}}))
-    ->capture_default_str();
-  command
-    ->add_option("--order", options->order,
-                 "2: quadratic tets; 1: linear tets, a quick preview that is too stiff in bending")
-    ->check(CLI::IsMember({1, 2}))
-    ->capture_default_str();
+  add_solver_options(*command, options->solver);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_compare(*options, s); }; });
 }

@@ -2,6 +2,7 @@
 #include "cli/compare_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -71,11 +72,12 @@ ordered_json json_of(const field_comparison& one) {
   return row;
 }
 
-/// "(+1.2 %)"; empty where it says nothing.
+/// "(+1.2 %)"; empty where it says nothing, as of a change in digits that are not shown.
 std::string per_cent(double before, double after) {
-  if (!(before > 0) || before == after)
+  constexpr double least = 1e-4;
+  const double by = before > 0 ? 100 * (after / before - 1) : 0;
+  if (std::abs(by) < least)
     return {};
-  const double by = 100 * (after / before - 1);
   return std::string(" (") + (by > 0 ? "+" : "") + pretty(by, 3) + " %)";
 }
 

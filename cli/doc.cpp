@@ -337,7 +337,7 @@ expected<cleaned> clean(const gc_options& options) {
     const auto done = (*document)->remove(result.plan.what);
     if (!done)
       return fail(done.error());
-    result.pages = done->pages;
+    result.pages = *done;
   }
   const auto after = store::state_of(options.document);
   if (!after)

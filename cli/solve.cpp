@@ -10,6 +10,7 @@
 #include "cli/load_case_files.hpp"
 #include "cli/number_option.hpp"
 #include "cli/reports.hpp"
+#include "cli/solver_options.hpp"
 #include "fem/make_report.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/import.hpp"
@@ -23,10 +24,8 @@ struct solve_options {
   std::vector<std::string> load_cases;
   std::string output;
   std::string length_unit = "mm";
-  std::string device = "auto";
-  double tolerance = 1e-6;
+  solver_options solver;
   double energy_tolerance = 0;
-  int order = 2;
 };
 
 /// Of the whole solve, whether one load case or several.
@@ -62,7 +61,7 @@ std::string describe(const solve_outcome& outcome, const solve_times& times) {
 
 fem::solve_settings settings_of(const solve_options& options) {
   fem::solve_settings settings;
-  settings.tolerance = options.tolerance;
+  settings.tolerance = options.solver.tolerance;
   settings.energy_tolerance = options.energy_tolerance;
   return settings;
 }
@@ -89,11 +88,11 @@ int run_solve(const solve_options& options, session& s) {
     notice(s, "note: " + warning);
   const auto& mesh = *imported->version;
   const double import_ms = clock.restart();
-  auto set = fem::make_cases(mesh, *loads, options.order);
+  auto set = fem::make_cases(mesh, *loads, options.solver.order);
   if (!set)
     return print_error(s, set.error());
   const double problem_ms = clock.restart();
-  const auto device = fem::open_backend(options.device);
+  const auto device = fem::open_backend(options.solver.device);
   if (!device)
     return print_error(s, device.error());
   const double device_ms = clock.milliseconds();
@@ -127,23 +126,12 @@ void add_solve(CLI::App& app, action& chosen) {
   command->add_option("-o,--output", options->output, "Write the fields to this VTU file");
   command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
     ->capture_default_str();
-  command
-    ->add_option("--device", options->device,
-                 "cpu, lavapipe, auto (the fastest by a short trial) or part of a device's name")
-    ->capture_default_str();
-  command->add_option("--tolerance", options->tolerance, "True relative residual to reach")
-    ->check(number_in({1e-12, 1e-1, {}}))
-    ->capture_default_str();
+  add_solver_options(*command, options->solver);
   command
     ->add_option(
       "--energy-tolerance", options->energy_tolerance,
       "Stop already when the estimated relative error in energy is below this: a preview")
     ->check(number_in({1e-9, 0.5, {}}));
-  command
-    ->add_option("--order", options->order,
-                 "2: quadratic tets; 1: linear tets, a quick preview that is too stiff in bending")
-    ->check(CLI::IsMember({1, 2}))
-    ->capture_default_str();
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_solve(*options, s); }; });
 }

@@ -10,6 +10,7 @@
 
 #include "base/child_process.hpp"
 #include "cli/command.hpp"
+#include "cli/solver_options.hpp"
 #include "fem/solver.hpp"
 #include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
@@ -267,10 +268,7 @@ void add_verify(CLI::App& app, action& chosen) {
     app.add_subcommand("verify", "Compare the solver with closed solutions and benchmarks");
   command->add_flag("--suite", options->suite, "Run all cases; exit status 1 when a figure is off")
     ->required();
-  command
-    ->add_option("--device", options->device,
-                 "cpu, lavapipe, auto (the fastest by a short trial) or part of a device's name")
-    ->capture_default_str();
+  add_device_option(*command, options->device);
   command->add_option("-o,--output", options->output,
                       "Write a Markdown page here, and its picture beside it (.svg)");
   command->add_option("--part", options->part,

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh/box_tree.hpp"
+#include "mesh/distances.hpp"
 
 namespace tedit {
 
@@ -15,13 +16,6 @@ namespace {
 std::array<vec3, 3> corners_of(const mesh_version& mesh, facet_id f) {
   const auto& v = mesh.facet(f).v;
   return {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
-}
-
-double distance_to_segment(const vec3& p, const vec3& a, const vec3& b) {
-  const vec3 along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  return norm(p - (a + t * along));
 }
 
 std::vector<facet_id> live_facets(const mesh_version& mesh) {
@@ -63,7 +57,8 @@ private:
   [[nodiscard]] double nearest_in(const vec3& p, double reach) const {
     double least = std::numeric_limits<double>::infinity();
     (void)boxes_.any_meeting(box{p, p}.grown(reach), [&](std::size_t i) {
-      least = std::min(least, distance_to_triangle(p, corners_of(mesh_, facets_[i])));
+      const auto [a, b, c] = corners_of(mesh_, facets_[i]);
+      least = std::min(least, point_to_triangle(p, a, b, c));
       return least == 0;
     });
     return least;
@@ -119,21 +114,6 @@ expected<void> add_side(const mesh_version& from, const std::vector<facet_id>& f
 }
 
 }  // namespace
-
-double distance_to_triangle(const vec3& p, const std::array<vec3, 3>& corners) {
-  const auto& [a, b, c] = corners;
-  const vec3 normal = cross(b - a, c - a);
-  const double area2 = dot(normal, normal);
-  if (area2 > 0) {
-    const vec3 d = p - a;
-    const double v = dot(cross(d, c - a), normal) / area2;
-    const double w = dot(cross(b - a, d), normal) / area2;
-    if (v >= 0 && w >= 0 && v + w <= 1)
-      return std::abs(dot(d, normal)) / std::sqrt(area2);
-  }
-  return std::min(
-    {distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
-}
 
 expected<boundary_deviation> deviation_of(const mesh_version& before, const mesh_version& after,
                                           const version_match& match, const execution& run) {

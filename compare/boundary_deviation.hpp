@@ -6,9 +6,6 @@
 
 namespace tedit {
 
-/// The distance of a point from a triangle, m. Cost: O(1).
-[[nodiscard]] double distance_to_triangle(const vec3& p, const std::array<vec3, 3>& corners);
-
 /// How far the boundaries are apart, looked at from corners and middles of the facets that only one
 /// version has. Errors: `cancelled`. Cost: nothing when no facet differs; else O(facets log facets)
 /// for the boundary and O(log facets) for each that differs.

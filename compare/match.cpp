@@ -88,7 +88,10 @@ public:
 private:
   [[nodiscard]] std::uint64_t key_of(const vec3& p, const vec3& shift) const {
     const auto cell = [&](double x) {
-      return tolerance_ > 0 ? static_cast<std::int64_t>(std::floor(x / (4 * tolerance_))) : 0;
+      // What lies farther out than the cells can count is far from all that is in the table.
+      constexpr double farthest = 9e18;
+      const double number = tolerance_ > 0 ? std::floor(x / (4 * tolerance_)) : 0;
+      return static_cast<std::int64_t>(std::clamp(number, -farthest, farthest));
     };
     const vec3 at = p + shift;
     const std::array<std::int64_t, 3> cells{cell(at.x), cell(at.y), cell(at.z)};

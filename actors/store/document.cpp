@@ -352,24 +352,22 @@ expected<page_ptr> document::read_page(const hash128& id) const {
   return find_page(impl_->page_by_id, id);
 }
 
-expected<removed> document::remove(const removal& what) {
+expected<std::int64_t> document::remove(const removal& what) {
   if (auto awake = impl_->wake(); !awake)
     return fail(awake.error());
   if (!impl_->exists)
     return fail(ec::not_found, "the document holds nothing yet", "Open a part in it first");
   auto* db = impl_->db.get();
-  removed result;
-  return impl_->check_mine()
-    .and_then([&] { return remove_rows(db, impl_->seals, what); })
-    .and_then([&](std::int64_t pages) {
-      result.pages = pages;
-      return impl_->seals.stored();
-    })
+  const auto pages =
+    impl_->check_mine().and_then([&] { return remove_rows(db, impl_->seals, what); });
+  if (!pages)
+    return pages;
+  return impl_->seals.stored()
     .and_then([&](const seal& now) {
       impl_->last = now;
       return squeeze(db);
     })
-    .map([&] { return result; });
+    .map([&] { return *pages; });
 }
 
 /// A file of its own: what is in the log beside the database's file is in it, too.

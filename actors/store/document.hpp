@@ -73,11 +73,6 @@ struct removal {
   std::vector<log_row> log;  ///< Lines that say something else from then on, by `sequence`.
 };
 
-/// What a removal took.
-struct removed {
-  std::int64_t pages = 0;
-};
-
 /// What a copy of a document may have in memory.
 inline constexpr std::int64_t most_bytes_of_a_copy = std::int64_t{2} << 30;
 
@@ -136,11 +131,11 @@ public:
 
   /// Takes versions out, then all pages that no version names, and gives the room back to the
   /// disk. All pages that stay are read before anything is written. A kill at any moment leaves
-  /// the document as it was, or without what was to go.
+  /// the document as it was, or without what was to go. Returns how many pages went.
   /// Errors: `invalid_argument` for numbers that are not as `removal` says; those of `read` and
   /// `read_page`, then nothing is taken out; `storage_error` when the disk is full, also when only
   /// the room could not be given back. Cost: the whole document is read and written.
-  [[nodiscard]] expected<removed> remove(const removal& what);
+  [[nodiscard]] expected<std::int64_t> remove(const removal& what);
 
   /// Opens what `rest` closed, ahead of a call that is to be quick. Errors: those of `open`.
   [[nodiscard]] expected<void> wake();

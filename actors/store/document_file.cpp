@@ -34,10 +34,11 @@ std::uint32_t big_endian(const unsigned char* bytes) {
          std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[3]};
 }
 
-/// Whether the log beside a file has its first page whole: a machine that stopped while the log was
-/// brought into the file may have left rubbish there, which SQLite mends from the log. Source: "WAL
-/// File Format" in SQLite's documentation; its checksums are SQLite's to check.
-bool log_has_first_page(const fs::path& file) {
+/// Whether the log beside a file of so many bytes has its first page whole: a machine that stopped
+/// while the log was brought into the file may have left rubbish there, which SQLite mends from the
+/// log. A file that is no whole number of pages is somebody else's. Source: "WAL File Format" in
+/// SQLite's documentation; its checksums are SQLite's to check.
+bool log_has_first_page(const fs::path& file, off_t bytes) {
   constexpr std::size_t header = 32, frame_header = 24;
   std::array<unsigned char, header> start{};
   std::array<unsigned char, frame_header + magic.size()> frame{};
@@ -45,7 +46,8 @@ bool log_has_first_page(const fs::path& file) {
   if (!log || ::pread(log.get(), start.data(), header, 0) != ssize_t(header))
     return false;
   const auto page_size = big_endian(start.data() + 8);
-  if ((big_endian(start.data()) | 1U) != 0x377F0683 || page_size < 512 || page_size > 65536)
+  if ((big_endian(start.data()) | 1U) != 0x377F0683 || page_size < 512 || page_size > 65536 ||
+      bytes % off_t(page_size) != 0)
     return false;
   const auto read_at = [&](off_t at) {
     return ::pread(log.get(), frame.data(), frame.size(), at) == ssize_t(frame.size());
@@ -87,7 +89,7 @@ expected<bool> has_database(const fs::path& file) {
   const auto size = ::read(in.get(), start.data(), start.size());
   if (size < 0)
     return system_failure("cannot read " + file.string(), errno);
-  if (start == magic || log_has_first_page(file))
+  if (start == magic || log_has_first_page(file, about.st_size))
     return true;
   return fail(ec::storage_error, file.string() + " is not a database",
               "Name a TEdit document or a new file; a mesh file is imported, not opened");

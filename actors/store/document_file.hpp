@@ -10,7 +10,8 @@
 
 namespace tedit::store {
 
-/// Whether there is a file that begins like a database; false when there is none. Errors:
+/// Whether there is a file that begins like a database, or will once its log is brought into it;
+/// false when there is none. Errors:
 /// `storage_error` for an empty file and one that is no database; `io_error` when the system
 /// refuses to read it.
 [[nodiscard]] expected<bool> has_database(const std::filesystem::path& file);

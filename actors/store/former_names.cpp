@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto file_name = ".tedit-names";  // A line each: seconds since 1970, before, now.
-constexpr off_t most_bytes = 256 * 1024;    // Then all is forgotten: some thousand renames a day.
+constexpr off_t most_bytes = 64 * 1024;     // Then all is forgotten: a thousand renames a day.
 constexpr std::size_t longest_line = 256;
 
 struct name_note {
@@ -39,11 +39,15 @@ std::int64_t seconds_now() {
 /// What is not whole, as of a machine that stopped, is left out.
 std::vector<name_note> read_notes(const fs::path& folder) {
   std::vector<name_note> all;
-  std::ifstream in(folder / file_name);
+  const auto path = folder / file_name;
+  std::error_code code;
+  if (const auto bytes = fs::file_size(path, code); code || bytes > 2 * std::size_t{most_bytes})
+    return all;  // It is not ours.
+  std::ifstream in(path);
   std::string line;
   const auto oldest =
     seconds_now() - std::chrono::duration_cast<std::chrono::seconds>(former_name_stays).count();
-  while (all.size() < std::size_t{most_bytes} && std::getline(in, line)) {
+  while (std::getline(in, line)) {
     std::istringstream words(line);
     name_note one;
     std::string end;
@@ -59,7 +63,8 @@ std::vector<name_note> read_notes(const fs::path& folder) {
 expected<void> note_former_name(const fs::path& before, const fs::path& now) {
   const auto path = before.parent_path() / file_name;
   const auto refused = [&] { return system_failure("cannot write " + path.string(), errno); };
-  const unique_fd out(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
+  const unique_fd out(
+    ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600));
   struct stat about {};
   if (!out || ::fstat(out.get(), &about) != 0)
     return refused();

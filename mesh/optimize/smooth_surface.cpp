@@ -18,7 +18,7 @@ namespace {
 /// cot 3 deg: weights of thinner triangles would drown the others.
 constexpr double largest_cot = 19.081136687728211;
 
-constexpr int halvings = 8;
+constexpr int slide_halvings = 8;
 
 double cot_at(vec3 corner, vec3 a, vec3 b) {
   const double sine = norm(cross(a - corner, b - corner));
@@ -72,7 +72,7 @@ public:
       return true;
     double length = std::min(1.0, 0.9 * longest(star, along));
     const double least = std::min(floor, worst(star));
-    for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
+    for (int halving = 0; halving <= slide_halvings; ++halving, length *= 0.5) {
       at_[star.self] = from + length * along;
       if (worst(star) >= least && all_positive(star))
         return true;

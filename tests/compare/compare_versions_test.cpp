@@ -130,20 +130,5 @@ TEST(CompareVersions, MassIsByTheVersionsOwnMaterials) {
   EXPECT_FALSE(all.load_cases[2].mass_before_kg);  // A density of 0 is none.
 }
 
-TEST(DistanceToTriangle, IsThatToItsPlaneItsEdgesOrItsCorners) {
-  const std::array<vec3, 3> corners{vec3{0, 0, 0}, vec3{1, 0, 0}, vec3{0, 1, 0}};
-
-  EXPECT_DOUBLE_EQ(distance_to_triangle({.25, .25, -2}, corners), 2);
-  EXPECT_DOUBLE_EQ(distance_to_triangle({.5, -3, 4}, corners), 5);
-  EXPECT_DOUBLE_EQ(distance_to_triangle({-2, -3, 6}, corners), 7);
-  EXPECT_DOUBLE_EQ(distance_to_triangle({1, 1, 0}, corners), std::sqrt(.5));
-}
-
-TEST(DistanceToTriangle, OfOneWithoutAreaIsThatToItsEdges) {
-  const std::array<vec3, 3> corners{vec3{0, 0, 0}, vec3{1, 0, 0}, vec3{2, 0, 0}};
-
-  EXPECT_DOUBLE_EQ(distance_to_triangle({1.5, 2, 0}, corners), 2);
-}
-
 }  // namespace
 }  // namespace tedit

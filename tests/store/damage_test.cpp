@@ -232,6 +232,41 @@ TEST_F(Damage, ANewDocumentDoesNotTakeTheLogOfAnother) {
       ::_exit(1);
 }
 
+/// A machine that stopped while the log was brought into the file leaves rubbish at its start; a
+/// file that somebody put in its place is not taken for that.
+TEST_F(Damage, RubbishAtTheStartIsMendedFromTheLogAndOtherFilesAreLeftAlone) {
+  upgrade();
+  const auto doc = open();
+  change words;
+  words.annotations = {{2, "thick", ""}};
+  words.what = "annotate";
+  for (std::uint32_t i = 0; i < 20; ++i)  // So that the file grows, which its first page says.
+    words.new_pages.push_back(make_page(100 + i, 5000));
+  ASSERT_TRUE(doc->commit(words));
+  // As a kill leaves it: the log lies beside the file.
+  const auto copy = folder / "copy.tedit";
+  fs::copy_file(file, copy);
+  fs::copy_file(file.string() + "-wal", copy.string() + "-wal");
+  auto content = bytes();
+  std::fill_n(content.begin(), 512, 'x');
+  std::ofstream(copy, std::ios::binary)
+    .write(content.data(), static_cast<std::streamsize>(content.size()));
+  const auto mended = document::open(copy);
+  ASSERT_TRUE(mended.has_value()) << render(mended.error());
+  const auto all = (*mended)->read();
+  ASSERT_TRUE(all.has_value()) << render(all.error());
+  EXPECT_EQ(all->versions[2].name, "thick");
+  EXPECT_EQ(all->log.size(), doc->read()->log.size());
+
+  const auto other = folder / "other.tedit";
+  fs::copy_file(file.string() + "-wal", other.string() + "-wal");
+  std::ofstream(other) << "$MeshFormat";
+  const auto refused = document::open(other);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("not a database"));
+  EXPECT_EQ(fs::file_size(other), 11U);
+}
+
 TEST_F(Damage, ANewDocumentIsThereWholeOrNotAtAll) {
   for (int round = 0; round < 8; ++round) {
     const auto place = folder / std::to_string(round);

@@ -5,27 +5,12 @@
 #include <cmath>
 
 #include "mesh/box_tree.hpp"
+#include "mesh/distances.hpp"
 #include "mesh/quality.hpp"
 
 namespace tedit::ops {
 
 namespace {
-
-double segments_apart(vec3 a, vec3 b, vec3 c, vec3 d) {
-  const vec3 u = b - a;
-  const vec3 w = d - c;
-  const vec3 r = a - c;
-  const double uu = dot(u, u);
-  const double ww = dot(w, w);
-  const double uw = dot(u, w);
-  const double ur = dot(u, r);
-  const double wr = dot(w, r);
-  const double det = uu * ww - uw * uw;
-  double s = det > 1e-12 * uu * ww ? std::clamp((uw * wr - ur * ww) / det, 0.0, 1.0) : 0;
-  const double t = ww > 0 ? std::clamp((uw * s + wr) / ww, 0.0, 1.0) : 0;
-  s = uu > 0 ? std::clamp((uw * t - ur) / uu, 0.0, 1.0) : 0;
-  return norm(r + s * u - t * w);
-}
 
 bool pierces(vec3 p, vec3 q, vec3 a, vec3 b, vec3 c) {
   const double from = signed_volume(a, b, c, p);
@@ -37,15 +22,6 @@ bool pierces(vec3 p, vec3 q, vec3 a, vec3 b, vec3 c) {
 }
 
 }  // namespace
-
-double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
-  const vec3 n = cross(b - a, c - a);
-  const auto inner = [&](vec3 from, vec3 to) { return dot(cross(to - from, p - from), n) >= 0; };
-  if (inner(a, b) && inner(b, c) && inner(c, a))
-    return std::abs(dot(p - a, normalized(n)));
-  return std::min(
-    {segments_apart(p, p, a, b), segments_apart(p, p, b, c), segments_apart(p, p, c, a)});
-}
 
 double segment_to_tet(vec3 a, vec3 b, const std::array<vec3, 4>& corners) {
   double nearest = 1e300;

@@ -17,9 +17,6 @@ namespace tedit::ops {
                                                                const std::vector<vertex_id>& whole,
                                                                double margin);
 
-/// Distance between a point and a triangle, m.
-[[nodiscard]] double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c);
-
 /// Distance between a segment and a tet, m; 0 where they meet.
 [[nodiscard]] double segment_to_tet(vec3 a, vec3 b, const std::array<vec3, 4>& corners);
 

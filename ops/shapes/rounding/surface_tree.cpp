@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/shapes/rounding/surface_tree.hpp"
 
+#include "mesh/distances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>

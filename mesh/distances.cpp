@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tedit {
+
+/// Source: the closest points of two lines, each then held to its segment.
+double segments_apart(vec3 a, vec3 b, vec3 c, vec3 d) {
+  const vec3 u = b - a;
+  const vec3 w = d - c;
+  const vec3 r = a - c;
+  const double uu = dot(u, u);
+  const double ww = dot(w, w);
+  const double uw = dot(u, w);
+  const double ur = dot(u, r);
+  const double wr = dot(w, r);
+  const double det = uu * ww - uw * uw;
+  double s = det > 1e-12 * uu * ww ? std::clamp((uw * wr - ur * ww) / det, 0.0, 1.0) : 0;
+  const double t = ww > 0 ? std::clamp((uw * s + wr) / ww, 0.0, 1.0) : 0;
+  s = uu > 0 ? std::clamp((uw * t - ur) / uu, 0.0, 1.0) : 0;
+  return norm(r + s * u - t * w);
+}
+
+double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
+  const vec3 n = cross(b - a, c - a);
+  const auto inner = [&](vec3 from, vec3 to) { return dot(cross(to - from, p - from), n) >= 0; };
+  if (dot(n, n) > 0 && inner(a, b) && inner(b, c) && inner(c, a))
+    return std::abs(dot(p - a, normalized(n)));
+  return std::min(
+    {segments_apart(p, p, a, b), segments_apart(p, p, b, c), segments_apart(p, p, c, a)});
+}
+
+}  // namespace tedit
