@@ -45,6 +45,13 @@ bool admits_message(const bytes& payload) {
          guard.admits(payload);
 }
 
+TEST(BaspGuard, ASizeThatNeedsMoreThan32BitsIsRefused) {
+  bytes payload(3);
+  payload.resize(8, std::byte(0x80));  // Five bytes, each of which says that another follows.
+  payload.resize(16);
+  EXPECT_FALSE(admits_message(payload));
+}
+
 TEST(BaspGuard, AConversationPasses) {
   auto guard = greeted();
   for (int round = 0; round < 3; ++round) {

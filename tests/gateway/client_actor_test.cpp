@@ -135,6 +135,8 @@ protected:
 
 TEST_F(ClientActor, IsToldWhichResultsThereAre) {
   open();
+  EXPECT_EQ(welcome_.protocol_major(), protocol::major_version);
+  EXPECT_EQ(welcome_.protocol_minor(), protocol::minor_version);
   std::map<std::string, v1::ResultArray> told;
   for (const auto& one : welcome_.results())
     told[one.name()] = one;

@@ -211,6 +211,20 @@ TEST_F(Pool, WorkThatTakesTooLongIsEndedAndNamed) {
   EXPECT_EQ(written.refusal().code, ec::timeout);
 }
 
+TEST_F(Pool, EditsThatHangCountAgainstTheirOperation) {
+  start();
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    const auto got = edit(id, "emboss");
+    pass(milliseconds(121'000));
+    ASSERT_EQ(got.refusal().code, ec::timeout) << id;
+  }
+  const auto got = edit(4, "emboss");
+  EXPECT_THAT(got.refusal().message, HasSubstr("emboss"));
+  const auto other = edit(5, "fill");
+  finish();
+  EXPECT_TRUE(other.is_success());
+}
+
 TEST_F(Pool, AWorkerThatRetiresFinishesItsJobAndGetsNoMore) {
   start();
   const auto first = edit(1);
@@ -273,8 +287,9 @@ TEST_F(Pool, SaysHowItIs) {
   EXPECT_EQ(status().role, "modeling");
   EXPECT_EQ(status().restarts, 0U);
   const auto waiting = edit(1);
-  caf::anon_send(process().enlister, enlistment{1, process().worker});
+  const auto enlisted = ask<bool>(process().enlister, enlistment{1, process().worker});
   pass(milliseconds(1));
+  EXPECT_TRUE(enlisted.value());
   EXPECT_EQ(worker().tasks.size(), 1U);
 }
 

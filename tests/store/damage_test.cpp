@@ -265,6 +265,13 @@ TEST_F(Damage, RubbishAtTheStartIsMendedFromTheLogAndOtherFilesAreLeftAlone) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("not a database"));
   EXPECT_EQ(fs::file_size(other), 11U);
+
+  // Of as many bytes as pages have, but beside a log that is none.
+  const auto third = folder / "third.tedit";
+  std::ofstream(third) << std::string(8192, 'x');
+  std::ofstream(third.string() + "-wal") << std::string(8192, 'x');
+  EXPECT_FALSE(document::open(third));
+  EXPECT_EQ(fs::file_size(third), 8192U);
 }
 
 TEST_F(Damage, ANewDocumentIsThereWholeOrNotAtAll) {
