@@ -112,8 +112,8 @@ struct client_state {
 
   // -- edits (edits.cpp) ---------------------------------------------------------------------
 
-  /// Ends the preview that is asked for, if there is one.
-  void end_preview(const error& why);
+  /// Ends the preview that is asked for, if there is one; with a session only one of its document.
+  void end_preview(const error& why, const actors::session_actor& of = {});
 
   // -- answers, and what follows them (client_actor.cpp) ----------------------------------------
 
@@ -160,7 +160,7 @@ struct client_state {
   std::deque<waiting_export> exports;            ///< Not begun.
   unsigned exporting = 0;                        ///< Begun, and not written yet.
   std::map<std::uint64_t, running_request> requests;
-  std::uint64_t previewing = 0;  ///< The newest PreviewEdit; answered or not.
+  std::uint64_t previewing = 0;  ///< Ticket of the newest PreviewEdit; answered or not.
 
   static inline const char* name = "client";
 };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Edits, and what an edit would make.
+#include <algorithm>
+
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
@@ -102,7 +104,7 @@ void preview(client_state& client, std::uint64_t id, const v1::PreviewEdit& body
     return client.refuse(id, request.error());
   client.end_preview({ec::superseded, "another preview was asked for meanwhile", {}, {}});
   const auto ticket = client.begin(id, document->session);
-  client.previewing = id;
+  client.previewing = ticket;
   request->ticket = ticket;
   request->client = caf::actor_cast<caf::actor>(client.self);
   const auto waits = [=, &client] {
@@ -125,12 +127,14 @@ void preview(client_state& client, std::uint64_t id, const v1::PreviewEdit& body
 
 }  // namespace
 
-void client_state::end_preview(const error& why) {
-  const auto found = requests.find(previewing);
-  if (found == requests.end())
+/// By its ticket: the number of an answered request may be another's by now.
+void client_state::end_preview(const error& why, const session_actor& of) {
+  const auto found = std::ranges::find_if(
+    requests, [&](const auto& row) { return row.second.ticket == previewing; });
+  if (found == requests.end() || (of && found->second.session != of))
     return;
   caf::anon_send(found->second.session, cancel_atom::value, found->second.ticket);
-  refuse(previewing, why);
+  refuse(found->first, why);
 }
 
 request_rows edit_requests() {

@@ -94,11 +94,12 @@ void receive_upload(client_state& client, std::uint64_t id, const v1::UploadChun
   }
 }
 
-/// An upload that is whole; else the request is refused.
+/// An upload that is whole; else the request is refused and what is there is dropped.
 std::optional<client_state::sent_file> take_upload(client_state& client, std::uint64_t id,
                                                    std::uint64_t upload, std::uint64_t size) {
   const auto found = client.uploads.find(upload);
   if (found == client.uploads.end() || found->second.size() != size) {
+    client.uploads.erase(upload);
     client.refuse(id,
                   {ec::protocol_error, "the upload is not complete", "Send the file again", {}});
     return std::nullopt;
