@@ -10,6 +10,7 @@
 #include "protocol/load_case_message.hpp"
 #include "tests/simulation/client.hpp"
 #include "tests/simulation/server.hpp"
+#include "tests/simulation/shown.hpp"
 
 namespace tedit::simulation {
 
@@ -175,25 +176,6 @@ private:
       say(client.last_field_version() != to_hex(head->info.id) ||
             client.last_solve() != held.result->number,
           "a client lacks the fields of the head's last solve");
-  }
-
-  static bool shows(const client::surface_model& shown, const mesh_version& mesh) {
-    if (shown.version_id() != to_hex(mesh.id()) || shown.total_facets() != mesh.facet_count())
-      return false;
-    for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-      const auto& facet = mesh.facet(f);
-      if (facet.tet == no_id)
-        continue;
-      const auto* there = shown.facets().find(f);
-      if (!there || there->v != facet.v || there->surface != facet.surface)
-        return false;
-      for (const auto v : facet.v) {
-        const auto* at = shown.positions().find(v);
-        if (!at || !(*at == mesh.position(v)))
-          return false;
-      }
-    }
-    return true;
   }
 
   /// A pool does the work of a dead worker again, and again: two deaths are nobody's concern.
