@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -11,15 +13,28 @@
 namespace {
 
 // A signal handler may touch no more than this.
-std::atomic<bool> interrupted{false};
+std::atomic<std::int64_t> first_interrupt{0};  ///< On the monotonic clock, ns; 0: none came.
 
 tedit::cancel_token* interrupt_token = nullptr;
 
+/// Supervisors signal a process and then its whole group: what comes so soon after the first signal
+/// is the same wish.
+constexpr std::int64_t same_wish_ns = 500'000'000;
+
+std::int64_t monotonic_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
+}
+
 extern "C" void on_interrupt(int) {
+  const auto now = monotonic_ns();
+  std::int64_t first = 0;
+  if (first_interrupt.compare_exchange_strong(first, now))
+    return interrupt_token->cancel();
   // A second signal ends the program even when the work does not listen.
-  if (interrupted.exchange(true))
+  if (now - first > same_wish_ns)
     _exit(130);
-  interrupt_token->cancel();
 }
 
 void install_signal_handlers(tedit::cancel_token& token) {

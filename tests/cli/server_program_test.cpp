@@ -5,7 +5,11 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
+#include <thread>
 
 #include "tests/cli/program.hpp"
 
@@ -164,6 +168,27 @@ TEST_F(ServerProgram, AServerDoesNotStartWithAFolderThatItMayNotWrite) {
               HasSubstr("Permission denied"));
   expect_fault("documents", "Permission denied");
   fs::permissions(documents(), fs::perms::owner_all);
+}
+
+/// As timeout(1) does it: the process, then its group.
+TEST_F(ServerProgram, TwoSignalsAtOnceEndItAsOneDoes) {
+  const auto ready = (folder / "ready.json").string();
+  const pid_t child = fork();
+  if (child == 0) {
+    (void)freopen("/dev/null", "w", stdout);
+    (void)freopen("/dev/null", "w", stderr);
+    execl(program.c_str(), "tedit", "serve", "--in-process", "--config", config().c_str(),
+          "--ready-file", ready.c_str(), nullptr);
+    _exit(127);
+  }
+  for (int i = 0; i < 6000 && !fs::exists(ready); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(fs::exists(ready));
+  kill(child, SIGTERM);
+  kill(child, SIGTERM);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
 }  // namespace
