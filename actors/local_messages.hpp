@@ -284,8 +284,16 @@ struct session_history {
 struct session_remains;
 using shared_remains = std::shared_ptr<session_remains>;
 
+/// Bytes of one kind that the server's process keeps.
+struct memory_use {
+  std::string what;
+  std::uint64_t bytes = 0;
+  std::uint64_t budget = 0;  ///< 0: none.
+};
+
 struct server_status {
   std::vector<worker_status> workers;
+  std::vector<memory_use> memory;
   std::uint32_t documents = 0;
 };
 

@@ -44,6 +44,7 @@ void add_solve(CLI::App& app, action& chosen);
 void add_export(CLI::App& app, action& chosen);
 void add_run(CLI::App& app, action& chosen);
 void add_serve(CLI::App& app, action& chosen);
+void add_status(CLI::App& app, action& chosen);
 void add_worker(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
 void add_verify(CLI::App& app, action& chosen);

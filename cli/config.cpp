@@ -184,6 +184,7 @@ const std::vector<option>& options() {
     {"limits", "modeling_memory_mb", whole(&c::modeling_memory_mb, 0, 1 << 24)},
     {"limits", "upload_bytes", bytes(&c::upload_bytes)},
     {"limits", "all_upload_bytes", bytes(&c::all_upload_bytes)},
+    {"limits", "result_bytes", bytes(&c::result_bytes)},
     {"log", "level", text(&c::log_level, level_fault)},
   };
   return list;

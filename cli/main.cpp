@@ -98,6 +98,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_export(app, chosen);
   tedit::cli::add_run(app, chosen);
   tedit::cli::add_serve(app, chosen);
+  tedit::cli::add_status(app, chosen);
   tedit::cli::add_worker(app, chosen);
   tedit::cli::add_render(app, chosen);
   tedit::cli::add_doc(app, chosen);

@@ -175,6 +175,8 @@ server_status from_message(const v1::ServerStatus& message) {
   server_status result;
   for (const auto& w : message.workers())
     result.workers.push_back({w.role(), w.state(), w.pid(), w.restarts(), w.jobs(), w.detail()});
+  for (const auto& use : message.memory())
+    result.memory.push_back({use.what(), use.bytes(), use.budget_bytes()});
   result.documents = message.documents();
   result.connections = message.connections();
   return result;

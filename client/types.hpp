@@ -169,8 +169,16 @@ struct worker_status {
   std::string detail;
 };
 
+/// Bytes of one kind that the server's process keeps.
+struct memory_use {
+  std::string what;
+  std::uint64_t bytes = 0;
+  std::uint64_t budget_bytes = 0;  ///< 0: none.
+};
+
 struct server_status {
   std::vector<worker_status> workers;
+  std::vector<memory_use> memory;
   std::uint32_t documents = 0;
   std::uint32_t connections = 0;
 };

@@ -216,6 +216,7 @@ void to_message(const actors::solve_note& note, v1::SolveStatus* out);
 void to_message(const actors::solved& done, v1::Solved* out);
 void to_message(const error& e, v1::Error* out);
 void to_message(const actors::rival& other, v1::Conflict* out);
+void to_message(const actors::memory_use& use, v1::MemoryUse* out);
 void to_message(const actors::server_status& status, v1::ServerStatus* out);
 void to_message(const file_format& format, v1::FileFormat* out);
 void to_message(const fem::result_array& array, v1::ResultArray* out);

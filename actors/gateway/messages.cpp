@@ -105,7 +105,15 @@ void to_message(const fem::result_array& array, v1::ResultArray* out) {
   out->set_needs_yield(array.needs_yield);
 }
 
+void to_message(const actors::memory_use& use, v1::MemoryUse* out) {
+  out->set_what(use.what);
+  out->set_bytes(use.bytes);
+  out->set_budget_bytes(use.budget);
+}
+
 void to_message(const actors::server_status& status, v1::ServerStatus* out) {
+  for (const auto& use : status.memory)
+    to_message(use, out->add_memory());
   for (const auto& worker : status.workers) {
     auto* row = out->add_workers();
     row->set_role(worker.role);

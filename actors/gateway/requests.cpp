@@ -63,6 +63,9 @@ void get_status(client_state& client, std::uint64_t id, const v1::GetStatus&) {
       [=, &client](const server_status& status) {
         v1::ServerMessage message;
         to_message(status, message.mutable_server_status());
+        const auto& uploads = *client.parts.all_uploads;
+        to_message(memory_use{"uploads", uploads.used(), uploads.limit()},
+                   message.mutable_server_status()->add_memory());
         message.mutable_server_status()->set_connections(
           static_cast<std::uint32_t>(client.parts.connections()));
         message.mutable_server_status()->set_wrong_tokens(client.parts.guard->turned_away());

@@ -27,6 +27,7 @@ public:
   void give_back(std::uint64_t bytes);
 
   [[nodiscard]] std::uint64_t used() const { return used_; }
+  [[nodiscard]] std::uint64_t limit() const { return limit_; }
 
 private:
   const std::uint64_t limit_;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t longest_document_name = 64;
 
-/// Fields of documents that nobody has open, together.
-constexpr std::size_t most_remaining_bytes = std::size_t{256} << 20;
+/// Documents that nobody has open and of which something is kept.
+constexpr std::size_t most_remains = 1000;
 
 /// Former names that are remembered, of all documents together.
 constexpr std::size_t most_former = 1000;
@@ -56,11 +56,8 @@ void keep_remains(hub_state& state, const std::string& name, shared_remains left
   if (left->results.empty() && !left->followed)
     return;
   state.remains.emplace_front(name, std::move(left));
-  std::size_t sum = 0;
-  const auto too_much = std::ranges::find_if(state.remains, [&](const auto& one) {
-    return (sum += one.second->bytes()) > most_remaining_bytes;
-  });
-  state.remains.erase(too_much, state.remains.end());
+  if (state.remains.size() > most_remains)
+    state.remains.pop_back();
 }
 
 void start_opening(hub_pointer self, const std::string& name) {
@@ -78,6 +75,7 @@ void start_opening(hub_pointer self, const std::string& name) {
                             with.device,
                             caf::actor_cast<caf::actor>(self),
                             with.unused_limit,
+                            with.results,
                             take_remains(self->state, name)};
         const auto session = self->spawn<caf::linked>(make_session, std::move(parts), stored);
         self->state.open.emplace(name, session);
@@ -285,6 +283,11 @@ caf::result<server_status> status(hub_pointer self) {
   all->promise = self->make_response_promise<server_status>();
   all->result.documents = static_cast<std::uint32_t>(self->state.open.size());
   all->result.workers.resize(worker_roles.size());
+  const auto& parts = self->state.parts;
+  const auto pages = parts.cache->usage();
+  all->result.memory = {{"documents", pages.known, 0},
+                        {"recent pages", pages.recent, pages.budget},
+                        {"results", parts.results->used(), parts.results->budget()}};
   self->state.parts.workers.for_each([=](worker_role role, const auto& worker) {
     const auto receive = [=](const worker_status& one) {
       all->result.workers[static_cast<std::size_t>(role)] = one;

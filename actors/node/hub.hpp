@@ -28,6 +28,7 @@ struct hub_parts {
   std::shared_ptr<page_cache> cache;
   std::string device = "auto";
   std::chrono::milliseconds unused_limit = actors::unused_limit;
+  std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
 };
 

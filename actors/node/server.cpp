@@ -140,8 +140,10 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   role_healths healths;
   const auto workers = options.worker_processes ? start_pools(system, options, healths)
                                                 : start_threads(system, options, cache, pages);
-  const auto hub = system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache,
-                                                    options.device, options.unused_limit});
+  const auto hub =
+    system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device,
+                                     options.unused_limit,
+                                     std::make_shared<result_memory>(options.result_bytes)});
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));

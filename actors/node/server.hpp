@@ -39,6 +39,8 @@ struct server_options {
   /// Bytes of uploads that wait for their import, of one connection and of all together.
   std::uint64_t upload_bytes = std::uint64_t{2} << 30;
   std::uint64_t all_upload_bytes = std::uint64_t{4} << 30;
+  /// Bytes of the fields of results that are kept for undo and for documents that are opened again.
+  std::uint64_t result_bytes = std::uint64_t{512} << 20;
 };
 
 /// The whole server: gateway, hub, sessions, page store, workers or their pools. It runs on threads

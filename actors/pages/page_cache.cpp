@@ -30,6 +30,15 @@ page_ptr page_cache::find(const hash128& id) {
   return p;
 }
 
+page_cache::use page_cache::usage() const {
+  const std::lock_guard lock(mutex_);
+  use result{0, kept_, budget_};
+  for (const auto& [id, e] : entries_)
+    if (const auto p = e.alive.lock())
+      result.known += p->bytes().size();
+  return result;
+}
+
 void page_cache::keep(entry& e, const page_ptr& p) {
   if (e.kept != recent_.end()) {
     recent_.splice(recent_.begin(), recent_, e.kept);

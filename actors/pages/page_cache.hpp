@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <mutex>
 #include <unordered_map>
@@ -23,6 +24,15 @@ public:
 
   /// Null when it is not known.
   [[nodiscard]] page_ptr find(const hash128& id);
+
+  /// Bytes of pages.
+  struct use {
+    std::uint64_t known = 0;   ///< Whoever holds them.
+    std::uint64_t recent = 0;  ///< Of these, that stay for having been used last.
+    std::uint64_t budget = 0;  ///< For those.
+  };
+  /// Cost: O(pages).
+  [[nodiscard]] use usage() const;
 
 private:
   using order = std::list<page_ptr>;

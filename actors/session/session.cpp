@@ -115,14 +115,6 @@ caf::result<shared_remains> session_state::end() {
   return *promise;
 }
 
-std::size_t session_remains::bytes() const {
-  std::size_t sum = 0;
-  for (const auto& one : results)
-    for (const auto& f : *one.event.fields)
-      sum += f.values.size() * sizeof(double);
-  return sum;
-}
-
 // -- the order of commands ---------------------------------------------------------------------
 
 void session_state::enqueue(command c) {

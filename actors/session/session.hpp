@@ -15,6 +15,7 @@
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
 #include "actors/session/change_log.hpp"
+#include "actors/session/result_memory.hpp"
 #include "actors/session/version_graph.hpp"
 #include "base/stopwatch.hpp"
 
@@ -30,6 +31,9 @@ inline constexpr std::chrono::seconds short_limit{60};
 /// A session that nobody has open for so long ends; its document can be opened again.
 inline constexpr std::chrono::seconds unused_limit{120};
 
+/// Bytes of the fields of results that a server keeps.
+inline constexpr std::uint64_t result_bytes = std::uint64_t{512} << 20;
+
 /// What a session works with.
 struct session_parts {
   std::string document;
@@ -40,6 +44,8 @@ struct session_parts {
   std::string device = "auto";  ///< For solves that name none.
   caf::actor hub = {};          ///< Who ends it when nobody has it open; null: nobody.
   std::chrono::milliseconds unused_limit = actors::unused_limit;
+  /// Shared by all sessions of a server.
+  std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
   shared_remains remains = {};  ///< Of the session before; may be null.
 };
 
@@ -118,8 +124,9 @@ struct session_state {
   /// A result, with what is needed to write it to a file.
   struct kept_result {
     solve_key key;
-    solved event;
+    solved event;  ///< Without its fields.
     solve_result fields;
+    result_memory::handle shown;  ///< The fields, as long as there is room for them.
   };
 
   // -- session.cpp ---------------------------------------------------------------------------
@@ -221,6 +228,8 @@ struct session_state {
 
   caf::result<solved> solve(const solve_request& request);
   [[nodiscard]] held_result held() const;
+  /// The result with its fields; nothing when they had to give way.
+  [[nodiscard]] std::optional<solved> with_fields(const kept_result& result) const;
   /// The last result of a version with load cases that it has now: after a change of loads the old
   /// field would lie. Null when there is none.
   [[nodiscard]] const kept_result* result_of(const graph_node& node) const;
@@ -284,9 +293,6 @@ struct session_state {
 struct session_remains {
   std::list<session_state::kept_result> results;  ///< Without their versions.
   std::optional<solve_request> followed;
-
-  /// Of the fields, that somebody keeps in memory.
-  [[nodiscard]] std::size_t bytes() const;
 };
 
 /// One document, opened: docs/actors.md draws one edit and one solve.

@@ -54,7 +54,16 @@ held_result session_state::held() const {
   if (active && active->key.version == version)
     return {std::nullopt, true};
   const auto* found = result_of(*head);
-  return {found ? std::optional(found->event) : std::nullopt, false};
+  return {found ? with_fields(*found) : std::nullopt, false};
+}
+
+std::optional<solved> session_state::with_fields(const kept_result& result) const {
+  auto fields = parts.results->find(result.shown);
+  if (!fields)
+    return std::nullopt;
+  auto event = result.event;
+  event.fields = std::move(fields);
+  return event;
 }
 
 void session_state::follow_head() {
@@ -110,14 +119,16 @@ void session_state::start_solve(const solve_request& request,
               request.element_order};
 
   const auto kept = std::ranges::find(results, next.key, &kept_result::key);
-  if (kept != results.end()) {
+  if (const auto event = kept == results.end() ? std::nullopt : with_fields(*kept)) {
     results.splice(results.begin(), results, kept);
     end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
-    broadcast(results.front().event, next.askers());
+    broadcast(*event, next.askers());
     if (promise)
-      promise->deliver(results.front().event);
+      promise->deliver(*event);
     return;
   }
+  if (kept != results.end())
+    results.erase(kept);
   if (active && active->key == next.key) {
     active->waiting.insert(active->waiting.end(), next.waiting.begin(), next.waiting.end());
     return tell_progress();
@@ -256,7 +267,9 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       progress_of.erase(job);
       const auto outcome = *result.outcome.get();  // Read when the fields were opened.
       const solved event{parts.document, done.mesh, outcome, fields, job.value};
-      keep_result({std::move(done.key), event, result});
+      auto kept = event;
+      kept.fields.reset();
+      keep_result({std::move(done.key), std::move(kept), result, parts.results->keep(fields)});
       broadcast(event, done.askers());
       for (auto& waiter : done.waiting)
         waiter.promise.deliver(event);

@@ -10,6 +10,7 @@
 
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include "tests/cli/program.hpp"
 
@@ -170,25 +171,78 @@ TEST_F(ServerProgram, AServerDoesNotStartWithAFolderThatItMayNotWrite) {
   fs::permissions(documents(), fs::perms::owner_all);
 }
 
+/// A server of that configuration, ready.
+class ready_server {
+public:
+  ready_server(const fs::path& folder, const fs::path& config) : ready_(folder / "ready.json") {
+    child_ = fork();
+    if (child_ == 0) {
+      (void)freopen("/dev/null", "w", stdout);
+      (void)freopen("/dev/null", "w", stderr);
+      execl(program.c_str(), "tedit", "serve", "--in-process", "--config", config.c_str(),
+            "--ready-file", ready_.c_str(), nullptr);
+      _exit(127);
+    }
+    for (int i = 0; i < 6000 && !fs::exists(ready_); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ready_server(const ready_server&) = delete;
+  ready_server& operator=(const ready_server&) = delete;
+  ~ready_server() {
+    if (child_ > 0)
+      end(1);
+  }
+
+  [[nodiscard]] std::string url() const {
+    std::ifstream in(ready_);
+    return json::parse(in, nullptr, false).value("url", "");
+  }
+
+  /// Its status after so many signals at once.
+  int end(int signals) {
+    for (int i = 0; i < signals; ++i)
+      kill(child_, SIGTERM);
+    int status = 0;
+    waitpid(std::exchange(child_, -1), &status, 0);
+    return status;
+  }
+
+private:
+  fs::path ready_;
+  pid_t child_ = -1;
+};
+
 /// As timeout(1) does it: the process, then its group.
 TEST_F(ServerProgram, TwoSignalsAtOnceEndItAsOneDoes) {
-  const auto ready = (folder / "ready.json").string();
-  const pid_t child = fork();
-  if (child == 0) {
-    (void)freopen("/dev/null", "w", stdout);
-    (void)freopen("/dev/null", "w", stderr);
-    execl(program.c_str(), "tedit", "serve", "--in-process", "--config", config().c_str(),
-          "--ready-file", ready.c_str(), nullptr);
-    _exit(127);
-  }
-  for (int i = 0; i < 6000 && !fs::exists(ready); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  ASSERT_TRUE(fs::exists(ready));
-  kill(child, SIGTERM);
-  kill(child, SIGTERM);
-  int status = 0;
-  waitpid(child, &status, 0);
+  ready_server server(folder, config());
+  ASSERT_NE(server.url(), "");
+  const int status = server.end(2);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+TEST_F(ServerProgram, TheStatusSaysHowItIsAndWhatTakesUpItsMemory) {
+  write_config("[limits]\nresult_bytes = 2097152\n");
+  const ready_server server(folder, config());
+  const auto arguments = " --token-file " + token().string() + " --server " + server.url();
+  const auto said = run("status --json" + arguments);
+  const auto all = said.parsed();
+  ASSERT_EQ(said.status, 0) << said.out;
+  EXPECT_EQ(all["documents"], 0);
+  EXPECT_EQ(all["connections"], 1);
+  ASSERT_EQ(all["workers"].size(), 3U);
+  std::vector<std::string> kinds;
+  for (const auto& row : all["memory"])
+    kinds.push_back(row["what"]);
+  EXPECT_EQ(kinds, (std::vector<std::string>{"documents", "recent pages", "results", "uploads"}));
+  EXPECT_EQ(all["memory"][2]["budget_bytes"], 2097152);
+  EXPECT_THAT(run("status" + arguments).out, HasSubstr("results       0.0 MiB of 2.0 MiB"));
+}
+
+TEST_F(ServerProgram, TheStatusOfAServerThatIsNotThereSaysHowToStartOne) {
+  const auto said =
+    run("status --json --server ws://127.0.0.1:1/v1 --token-file " + token().string());
+  EXPECT_EQ(said.status, 69);
+  EXPECT_NE(said.parsed()["error"]["remedy"], "") << said.out;
 }
 
 }  // namespace

@@ -141,7 +141,9 @@ TEST(ManyDocuments, ThoseThatNobodyHasOpenAreClosedAndTheirMemoryIsFree) {
   wait_until_closed();
   host.print("the same three times more");
   EXPECT_LE(host.count("fd"), descriptors);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // They keep what was freed.
   EXPECT_LE(host.resident_kib(), resident + 8 * 1024);
+#endif
 }
 
 }  // namespace

@@ -72,13 +72,14 @@ protected:
     }
   }
 
-  /// Asks an actor; the answer is there once time has passed.
+  /// Asks an actor; the answer is there once time has passed. The actor that asks has an argument,
+  /// as all here have: CAF 0.17 binds a reference to a null pointer for functions without.
   template <class Result, class Actor, class... Values>
   answer<Result> ask(const Actor& whom, Values... values) {
     answer<Result> result;
     stage_.system().spawn(
       [record = result.state_, to = caf::actor_cast<caf::actor>(whom),
-       what = std::make_tuple(std::move(values)...)](caf::event_based_actor* self) {
+       what = std::make_tuple(std::move(values)...)](caf::event_based_actor* self, int) {
         const auto took = [record](const Result& value) {
           record->value = value;
           ++record->answers;
@@ -90,7 +91,8 @@ protected:
         std::apply(
           [&](const auto&... one) { self->request(to, caf::infinite, one...).then(took, refused); },
           what);
-      });
+      },
+      0);
     return result;
   }
 

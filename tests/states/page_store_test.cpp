@@ -27,7 +27,7 @@ struct remote_state {
   static inline const char* name = "remote";
 };
 
-caf::behavior remote_node(caf::stateful_actor<remote_state>* self) {
+caf::behavior remote_node(caf::stateful_actor<remote_state>* self, int /*number*/) {
   return {[=](get_atom, const hash_list& ids) {
             auto promise = self->make_response_promise<page_batch>();
             self->state.asked.push_back({ids, promise});
@@ -43,7 +43,7 @@ protected:
       pages_.push_back(page_of(i));
       ids_.push_back(pages_.back()->id());
     }
-    remote_ = stage_.system().spawn(remote_node);
+    remote_ = stage_.system().spawn(remote_node, 0);
     store_ = stage_.system().spawn(make_page_store, cache_);
   }
 

@@ -26,7 +26,7 @@ struct puppet_state {
 };
 using puppet_actor = caf::stateful_actor<puppet_state>;
 
-inline caf::behavior make_puppet(puppet_actor* self) {
+inline caf::behavior make_puppet(puppet_actor* self, int /*number*/) {
   return {[=](job_id job, const edit_order& order) {
             auto promise = self->make_response_promise<operation_result>();
             self->state.tasks.push_back({job, (*order.wanted.get())->operation, promise});
@@ -55,7 +55,7 @@ public:
                         const caf::actor& enlister) override {
     if (!refusal.empty())
       return fail(ec::service_unavailable, refusal);
-    const auto worker = system.spawn(make_puppet);
+    const auto worker = system.spawn(make_puppet, 0);
     all.push_back({enlister, worker, {}});
     if (enlists)
       caf::anon_send(enlister, enlistment{static_cast<std::int32_t>(all.size()), worker});

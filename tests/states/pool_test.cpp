@@ -184,7 +184,7 @@ TEST_F(Pool, AProcessThatDoesNotEnlistIsReplaced) {
 
 TEST_F(Pool, NobodyEnlistsInTheNameOfAnother) {
   start();
-  const auto stranger = stage_.system().spawn(make_puppet);
+  const auto stranger = stage_.system().spawn(make_puppet, 0);
   const auto second = ask<bool>(process().enlister, enlistment{99, stranger});
   pass(milliseconds(10));
   EXPECT_FALSE(second.value());

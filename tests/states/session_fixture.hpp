@@ -116,7 +116,7 @@ struct listener_state {
 };
 using listener_actor = caf::stateful_actor<listener_state>;
 
-inline caf::behavior make_listener(listener_actor* self) {
+inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
   return {[=](const head_moved& e) { self->state.heads.push_back(e); },
           [=](const load_cases_changed& e) { self->state.loads.push_back(e); },
           [=](const solve_note& e) { self->state.solves.push_back(e); },
@@ -131,7 +131,10 @@ protected:
     helper_ = stage_.system().spawn(make_helper, cache_);
     pages_ = stage_.system().spawn(make_page_store, cache_);
     hub_ = stage_.system().spawn(
-      [this] { return caf::behavior{[this](end_atom, const session_actor&) { ++end_asked_; }}; });
+      [this](int) {
+        return caf::behavior{[this](end_atom, const session_actor&) { ++end_asked_; }};
+      },
+      0);
     session_parts parts;
     parts.document = "part";
     parts.store = caf::actor_cast<store_actor>(helper_);
@@ -141,6 +144,7 @@ protected:
                      caf::actor_cast<optimizer_actor>(helper_),
                      caf::actor_cast<solver_actor>(helper_)};
     parts.hub = hub_;
+    parts.results = session_results_;
     session_ = stage_.system().spawn(make_session, parts, stored_document{});
     mine_ = listen();
     other_ = listen();
@@ -150,7 +154,7 @@ protected:
   ~Session() override { simulation::cut_off(caf::actor_cast<caf::actor>(session_)); }
 
   caf::actor listen() {
-    const auto who = stage_.system().spawn(make_listener);
+    const auto who = stage_.system().spawn(make_listener, 0);
     const auto got = ask<session_snapshot>(session_, attach_request{who});
     pass(milliseconds(1));
     EXPECT_TRUE(got.is_success());
@@ -244,7 +248,8 @@ protected:
   }
   std::string head() { return to_hex(state().graph.head()->info.id); }
 
-  std::shared_ptr<page_cache> cache_ = std::make_shared<page_cache>(std::size_t{1} << 20);
+  std::shared_ptr<page_cache> cache_ = std::make_shared<page_cache>(std::size_t{0});
+  std::shared_ptr<result_memory> session_results_ = std::make_shared<result_memory>(1000);
   caf::actor helper_, hub_, mine_, other_;
   page_store_actor pages_;
   session_actor session_;

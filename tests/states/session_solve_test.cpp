@@ -18,6 +18,8 @@ protected:
     import_all();
     set_load("hanging", 5);
   }
+
+  held_result ask_held() { return request<held_result>(held_atom::value).value(); }
 };
 
 TEST_F(Solves, WithoutALoadCaseThereIsNothingToSolve) {
@@ -100,6 +102,27 @@ TEST_F(Solves, UndoShowsTheResultThatIsThere) {
   EXPECT_THAT(tasks(), IsEmpty());
   ASSERT_EQ(heard(mine_).results.size(), 2U);
   EXPECT_EQ(to_hex(heard(mine_).results.back().version->id()), head());
+}
+
+/// Others' results have taken the room.
+TEST_F(Solves, AFieldThatHadToGiveWayIsSolvedAnew) {
+  const auto fill = [&] {
+    auto large = std::make_shared<std::vector<field>>(1);
+    large->front().values = paged_array<double>::from(std::vector<double>(200));
+    return session_results_->keep(large);
+  };
+  solve(mine_);
+  finish({"solve"});
+  edit(.1);
+  finish({"edit", "check", "commit", "solve"});
+  const auto others = fill();
+  EXPECT_FALSE(ask_held().result);
+  move(move_kind::undo);
+  finish({"commit"});
+  EXPECT_THAT(tasks(), ElementsAre("solve"));
+  finish({"solve"});
+  EXPECT_EQ(to_hex(heard(mine_).results.back().version->id()), head());
+  EXPECT_TRUE(ask_held().result);
 }
 
 TEST_F(Solves, AChangedLoadCaseIsSolvedAnew) {

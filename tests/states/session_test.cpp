@@ -46,6 +46,19 @@ TEST_F(Session, EditsAreMadeOneAfterTheOtherEachOfTheHeadBefore) {
   EXPECT_EQ(second.value().head.parent, 1U);
 }
 
+/// The worker that made it may die before it is checked, and no budget is large enough for all.
+TEST_F(Session, ACandidatesPagesAreHeldUntilItIsChecked) {
+  import_all();
+  const auto got = edit(.1);
+  version_ptr candidate = simulation::nudged(state().graph.head()->mesh, 0, .1);
+  finish({"edit"});
+  helper().versions.erase(to_hex(candidate->id()));
+  const auto ids = candidate->pages().page_ids();
+  candidate.reset();
+  for (const auto& id : ids)
+    EXPECT_TRUE(cache_->find(id)) << to_hex(id);
+}
+
 TEST_F(Session, AnEditThatWaitsIsCancelledWithoutHavingBegun) {
   import_all();
   const auto first = edit(.1);
