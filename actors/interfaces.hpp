@@ -16,12 +16,14 @@ using cancel_atom = caf::atom_constant<caf::atom("cancel")>;
 using catalog_atom = caf::atom_constant<caf::atom("catalogue")>;
 using close_atom = caf::atom_constant<caf::atom("close")>;
 using copy_atom = caf::atom_constant<caf::atom("copy")>;
+using delete_atom = caf::atom_constant<caf::atom("delete")>;
 using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
 using held_atom = caf::atom_constant<caf::atom("held")>;
 using end_atom = caf::atom_constant<caf::atom("end")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
+using list_atom = caf::atom_constant<caf::atom("list")>;
 using load_atom = caf::atom_constant<caf::atom("load")>;
 using rename_atom = caf::atom_constant<caf::atom("rename")>;
 using rest_atom = caf::atom_constant<caf::atom("rest")>;
@@ -104,6 +106,16 @@ using disk_actor = caf::typed_actor<
   caf::replies_to<adoption>::with<acknowledged>,
   // Gives the document another name in its folder.
   caf::replies_to<rename_atom, shared_file, std::string>::with<acknowledged>,
+  // Writes the document to another one of its folder, as it is after the commits before this.
+  caf::replies_to<copy_atom, shared_file, std::string>::with<acknowledged>,
+  // The same for one that nobody has open, once all of it was read and found sound.
+  caf::replies_to<file_copy>::with<acknowledged>,
+  // Deletes the document and closes it.
+  caf::replies_to<delete_atom, shared_file>::with<acknowledged>,
+  // Deletes a document that nobody has open.
+  caf::replies_to<deletion>::with<acknowledged>,
+  // The documents that have a file in a folder.
+  caf::replies_to<folder_query>::with<document_list>,
   // Closes the document for good: its lock is free.
   caf::replies_to<close_atom, shared_file>::with<acknowledged>,
   // Opens the file's descriptors ahead of a commit.
@@ -122,6 +134,10 @@ using store_actor = caf::typed_actor<
   caf::replies_to<copy_atom>::with<exported>,
   // Gives the document another name; the answer means that it is durable.
   caf::replies_to<rename_atom, std::string>::with<acknowledged>,
+  // Writes the document to another one, as it is after the commits before this.
+  caf::replies_to<copy_atom, std::string>::with<acknowledged>,
+  // Deletes the document; only its closing may follow.
+  caf::replies_to<delete_atom>::with<acknowledged>,
   // Closes the document for good, after the commits before this.
   caf::replies_to<close_atom>::with<acknowledged>,
   // A commit is on its way.
@@ -147,6 +163,13 @@ using session_actor = caf::typed_actor<
   caf::replies_to<note_request>::with<acknowledged>,
   // Gives the document another name, which its hub has found free; all subscribers hear of it.
   caf::replies_to<rename_atom, std::string>::with<document_renamed>,
+  // Copies the document to another one, whose name its hub has found free.
+  caf::replies_to<copy_atom, std::string>::with<acknowledged>,
+  // Deletes the document and ends, unless another than who asks has it open, or something is done
+  // with it (`conflict`).
+  caf::replies_to<delete_atom, caf::actor>::with<acknowledged>,
+  // Who has the document open, and what it holds.
+  caf::replies_to<status_atom>::with<session_status>,
   // The result of the head that is at hand.
   caf::replies_to<held_atom>::with<held_result>,
   // Solves the head, and from then on every new head.
@@ -177,6 +200,12 @@ using hub_actor = caf::typed_actor<
   caf::replies_to<add_request>::with<added_document>,
   // Gives an open document another name; who asks for the one before still finds it.
   caf::replies_to<rename_request>::with<acknowledged>,
+  // Copies a document, open or not, to a new one.
+  caf::replies_to<copy_request>::with<added_document>,
+  // Deletes a document that no other client has open.
+  caf::replies_to<delete_request>::with<deleted_document>,
+  // All documents, open or not.
+  caf::replies_to<list_atom>::with<document_list>,
   // A session of which nobody wants anything: it is ended.
   caf::reacts_to<end_atom, session_actor>,
   // How the workers are, and how many documents are open.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Documents as files: what there is, whether it is sound, copies, meshes, room given back.
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -12,6 +11,7 @@
 #include "actors/store/cleaning.hpp"
 #include "actors/store/document_lock.hpp"
 #include "actors/store/loading.hpp"
+#include "base/utc.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
 #include "mesh/io/formats.hpp"
@@ -23,15 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using nlohmann::ordered_json;
-
-std::string utc_text(std::int64_t ms) {
-  const auto seconds = static_cast<std::time_t>(ms / 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[32];
-  const auto size = std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return {text, size};
-}
 
 std::string size_text(std::int64_t bytes) {
   const double value = static_cast<double>(bytes);
@@ -104,7 +95,7 @@ ordered_json doc_json(const listed& row) {
   ordered_json json{{"name", row.file.stem().string()},
                     {"file", row.file.string()},
                     {"bytes", row.state.bytes},
-                    {"changed", utc_text(row.state.changed_ms)},
+                    {"changed", utc_text(row.state.changed_ms / 1000)},
                     {"open", row.open},
                     {"readable", !row.fault}};
   if (row.fault)
@@ -123,7 +114,8 @@ std::string doc_text(const std::vector<listed>& rows) {
     table.push_back(
       {row.file.stem().string(), size_text(row.state.bytes),
        row.fault ? "" : std::to_string(row.versions),
-       row.head && !row.fault ? std::to_string(*row.head) : "", utc_text(row.state.changed_ms),
+       row.head && !row.fault ? std::to_string(*row.head) : "",
+       utc_text(row.state.changed_ms / 1000),
        std::string(row.fault ? "cannot be read" : "sound") + (row.open ? ", open" : "")});
   auto text = format_table(table, {4, 5});
   for (const auto& row : rows)

@@ -52,6 +52,23 @@ public:
 
   [[nodiscard]] expected<server_status> status();
 
+  // -- the documents of the server ----------------------------------------------------------
+
+  /// By name. Files are not looked into: that one is no document is said when it is opened.
+  [[nodiscard]] expected<std::vector<document_info>> list_documents();
+
+  /// Makes a document of the name `copy` with all versions of another one, which may be open, here
+  /// or elsewhere, or not. The copy is not opened. Errors: `invalid_argument` for a name that no
+  /// document can have, `conflict` for one that is taken and while the document is opened, closed
+  /// or renamed, `not_found`, `storage_error` for a document that is damaged.
+  [[nodiscard]] expected<void> copy_document(const std::string& document, const std::string& copy,
+                                             const execution& run = {});
+
+  /// Takes a document from the server for good; no document is open then if it was the open one.
+  /// Errors: `conflict` while another client has it open or something is done with it, `not_found`,
+  /// `storage_error` for a file that is no document.
+  [[nodiscard]] expected<void> delete_document(const std::string& document);
+
   // -- the document -----------------------------------------------------------------------
 
   /// Opens a document instead of the one before; it is made when it is not there. An empty name

@@ -182,6 +182,21 @@ server_status from_message(const v1::ServerStatus& message) {
   return result;
 }
 
+document_info from_message(const v1::DocumentInfo& message) {
+  document_info result{message.name(),
+                       message.bytes(),
+                       message.changed_at(),
+                       message.open(),
+                       message.clients(),
+                       {},
+                       {}};
+  if (message.has_versions())
+    result.versions = message.versions();
+  if (message.has_head())
+    result.head = message.head();
+  return result;
+}
+
 offered_format from_message(const v1::FileFormat& message) {
   return {message.name(),
           message.title(),

@@ -18,6 +18,7 @@ namespace tedit::client {
 [[nodiscard]] document_state from_message(const v1::DocumentState& message);
 [[nodiscard]] history from_message(const v1::History& message);
 [[nodiscard]] server_status from_message(const v1::ServerStatus& message);
+[[nodiscard]] document_info from_message(const v1::DocumentInfo& message);
 [[nodiscard]] offered_format from_message(const v1::FileFormat& message);
 [[nodiscard]] stream_header from_message(const v1::Stream& message);
 

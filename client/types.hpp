@@ -183,6 +183,17 @@ struct server_status {
   std::uint32_t connections = 0;
 };
 
+/// A document of the server, open or not (message `tedit.v1.DocumentInfo`).
+struct document_info {
+  std::string name;
+  std::uint64_t bytes = 0;  ///< Of its file, with its log; 0: it has none before its first import.
+  std::string changed_at;   ///< When its file was written last, UTC: "2026-11-23T08:45:00Z".
+  bool open = false;        ///< On the server; so for a while after its last client, too.
+  std::uint32_t clients = 0;              ///< Connections that have it open.
+  std::optional<std::uint32_t> versions;  ///< How many; only of an open one.
+  std::optional<std::uint32_t> head;      ///< The head's number; only of an open one that has any.
+};
+
 /// A kind of mesh file that the server reads or writes (message `tedit.v1.FileFormat`).
 struct offered_format {
   std::string name;   ///< Also the suffix of such files: "msh".

@@ -128,8 +128,22 @@ client_state::documents_by_name::iterator client_state::look_up(const std::strin
   });
 }
 
+void client_state::leave(documents_by_name::iterator document, const error& why) {
+  if (const auto& section = document->second.next_section)
+    refuse(section->id, why);
+  end_preview(why, document->second.session);
+  documents.erase(document);
+}
+
 client_state::open_document* client_state::find(std::uint64_t id, const std::string& document) {
   const auto found = look_up(document);
+  if (found != documents.end() && found->second.deleting) {
+    refuse(id, {ec::conflict,
+                "the document " + found->first + " is being deleted",
+                "Wait for the answer to that",
+                {}});
+    return nullptr;
+  }
   if (found != documents.end())
     return &found->second;
   refuse(id, {ec::not_found,

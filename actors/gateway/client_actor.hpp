@@ -71,6 +71,7 @@ struct client_state {
     std::deque<std::string> former;
     bool cutting = false;                         ///< A section is being made.
     std::optional<section_request> next_section;  ///< Asked for meanwhile; the newest wins.
+    bool deleting = false;                        ///< By this client: it asks for nothing more.
   };
 
   struct waiting_export {
@@ -136,7 +137,9 @@ struct client_state {
   /// The document that has this name, or had it in this connection; `documents.end()`: none is open
   /// here.
   documents_by_name::iterator look_up(const std::string& document);
-  /// The same; refuses the request when it is not open here.
+  /// Ends what is on its way of a document that was open here and forgets it.
+  void leave(documents_by_name::iterator document, const error& why);
+  /// The same as `look_up`; refuses the request when it is not open here, or is being deleted.
   open_document* find(std::uint64_t id, const std::string& document);
   /// Notes a request that can be cancelled; returns its ticket.
   std::uint64_t begin(std::uint64_t id, const actors::session_actor& session);
@@ -186,6 +189,7 @@ using request_rows = std::vector<request_row>;
 [[nodiscard]] request_rows document_requests();  ///< documents.cpp
 [[nodiscard]] request_rows edit_requests();      ///< edits.cpp
 [[nodiscard]] request_rows export_requests();    ///< exports.cpp
+[[nodiscard]] request_rows library_requests();   ///< library.cpp
 [[nodiscard]] request_rows note_requests();      ///< notes.cpp
 [[nodiscard]] request_rows section_requests();   ///< section.cpp
 [[nodiscard]] request_rows upload_requests();    ///< uploads.cpp

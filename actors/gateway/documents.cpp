@@ -114,11 +114,8 @@ void close(client_state& client, std::uint64_t id, const v1::CloseDocument& body
   const auto* document = client.find(id, body.document());
   if (!document)
     return;
-  if (const auto& waiting = document->next_section)
-    client.refuse(waiting->id, {ec::cancelled, "the document was closed", {}, {}});
-  client.end_preview({ec::cancelled, "the document was closed", {}, {}}, document->session);
   caf::anon_send(document->session, detach_atom::value, caf::actor_cast<caf::actor>(client.self));
-  client.documents.erase(client.look_up(body.document()));
+  client.leave(client.look_up(body.document()), {ec::cancelled, "the document was closed", {}, {}});
   v1::ServerMessage message;
   message.mutable_done();
   client.answer(id, std::move(message));

@@ -33,7 +33,7 @@ const handler_map& handlers() {
     handler_map result;
     for (const auto& rows :
          {server_requests(), document_requests(), edit_requests(), export_requests(),
-          note_requests(), section_requests(), upload_requests()})
+          library_requests(), note_requests(), section_requests(), upload_requests()})
       for (const auto& row : rows)
         result.emplace(row.kind, row.handle);
     return result;

@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "actors/node/hub_work.hpp"
 #include "actors/session/session.hpp"
 #include "actors/store/former_names.hpp"
 #include "actors/store/store.hpp"
@@ -13,26 +13,11 @@ namespace tedit::actors {
 
 namespace {
 
-constexpr std::size_t longest_document_name = 64;
-
 /// Documents that nobody has open and of which something is kept.
 constexpr std::size_t most_remains = 1000;
 
 /// Former names that are remembered, of all documents together.
 constexpr std::size_t most_former = 1000;
-
-using hub_pointer = hub_actor::stateful_pointer<hub_state>;
-
-std::filesystem::path file_of(const hub_state& state, const std::string& name) {
-  return state.parts.documents / (name + ".tedit");
-}
-
-void answer_all(hub_pointer self, const std::string& name, const session_actor& session) {
-  auto promises = std::move(self->state.opening[name]);
-  self->state.opening.erase(name);
-  for (auto& promise : promises)
-    promise.deliver(opened_document{name, caf::actor_cast<caf::actor>(session)});
-}
 
 void refuse_all(hub_pointer self, const std::string& name, const error& e) {
   auto promises = std::move(self->state.opening[name]);
@@ -87,24 +72,6 @@ void start_opening(hub_pointer self, const std::string& name) {
       });
 }
 
-bool has_file(const hub_state& state, const std::string& name) {
-  std::error_code code;
-  return std::filesystem::exists(std::filesystem::symlink_status(file_of(state, name), code));
-}
-
-void forget_former(hub_state& state, const std::string& name) {
-  std::erase_if(state.former, [&](const auto& one) { return one.first == name; });
-}
-
-/// The present name of the document that had this one, as long as no other takes it; else the same.
-std::string present_name(hub_state& state, const std::string& name) {
-  if (has_file(state, name))
-    forget_former(state, name);
-  const auto found =
-    std::ranges::find_if(state.former, [&](const auto& one) { return one.first == name; });
-  return found == state.former.end() ? name : found->second;
-}
-
 void open_for(hub_pointer self, const std::string& name, hub_state::promise promise) {
   auto& state = self->state;
   if (const auto found = state.open.find(name); found != state.open.end()) {
@@ -151,10 +118,7 @@ void end_session(hub_pointer self, const session_actor& session) {
     .then(
       [=](const shared_remains& left) {
         keep_remains(self->state, name, left);
-        if (self->state.opening[name].empty())
-          self->state.opening.erase(name);
-        else
-          start_opening(self, name);
+        let_go(self, name);
       },
       [=](const caf::error&) {
         self->state.open.emplace(name, session);
@@ -163,16 +127,6 @@ void end_session(hub_pointer self, const session_actor& session) {
 }
 
 // -- documents from elsewhere --------------------------------------------------------------------
-
-bool is_taken(const hub_state& state, const std::string& name) {
-  return state.open.contains(name) || state.opening.contains(name) || state.adding.contains(name) ||
-         has_file(state, name);
-}
-
-error taken_name(const std::string& name) {
-  return {
-    ec::conflict, "there is a document " + name + " already", "Give this one another name", {}};
-}
 
 /// Errors: `conflict` when the name is taken and no other is wanted.
 expected<std::string> free_name(const hub_state& state, const add_request& request) {
@@ -204,6 +158,7 @@ caf::result<added_document> add(hub_pointer self, const add_request& request) {
     .then(
       [=, name = *name, held = request.held](acknowledged) {
         self->state.adding.erase(name);
+        ++self->state.name_changes;
         forget_former(self->state, name);
         promise->deliver(added_document{name});
       },
@@ -219,6 +174,7 @@ caf::result<added_document> add(hub_pointer self, const add_request& request) {
 void take_renamed(hub_pointer self, const session_actor& session, const document_renamed& renamed) {
   auto& state = self->state;
   state.renaming.erase(session);
+  ++state.name_changes;
   state.open.erase(renamed.before);
   state.open.emplace(renamed.document, session);
   forget_former(state, renamed.document);
@@ -315,15 +271,51 @@ caf::result<shared_catalogue> catalogue(hub_pointer self) {
 
 }  // namespace
 
-expected<void> check_document_name(const std::string& name) {
-  const auto good = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-';
-  };
-  if (name.empty() || name.size() > longest_document_name || name.front() == '.' ||
-      !std::ranges::all_of(name, good))
-    return fail(ec::invalid_argument, "\"" + name + "\" cannot name a document",
-                "Take at most 64 letters, digits, '.', '_' and '-', not beginning with a dot");
-  return {};
+// -- what library.cpp needs, too -----------------------------------------------------------------
+
+std::filesystem::path file_of(const hub_state& state, const std::string& name) {
+  return state.parts.documents / (name + ".tedit");
+}
+
+bool has_file(const hub_state& state, const std::string& name) {
+  std::error_code code;
+  return std::filesystem::exists(std::filesystem::symlink_status(file_of(state, name), code));
+}
+
+void forget_former(hub_state& state, const std::string& name) {
+  std::erase_if(state.former, [&](const auto& one) { return one.first == name; });
+}
+
+std::string present_name(hub_state& state, const std::string& name) {
+  if (has_file(state, name))
+    forget_former(state, name);
+  const auto found =
+    std::ranges::find_if(state.former, [&](const auto& one) { return one.first == name; });
+  return found == state.former.end() ? name : found->second;
+}
+
+bool is_taken(const hub_state& state, const std::string& name) {
+  return state.open.contains(name) || state.opening.contains(name) || state.adding.contains(name) ||
+         has_file(state, name);
+}
+
+error taken_name(const std::string& name) {
+  return {
+    ec::conflict, "there is a document " + name + " already", "Give this one another name", {}};
+}
+
+void answer_all(hub_pointer self, const std::string& name, const session_actor& session) {
+  auto promises = std::move(self->state.opening[name]);
+  self->state.opening.erase(name);
+  for (auto& promise : promises)
+    promise.deliver(opened_document{name, caf::actor_cast<caf::actor>(session)});
+}
+
+void let_go(hub_pointer self, const std::string& name) {
+  if (self->state.opening[name].empty())
+    self->state.opening.erase(name);
+  else
+    start_opening(self, name);
 }
 
 hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts) {
@@ -336,6 +328,9 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   return {[=](const std::string& name) { return open(self, name); },
           [=](const add_request& request) { return add(self, request); },
           [=](const rename_request& request) { return rename(self, request); },
+          [=](const copy_request& request) { return copy_document(self, request); },
+          [=](const delete_request& request) { return delete_document(self, request); },
+          [=](list_atom) { return list_documents(self); },
           [=](end_atom, const session_actor& session) { end_session(self, session); },
           [=](status_atom) { return status(self); },
           [=](catalog_atom) { return catalogue(self); }};

@@ -16,6 +16,7 @@
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
 #include "actors/session/session.hpp"
+#include "actors/store/library.hpp"
 #include "actors/store/store.hpp"
 
 namespace tedit::actors {
@@ -39,8 +40,9 @@ struct hub_state {
   disk_set disks;
   std::map<std::string, session_actor> open;
   std::map<std::string, std::vector<promise>> opening;
-  std::set<std::string> adding;      ///< Names of documents that are being checked.
+  std::set<std::string> adding;      ///< Names of documents that are being checked or copied.
   std::set<session_actor> renaming;  ///< Whose name is being changed.
+  std::uint64_t name_changes = 0;    ///< Documents that came, went or got another name.
   /// Names that documents had, oldest first, and their present ones: who comes back with one finds
   /// its document. Those of the last day are there again after a restart.
   std::deque<std::pair<std::string, std::string>> former;
@@ -53,9 +55,5 @@ struct hub_state {
 
 /// Opens documents: each gets its store and its session once.
 hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, hub_parts parts);
-
-/// Errors: `invalid_argument` unless the name is 1 to 64 letters, digits, '.', '_' or '-' and does
-/// not begin with a dot.
-[[nodiscard]] expected<void> check_document_name(const std::string& name);
 
 }  // namespace tedit::actors

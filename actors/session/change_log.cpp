@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/utc.hpp"
+
 namespace tedit::actors {
 
 namespace {
@@ -67,12 +69,7 @@ std::optional<past_change> past_change::from_log(const store::log_row& row) {
 }
 
 std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  const auto size = std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return {text, size};
+  return utc_text(std::time(nullptr));
 }
 
 expected<void> check_edit_id(const std::string& id) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What makes no new version: load cases, names and notes of one, the document's own name.
+// What makes no new version: load cases, names and notes of one, the document's own name, its copy
+// and its end.
 #include <algorithm>
 #include <utility>
 
@@ -214,7 +215,8 @@ void session_state::forget_solve_of(const std::string& load_case) {
                      solve_phase::cancelled);
 }
 
-// -- the document's name -----------------------------------------------------------------------
+// -- the document as a whole
+// -----------------------------------------------------------------------
 
 /// Beside the queue: the disk sees to it that no commit is under way, and an edit of minutes need
 /// not hold it up.
@@ -232,6 +234,65 @@ caf::result<document_renamed> session_state::rename(const std::string& wanted) {
       },
       [=](const caf::error& e) { promise->deliver(to_caf(from_caf(e, "renaming the document"))); });
   return *promise;
+}
+
+/// Beside the queue as well: the copy has what was acknowledged before it was asked for.
+caf::result<acknowledged> session_state::copy_to(const std::string& name) {
+  const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
+    self->make_response_promise<acknowledged>());
+  ++copying;
+  self->request(parts.store, std::chrono::minutes(10), copy_atom::value, name)
+    .then(
+      [=, this](acknowledged) {
+        --copying;
+        promise->deliver(acknowledged{});
+      },
+      [=, this](const caf::error& e) {
+        --copying;
+        promise->deliver(to_caf(from_caf(e, "copying the document")));
+      });
+  return *promise;
+}
+
+/// Nobody who was promised an answer may be left without it: only a solve that goes by itself is
+/// ended, whatever else is done with the document keeps it.
+caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
+  const auto others = std::ranges::count_if(subscribers, [&](const auto& s) { return s != asker; });
+  if (others > 0)
+    return to_caf({ec::conflict,
+                   "the document " + parts.document + " is open in other clients (" +
+                     std::to_string(others) + ")",
+                   "Have it closed there, then try again",
+                   {}});
+  if (running || !waiting.empty() || !previews.empty() || copying > 0 || ended ||
+      (active && !active->waiting.empty()) || progress_of.size() > (active ? 1U : 0U))
+    return to_caf({ec::conflict,
+                   "the document " + parts.document + " is being worked with",
+                   "Wait until that is done or cancel it, then try again",
+                   {}});
+  end_active_solve(ec::cancelled, "the document is being deleted", solve_phase::cancelled);
+  ended = true;
+  const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
+    self->make_response_promise<acknowledged>());
+  self->request(parts.store, std::chrono::minutes(5), delete_atom::value)
+    .then(
+      [=, this](acknowledged) {
+        caf::anon_send(parts.store, close_atom::value);
+        promise->deliver(acknowledged{});
+        self->quit();
+      },
+      [=, this](const caf::error& e) {
+        ended = false;
+        promise->deliver(to_caf(from_caf(e, "deleting the document")));
+      });
+  return *promise;
+}
+
+session_status session_state::status() const {
+  session_status result{subscribers.size(), graph.nodes().size(), {}};
+  if (const auto* head = graph.head())
+    result.head = head->info.number;
+  return result;
 }
 
 }  // namespace tedit::actors

@@ -73,7 +73,7 @@ caf::result<session_version> session_state::version(const version_request& reque
 
 bool session_state::is_unused() const {
   return subscribers.empty() && !running && waiting.empty() && previews.empty() && !active &&
-         progress_of.empty() && !ended;
+         progress_of.empty() && copying == 0 && !ended;
 }
 
 void session_state::look_later() {
@@ -232,6 +232,9 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const move_request& request) { return state.move(request); },
           [&state](const note_request& request) { return state.note(request); },
           [&state](rename_atom, const std::string& name) { return state.rename(name); },
+          [&state](copy_atom, const std::string& name) { return state.copy_to(name); },
+          [&state](delete_atom, const caf::actor& asker) { return state.erase(asker); },
+          [&state](status_atom) { return state.status(); },
           [&state](held_atom) { return state.held(); },
           [&state](const solve_request& request) { return state.solve(request); },
           [&state](end_solve_atom) { return state.end_solve(); },

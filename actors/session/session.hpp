@@ -221,6 +221,9 @@ struct session_state {
   /// Queues a change that makes no new version; the same again is made once.
   caf::result<acknowledged> note(const note_request& request);
   caf::result<document_renamed> rename(const std::string& wanted);
+  caf::result<acknowledged> copy_to(const std::string& name);
+  caf::result<acknowledged> erase(const caf::actor& asker);
+  [[nodiscard]] session_status status() const;
   void restart_solve_of(const fem::load_case& changed);
   void forget_solve_of(const std::string& load_case);
 
@@ -285,7 +288,8 @@ struct session_state {
   std::list<kept_result> results;  ///< Used last at the front.
 
   std::uint64_t looks = 0;  ///< Called for by `look_later`.
-  bool ended = false;       ///< Its document is being closed.
+  std::size_t copying = 0;  ///< Copies of the document that are being written.
+  bool ended = false;       ///< Its document is being closed or deleted.
 
   static inline const char* name = "session";
 };

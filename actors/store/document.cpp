@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <cstdio>
 
+#include "actors/store/copying.hpp"
+#include "actors/store/deletion.hpp"
 #include "actors/store/document_file.hpp"
 #include "actors/store/document_lock.hpp"
 #include "actors/store/former_names.hpp"
@@ -162,8 +164,7 @@ expected<void> document::impl::close_whole() {
 
 expected<void> document::impl::rename(const fs::path& to) {
   if (linked)
-    return fail(ec::conflict, "the document is a link to " + file.string(),
-                "Put the document itself in its place, then try again");
+    return fail(linked_document(file));
   auto taken = document_lock::take(to);
   if (!taken)
     return fail(taken.error());
@@ -387,6 +388,22 @@ expected<std::vector<std::byte>> document::copy() const {
                   " bytes, and a copy may have " + std::to_string(most_bytes_of_a_copy),
                 "Close it in every program and copy its file");
   return image_of(db);
+}
+
+expected<void> document::copy_to(const fs::path& to) const {
+  if (!impl_->exists)
+    return fail(ec::not_found, "the document holds nothing yet", "Open a part in it first");
+  return impl_->wake().and_then([&] { return impl_->check_mine(); }).and_then([&] {
+    return copy_database(impl_->db.get(), to);
+  });
+}
+
+expected<void> document::erase() {
+  if (impl_->linked)
+    return fail(linked_document(impl_->file));
+  impl_->rest();
+  return impl_->exists ? erase_files(impl_->file).map([&] { impl_->exists = false; })
+                       : expected<void>();
 }
 
 bool document::has_page(const hash128& id) const {

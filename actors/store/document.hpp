@@ -120,6 +120,17 @@ public:
   /// be read. Cost: its size.
   [[nodiscard]] expected<std::vector<std::byte>> copy() const;
 
+  /// Writes all that is committed to a file that is not there, whole or not at all, and goes on
+  /// with its own. Errors: `not_found` before the first commit; `storage_error` when another
+  /// program has changed the document; those of `copy_database`. Cost: its size; needs no memory
+  /// for it.
+  [[nodiscard]] expected<void> copy_to(const std::filesystem::path& file) const;
+
+  /// Takes the document away with all that lies beside it (`erase_files`). Nothing but the
+  /// destructor may be called then; until that its name is locked. Errors: `conflict` when it is a
+  /// link; `io_error`. Then it is as it was.
+  [[nodiscard]] expected<void> erase();
+
   /// Gives its file another name in its folder, never one that something has. Closes the database
   /// first, so that all of the document is in the one file; a kill at any moment leaves it whole
   /// under one of the two names. A document without a file gets it under this name.

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include "actors/store/deletion.hpp"
 #include "base/system_failure.hpp"
 
 namespace tedit::store {
@@ -97,6 +98,8 @@ expected<std::vector<std::string>> prepare_documents_folder(const fs::path& fold
   for (const auto& entry : fs::directory_iterator(folder, code)) {
     if (is_draft(entry.path().filename().string()))
       ::unlink(entry.path().c_str());
+    else if (is_erased(entry.path()))
+      finish_erasing(entry.path());
     else if (belongs_to_documents(entry.path().filename().string()))
       closed += close_to_others(entry.path(), S_IFREG, 0600) ? 1 : 0;
     else

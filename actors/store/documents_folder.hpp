@@ -11,8 +11,8 @@ namespace tedit::store {
 
 /// Makes the folder when it is not there, makes sure that it can be written, and takes from others
 /// what they may do with it and with the documents in it: the folder is 0700 then, files are 0600.
-/// A folder that holds more than documents keeps its permissions. Drafts (`draft_of`) that a kill
-/// left are removed. Returns sentences for the log.
+/// A folder that holds more than documents keeps its permissions. Drafts (`draft_of`) and rests of
+/// erased documents that a kill left are removed. Returns sentences for the log.
 /// Errors: `io_error` with the system's reason.
 [[nodiscard]] expected<std::vector<std::string>> prepare_documents_folder(
   const std::filesystem::path& folder);

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 constexpr auto file_name = ".tedit-names";  // A line each: seconds since 1970, before, now.
 constexpr off_t most_bytes = 64 * 1024;     // Then all is forgotten: a thousand renames a day.
 constexpr std::size_t longest_line = 256;
+constexpr auto nowhere = ".";  // No document's name.
 
 struct name_note {
   std::int64_t at = 0;
@@ -58,10 +59,10 @@ std::vector<name_note> read_notes(const fs::path& folder) {
   return all;
 }
 
-}  // namespace
-
-expected<void> note_former_name(const fs::path& before, const fs::path& now) {
-  const auto path = before.parent_path() / file_name;
+/// Errors: `io_error`.
+expected<void> append_note(const fs::path& folder, const std::string& before,
+                           const std::string& now) {
+  const auto path = folder / file_name;
   const auto refused = [&] { return system_failure("cannot write " + path.string(), errno); };
   const unique_fd out(
     ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600));
@@ -71,11 +72,20 @@ expected<void> note_former_name(const fs::path& before, const fs::path& now) {
   if (about.st_size > most_bytes && ::ftruncate(out.get(), 0) != 0)
     return refused();
   // One write: two renames at once do not mix. It begins a line after one that is cut off.
-  const auto line = "\n" + std::to_string(seconds_now()) + " " + before.stem().string() + " " +
-                    now.stem().string() + " .\n";
+  const auto line = "\n" + std::to_string(seconds_now()) + " " + before + " " + now + " .\n";
   if (!write_all(out.get(), std::as_bytes(std::span(line))) || ::fsync(out.get()) != 0)
     return refused();
   return {};
+}
+
+}  // namespace
+
+expected<void> note_former_name(const fs::path& before, const fs::path& now) {
+  return append_note(before.parent_path(), before.stem().string(), now.stem().string());
+}
+
+expected<void> note_deleted_name(const fs::path& file) {
+  return append_note(file.parent_path(), file.stem().string(), nowhere);
 }
 
 std::vector<std::pair<std::string, std::string>> read_former_names(const fs::path& folder) {
@@ -85,9 +95,13 @@ std::vector<std::pair<std::string, std::string>> read_former_names(const fs::pat
     return fs::exists(fs::symlink_status(folder / (name + ".tedit"), code));
   };
   for (const auto& one : read_notes(folder)) {
+    const bool deleted = one.now == nowhere;
     std::erase_if(names, [&](const auto& known) {
-      return known.first == one.before || known.first == one.now;
+      return known.first == one.before || known.first == one.now ||
+             (deleted && known.second == one.before);
     });
+    if (deleted)
+      continue;
     for (auto& known : names)
       if (known.second == one.before)
         known.second = one.now;

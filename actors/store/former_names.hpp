@@ -22,6 +22,10 @@ inline constexpr std::chrono::hours former_name_stays{24};
 [[nodiscard]] expected<void> note_former_name(const std::filesystem::path& before,
                                               const std::filesystem::path& now);
 
+/// Notes that the document is deleted: no name that it had leads to a later one of its name.
+/// Errors: `io_error`. Cost: an fsync.
+[[nodiscard]] expected<void> note_deleted_name(const std::filesystem::path& file);
+
 /// Names without suffix that documents of a folder had within the last day, with those under which
 /// they are now; oldest first. Only of names that no file has, leading to a file that is there.
 /// What cannot be read is left out: names are a convenience. Cost: that of a small file.

@@ -7,8 +7,7 @@ namespace tedit::store {
 
 namespace {
 
-constexpr std::int64_t application_id = 0x54454454;  // "TEDT"
-constexpr std::int64_t format = 2;                   // user_version
+constexpr std::int64_t format = 2;  // user_version
 
 /// What the first format had; annotations came later, without a number of their own.
 constexpr const char* first_tables =

@@ -2,12 +2,16 @@
 // The tables of a document, and the step from the format of older programs to this one's.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "actors/store/sql.hpp"
 
 namespace tedit::store {
+
+/// What SQLite has in the file of a TEdit document, to tell it from other programs' databases.
+inline constexpr std::int64_t application_id = 0x54454454;  // "TEDT"
 
 /// The bytes of a new document's file. Errors: `storage_error`.
 [[nodiscard]] expected<std::vector<std::byte>> blank_document();

@@ -10,6 +10,8 @@
 
 #include "actors/errors.hpp"
 #include "actors/store/adoption.hpp"
+#include "actors/store/deletion.hpp"
+#include "actors/store/library.hpp"
 #include "actors/store/loading.hpp"
 #include "protocol/forms.hpp"
 
@@ -109,6 +111,26 @@ caf::result<acknowledged> rename(document_file& file, const std::string& name) {
   return acknowledged{};
 }
 
+caf::result<acknowledged> copy_to(document_file& file, const std::string& name) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  auto target = file.path;
+  if (const auto done = file.document->copy_to(target.replace_filename(name + ".tedit")); !done)
+    return to_caf(done.error());
+  return acknowledged{};
+}
+
+caf::result<acknowledged> erase(document_file& file) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  if (const auto done = file.document->erase(); !done)
+    return to_caf(done.error());
+  file.document.reset();
+  return acknowledged{};
+}
+
 }  // namespace
 
 const disk& disk_set::least_busy(std::size_t from) const {
@@ -151,6 +173,30 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
             auto result = rename(*file, name);
             end_job(file);
             return result;
+          },
+          [=](copy_atom, const shared_file& file, const std::string& name) {
+            auto result = copy_to(*file, name);
+            end_job(file);
+            return result;
+          },
+          [=](const file_copy& wanted) -> caf::result<acknowledged> {
+            const auto done = copy_sound_file(wanted);
+            --*jobs;
+            return done ? caf::result<acknowledged>(acknowledged{}) : to_caf(done.error());
+          },
+          [=](delete_atom, const shared_file& file) {
+            auto result = erase(*file);
+            end_job(file);
+            return result;
+          },
+          [=](const deletion& wanted) -> caf::result<acknowledged> {
+            const auto done = store::delete_document(wanted.file);
+            --*jobs;
+            return done ? caf::result<acknowledged>(acknowledged{}) : to_caf(done.error());
+          },
+          [=](const folder_query& wanted) {
+            --*jobs;
+            return list_folder(wanted.folder);
           },
           [=](close_atom, const shared_file& file) {
             const std::lock_guard lock(file->in_use);
@@ -196,6 +242,14 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
     [=](rename_atom, const std::string& name) {
       return self->delegate(use(self->state.disks.for_commit()), rename_atom::value,
                             self->state.file, name);
+    },
+    [=](copy_atom, const std::string& name) {
+      return self->delegate(use(self->state.disks.for_load()), copy_atom::value, self->state.file,
+                            name);
+    },
+    [=](delete_atom) {
+      return self->delegate(use(self->state.disks.for_commit()), delete_atom::value,
+                            self->state.file);
     },
     [=](close_atom) {
       self->quit();  // The disk answers.

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -71,8 +72,8 @@ caf::behavior session_of(const std::shared_ptr<const std::vector<found_feature>>
 TEST(RequestRows, EveryRequestHasOneHandler) {
   std::multiset<int> handled;
   for (const auto& rows :
-       {server_requests(), document_requests(), edit_requests(), export_requests(), note_requests(),
-        section_requests(), upload_requests()})
+       {server_requests(), document_requests(), edit_requests(), export_requests(),
+        library_requests(), note_requests(), section_requests(), upload_requests()})
     for (const auto& row : rows)
       handled.insert(row.kind);
   const auto* bodies = v1::ClientMessage::descriptor()->FindOneofByName("body");
@@ -81,9 +82,30 @@ TEST(RequestRows, EveryRequestHasOneHandler) {
     EXPECT_EQ(handled.count(bodies->field(i)->number()), 1U) << bodies->field(i)->name();
 }
 
+/// What the hub is asked to delete, and its answers as a test gives them.
+struct asked_deletions {
+  std::mutex mutex;
+  std::vector<std::pair<actors::delete_request, caf::response_promise>> all;
+};
+
+using made_up_hub = caf::stateful_actor<std::shared_ptr<asked_deletions>>;
+
 /// Knows that document alone.
-caf::behavior hub_of(const caf::actor& session) {
-  return {[=](const std::string& name) { return actors::opened_document{name, session}; }};
+caf::behavior hub_of(made_up_hub* self, const caf::actor& session,
+                     const std::shared_ptr<asked_deletions>& deletions) {
+  return {
+    [=](const std::string& name) {
+      return actors::opened_document{name, session};
+    },
+    [=](actors::list_atom) {
+      actors::document_list list;
+      list.documents = {{"part", 4096, 86'400, true, 2, 3, 1}, {"unborn", 0, 0, true, 1, 0, {}}};
+      return list;
+    },
+    [=](const actors::delete_request& wanted) {
+      const std::lock_guard lock(deletions->mutex);
+      deletions->all.emplace_back(wanted, self->make_response_promise());
+    }};
 }
 
 class ClientActor : public ::testing::Test {
@@ -93,7 +115,7 @@ protected:
   /// Says hello and opens the document.
   void open(const std::vector<found_feature>& found = {}) {
     const auto features = std::make_shared<const std::vector<found_feature>>(found);
-    const auto hub = system_.spawn(hub_of, system_.spawn(session_of, features));
+    const auto hub = system_.spawn(hub_of, system_.spawn(session_of, features), deletions_);
     gateway_parts parts;
     parts.hub = caf::actor_cast<actors::hub_actor>(hub);
     parts.guard = std::make_shared<token_guard>("");
@@ -125,6 +147,33 @@ protected:
     return ask(std::move(message));
   }
 
+  std::uint64_t start_deletion(const std::string& name) {
+    v1::ClientMessage message;
+    message.set_request_id(++last_);
+    message.mutable_delete_document()->set_document(name);
+    caf::anon_send(client_, message.SerializeAsString());
+    return last_;
+  }
+
+  /// The hub's answer to the deletion that it was asked for, once it was.
+  template <class Answer>
+  void answer_deletion(const Answer& answer) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (std::chrono::steady_clock::now() < deadline) {
+      {
+        const std::lock_guard lock(deletions_->mutex);
+        if (!deletions_->all.empty()) {
+          deletions_->all.front().second.deliver(answer);
+          deletions_->all.clear();
+          return;
+        }
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ADD_FAILURE() << "nothing was to be deleted";
+  }
+
+  std::shared_ptr<asked_deletions> deletions_ = std::make_shared<asked_deletions>();
   actors::system_config config_{false};
   caf::actor_system system_{config_};
   std::shared_ptr<kept_connection> peer_ = std::make_shared<kept_connection>();
@@ -162,6 +211,50 @@ TEST_F(ClientActor, ASelectionsAnswerIsHandedOn) {
   ASSERT_TRUE(answer.has_surfaces_selected()) << answer.error().message();
   ASSERT_EQ(answer.surfaces_selected().features_size(), 1);
   EXPECT_EQ(answer.surfaces_selected().features(0).surfaces(0), 7);
+}
+
+TEST_F(ClientActor, TheListOfDocumentsHasTimesAsTextAndLeavesOutWhatIsNotKnown) {
+  open();
+  v1::ClientMessage message;
+  message.mutable_list_documents();
+  const auto list = ask(std::move(message)).document_list();
+  ASSERT_EQ(list.documents_size(), 2);
+  EXPECT_EQ(list.documents(0).name(), "part");
+  EXPECT_EQ(list.documents(0).bytes(), 4096U);
+  EXPECT_EQ(list.documents(0).changed_at(), "1970-01-02T00:00:00Z");
+  EXPECT_TRUE(list.documents(0).open());
+  EXPECT_EQ(list.documents(0).clients(), 2U);
+  EXPECT_EQ(list.documents(0).versions(), 3U);
+  EXPECT_EQ(list.documents(0).head(), 1U);
+  EXPECT_EQ(list.documents(1).changed_at(), "");
+  EXPECT_TRUE(list.documents(1).has_versions());
+  EXPECT_FALSE(list.documents(1).has_head());
+}
+
+// A request that reached the session behind its deletion would wait for ever.
+TEST_F(ClientActor, WhileADocumentIsBeingDeletedNothingIsAskedOfIt) {
+  open();
+  const auto deletion = start_deletion("part");
+  auto answer = select();
+  EXPECT_EQ(answer.error().code(), "conflict");
+  EXPECT_THAT(answer.error().message(), HasSubstr("is being deleted"));
+
+  answer_deletion(actors::deleted_document{"part"});
+  answer = peer_->next();
+  EXPECT_EQ(answer.request_id(), deletion);
+  EXPECT_EQ(answer.document_deleted().document(), "part");
+  EXPECT_EQ(select().error().code(), "not_found");
+}
+
+TEST_F(ClientActor, ADocumentWhoseDeletionIsRefusedGoesOn) {
+  open();
+  const auto deletion = start_deletion("part");
+  answer_deletion(actors::to_caf({ec::conflict, "somebody has it open", "Ask them", {}}));
+  const auto answer = peer_->next();
+  EXPECT_EQ(answer.request_id(), deletion);
+  EXPECT_EQ(answer.error().code(), "conflict");
+  EXPECT_EQ(answer.error().remedy(), "Ask them");
+  EXPECT_TRUE(select().has_surfaces_selected());
 }
 
 /// Whatever the request, and before anything else looks at it.

@@ -17,7 +17,7 @@ namespace tedit::actors {
 
 /// A piece of work, or a commit, that ends when a test says so.
 struct open_task {
-  std::string what;  ///< "import", "edit", "check", "file", "solve", "commit".
+  std::string what;  ///< "import", "edit", "check", "file", "solve", "commit", "copy", "delete".
   std::uint64_t job = 0;
   std::string on;  ///< The version that it works on.
   std::function<void()> succeed;
@@ -96,6 +96,12 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
           },
           [=](const stored_change&) {
             return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
+          },
+          [=](copy_atom, const std::string&) {
+            return add_task<acknowledged>(self, "copy", {}, {}, [] { return acknowledged{}; });
+          },
+          [=](delete_atom) {
+            return add_task<acknowledged>(self, "delete", {}, {}, [] { return acknowledged{}; });
           },
           [=](close_atom) {
             ++self->state.closed;

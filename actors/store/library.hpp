@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The documents of a folder, as far as nobody has them open.
+#pragma once
+
+#include <filesystem>
+
+#include "actors/local_messages.hpp"
+
+namespace tedit::actors {
+
+/// Errors: `invalid_argument` unless the name is 1 to 64 letters, digits, '.', '_' or '-' and does
+/// not begin with a dot.
+[[nodiscard]] expected<void> check_document_name(const std::string& name);
+
+/// Bytes of a document's name.
+inline constexpr std::size_t longest_document_name = 64;
+
+/// The documents that have a file in a folder, by name. Files are not looked into: one may turn out
+/// to be no document. Those whose names no document can have are left out, and so is what cannot be
+/// read. Cost: some questions to the system for each.
+[[nodiscard]] document_list list_folder(const std::filesystem::path& folder);
+
+/// Copies a document, with all its versions, to a file that is not there. Errors: `storage_error`
+/// when it is damaged, naming the first damage; those of `document_view`. Cost: that of opening it,
+/// and its size. @pre this process does not have it open.
+[[nodiscard]] expected<void> copy_sound_file(const file_copy& wanted);
+
+}  // namespace tedit::actors
