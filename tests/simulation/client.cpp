@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/simulation/client.hpp"
 
+#include <set>
+
 #include <caf/send.hpp>
 
 #include "protocol/load_case_message.hpp"
@@ -16,6 +18,11 @@ std::vector<std::string> bytes_of(const List& load_cases) {
   for (const auto& one : load_cases)
     result.push_back(one.SerializeAsString());
   return result;
+}
+
+/// Copies are opened by nobody: they stay what they were when they were made.
+std::string name_of_copy(std::uint32_t value) {
+  return copy_prefix + std::to_string(value % 3);
 }
 
 /// What is asked again is asked of the document by its present name.
@@ -300,6 +307,18 @@ std::optional<simulated_client::request> simulated_client::make_request(const sc
       message.mutable_rename_document()->set_document(document_);
       message.mutable_rename_document()->set_name("e" + std::to_string(step.value % 3));
       return made;
+    case step_kind::list_documents:
+      message.mutable_list_documents();
+      return made;
+    case step_kind::copy_document:
+      message.mutable_copy_document()->set_document(
+        step.value % 4 == 0 ? name_of_copy(step.value / 12) : document_);
+      message.mutable_copy_document()->set_name(name_of_copy(step.value));
+      return made;
+    case step_kind::delete_document:
+      message.mutable_delete_document()->set_document(
+        step.value % 4 == 0 ? document_ : name_of_copy(step.value));
+      return made;
     case step_kind::history:
       message.mutable_get_history()->set_document(document_);
       return made;
@@ -382,6 +401,12 @@ void simulated_client::take_answer(const v1::ServerMessage& message) {
                 seen_head{head.number(), head.version_id(), message.committed().cause()});
   } else if (message.has_done() && !asked.edit_id.empty()) {
     acknowledge(asked.edit_id, std::nullopt);
+  } else if (message.has_document_added()) {
+    ++past_.copied[message.document_added().document()];
+  } else if (message.has_document_deleted()) {
+    take_deletion(message.document_deleted().document());
+  } else if (message.has_document_list()) {
+    check_list(message.document_list());
   } else if (message.has_document_state()) {
     const auto& state = message.document_state();
     is_open_ = true;
@@ -402,6 +427,24 @@ void simulated_client::take_answer(const v1::ServerMessage& message) {
       ask(std::move(one));
     }
   }
+}
+
+/// Goes on with a new document, by the same name.
+void simulated_client::take_deletion(const std::string& name) {
+  ++past_.deleted[name];
+  if (name != document_ || !is_open_)
+    return;
+  seen_.reset();
+  if (auto again = make_request({time_.now(), step_kind::import, 0, 1}))
+    to_repeat_.push_back(std::move(*again));
+  open_document();
+}
+
+void simulated_client::check_list(const v1::DocumentList& list) {
+  std::set<std::string> names;
+  for (const auto& one : list.documents())
+    if (!names.insert(one.name()).second)
+      fault("the list has two documents " + one.name());
 }
 
 void simulated_client::note_head(const v1::Committed& moved) {

@@ -12,6 +12,9 @@
 
 namespace tedit::simulation {
 
+/// How the names of copies begin, and no others.
+inline constexpr auto copy_prefix = "c";
+
 /// Lets a client in, or gives null while no server runs.
 using door = std::function<caf::actor(std::shared_ptr<gateway::connection>)>;
 
@@ -58,6 +61,8 @@ private:
   void receive(const std::string& bytes);
   void take_answer(const v1::ServerMessage& message);
   void take_event(const v1::ServerMessage& message, std::size_t bytes);
+  void take_deletion(const std::string& name);
+  void check_list(const v1::DocumentList& list);
   void note_head(const v1::Committed& moved);
   void acknowledge(const std::string& edit_id, std::optional<seen_head> head);
   void fault(const std::string& what);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <map>
+
 #include "actors/store/store.hpp"
 #include "tests/simulation/timeline.hpp"
 
@@ -8,10 +10,18 @@ namespace tedit::simulation {
 
 using namespace actors;
 
+/// What became of whole documents, beyond the life of a server.
+struct document_record {
+  std::vector<std::pair<std::string, stored_document>> deleted;  ///< As they were then.
+  std::map<std::string, int> copied;                             ///< By name: how often.
+  std::vector<std::string> faults;
+};
+
 /// The disks of a server: real files behind a delay, and now and then an error.
 class simulated_disks {
 public:
-  simulated_disks(timeline& time, caf::actor_system& system);
+  simulated_disks(timeline& time, caf::actor_system& system,
+                  std::shared_ptr<document_record> record);
 
   [[nodiscard]] const disk_set& disks() const { return disks_; }
 
@@ -28,6 +38,7 @@ public:
     timeline* time = nullptr;
     int failing = 0;
     milliseconds slow_until{0};
+    std::shared_ptr<document_record> record;
   };
 
 private:

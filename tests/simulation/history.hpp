@@ -32,8 +32,10 @@ struct history {
   std::map<std::string, std::optional<seen_head>> acknowledged;
   std::map<std::string, std::string> refused;  ///< By edit id: the last error's code.
   std::vector<watch> watches;
-  std::map<std::string, int> errors;  ///< By code: how many requests.
-  std::vector<std::string> faults;    ///< What must not happen, and did.
+  std::map<std::string, int> copied;   ///< By name: how many copies were acknowledged.
+  std::map<std::string, int> deleted;  ///< By name: how many deletions were acknowledged.
+  std::map<std::string, int> errors;   ///< By code: how many requests.
+  std::vector<std::string> faults;     ///< What must not happen, and did.
   std::uint64_t answers = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 namespace tedit::simulation {
 
@@ -23,6 +24,9 @@ const char* name_of(step_kind kind) {
                              "history",
                              "reopen_document",
                              "rename",
+                             "list_documents",
+                             "copy_document",
+                             "delete_document",
                              "drop_connection",
                              "read_slowly",
                              "worker_dies",
@@ -73,6 +77,15 @@ scenario make_scenario(std::uint64_t seed) {
   for (auto n = 3 + random.below(40); n > 0; --n)
     add(what_clients_do[random.below(what_clients_do.size())], random.below(result.clients),
         random.below(length));
+  // A third goes without: seeds that stand in tests keep what they play.
+  constexpr std::array whole_documents{list_documents, copy_document, copy_document,
+                                       delete_document, delete_document};
+  if (seed % 3 != 2)
+    for (dice other(seed ^ 0xD0C5); const auto n : std::views::iota(0U, 1 + other.below(8)))
+      result.steps.push_back({milliseconds(other.below(length)),
+                              whole_documents[(n + other.below(2)) % whole_documents.size()],
+                              other.below(result.clients),
+                              static_cast<std::uint32_t>(other.next())});
   if (!random.one_in(4))
     for (auto n = 1 + random.below(4); n > 0; --n)
       add(what_befalls[random.below(what_befalls.size())], random.below(12), random.below(length));

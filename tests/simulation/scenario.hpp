@@ -27,6 +27,9 @@ enum class step_kind {
   history,
   reopen_document,
   rename,
+  list_documents,
+  copy_document,
+  delete_document,
   drop_connection,  ///< The client comes back and asks again for what it does not know.
   read_slowly,
   worker_dies,

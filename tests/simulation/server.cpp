@@ -5,10 +5,11 @@
 
 namespace tedit::simulation {
 
-simulated_server::simulated_server(timeline& time, const std::filesystem::path& documents)
+simulated_server::simulated_server(timeline& time, const std::filesystem::path& documents,
+                                   std::shared_ptr<document_record> record)
     : stage_(time), cache_(std::make_shared<page_cache>(std::size_t{1} << 20)) {
   auto& system = stage_.system();
-  disks_ = std::make_unique<simulated_disks>(time, system);
+  disks_ = std::make_unique<simulated_disks>(time, system, std::move(record));
   pages_ = system.spawn(make_page_store, cache_);
   const auto options = [&](worker_role role) {
     pool_options result;
@@ -87,6 +88,7 @@ std::vector<std::string> simulated_server::leftovers() {
     say(state.running.has_value() || !state.waiting.empty(), name + ": commands are left");
     say(!state.previews.empty(), name + ": previews are left");
     say(state.active.has_value(), name + ": a solve is left");
+    say(state.copying != 0, name + ": copies are left");
     say(!state.progress_of.empty(), name + ": jobs are left in progress_of");
   }
   for (const auto& one : clients_) {

@@ -28,7 +28,8 @@ State& state_of(const Actor& who) {
 /// A server as `server::start` puts it together, in one thread and without sockets.
 class simulated_server {
 public:
-  simulated_server(timeline& time, const std::filesystem::path& documents);
+  simulated_server(timeline& time, const std::filesystem::path& documents,
+                   std::shared_ptr<document_record> record);
   simulated_server(const simulated_server&) = delete;
   simulated_server& operator=(const simulated_server&) = delete;
   ~simulated_server();  ///< As by kill -9.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <set>
 
 #include "actors/session/change_log.hpp"
 #include "actors/store/loading.hpp"
@@ -29,7 +30,7 @@ public:
 
   outcome run() {
     std::filesystem::create_directories(folder_);
-    server_ = std::make_unique<simulated_server>(time_, folder_);
+    server_ = std::make_unique<simulated_server>(time_, folder_, record_);
     for (std::size_t c = 0; c < what_.clients; ++c)
       add_client(c);
     for (const auto& step : what_.steps)
@@ -98,7 +99,7 @@ private:
       client->drop();
     dying_ = true;  // Not from within: an actor of it may be the one that got us here.
     time_.after(milliseconds(50),
-                [this] { server_ = std::make_unique<simulated_server>(time_, folder_); });
+                [this] { server_ = std::make_unique<simulated_server>(time_, folder_, record_); });
   }
 
   bool step(milliseconds limit) {
@@ -194,6 +195,7 @@ private:
   // -------------------------------------------------------------------------
 
   void check_documents() {
+    check_whole_documents();
     std::map<std::string, int> made;  // By edit id.
     std::vector<stored_document> documents;
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
@@ -206,15 +208,20 @@ private:
         past_.faults.push_back(name + " cannot be read: " + render(stored.error()));
         continue;
       }
+      if (name.starts_with(copy_prefix))
+        continue;  // It has what another has, or had: looked at when it was made.
       check_log(name, *stored, made);
       documents.push_back(*stored);
       if (const auto held = held_.find(name); held != held_.end())
         check_same(name, held->second, *stored);
     }
+    const auto gone = changes_that_went();
     for (const auto& [id, head] : past_.acknowledged)
-      if (made[id] != 1)
+      if (made[id] != 1 && !(made[id] == 0 && gone.contains(id)))
         past_.faults.push_back("the acknowledged change " + id + " stands " +
                                std::to_string(made[id]) + " times in the log");
+    for (const auto& [name, deleted] : record_->deleted)
+      documents.push_back(deleted);
     for (const auto& seen : past_.watches)
       if ((seen.first || !seen.moves.empty()) &&  // Else of a document that is still empty.
           std::ranges::none_of(documents, [&](const auto& one) { return saw(seen, one); }))
@@ -223,6 +230,29 @@ private:
     for (const auto& [id, code] : past_.refused)
       if (made[id] != 0 && !past_.acknowledged.contains(id))
         past_.faults.push_back("the change " + id + " was refused (" + code + ") and made");
+  }
+
+  /// Copies and deletions were made as often as they were acknowledged, or more: an answer may be
+  /// lost.
+  void check_whole_documents() {
+    past_.faults.insert(past_.faults.end(), record_->faults.begin(), record_->faults.end());
+    for (const auto& [name, count] : past_.copied)
+      if (count > record_->copied[name])
+        past_.faults.push_back("a copy " + name + " was acknowledged and not made");
+    for (const auto& [name, count] : past_.deleted)
+      if (count > std::ranges::count(record_->deleted, name,
+                                     &std::pair<std::string, stored_document>::first))
+        past_.faults.push_back("the document " + name + " was said to be deleted, and was not");
+  }
+
+  /// Edit ids of documents that were deleted.
+  [[nodiscard]] std::set<std::string> changes_that_went() const {
+    std::set<std::string> ids;
+    for (const auto& [name, deleted] : record_->deleted)
+      for (const auto& row : deleted.log)
+        if (const auto change = past_change::from_log(row))
+          ids.insert(change->edit_id);
+    return ids;
   }
 
   void check_log(const std::string& name, const stored_document& stored,
@@ -320,6 +350,7 @@ private:
   std::unique_ptr<simulated_server> server_;
   std::vector<std::unique_ptr<simulated_client>> clients_;
   std::map<std::string, version_graph> held_;  ///< Of the sessions at the end.
+  std::shared_ptr<document_record> record_ = std::make_shared<document_record>();
   bool dying_ = false;
   std::uint64_t steps_ = 0;
   std::uint64_t trace_ = 0;
