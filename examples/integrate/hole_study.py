@@ -60,6 +60,9 @@ class Server:
         for field, value in fields.items():
             if isinstance(value, (list, tuple)):
                 getattr(body, field).extend(value)
+            elif isinstance(value, dict):
+                for key, one in value.items():
+                    getattr(body, field)[key].CopyFrom(one)
             elif hasattr(value, "CopyFrom"):
                 getattr(body, field).CopyFrom(value)
             else:
