@@ -5,6 +5,7 @@
 #include <caf/replies_to.hpp>
 #include <caf/typed_actor.hpp>
 
+#include "actors/comparison_messages.hpp"
 #include "actors/local_messages.hpp"
 #include "actors/messages.hpp"
 #include "actors/worker_roles.hpp"
@@ -184,6 +185,8 @@ using session_actor = caf::typed_actor<
   caf::replies_to<history_request>::with<session_history>,
   // One of them.
   caf::replies_to<version_request>::with<session_version>,
+  // What two versions differ in, and their fields as far as these are at hand.
+  caf::replies_to<comparison_request>::with<compared>,
   // Ends a request early; it is then answered with `cancelled`.
   caf::reacts_to<cancel_atom, std::uint64_t>,
   // Closes the document and ends, unless somebody wants something of it (`conflict`). The answer is

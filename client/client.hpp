@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/execution.hpp"
+#include "client/comparison.hpp"
 #include "client/preview.hpp"
 #include "client/surface.hpp"
 #include "client/types.hpp"
@@ -154,6 +155,15 @@ public:
   /// another section was asked for meanwhile.
   [[nodiscard]] expected<section> cut(const vec3& at, const vec3& normal,
                                       const std::string& load_case, const execution& run);
+
+  /// What two versions differ in, by their numbers; with a `load_case` also the difference of its
+  /// fields at the boundary of `after`. Fields are those that the server has at hand: of a version
+  /// that was not solved since the document was opened there are none, and the result says so. The
+  /// head stays where it is. Errors: also `not_found` for a version, or for a load case that
+  /// neither has.
+  [[nodiscard]] expected<comparison> compare(std::uint32_t before, std::uint32_t after,
+                                             const std::string& load_case = {},
+                                             const execution& run = {});
 
   /// Solves on the head, one load case or several together; from then on the server solves every
   /// new head with these settings. Fields that arrived before the call are forgotten.

@@ -25,7 +25,7 @@ public:
   struct answer {
     v1::ServerMessage message;
     std::optional<incoming_stream>
-      bulk;  ///< For FileReady, SectionReady and EditPreview, complete.
+      bulk;  ///< For those that announce a stream, complete: FileReady, SectionReady, ...
   };
 
   explicit connection(events handlers);

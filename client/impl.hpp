@@ -19,8 +19,8 @@ void set_terms(const change_terms& terms, Request& request) {
   request.set_edit_id(terms.edit_id);
 }
 
-/// What a client is made of; its requests are spread over client.cpp, files.cpp, library.cpp and
-/// notes.cpp.
+/// What a client is made of; its requests are spread over client.cpp, comparison.cpp, files.cpp,
+/// library.cpp and notes.cpp.
 struct client::impl {
   impl(const connect_options& given, events handlers)
       : options(given), link(follow_renames(std::move(handlers))) {}

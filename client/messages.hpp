@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "client/comparison.hpp"
 #include "client/preview.hpp"
 #include "client/streams.hpp"
 #include "client/surface.hpp"
@@ -36,6 +37,11 @@ namespace tedit::client {
 /// The preview with the arrays of its complete stream. Errors: `protocol_error`.
 [[nodiscard]] expected<edit_preview> read_preview(const v1::EditPreview& message,
                                                   const incoming_stream& stream);
+
+/// The comparison with the arrays of its complete stream. Errors: `protocol_error`, also when sizes
+/// do not fit or a mark is none.
+[[nodiscard]] expected<comparison> read_comparison(const v1::VersionsCompared& message,
+                                                   const incoming_stream& stream);
 
 /// The same for fields. Errors: `protocol_error`, also when the sizes do not match.
 [[nodiscard]] expected<field_event> read_field(const v1::FieldUpdate& message,

@@ -109,8 +109,18 @@ struct field_comparison {
   double max_von_mises_after_pa = 0;
   std::optional<double> min_safety_before;  ///< Nothing when no yield strength is known.
   std::optional<double> min_safety_after;
+  bool preview = false;  ///< One of the results is said to be of linear tets, or stopped early.
 
   friend bool operator==(const field_comparison&, const field_comparison&) = default;
+};
+
+/// A load case whose fields could not be compared, and what can be done about it.
+struct uncompared_fields {
+  std::string load_case;
+  std::string reason;  ///< "version 2 has no field of it".
+  std::string remedy;
+
+  friend bool operator==(const uncompared_fields&, const uncompared_fields&) = default;
 };
 
 struct version_comparison {
@@ -124,6 +134,8 @@ struct version_comparison {
   boundary_deviation deviation;
   std::vector<compared_load_case> load_cases;  ///< In the order of after, then those only before.
   std::vector<field_comparison> fields;        ///< As far as fields were compared.
+  /// Those that somebody wanted compared, and that could not be.
+  std::vector<uncompared_fields> not_compared;
 
   friend bool operator==(const version_comparison&, const version_comparison&) = default;
 };

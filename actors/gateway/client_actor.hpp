@@ -186,6 +186,7 @@ template <auto Body, auto Handle>
 /// The requests that each file of this folder handles. A new one is a handler and a row there.
 using request_rows = std::vector<request_row>;
 [[nodiscard]] request_rows server_requests();    ///< requests.cpp
+[[nodiscard]] request_rows compare_requests();   ///< comparisons.cpp
 [[nodiscard]] request_rows document_requests();  ///< documents.cpp
 [[nodiscard]] request_rows edit_requests();      ///< edits.cpp
 [[nodiscard]] request_rows export_requests();    ///< exports.cpp

@@ -61,7 +61,8 @@ void start_opening(hub_pointer self, const std::string& name) {
                             caf::actor_cast<caf::actor>(self),
                             with.unused_limit,
                             with.results,
-                            take_remains(self->state, name)};
+                            take_remains(self->state, name),
+                            with.reader};
         const auto session = self->spawn<caf::linked>(make_session, std::move(parts), stored);
         self->state.open.emplace(name, session);
         answer_all(self, name, session);

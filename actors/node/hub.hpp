@@ -31,6 +31,7 @@ struct hub_parts {
   std::chrono::milliseconds unused_limit = actors::unused_limit;
   std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
+  job_thread_actor reader = {};        ///< As `session_parts::reader`.
 };
 
 struct hub_state {

@@ -73,7 +73,7 @@ caf::result<session_version> session_state::version(const version_request& reque
 
 bool session_state::is_unused() const {
   return subscribers.empty() && !running && waiting.empty() && previews.empty() && !active &&
-         progress_of.empty() && copying == 0 && !ended;
+         progress_of.empty() && comparisons.empty() && copying == 0 && !ended;
 }
 
 void session_state::look_later() {
@@ -147,7 +147,7 @@ void session_state::cancel(std::uint64_t ticket) {
   }
   if (previews.contains(ticket))
     return end_preview(ticket, {ec::cancelled, "the preview was cancelled", {}, {}});
-  if (leave_solve(ticket))
+  if (leave_solve(ticket) || leave_comparison(ticket))
     return;
   const auto found = std::ranges::find(waiting, ticket, &command::ticket);
   if (found == waiting.end())
@@ -242,6 +242,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const select_request& request) { return state.select(request); },
           [&state](const history_request& request) { return state.history(request); },
           [&state](const version_request& request) { return state.version(request); },
+          [&state](const comparison_request& request) { return state.compare(request); },
           [&state](cancel_atom, std::uint64_t ticket) { state.cancel(ticket); },
           [&state](end_atom) { return state.end(); },
           [&state](rest_atom, std::uint64_t number) { state.look(number); }};

@@ -17,6 +17,7 @@
 #include "actors/session/change_log.hpp"
 #include "actors/session/result_memory.hpp"
 #include "actors/session/version_graph.hpp"
+#include "actors/worker/job_thread.hpp"
 #include "base/stopwatch.hpp"
 
 namespace tedit::actors {
@@ -46,16 +47,17 @@ struct session_parts {
   std::chrono::milliseconds unused_limit = actors::unused_limit;
   /// Shared by all sessions of a server.
   std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
-  shared_remains remains = {};  ///< Of the session before; may be null.
+  shared_remains remains = {};   ///< Of the session before; may be null.
+  job_thread_actor reader = {};  ///< Does what reads much; null: each has a thread of its own.
 };
 
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over six files:
-/// session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
+/// The state of a session. Its members are what the handlers call; they are split over seven
+/// files: session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
 /// changes.cpp (what every change must pass), candidates.cpp (operations, previews), notes.cpp
-/// (what makes no new version) and solves.cpp.
+/// (what makes no new version), solves.cpp and comparisons.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -84,6 +86,8 @@ struct session_state {
   struct checked_candidate;
   struct kept_candidate;
   struct preview_run;
+  // In comparisons.cpp.
+  struct comparison_run;
 
   /// A request that waits for the solve that runs.
   struct solve_waiter {
@@ -273,6 +277,29 @@ struct session_state {
   /// How a solve goes on; its end is told to those who wait for it by their answer.
   void tell(const active_solve& which, solve_phase phase, const std::string& message = {});
 
+  // -- comparisons.cpp ------------------------------------------------------------------------
+
+  /// Refuses what is not there; else it waits for its turn.
+  caf::result<compared> compare(const comparison_request& request);
+  /// The first of those that wait.
+  void begin_comparison();
+  void end_comparison(const std::shared_ptr<comparison_run>& run, expected<compared> result);
+  /// Ends a comparison early; whether there was one with this ticket.
+  bool leave_comparison(std::uint64_t ticket);
+  /// Has the thread of one that runs notice that nobody wants it.
+  void end_comparisons();
+  /// Results of a version with a load case as it is now, used last first.
+  [[nodiscard]] std::vector<const kept_result*> results_of(const graph_node& node,
+                                                           const std::string& load_case) const;
+  /// Two that may be compared. Errors: which version has no field, or why they do not fit.
+  [[nodiscard]] expected<std::pair<solved, solved>> results_to_compare(
+    const graph_node& before, const graph_node& after, const std::string& load_case) const;
+
+  session_state() = default;
+  session_state(const session_state&) = delete;
+  session_state& operator=(const session_state&) = delete;
+  ~session_state() { end_comparisons(); }
+
   session_pointer self = nullptr;
   session_parts parts;
   version_graph graph;
@@ -286,6 +313,8 @@ struct session_state {
   std::optional<solve_request> followed;  ///< Without who asked.
   std::optional<active_solve> active;
   std::list<kept_result> results;  ///< Used last at the front.
+
+  std::deque<std::shared_ptr<comparison_run>> comparisons;  ///< The first one runs.
 
   std::uint64_t looks = 0;  ///< Called for by `look_later`.
   std::size_t copying = 0;  ///< Copies of the document that are being written.

@@ -18,26 +18,11 @@
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
 #include "actors/versions.hpp"
+#include "actors/worker/job_thread.hpp"
 #include "base/execution.hpp"
 #include "base/process_usage.hpp"
 
 namespace tedit::actors {
-
-/// Work for a worker's thread. Runs there and must not throw.
-struct job_task {
-  std::function<void()> run;
-};
-
-/// A thread that does one piece of work after the other, so that the actor that owns it always
-/// answers at once.
-using job_thread_actor = caf::typed_actor<caf::replies_to<job_task>::with<acknowledged>>;
-
-/// A class, since CAF 0.17 dereferences a null pointer when it starts a function without arguments.
-class job_thread final : public job_thread_actor::base {
-public:
-  using job_thread_actor::base::base;
-  behavior_type make_behavior() override;
-};
 
 /// What a job yields, and the pages that others will fetch: they stay in memory until then.
 template <class Result>
@@ -203,5 +188,3 @@ worker_jobs make_jobs(Self self, worker_role role, std::shared_ptr<page_cache> c
 }
 
 }  // namespace tedit::actors
-
-CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::job_task)

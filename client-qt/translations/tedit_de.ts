@@ -4447,6 +4447,54 @@
         <source>Young&apos;s modulus</source>
         <translation>E-Modul</translation>
     </message>
+    <message>
+        <source>Compare load cases that both versions have</source>
+        <translation>Lastfälle vergleichen, die beide Versionen haben</translation>
+    </message>
+    <message>
+        <source>Go to that version and solve the load case, then compare again</source>
+        <translation>Zu dieser Version gehen und den Lastfall lösen, dann noch einmal vergleichen</translation>
+    </message>
+    <message>
+        <source>Solve both with the same element order, then compare again</source>
+        <translation>Beide mit derselben Elementordnung lösen, dann noch einmal vergleichen</translation>
+    </message>
+    <message>
+        <source>They have %1</source>
+        <translation>Sie haben %1</translation>
+    </message>
+    <message>
+        <source>They have none</source>
+        <translation>Sie haben keinen</translation>
+    </message>
+    <message>
+        <source>a comparison has %1 vertices and %2 values of %3</source>
+        <translation>Ein Vergleich hat %1 Knoten und %2 Werte von %3</translation>
+    </message>
+    <message>
+        <source>a comparison&apos;s marks do not fit to its %1 vertices</source>
+        <translation>Die Kennzeichen eines Vergleichs passen nicht zu seinen %1 Knoten</translation>
+    </message>
+    <message>
+        <source>neither version %1 nor version %2 has a load case &quot;%3&quot;</source>
+        <translation>Weder Version %1 noch Version %2 hat einen Lastfall „%3“</translation>
+    </message>
+    <message>
+        <source>no field of version %1 is at hand</source>
+        <translation>Von Version %1 ist kein Feld vorhanden</translation>
+    </message>
+    <message>
+        <source>one version was solved with linear tets and the other with quadratic ones</source>
+        <translation>Eine Version wurde mit linearen Tetraedern gelöst und die andere mit quadratischen</translation>
+    </message>
+    <message>
+        <source>the comparison</source>
+        <translation>das Vergleichen</translation>
+    </message>
+    <message>
+        <source>version %1 has no such load case</source>
+        <translation>Version %1 hat keinen solchen Lastfall</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -319,6 +319,15 @@ std::optional<simulated_client::request> simulated_client::make_request(const sc
       message.mutable_delete_document()->set_document(
         step.value % 4 == 0 ? document_ : name_of_copy(step.value));
       return made;
+    case step_kind::compare: {
+      auto* body = message.mutable_compare_versions();
+      body->set_document(document_);
+      body->set_before(step.value % 5);
+      body->set_after(step.value / 5 % 5);
+      if (step.value % 2 == 0)
+        body->set_load_case(load_case);
+      return made;
+    }
     case step_kind::history:
       message.mutable_get_history()->set_document(document_);
       return made;
@@ -399,6 +408,8 @@ void simulated_client::take_answer(const v1::ServerMessage& message) {
     const auto& head = message.committed().head();
     acknowledge(asked.edit_id,
                 seen_head{head.number(), head.version_id(), message.committed().cause()});
+  } else if (message.has_versions_compared()) {
+    check_comparison(asked.message.compare_versions(), message.versions_compared());
   } else if (message.has_done() && !asked.edit_id.empty()) {
     acknowledge(asked.edit_id, std::nullopt);
   } else if (message.has_document_added()) {
@@ -447,6 +458,16 @@ void simulated_client::check_list(const v1::DocumentList& list) {
       fault("the list has two documents " + one.name());
 }
 
+void simulated_client::check_comparison(const v1::CompareVersions& asked,
+                                        const v1::VersionsCompared& made) {
+  if (made.before() != asked.before() || made.after() != asked.after())
+    fault("versions were compared that nobody asked for");
+  const bool same = made.before_id() == made.after_id();
+  if (same !=
+      (made.tets_in_common() == made.size_after().tets() && made.deviation().distance_m() == 0))
+    fault("versions " + made.before_id() + " and " + made.after_id() + " are compared wrongly");
+}
+
 void simulated_client::note_head(const v1::Committed& moved) {
   if (moved.repeated() || !seen_)
     return;
@@ -478,6 +499,8 @@ void simulated_client::take_event(const v1::ServerMessage& message, std::size_t 
     take(inbox_->take(message.chunk(), bytes));
   else if (message.has_file_ready())
     take(inbox_->take(message.file_ready().stream(), message.request_id(), bytes));
+  else if (message.has_versions_compared())
+    take(inbox_->take(message.versions_compared().stream(), message.request_id(), bytes));
   else if (message.has_edit_preview())
     take(inbox_->take(message.edit_preview().surface().stream(), message.request_id(), bytes));
 }

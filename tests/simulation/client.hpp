@@ -63,6 +63,7 @@ private:
   void take_event(const v1::ServerMessage& message, std::size_t bytes);
   void take_deletion(const std::string& name);
   void check_list(const v1::DocumentList& list);
+  void check_comparison(const v1::CompareVersions& asked, const v1::VersionsCompared& made);
   void note_head(const v1::Committed& moved);
   void acknowledge(const std::string& edit_id, std::optional<seen_head> head);
   void fault(const std::string& what);

@@ -22,6 +22,7 @@ const char* name_of(step_kind kind) {
                              "cancel_last",
                              "export_file",
                              "history",
+                             "compare",
                              "reopen_document",
                              "rename",
                              "list_documents",
@@ -42,12 +43,13 @@ const char* name_of(step_kind kind) {
 scenario make_scenario(std::uint64_t seed) {
   using enum step_kind;
   // As often as a kind stands here.
-  constexpr std::array what_clients_do{apply,    apply,           apply,           apply,
-                                       apply,    preview,         preview,         undo,
-                                       redo,     go_to,           solve,           solve,
-                                       import,   set_load_case,   set_load_case,   remove_load_case,
-                                       annotate, cancel_solve,    cancel_last,     export_file,
-                                       history,  reopen_document, reopen_document, rename};
+  constexpr std::array what_clients_do{apply,    apply,         apply,           apply,
+                                       apply,    preview,       preview,         undo,
+                                       redo,     go_to,         solve,           solve,
+                                       import,   set_load_case, set_load_case,   remove_load_case,
+                                       annotate, cancel_solve,  cancel_last,     export_file,
+                                       history,  compare,       reopen_document, reopen_document,
+                                       rename};
 
   constexpr std::array what_befalls{drop_connection,
                                     drop_connection,

@@ -25,6 +25,7 @@ enum class step_kind {
   cancel_last,
   export_file,
   history,
+  compare,
   reopen_document,
   rename,
   list_documents,

@@ -25,6 +25,7 @@ simulated_server::simulated_server(timeline& time, const std::filesystem::path& 
   hub_parts hub{documents, pools_, pages_, cache_};
   hub.disks = disks_->disks();
   hub.unused_limit = milliseconds(2000);
+  hub.reader = system.spawn<job_thread>();
   hub_ = system.spawn(make_hub, hub);
   parts_.hub = hub_;
   parts_.guard = std::make_shared<gateway::token_guard>("token");
@@ -89,6 +90,7 @@ std::vector<std::string> simulated_server::leftovers() {
     say(!state.previews.empty(), name + ": previews are left");
     say(state.active.has_value(), name + ": a solve is left");
     say(state.copying != 0, name + ": copies are left");
+    say(!state.comparisons.empty(), name + ": comparisons are left");
     say(!state.progress_of.empty(), name + ": jobs are left in progress_of");
   }
   for (const auto& one : clients_) {

@@ -17,7 +17,7 @@ namespace tedit::actors {
 
 /// A piece of work, or a commit, that ends when a test says so.
 struct open_task {
-  std::string what;  ///< "import", "edit", "check", "file", "solve", "commit", "copy", "delete".
+  std::string what;  ///< "import", "edit", "check", "file", "solve", "commit", "compare", ...
   std::uint64_t job = 0;
   std::string on;  ///< The version that it works on.
   std::function<void()> succeed;
@@ -94,6 +94,12 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
               return result;
             });
           },
+          [=](const job_task& task) {
+            return add_task<acknowledged>(self, "compare", {}, {}, [task] {
+              task.run();
+              return acknowledged{};
+            });
+          },
           [=](const stored_change&) {
             return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
           },
@@ -151,6 +157,7 @@ protected:
                      caf::actor_cast<solver_actor>(helper_)};
     parts.hub = hub_;
     parts.results = session_results_;
+    parts.reader = caf::actor_cast<job_thread_actor>(helper_);
     session_ = stage_.system().spawn(make_session, parts, stored_document{});
     mine_ = listen();
     other_ = listen();
