@@ -111,6 +111,10 @@ expected<document_state> client::open(const std::string& name, bool watch_surfac
   return state;
 }
 
+expected<void> client::close_document() {
+  return impl_->close_document();
+}
+
 /// The message ApplyEdit for the open document. Errors: `invalid_argument` when none is open.
 expected<v1::ApplyEdit> client::impl::describe_edit(const std::string& operation,
                                                     const std::vector<surface_id>& surfaces,

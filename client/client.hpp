@@ -77,6 +77,10 @@ public:
   [[nodiscard]] expected<document_state> open(const std::string& name, bool watch_surface,
                                               bool watch_fields);
 
+  /// Closes the open document: nothing of it is sent any more, and others may delete it. Nothing
+  /// when none is open.
+  [[nodiscard]] expected<void> close_document();
+
   /// Uploads a mesh file in pieces of 256 KiB, of which 4 MiB at most wait in memory, and makes it
   /// the new head. `unit` is the file's length unit, "mm" when empty.
   /// Errors: also `io_error`, `bad_input` for an empty file.

@@ -94,14 +94,14 @@ expected<void> delete_document(const fs::path& file) {
   if (!lock)
     return fail(lock.error());
   const auto there = has_database(target);
-  constexpr auto by_hand = "Remove the file by hand if it is not needed";
   if (!there)
-    return fail(there.error().code, there.error().message, by_hand);
+    return fail(there.error().code, there.error().message,
+                "Remove the file by hand if it is not needed");
   if (!*there)
     return fail(ec::not_found, "there is no file " + target.string(), "Check the path");
   if (is_of_another_program(target))
     return fail(ec::storage_error, target.string() + " is a database, but no TEdit document",
-                by_hand);
+                "Remove the file by hand if it is not needed");
   return erase_files(target);
 }
 

@@ -4495,6 +4495,66 @@
         <source>version %1 has no such load case</source>
         <translation>Version %1 hat keinen solchen Lastfall</translation>
     </message>
+    <message>
+        <source>A damaged document is not copied: &quot;tedit doc check&quot; says what is whole</source>
+        <translation>Ein beschädigtes Dokument wird nicht kopiert: „tedit doc check“ sagt, was heil ist</translation>
+    </message>
+    <message>
+        <source>Have it closed there, then try again</source>
+        <translation>Es dort schließen lassen, dann noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>The list of documents says which there are</source>
+        <translation>Die Liste der Dokumente sagt, welche es gibt</translation>
+    </message>
+    <message>
+        <source>Wait until that is done or cancel it, then try again</source>
+        <translation>Warten, bis das fertig ist, oder es abbrechen, dann noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>cannot find &apos;%1&apos;: %2</source>
+        <translation>„%1“ ist nicht zu finden: %2</translation>
+    </message>
+    <message>
+        <source>copying the document</source>
+        <translation>Kopieren des Dokuments</translation>
+    </message>
+    <message>
+        <source>deleting the document</source>
+        <translation>Löschen des Dokuments</translation>
+    </message>
+    <message>
+        <source>the document %1 is being opened, closed, added, copied or renamed</source>
+        <translation>das Dokument %1 wird gerade geöffnet, geschlossen, hinzugefügt, kopiert oder umbenannt</translation>
+    </message>
+    <message>
+        <source>the document %1 is being worked with</source>
+        <translation>mit dem Dokument %1 wird gerade gearbeitet</translation>
+    </message>
+    <message>
+        <source>the document %1 is open in other clients (%2)</source>
+        <translation>das Dokument %1 ist in anderen Programmen geöffnet (%2)</translation>
+    </message>
+    <message>
+        <source>the document is being deleted</source>
+        <translation>das Dokument wird gerade gelöscht</translation>
+    </message>
+    <message>
+        <source>the document was deleted</source>
+        <translation>das Dokument wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>there is no document %1</source>
+        <translation>es gibt kein Dokument %1</translation>
+    </message>
+    <message>
+        <source>there is no file %1</source>
+        <translation>es gibt keine Datei %1</translation>
+    </message>
+    <message>
+        <source>Remove the file by hand if it is not needed</source>
+        <translation>Die Datei von Hand entfernen, wenn sie nicht gebraucht wird</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -4829,6 +4889,97 @@ Inhalt %1</translation>
     <message>
         <source>For all who have it open; its versions, probes and pictures go with it</source>
         <translation>Für alle, die es geöffnet haben; Versionen, Messpunkte und Bilder gehen mit</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::documents_dialog</name>
+    <message>
+        <source>holds nothing yet</source>
+        <translation>noch leer</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>here and elsewhere (%1)</source>
+        <translation>hier und anderswo (%1)</translation>
+    </message>
+    <message>
+        <source>elsewhere (%1)</source>
+        <translation>anderswo (%1)</translation>
+    </message>
+    <message>
+        <source>Documents on the server</source>
+        <translation>Dokumente auf dem Server</translation>
+    </message>
+    <message>
+        <source>Search documents</source>
+        <translation>Dokumente suchen</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Last change</source>
+        <translation>Letzte Änderung</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>New name</source>
+        <translation>Neuer Name</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>So lassen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Name of the copy of %1</source>
+        <translation>Name der Kopie von %1</translation>
+    </message>
+    <message>
+        <source>New name of %1</source>
+        <translation>Neuer Name von %1</translation>
+    </message>
+    <message>
+        <source>Delete %1 with all its versions? It cannot be brought back.</source>
+        <translation>%1 mit allen Versionen löschen? Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Delete for good</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>Geöffnet</translation>
     </message>
 </context>
 <context>
@@ -6438,6 +6589,29 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>By a name, &quot;bores 8 to 12 mm&quot;, equal ones, smooth neighbours</source>
         <translation>Nach Namen, „Bohrungen 8 bis 12 mm“, gleiche, glatte Nachbarn</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::server_library</name>
+    <message>
+        <source>Documents on the server</source>
+        <translation>Dokumente auf dem Server</translation>
+    </message>
+    <message>
+        <source>Which there are, to be opened, copied, renamed or deleted</source>
+        <translation>Welche es gibt; zum Öffnen, Kopieren, Umbenennen oder Löschen</translation>
+    </message>
+    <message>
+        <source>%1 is a copy of %2 now.</source>
+        <translation>%1 ist jetzt eine Kopie von %2.</translation>
+    </message>
+    <message>
+        <source>%1 is called %2 now.</source>
+        <translation>%1 heißt jetzt %2.</translation>
+    </message>
+    <message>
+        <source>%1 is deleted.</source>
+        <translation>%1 ist gelöscht.</translation>
     </message>
 </context>
 <context>

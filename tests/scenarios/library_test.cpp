@@ -199,7 +199,9 @@ TEST_F(Library, NobodyDeletesWhatAnotherHasOpen) {
     return 0;
   }));
 
-  value(other->open("elsewhere", false, false));  // It closes the first for it.
+  value(other->close_document());
+  value(other->close_document());
+  EXPECT_EQ(other->undo().error().code, ec::invalid_argument) << "none is open";
   value(user->delete_document("wing"));
   EXPECT_TRUE(files().empty());
 }

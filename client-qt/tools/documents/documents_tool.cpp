@@ -18,6 +18,7 @@
 #include "client-qt/tools/connection/connection_tool.hpp"
 #include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/documents/recent_documents.hpp"
+#include "client-qt/tools/documents/server_library.hpp"
 #include "client-qt/tools/documents/unit_question.hpp"
 #include "client-qt/tools/documents/welcome_page.hpp"
 #include "client-qt/tools/loads/loads_tool.hpp"
@@ -59,6 +60,10 @@ documents_tool::documents_tool(window_context& in, connection_tool& connection,
   });
   wire_start_page();
   add_commands();
+  auto* library = new server_library(in_, connection_);
+  library->setParent(this);
+  connect(library, &server_library::document_wanted, this, &documents_tool::open_document);
+  connect(library, &server_library::gone, this, &documents_tool::forget);
   keeping_ = new document_keeping(in_, connection_);
   keeping_->setParent(this);
   new unit_question(in_.part, in_.view);  // Of the view.
@@ -218,11 +223,8 @@ void documents_tool::remember(const QString& document) {
   auto recent = in_.settings.value("recent").toStringList();
   recent.removeAll(document);
   recent.prepend(document);
-  for (const auto& old : recent.mid(most_recent)) {  // What was kept to find it as it was left.
-    remove_pictures(in_.server.folder(), old);
-    for (const auto& key : keys_of(old))
-      in_.settings.remove(key);
-  }
+  for (const auto& old : recent.mid(most_recent))
+    drop_kept(old);
   recent = recent.mid(0, most_recent);
   QVariantMap used = in_.settings.value("recent_used").toMap();
   used[document] = QDateTime::currentDateTime();
@@ -231,6 +233,24 @@ void documents_tool::remember(const QString& document) {
       used.remove(name);
   in_.settings.setValue("recent", recent);
   in_.settings.setValue("recent_used", used);
+}
+
+/// What was kept to find a document as it was left.
+void documents_tool::drop_kept(const QString& document) {
+  remove_pictures(in_.server.folder(), document);
+  for (const auto& key : keys_of(document))
+    in_.settings.remove(key);
+}
+
+/// Of a document that is gone nothing stays: a later one of its name is another.
+void documents_tool::forget(const QString& document) {
+  drop_kept(document);
+  auto recent = in_.settings.value("recent").toStringList();
+  recent.removeAll(document);
+  in_.settings.setValue("recent", recent);
+  if (in_.settings.value("unfinished") == document)
+    forget_unfinished();
+  show_recent();
 }
 
 /// What is kept under a document's name goes with it, instead of what an earlier one of the new

@@ -45,6 +45,8 @@ private:
   void open_copy(const QString& copy, const QString& of);
   void remember(const QString& document);
   void follow_name(const QString& before);
+  void drop_kept(const QString& document);
+  void forget(const QString& document);
 
   window_context& in_;
   connection_tool& connection_;

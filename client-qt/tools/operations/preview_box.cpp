@@ -28,7 +28,7 @@ struct preview_box_phrases {
   Q_DECLARE_TR_FUNCTIONS(preview)
 };
 
-QLabel* make_label(const char* role) {
+QLabel* make_box_label(const char* role) {
   auto* label = new QLabel;
   label->setProperty("role", role);
   label->setWordWrap(true);
@@ -113,13 +113,13 @@ preview_box::preview_box(live_preview& preview, QWidget* parent)
   head->addStretch();
   head->addWidget(now_);
   column->addLayout(head);
-  state_ = make_label("faint");
+  state_ = make_box_label("faint");
   state_->setObjectName("preview_state");
-  figures_ = make_label("plain");
+  figures_ = make_box_label("plain");
   figures_->setObjectName("preview_figures");
-  more_ = make_label("plain");
+  more_ = make_box_label("plain");
   more_->setObjectName("preview_details");
-  fault_ = make_label("fault");
+  fault_ = make_box_label("fault");
   fault_->setObjectName("preview_fault");
   place_ = new QPushButton(tr("Show the place"));
   place_->setProperty("role", "link");
