@@ -11,6 +11,8 @@
 #include "cli/command.hpp"
 #include "cli/compare_report.hpp"
 #include "cli/load_case_files.hpp"
+#include "cli/server_access.hpp"
+#include "cli/server_comparison.hpp"
 #include "cli/solver_options.hpp"
 #include "compare/compare_fields.hpp"
 #include "compare/compare_versions.hpp"
@@ -34,6 +36,8 @@ struct compare_options {
   std::vector<std::string> load_cases;
   std::string output;
   std::string length_unit = "mm";
+  std::string server;
+  std::string token_file;
   solver_options solver;
 };
 
@@ -244,7 +248,61 @@ expected<void> write_difference(const compare_options& options, const version_co
        {"before_id", result.before_id}, {"version_id", result.after_id}, {"quality", quality}}});
 }
 
+// -- on a server -----------------------------------------------------------------------------
+
+/// Errors: `usage` for what a server cannot do.
+expected<void> check_for_server(const compare_options& options) {
+  if (!options.after.empty() || is_document(options.before))
+    return fail(ec::usage, "a server compares two versions of one of its documents",
+                "Give the document's name alone, with --from and --to");
+  if (options.load_cases.size() > 1)
+    return fail(ec::usage, "a server compares the fields of one load case at a time",
+                "Give --load-case once");
+  if (!options.output.empty() && options.load_cases.empty())
+    return fail(ec::usage, "a file holds the difference of fields, and no load case is given",
+                "Give --load-case, or leave -o out");
+  return {};
+}
+
+/// With the fields that the server has; nothing is solved.
+expected<client::comparison> ask_server(const compare_options& options, session& s) {
+  if (auto ok = check_for_server(options); !ok)
+    return fail(ok.error());
+  auto how = reach_server(options.server, options.token_file);
+  if (!how)
+    return fail(how.error());
+  how->client_name = "tedit compare " TEDIT_VERSION;
+  const auto server = client::client::connect(*how, {});
+  if (!server)
+    return fail(server.error());
+  const auto opened = (*server)->open(options.before, false, false);
+  if (!opened)
+    return fail(opened.error());
+  if (!opened->head)
+    return fail(ec::not_found, "the server has no document " + options.before,
+                "Look for it with \"tedit doc list\" in the server's folder");
+  const compared_versions wanted{options.from.value_or(0),
+                                 options.to.value_or(opened->head->number),
+                                 options.load_cases.empty() ? "" : options.load_cases.front()};
+  auto made = compare_on_server(**server, wanted, s);
+  if (made && !options.output.empty())
+    if (auto ok = write_difference(**server, *made, options.output, s); !ok)
+      return fail(ok.error());
+  return made;
+}
+
+int run_compare_on_server(const compare_options& options, session& s) {
+  const auto made = ask_server(options, s);
+  end_progress(s);
+  if (!made)
+    return print_error(s, made.error());
+  print_result(s, to_json(made->what), describe_comparison(*made));
+  return 0;
+}
+
 int run_compare(const compare_options& options, session& s) {
+  if (!options.server.empty())
+    return run_compare_on_server(options, s);
   const auto sides = read_sides(options, s);
   if (!sides)
     return print_error(s, sides.error());
@@ -276,8 +334,8 @@ void add_compare(CLI::App& app, action& chosen) {
     "compare", "Compare two meshes, or two versions of a document, and their stress");
   command
     ->add_option("before", options->before,
-                 "A Gmsh file (MSH 2.2 or 4.1), or a document "
-                 "(.tedit)")
+                 "A Gmsh file (MSH 2.2 or 4.1), or a document (.tedit); with --server the name of "
+                 "a document there")
     ->required();
   command->add_option("after", options->after, "The other Gmsh file; not with a document");
   command->add_option("--from", options->from,
@@ -293,6 +351,10 @@ void add_compare(CLI::App& app, action& chosen) {
                       "Write the difference at the vertices after to this VTU file");
   command->add_option("--length-unit", options->length_unit, "Unit of the files' coordinates")
     ->capture_default_str();
+  command->add_option("--server", options->server,
+                      "Ask this server (ws://HOST:PORT/v1), with the fields that it has solved");
+  command->add_option("--token-file", options->token_file,
+                      "The server's token; default: where \"tedit serve\" puts it");
   add_solver_options(*command, options->solver);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_compare(*options, s); }; });

@@ -67,6 +67,8 @@ ordered_json json_of(const field_comparison& one) {
     row["von_mises_rise"] = json_of(one.rise);
     row["von_mises_fall"] = json_of(one.fall);
   }
+  if (one.preview)
+    row["preview"] = true;
   add(row, "min_safety_factor_before", one.min_safety_before);
   add(row, "min_safety_factor_after", one.min_safety_after);
   return row;
@@ -164,6 +166,9 @@ ordered_json to_json(const version_comparison& all) {
   add_list("surfaces", all.surfaces);
   add_list("load_cases", all.load_cases);
   add_list("fields", all.fields);
+  for (const auto& one : all.not_compared)
+    result["not_compared"].push_back(
+      {{"load_case", one.load_case}, {"reason", one.reason}, {"remedy", one.remedy}});
   return result;
 }
 
@@ -188,6 +193,8 @@ std::string describe_comparison(const version_comparison& all) {
           surface_table(all);
   for (const auto& one : all.fields)
     text += field_text(one);
+  for (const auto& one : all.not_compared)
+    text += "stress, " + one.load_case + "\n" + row("not compared", one.reason);
   return text;
 }
 

@@ -9,7 +9,7 @@
 
 namespace tedit::cli {
 
-/// The JSON object of `tedit compare` (docs/compare.md). Keys of unknown values are left out.
+/// The JSON object of `tedit compare` (docs/command_line.md). Keys of unknown values are left out.
 [[nodiscard]] nlohmann::ordered_json to_json(const version_comparison& all);
 
 /// The same for people, indented; surfaces that did not change are counted, not listed.

@@ -68,6 +68,8 @@ private:
   expected<void> step(const client::go_to_step& s);
   expected<void> step(const solve_step& s);
   expected<void> step(const export_step& s);
+  expected<void> step(const client::compare_step& s);  ///< recipe_compare.cpp
+  expected<void> write_files(const client::compare_step& s, const client::comparison& made);
   expected<void> step(const client::apply_step& s);
   expected<void> step(const client::window_step& s);
   void loads_changed(const char* how, const std::string& name);

@@ -74,6 +74,19 @@ struct export_step {
   friend bool operator==(const export_step&, const export_step&) = default;
 };
 
+/// What two versions differ in, by their numbers in the document. Files as in an export.
+struct compare_step {
+  std::uint32_t before = 0;
+  std::optional<std::uint32_t> after;  ///< The present version when it is not given.
+  std::string load_case;               ///< Whose fields are compared in `vtu` and `png`.
+  std::string json;                    ///< The figures.
+  std::string vtu;                     ///< The difference at the boundary of the version after.
+  std::string png;                     ///< The same, of the von Mises stress.
+  std::string title;                   ///< Of the picture.
+
+  friend bool operator==(const compare_step&, const compare_step&) = default;
+};
+
 // -- steps that only a window carries out ------------------------------------------------
 
 /// An edit of what is selected, as by the form of the operation: the request names no surfaces.
@@ -94,7 +107,7 @@ struct window_step {
 
 using recipe_step =
   std::variant<import_step, load_case_step, remove_load_case_step, edit_step, undo_step, redo_step,
-               go_to_step, solve_step, export_step, apply_step, window_step>;
+               go_to_step, solve_step, export_step, compare_step, apply_step, window_step>;
 
 /// The name of a step's kind as it stands in the file: "edit".
 [[nodiscard]] const char* kind_of(const recipe_step& step);

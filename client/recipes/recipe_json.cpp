@@ -78,6 +78,17 @@ void fields_of(Io& io, export_step& s) {
 }
 
 template <class Io>
+void fields_of(Io& io, compare_step& s) {
+  io.needed("before", s.before);
+  io.other("after", s.after);
+  io.other("load_case", s.load_case);
+  io.other("json", s.json);
+  io.other("vtu", s.vtu);
+  io.other("png", s.png);
+  io.other("title", s.title);
+}
+
+template <class Io>
 void fields_of(Io& io, apply_step& s) {
   io.needed("apply", s.request.operation);
   changes_of(io, s.request);
@@ -184,6 +195,10 @@ private:
       refuse(what + " must be the number of a version, from 0 on");
     into = static_cast<std::uint32_t>(given);
   }
+  void read(const json& value, std::optional<std::uint32_t>& into, words what,
+            const number_range& range) const {
+    read(value, into.emplace(), what, range);
+  }
   void read(const json& value, std::vector<surface_id>& into, words what,
             const number_range&) const {
     for (const auto& id : list_from(value, 0, most_ids, what))
@@ -251,6 +266,7 @@ constexpr known_kind known_kinds[] = {{"import", true, read_as<import_step>},
                                       {"go_to", false, read_as<go_to_step>},
                                       {"solve", true, read_as<solve_step>},
                                       {"export", true, read_as<export_step>},
+                                      {"compare", true, read_as<compare_step>},
                                       {"apply", false, read_as<apply_step>}};
 static_assert(std::size(known_kinds) + 1 == std::variant_size_v<recipe_step>);
 
@@ -387,6 +403,7 @@ private:
     return value;
   }
   static std::string plain(const std::filesystem::path& value) { return value.string(); }
+  static std::uint32_t plain(const std::optional<std::uint32_t>& value) { return *value; }
   static std::string_view plain(fem::load_policy value) { return fem::policy_name(value); }
   static json plain(const std::optional<std::pair<double, double>>& value) {
     return {value->first, value->second};

@@ -25,6 +25,51 @@ TEST(Run, CarriesOutARecipeWithUndo) {
   EXPECT_TRUE(std::filesystem::exists(scratch("out") / "v0.msh"));
 }
 
+TEST(Run, ARecipeComparesVersionsAndWritesTheirDifference) {
+  const auto file = scratch("recipe.json");
+  json steps{{{"import", {{"mesh", plate}}}},
+             {{"load_case", {{"file", plate_loads}}}},
+             {{"solve", json::object()}},
+             {{"edit", {{"operation", "fill_hole"}, {"surfaces", {1, 2}}}}},
+             {{"solve", json::object()}}};
+  std::ifstream in(plate_loads);
+  const auto name = json::parse(in)["name"];
+  const auto carried_out = [&](const json& compare) {
+    auto all = steps;
+    all.push_back({{"compare", compare}});
+    std::ofstream(file) << json{{"device", "cpu"}, {"order", 1}, {"steps", all}};
+    return run("run --json " + file.string() + " --out " + scratch("compared").string());
+  };
+
+  const auto result = carried_out(
+    {{"before", 0}, {"load_case", name}, {"json", "d{version}.json"}, {"vtu", "d.vtu"}});
+  ASSERT_EQ(result.status, 0) << result.out;
+  const auto all = result.parsed()["steps"][5];
+  EXPECT_EQ(all["step"], "compare");
+  EXPECT_EQ(all["after_number"], 1);
+  EXPECT_GT(all["after"]["volume_m3"], all["before"]["volume_m3"]);
+  ASSERT_EQ(all["fields"].size(), 1U) << all;
+  EXPECT_EQ(all["fields"][0]["load_case"], name);
+  EXPECT_EQ(result.parsed()["files"].size(), 2U);
+  std::ifstream figures(scratch("compared") / "d1.json");
+  EXPECT_EQ(json::parse(figures)["after_id"], all["after_id"]);
+  std::ifstream vtu(scratch("compared") / "d.vtu", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(vtu), {}};
+  for (const auto* array : {"difference_mark", "von_mises_pa_difference"})
+    EXPECT_NE(bytes.find("Name=\"" + std::string(array) + "\""), std::string::npos) << array;
+
+  const auto unnamed = carried_out({{"before", 0}, {"vtu", "d.vtu"}});
+  EXPECT_EQ(unnamed.status, 65) << unnamed.out;
+  EXPECT_NE(unnamed.out.find("no load case is named"), std::string::npos);
+  const auto unknown = carried_out({{"before", 7}});
+  EXPECT_EQ(unknown.status, 1) << unknown.out;
+  EXPECT_NE(unknown.out.find("step 6 (compare): there is no version 7"), std::string::npos);
+  steps.erase(2);
+  const auto unsolved = carried_out({{"before", 0}, {"load_case", name}});
+  EXPECT_EQ(unsolved.status, 1) << unsolved.out;
+  EXPECT_NE(unsolved.out.find("no field of version 0 is at hand"), std::string::npos);
+}
+
 TEST(Run, ARecipeSaysWhatBecomesOfLoads) {
   const auto file = scratch("recipe.json");
   const auto loads = scratch("bore.json");

@@ -64,6 +64,13 @@ TEST(RecipeReader, StepsThatWorkOnThePart) {
             recipe_step(solve_step{{}, true, 0.01}));
   EXPECT_EQ(step(R"({"export": {"msh": "v{version}.msh", "png": "a.png", "range_mpa": [0, 9]}})"),
             recipe_step(export_step{{{"msh", "v{version}.msh"}}, "a.png", {}, {{0., 9.}}}));
+  EXPECT_EQ(step(R"({"compare": {"before": 0, "after": 2, "load_case": "pull", "vtu": "d.vtu"}})"),
+            recipe_step(compare_step{0, 2, "pull", {}, "d.vtu", {}, {}}));
+  EXPECT_EQ(step(R"({"compare": {"before": 3, "json": "d.json"}})"),
+            recipe_step(compare_step{3, std::nullopt, {}, "d.json", {}, {}, {}}));
+  EXPECT_THAT(step_refusal(R"({"compare": {"after": 1}})"), HasSubstr("needs \"before\""));
+  EXPECT_THAT(step_refusal(R"({"compare": {"before": 0, "after": -1}})"),
+              HasSubstr("\"after\" must be the number of a version"));
 }
 
 TEST(RecipeReader, BothSpellingsOfUndoAndOfALoadCase) {
@@ -311,6 +318,19 @@ export_step any_export() {
   return result;
 }
 
+compare_step any_comparison() {
+  compare_step result{*rc::gen::arbitrary<std::uint32_t>(),
+                      {},
+                      *any_word(),
+                      *any_word(),
+                      *any_word(),
+                      *any_word(),
+                      *any_word()};
+  if (*rc::gen::arbitrary<bool>())
+    result.after = *rc::gen::arbitrary<std::uint32_t>();
+  return result;
+}
+
 solve_step any_solve() {
   if (*rc::gen::arbitrary<bool>())
     return {{}, true, 0.25};
@@ -319,7 +339,7 @@ solve_step any_solve() {
 }
 
 recipe_step any_step() {
-  switch (*rc::gen::inRange(0, 11)) {
+  switch (*rc::gen::inRange(0, 12)) {
     case 0:
       return import_step{"/" + *any_word(), *any_word()};
     case 1:
@@ -339,6 +359,8 @@ recipe_step any_step() {
     case 8:
       return any_export();
     case 9:
+      return any_comparison();
+    case 10:
       return apply_step{any_request(false)};
     default: {
       const auto& [kind, json] = *rc::gen::elementOf(of_window);

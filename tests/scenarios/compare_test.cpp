@@ -4,6 +4,7 @@
 #include "compare/compare_versions.hpp"
 #include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
+#include "tests/cli/run_program.hpp"
 #include "tests/scenarios/fixture.hpp"
 #include "tests/support/blocks.hpp"
 
@@ -251,6 +252,40 @@ TEST_F(CompareVersionsOfServer, AClientThatLeavesHoldsNobodyUp) {
       gone.start(wanted);
   }
   EXPECT_EQ(value(user->compare(0, 0)).what.tets_in_common, 24U);
+}
+
+TEST_F(CompareVersionsOfServer, TheCommandLineAsksForTheSame) {
+  import_bar(4, 4, 2e6);
+  solve();
+  import_bar(5, 5.5, 3e6);
+  solve();
+  const auto token = folder.path() / "token";
+  std::ofstream(token) << server_token;
+  const auto file = folder.path() / "d.vtu";
+  const auto compare = [&](const std::string& what) {
+    return run("compare " + what + " --json --server " + host->url() + " --token-file " +
+               token.string());
+  };
+
+  const auto got = compare("bar --load-case pull -o " + file.string());
+  ASSERT_EQ(got.status, 0) << got.out;
+  const auto all = got.parsed();
+  EXPECT_NEAR(all["after"]["volume_m3"], 5.5, 1e-12);
+  ASSERT_EQ(all["fields"].size(), 1U);
+  EXPECT_EQ(all["fields"][0]["vertices"]["outside"], 8);
+  EXPECT_NEAR(all["fields"][0]["von_mises_rise"]["change_pa"], 1e6, 1);
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(bytes, HasSubstr("NumberOfPoints=\"24\" NumberOfCells=\"44\""));
+  EXPECT_THAT(bytes, HasSubstr("Name=\"von_mises_pa_difference\""));
+
+  EXPECT_EQ(compare("bar --from 1 --to 1").parsed()["deviation_m"], 0);
+  EXPECT_EQ(compare("bar --from 9").status, 1);
+  const auto absent = compare("nothing");
+  EXPECT_EQ(absent.status, 1);
+  EXPECT_THAT(absent.out, HasSubstr("no document nothing"));
+  EXPECT_EQ(compare("bar.tedit").status, 2);
+  EXPECT_EQ(compare("bar -o " + file.string()).status, 2);
 }
 
 /// An edit of a real part, against the room compare/ on the versions as files.

@@ -230,6 +230,11 @@ expected<void> window_player::carry_out(const client::export_step&) {
   return {};
 }
 
+expected<void> window_player::carry_out(const client::compare_step&) {
+  ++left_out_;
+  return {};
+}
+
 // -- steps of the window ---------------------------------------------------------------
 
 expected<void> window_player::carry_out(const client::apply_step& s) {

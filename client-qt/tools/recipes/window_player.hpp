@@ -64,6 +64,7 @@ private:
   expected<void> carry_out(const client::go_to_step& s);
   expected<void> carry_out(const client::solve_step& s);
   expected<void> carry_out(const client::export_step& s);
+  expected<void> carry_out(const client::compare_step& s);
   expected<void> carry_out(const client::apply_step& s);
   expected<void> carry_out(const client::window_step& s);
 
