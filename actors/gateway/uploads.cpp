@@ -128,11 +128,12 @@ void add_document(client_state& client, std::uint64_t id, const v1::AddDocument&
 }
 
 void import(client_state& client, std::uint64_t id, const v1::ImportMesh& body) {
-  const auto* document = client.find(id, body.document());
-  if (!document)
-    return;
+  // First: a file whose import is refused must not stay on the account.
   auto file = take_upload(client, id, body.upload(), body.size());
   if (!file)
+    return;
+  const auto* document = client.find(id, body.document());
+  if (!document)
     return;
   import_request request;
   request.file = std::move(file->pages);

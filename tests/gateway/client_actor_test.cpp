@@ -71,9 +71,9 @@ caf::behavior session_of(const std::shared_ptr<const std::vector<found_feature>>
 // A request without a row would be answered as one that the server does not know.
 TEST(RequestRows, EveryRequestHasOneHandler) {
   std::multiset<int> handled;
-  for (const auto& rows :
-       {server_requests(), document_requests(), edit_requests(), export_requests(),
-        library_requests(), note_requests(), section_requests(), upload_requests()})
+  for (const auto& rows : {server_requests(), compare_requests(), document_requests(),
+                           edit_requests(), export_requests(), library_requests(), note_requests(),
+                           section_requests(), upload_requests()})
     for (const auto& row : rows)
       handled.insert(row.kind);
   const auto* bodies = v1::ClientMessage::descriptor()->FindOneofByName("body");

@@ -367,6 +367,13 @@ TEST_F(Client, AFileOfAnotherSizeThanWasSaidIsDropped) {
   EXPECT_EQ(server().imports.size(), 1U);
 }
 
+TEST_F(Client, AFileWhoseDocumentIsNotOpenIsDropped) {
+  open();
+  upload(1, 0, 100);
+  EXPECT_EQ(answer_to(import(1, 100, "another")).error().code(), "not_found");
+  EXPECT_EQ(all_uploads_->used(), 0U);
+}
+
 TEST_F(Client, WithTheLineAllUploadsAreOffTheAccount) {
   open();
   upload(1, 0, 300);
