@@ -46,7 +46,7 @@ struct address {
 };
 
 tl::unexpected<error> bad_url(const std::string& url, const std::string& what) {
-  return fail(ec::invalid_argument, "\"" + url + "\" " + what,
+  return fail(ec::invalid_argument, "the address \"" + url + "\" " + what,
               "Give a server's address such as ws://127.0.0.1:7400/v1.");
 }
 
@@ -90,10 +90,12 @@ expected<address> parse_url(const std::string& url) {
 
 error lost(const error_code& code, const websocket::close_reason& reason) {
   if (code == websocket::error::closed) {
-    std::string text = "the server closed the connection";
-    if (!reason.reason.empty())
-      text += ": " + std::string(reason.reason.data(), reason.reason.size());
-    return {ec::service_unavailable, text, "Look into the server's log and connect again.", {}};
+    const std::string why(reason.reason.data(), reason.reason.size());
+    return {
+      ec::service_unavailable,
+      why.empty() ? "the server closed the connection" : "the server closed the connection: " + why,
+      "Look into the server's log and connect again.",
+      {}};
   }
   if (code == websocket::error::message_too_big || code == websocket::error::buffer_overflow)
     return {

@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Rooms whose refusals, notices and stages of work reach a window.
-ROOMS = ["base", "mesh", "fem", "edit", "ops", "protocol", "client", "actors"]
+ROOMS = ["base", "mesh", "fem", "edit", "ops", "protocol", "client", "client-qt/net", "actors"]
 
 # Read by developers, integrators and operators alone: the kits of plugins, input decks and file headers, what is said
 # of bytes that two programs of one release send each other, logs; what "tedit doc" alone says.
@@ -21,13 +21,13 @@ LEFT_OUT = re.compile(r"""
   | ops/[a-z_]+/operation\. | ops/services/tetrahedralise
   | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/(vtu|obj|stl)_writer
   | base/(error|virtual_display|process_usage|forked_call|units|child_process)
-  | client/(recipes/|recipe_|streams|surface|messages|inbox|client\.|socket) | protocol/(forms|json|selection_message)
+  | client/(recipes/|recipe_) | protocol/(forms|json)
   | actors/(links|pages|exits|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder|removal|cleaning|check\.|document_view)
-  | actors/gateway/(client_actor|http_session|ws_session|token_guard|transport|gateway\.|requests)
+  | actors/gateway/(http_session|ws_session|transport|gateway\.)
 """, re.X)
 
 # Where pieces of sentences are put together by helpers: all words count, not only those behind a code.
-PIECES = re.compile(r"(base|mesh|fem|ops)/|actors/(supervisor/pool|session/|store/document_lock|solver/|errors)")
+PIECES = re.compile(r"(base|mesh|fem|ops)/|client/(socket|streams|inbox|messages)|actors/(supervisor/pool|session/|store/document_lock|solver/|errors)")
 
 TOKEN = re.compile(r"""
     (?P<comment>//[^\n]*|/\*.*?\*/)

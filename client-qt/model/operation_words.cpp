@@ -28,6 +28,17 @@ QString figure_words(const std::string& english) {
                                            : QString::fromStdString(numbered).arg(found.captured());
 }
 
+QString figure_title(const std::string& english) {
+  QString words = figure_words(english);
+  if (!words.isEmpty())
+    words[0] = words[0].toUpper();
+  return words;
+}
+
+QString device_words(const std::string& device) {
+  return device == "cpu" ? QString("CPU") : QString::fromStdString(device);
+}
+
 QString choice_words(const std::string& choice) {
   std::string words = choice;
   std::ranges::replace(words, '_', ' ');

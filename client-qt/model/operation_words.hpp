@@ -16,6 +16,12 @@ namespace tedit::desktop {
 /// What a figure of an edit is ("pieces, of 2 bodies"), likewise; numbers in it stay.
 [[nodiscard]] QString figure_words(const std::string& english);
 
+/// The same as the first words of a row.
+[[nodiscard]] QString figure_title(const std::string& english);
+
+/// What computed: "cpu" is a word of command lines.
+[[nodiscard]] QString device_words(const std::string& device);
+
 /// One value of a parameter that is chosen from a list, as people read it.
 [[nodiscard]] QString choice_words(const std::string& choice);
 

@@ -181,7 +181,7 @@ QString words_of(const std::string& said) {
     text.replace(found.capturedStart(2), 1, QChar(found.captured(2) == "2" ? 0x00b2 : 0x00b3));
   // Not in versions, addresses and names of files.
   static const QRegularExpression point(
-    R"((?<![\w.])(\d+)\.(?=\d+(e[-+]?\d+)?([\s,;:)%]|\.?\s|\.?$)))");
+    R"((?<![\w.])(?<!ersion )(\d+)\.(?=\d+(e[-+]?\d+)?([\s,;:)%]|\.?\s|\.?$)))");
   text.replace(point, "\\1" + QLocale().decimalPoint());
   return text;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "client-qt/model/load_words.hpp"
+#include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 
 namespace tedit::desktop {
@@ -140,7 +141,7 @@ QString case_trust(const report_facts& facts, const solve_report& report) {
     item(report_sections_phrases::tr("Residual of the equations: %1; unknowns: %2; computed on %3.")
            .arg(two_digits(report.true_relative_residual))
            .arg(static_cast<qulonglong>(report.dofs))
-           .arg(QString::fromStdString(report.device)));
+           .arg(device_words(report.device)));
   html += singular_words(facts, report);
   for (const auto& warning : report.warnings)
     html += item(words_of(warning));

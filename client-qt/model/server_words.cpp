@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,18 @@ namespace {
 
 constexpr const char* server_templates[] = {
 #include "client-qt/model/server_words.inc"
+};
+
+/// What the system says of connections, which a client hands on.
+constexpr const char* system_words[] = {
+  QT_TRANSLATE_NOOP("server", "Connection refused"),
+  QT_TRANSLATE_NOOP("server", "Connection reset by peer"),
+  QT_TRANSLATE_NOOP("server", "Connection timed out"),
+  QT_TRANSLATE_NOOP("server", "No route to host"),
+  QT_TRANSLATE_NOOP("server", "Network is unreachable"),
+  QT_TRANSLATE_NOOP("server", "Host not found (authoritative)"),
+  QT_TRANSLATE_NOOP("server", "Broken pipe"),
+  QT_TRANSLATE_NOOP("server", "End of file"),
 };
 
 /// A template whose own words have fewer letters fits by chance, too.
@@ -34,7 +47,9 @@ struct server_form {
 std::vector<server_form> make_forms() {
   static const QRegularExpression place("%[0-9]");
   std::vector<server_form> result;
-  for (const auto* english : server_templates) {
+  std::vector<const char*> all(std::begin(server_templates), std::end(server_templates));
+  all.insert(all.end(), std::begin(system_words), std::end(system_words));
+  for (const auto* english : all) {
     const QStringList own = QString::fromUtf8(english).split(place);
     int letters = 0;
     for (const auto& part : own)

@@ -576,10 +576,6 @@
         <translation>Stücke</translation>
     </message>
     <message>
-        <source>What becomes of a part that falls apart: refuse, keep_largest (of each body) or allow.</source>
-        <translation>Was aus einem Bauteil wird, das zerfällt: refuse (ablehnen), keep_largest (das größte Stück jedes Körpers behalten) oder allow (erlauben).</translation>
-    </message>
-    <message>
         <source>Fill hole</source>
         <translation>Loch schließen</translation>
     </message>
@@ -778,6 +774,10 @@
     <message>
         <source>thickness put on</source>
         <translation>aufgetragene Dicke</translation>
+    </message>
+    <message>
+        <source>What becomes of a part that falls apart: the cut is refused, the largest piece of each body is kept, or all pieces stay.</source>
+        <translation>Was aus einem Bauteil wird, das zerfällt: Der Schnitt wird abgelehnt, das größte Stück jedes Körpers bleibt, oder alle Stücke bleiben.</translation>
     </message>
 </context>
 <context>
@@ -4555,6 +4555,370 @@
         <source>Remove the file by hand if it is not needed</source>
         <translation>Die Datei von Hand entfernen, wenn sie nicht gebraucht wird</translation>
     </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite abgebrochen</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeit für die Verbindung abgelaufen</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>das Netz ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>Host not found (authoritative)</source>
+        <translation>Rechner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>Leitung unterbrochen</translation>
+    </message>
+    <message>
+        <source>End of file</source>
+        <translation>Ende der Übertragung</translation>
+    </message>
+    <message>
+        <source>%1 has %2 points and %3 values of %4</source>
+        <translation>%1: %2 Punkte und %3 Werte von %4</translation>
+    </message>
+    <message>
+        <source>%1 of version %2 did not arrive within %3 ms</source>
+        <translation>Version %2: %1 nicht innerhalb von %3 ms angekommen</translation>
+    </message>
+    <message>
+        <source>Give a server&apos;s address such as ws://127.0.0.1:7400/v1.</source>
+        <translation>Die Adresse eines Servers angeben, etwa ws://127.0.0.1:7400/v1.</translation>
+    </message>
+    <message>
+        <source>Give the token that the server wrote when it started (tedit serve --help)</source>
+        <translation>Das Token angeben, das der Server beim Start geschrieben hat (tedit serve --help)</translation>
+    </message>
+    <message>
+        <source>HTTP %1 instead of a WebSocket</source>
+        <translation>HTTP %1 statt eines WebSockets</translation>
+    </message>
+    <message>
+        <source>Hello was said already</source>
+        <translation>Hello wurde schon gesagt</translation>
+    </message>
+    <message>
+        <source>Install it beside tedit-qt, or connect to a server</source>
+        <translation>Neben tedit-qt installieren oder mit einem Server verbinden</translation>
+    </message>
+    <message>
+        <source>Look into the server&apos;s log and connect again.</source>
+        <translation>Im Protokoll des Servers nachsehen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Look whether the server still runs and connect again.</source>
+        <translation>Nachsehen, ob der Server noch läuft, und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Number requests without repeating yourself; the one that runs goes on</source>
+        <translation>Anfragen ohne Wiederholung nummerieren; die laufende geht weiter</translation>
+    </message>
+    <message>
+        <source>Open the document again to get the whole surface.</source>
+        <translation>Das Dokument neu öffnen, um die ganze Oberfläche zu bekommen.</translation>
+    </message>
+    <message>
+        <source>See %1/server.log</source>
+        <translation>Siehe %1/server.log</translation>
+    </message>
+    <message>
+        <source>Send OpenDocument first</source>
+        <translation>Zuerst OpenDocument senden</translation>
+    </message>
+    <message>
+        <source>Set XDG_STATE_HOME to a folder that can be written</source>
+        <translation>XDG_STATE_HOME auf einen beschreibbaren Ordner setzen</translation>
+    </message>
+    <message>
+        <source>Start a server with tedit serve.</source>
+        <translation>Mit tedit serve einen Server starten.</translation>
+    </message>
+    <message>
+        <source>Take HOLE, PROTRUSION, HOLES, SMOOTH or NEIGHBOURS</source>
+        <translation>HOLE, PROTRUSION, HOLES, SMOOTH oder NEIGHBOURS nehmen</translation>
+    </message>
+    <message>
+        <source>Use a client and a server of the same release</source>
+        <translation>Client und Server derselben Version nehmen</translation>
+    </message>
+    <message>
+        <source>Use a client of the server&apos;s release</source>
+        <translation>Einen Client der Version des Servers nehmen</translation>
+    </message>
+    <message>
+        <source>Use the schema of the server&apos;s version</source>
+        <translation>Das Schema der Version des Servers nehmen</translation>
+    </message>
+    <message>
+        <source>Wait for answers before asking more</source>
+        <translation>Auf Antworten warten, bevor mehr gefragt wird</translation>
+    </message>
+    <message>
+        <source>Wait until it is back, or connect to another one</source>
+        <translation>Warten, bis sie wieder da ist, oder mit einem anderen Server verbinden</translation>
+    </message>
+    <message>
+        <source>a field update</source>
+        <translation>eine Feldänderung</translation>
+    </message>
+    <message>
+        <source>a field update names a load case that it does not list</source>
+        <translation>eine Feldänderung nennt einen Lastfall, den sie nicht aufführt</translation>
+    </message>
+    <message>
+        <source>a request needs a request_id</source>
+        <translation>eine Anfrage braucht eine request_id</translation>
+    </message>
+    <message>
+        <source>a section&apos;s triangles do not fit to its %1 points</source>
+        <translation>die Dreiecke eines Schnitts passen nicht zu seinen %1 Punkten</translation>
+    </message>
+    <message>
+        <source>a socket connects only once</source>
+        <translation>ein Socket verbindet nur einmal</translation>
+    </message>
+    <message>
+        <source>a surface update builds on version %1, but this client holds %2</source>
+        <translation>eine Flächenänderung baut auf Version %1 auf, dieser Client hat aber %2</translation>
+    </message>
+    <message>
+        <source>a surface update builds on version %1, but this client holds none</source>
+        <translation>eine Flächenänderung baut auf Version %1 auf, dieser Client hat aber keine</translation>
+    </message>
+    <message>
+        <source>a surface update has %1 values in &quot;%2&quot; for %3 items of %4</source>
+        <translation>eine Flächenänderung hat %1 Werte in „%2“ für %3 Einträge von %4</translation>
+    </message>
+    <message>
+        <source>a surface update lists slot %1 in &quot;%2&quot;, which no mesh can have</source>
+        <translation>eine Flächenänderung führt Platz %1 in „%2“ auf, den kein Netz haben kann</translation>
+    </message>
+    <message>
+        <source>a surface update names no version</source>
+        <translation>eine Flächenänderung nennt keine Version</translation>
+    </message>
+    <message>
+        <source>announces %1 bytes, but its arrays end at %2</source>
+        <translation>kündigt %1 Bytes an, seine Felder enden aber bei %2</translation>
+    </message>
+    <message>
+        <source>asks for TLS, which this client does not speak</source>
+        <translation>verlangt TLS, das dieser Client nicht spricht</translation>
+    </message>
+    <message>
+        <source>brings more than the announced %1 bytes</source>
+        <translation>bringt mehr als die angekündigten %1 Bytes</translation>
+    </message>
+    <message>
+        <source>cannot make the folder %1</source>
+        <translation>der Ordner %1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>does not begin with ws://</source>
+        <translation>beginnt nicht mit ws://</translation>
+    </message>
+    <message>
+        <source>facet %1 of a surface update names vertex %2, which this client was never sent</source>
+        <translation>Facette %1 einer Flächenänderung nennt Knoten %2, den dieser Client nie bekam</translation>
+    </message>
+    <message>
+        <source>goes on at byte %1 after %2 bytes</source>
+        <translation>geht nach %2 Bytes bei Byte %1 weiter</translation>
+    </message>
+    <message>
+        <source>has a space or control character</source>
+        <translation>enthält ein Leer- oder Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>has array &quot;%1&quot; in another form</source>
+        <translation>hat das Feld „%1“ in anderer Form</translation>
+    </message>
+    <message>
+        <source>has array &quot;%1&quot; inside the one before</source>
+        <translation>hat das Feld „%1“ in dem davor</translation>
+    </message>
+    <message>
+        <source>has array &quot;%1&quot; of an unknown type</source>
+        <translation>hat das Feld „%1“ unbekannten Typs</translation>
+    </message>
+    <message>
+        <source>has no closing bracket</source>
+        <translation>hat keine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>has something after the bracket that is no port</source>
+        <translation>hat nach der Klammer etwas, das kein Port ist</translation>
+    </message>
+    <message>
+        <source>is larger than %1 bytes</source>
+        <translation>ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>is not complete</source>
+        <translation>ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>names no host or no valid port</source>
+        <translation>nennt keinen Rechner oder keinen gültigen Port</translation>
+    </message>
+    <message>
+        <source>no answer within %1 ms</source>
+        <translation>keine Antwort innerhalb von %1 ms</translation>
+    </message>
+    <message>
+        <source>no memory is left for a message of the server</source>
+        <translation>für eine Nachricht des Servers ist kein Speicher mehr da</translation>
+    </message>
+    <message>
+        <source>no server can be reached at %1: %2</source>
+        <translation>unter %1 ist kein Server zu erreichen: %2</translation>
+    </message>
+    <message>
+        <source>request_id %1 is in use</source>
+        <translation>request_id %1 ist in Gebrauch</translation>
+    </message>
+    <message>
+        <source>stream %1 %2</source>
+        <translation>Datenstrom %1 %2</translation>
+    </message>
+    <message>
+        <source>streams are little-endian</source>
+        <translation>Datenströme sind Little-Endian</translation>
+    </message>
+    <message>
+        <source>the address &quot;%1&quot; %2</source>
+        <translation>die Adresse „%1“ %2</translation>
+    </message>
+    <message>
+        <source>the client speaks version %1 of the protocol, this server version %2</source>
+        <translation>der Client spricht Version %1 des Netzwerkprotokolls, dieser Server Version %2</translation>
+    </message>
+    <message>
+        <source>the client&apos;s I/O thread failed</source>
+        <translation>der Thread des Clients für die Übertragung ist gescheitert</translation>
+    </message>
+    <message>
+        <source>the connection to the server broke: %1</source>
+        <translation>die Verbindung zum Server ist abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>the document &quot;%1&quot; is not open in this connection</source>
+        <translation>das Dokument „%1“ ist in dieser Verbindung nicht offen</translation>
+    </message>
+    <message>
+        <source>the fields</source>
+        <translation>die Felder</translation>
+    </message>
+    <message>
+        <source>the first message must be Hello</source>
+        <translation>die erste Nachricht muss Hello sein</translation>
+    </message>
+    <message>
+        <source>the load case &quot;%1&quot; cannot be read and is not shown: %2</source>
+        <translation>der Lastfall „%1“ ist nicht lesbar und wird nicht gezeigt: %2</translation>
+    </message>
+    <message>
+        <source>the program &quot;tedit&quot;, which serves the documents, is not there</source>
+        <translation>das Programm „tedit“, das die Dokumente verwaltet, fehlt</translation>
+    </message>
+    <message>
+        <source>the server announces stream %1 before it is done</source>
+        <translation>der Server kündigt Datenstrom %1 an, bevor dieser fertig ist</translation>
+    </message>
+    <message>
+        <source>the server closed the connection</source>
+        <translation>der Server hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>the server did not close the connection in time</source>
+        <translation>der Server hat die Verbindung nicht rechtzeitig geschlossen</translation>
+    </message>
+    <message>
+        <source>the server on this computer did not start within 20 s</source>
+        <translation>der Server auf diesem Rechner ist nicht innerhalb von 20 s gestartet</translation>
+    </message>
+    <message>
+        <source>the server on this computer ended %1 times within a minute: %2</source>
+        <translation>der Server auf diesem Rechner ist in einer Minute %1-mal abgebrochen: %2</translation>
+    </message>
+    <message>
+        <source>the server on this computer ended at once: %1</source>
+        <translation>der Server auf diesem Rechner ist sofort abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>the server sends a piece of stream %1, which it has not announced</source>
+        <translation>der Server sendet ein Stück von Datenstrom %1, den er nicht angekündigt hat</translation>
+    </message>
+    <message>
+        <source>the server sends more than %1 streams at once</source>
+        <translation>der Server sendet mehr als %1 Datenströme zugleich</translation>
+    </message>
+    <message>
+        <source>the server sent a message of more than %1 bytes</source>
+        <translation>der Server hat eine Nachricht von mehr als %1 Bytes gesendet</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>die Oberfläche</translation>
+    </message>
+    <message>
+        <source>the text %1 has more than %2 bytes</source>
+        <translation>der Text %1 hat mehr als %2 Bytes</translation>
+    </message>
+    <message>
+        <source>the token is wrong</source>
+        <translation>das Token ist falsch</translation>
+    </message>
+    <message>
+        <source>there is no connection to a server</source>
+        <translation>es gibt keine Verbindung zu einem Server</translation>
+    </message>
+    <message>
+        <source>there is no such kind of selection</source>
+        <translation>diese Art der Auswahl gibt es nicht</translation>
+    </message>
+    <message>
+        <source>this client closed the connection</source>
+        <translation>dieser Client hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>this is no message of tedit.v1</source>
+        <translation>das ist keine Nachricht von tedit.v1</translation>
+    </message>
+    <message>
+        <source>this server does not know this request</source>
+        <translation>dieser Server kennt diese Anfrage nicht</translation>
+    </message>
+    <message>
+        <source>too many requests at once (%1)</source>
+        <translation>zu viele Anfragen zugleich (%1)</translation>
+    </message>
+    <message>
+        <source>the server closed the connection: %1</source>
+        <translation>der Server hat die Verbindung geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Wait for the answer to that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the document %1 is being deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -4744,12 +5108,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Flächen: %1</translation>
     </message>
     <message>
-        <source>
-Area %1</source>
-        <translation>
-Inhalt %1</translation>
-    </message>
-    <message>
         <source>The server does not offer this operation any more.</source>
         <translation>Der Server bietet diese Operation nicht mehr an.</translation>
     </message>
@@ -4796,6 +5154,11 @@ Inhalt %1</translation>
     <message>
         <source>Enter in a field, or Ctrl+Enter</source>
         <translation>Eingabe in einem Feld, oder Strg+Eingabe</translation>
+    </message>
+    <message>
+        <source>
+Area %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5422,10 +5785,6 @@ Inhalt %1</translation>
         <translation>, neu gestartet: %1</translation>
     </message>
     <message>
-        <source>open documents: %1, connections: %2</source>
-        <translation>offene Dokumente: %1, Verbindungen: %2</translation>
-    </message>
-    <message>
         <source>Edits</source>
         <translation>Bearbeitungen</translation>
     </message>
@@ -5456,6 +5815,10 @@ Inhalt %1</translation>
     <message>
         <source>The server still solves %1, which was open here before.</source>
         <translation>Der Server rechnet noch an %1, das hier vorher offen war.</translation>
+    </message>
+    <message>
+        <source>open documents: %1, connections: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -130,7 +130,7 @@ QString truth_line::facts() const {
           << tr("error est. %1 %").arg(two_digits(100 * estimate))
           << (first.element_order == 2 ? "T10" : "T4")
           << tr("%1 unknowns").arg(count(static_cast<double>(first.dofs)))
-          << tr("solved in %1 on %2").arg(duration(ms), QString::fromStdString(first.device));
+          << tr("solved in %1 on %2").arg(duration(ms), device_words(first.device));
     if (outcome->cases.size() > 1)
       parts << tr("%1 load cases").arg(outcome->cases.size());
   } else if (part_.solver().progress() == field_state::solving ||

@@ -36,7 +36,8 @@ public:
        "depth"},
       {"pieces",
        "Pieces",
-       "What becomes of a part that falls apart: refuse, keep_largest (of each body) or allow.",
+       "What becomes of a part that falls apart: the cut is refused, the largest piece of each "
+       "body is kept, or all pieces stay.",
        ops::parameter_type::choice,
        "",
        {},

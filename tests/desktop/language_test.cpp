@@ -14,6 +14,7 @@
 #include "client-qt/model/server_words.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
 #include "client-qt/widgets/banner.hpp"
+#include "client/client.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -57,9 +58,9 @@ TEST_F(Language, FiguresOfAnEditAreInTheWindowsLanguageToo) {
 
   const QString shown = preview_details(made);
 
-  EXPECT_TRUE(shown.contains("abgetragene Dicke")) << shown.toStdString();
+  EXPECT_TRUE(shown.contains("Abgetragene Dicke")) << shown.toStdString();
   EXPECT_TRUE(shown.contains("Stücke, aus 2 Körpern")) << shown.toStdString();
-  EXPECT_TRUE(shown.contains("wobbles of 2,5 mm")) << "a plugin's own: " << shown.toStdString();
+  EXPECT_TRUE(shown.contains("Wobbles of 2,5 mm")) << "a plugin's own: " << shown.toStdString();
 }
 
 /// What the window makes of a sentence of the server.
@@ -101,6 +102,43 @@ TEST_F(Language, NoticesAndRemediesOfTheServerAreInTheWindowsLanguage) {
   EXPECT_EQ(shown_words("Take 0.25 mm: the most that works here"),
             "0,25 mm nehmen: das Größte, was hier geht");
   EXPECT_EQ(shown_words("Try again. Connect again."), "Noch einmal versuchen. Neu verbinden.");
+}
+
+TEST_F(Language, WhatTheClientSaysOfAConnectionIsInTheWindowsLanguage) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+
+  EXPECT_EQ(shown_words("no server can be reached at ws://127.0.0.1:9/v1: Connection refused"),
+            "unter ws://127.0.0.1:9/v1 ist kein Server zu erreichen: Verbindung abgelehnt");
+  EXPECT_EQ(shown_words("the address \"http://here\" does not begin with ws://"),
+            "die Adresse „http://here“ beginnt nicht mit ws://");
+  EXPECT_EQ(shown_words("the server closed the connection: wrong token"),
+            "der Server hat die Verbindung geschlossen: wrong token");
+  EXPECT_EQ(shown_words("there is no connection to a server"),
+            "es gibt keine Verbindung zu einem Server");
+  EXPECT_EQ(shown_words("Wait until it is back, or connect to another one"),
+            "Warten, bis sie wieder da ist, oder mit einem anderen Server verbinden");
+  EXPECT_EQ(shown_words("the token is wrong"), "das Token ist falsch");
+  EXPECT_EQ(shown_words("the client speaks version 1.2 of the protocol, this server version 1.3"),
+            "der Client spricht Version 1.2 des Netzwerkprotokolls, dieser Server Version 1.3");
+}
+
+/// As a client makes them, not as somebody wrote them down.
+TEST_F(Language, AnAddressThatIsNoneIsRefusedInTheWindowsLanguage) {
+  if (!languages().contains("de"))
+    GTEST_SKIP() << "built without qt6-l10n-tools";
+  speak(*qApp, "de");
+  for (const auto* url : {"http://here", "wss://here", "ws://[::1", "ws://", "ws://a b"}) {
+    client::connect_options options;
+    options.url = url;
+    const auto made = client::client::connect(options, {});
+
+    ASSERT_FALSE(made) << url;
+    EXPECT_TRUE(shown_words(made.error().message).starts_with("die Adresse „")) << url;
+    EXPECT_EQ(shown_words(made.error().remedy),
+              "Die Adresse eines Servers angeben, etwa ws://127.0.0.1:7400/v1.");
+  }
 }
 
 TEST_F(Language, ARefusalIsExplainedInTheWindowsLanguageWithItsPlaceAndRemedy) {

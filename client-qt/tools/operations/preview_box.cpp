@@ -75,7 +75,7 @@ QString preview_details(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html;
   for (const auto& figure : report.figures)
-    html += table_row(figure_words(figure.help).toHtmlEscaped(),
+    html += table_row(figure_title(figure.help).toHtmlEscaped(),
                       number(figure.value) + " " + escaped(figure.unit));
   if (!html.isEmpty())
     html = "<table>" + html + "</table>";

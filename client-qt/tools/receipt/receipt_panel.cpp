@@ -94,7 +94,7 @@ QString receipt_html(const edit_report& report) {
                       receipt_panel_phrases::tr("%1 before, %2 now")
                         .arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
-    html += table_row(figure_words(figure.help).toHtmlEscaped(),
+    html += table_row(figure_title(figure.help).toHtmlEscaped(),
                       number(figure.value) + " " + words_of(figure.unit));
   html +=
     table_row(receipt_panel_phrases::tr("Time"),

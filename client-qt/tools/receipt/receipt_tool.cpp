@@ -20,8 +20,10 @@ receipt_tool::receipt_tool(window_context& in, selection_tool& selecting)
 }
 
 void receipt_tool::edited(const edit_report& report, std::uint32_t version) {
+  const auto id = QString::fromStdString(report.operation);
+  const auto* offered = in_.part.operations().find(id);
   in_.log.write(tr("%1: version %2 in %3")
-                  .arg(QString::fromStdString(report.operation))
+                  .arg(offered ? QString::fromStdString(offered->about.name) : id)
                   .arg(version)
                   .arg(duration(made_in_ms(report))));
   in_.panels.raise("receipt");
