@@ -26,6 +26,15 @@ constexpr double rough = 0.20;
 constexpr double capped = 1e6;     // Safety factors end there: nothing stresses the part.
 constexpr double looked_at = 0.5;  // Of the largest stress: singular places are sought above.
 
+/// What the legend shows, too, has its unit: 0.0468 mm there and 46.8 µm here are hard to see as
+/// one.
+shown_quantity shown_figure(double value, const QString& unit) {
+  if (unit != "Pa" && unit != "m")
+    return shown(value, unit);
+  const auto as = shown_as(unit);
+  return {number(value * as.scale), as.name};
+}
+
 /// Rows about what may be compared with the version before.
 struct row_maker {
   const summary_input& from;
@@ -36,7 +45,7 @@ struct row_maker {
     result_row row;
     row.kind = kind;
     row.title = title;
-    row.value = shown(value, unit);
+    row.value = shown_figure(value, unit);
     return row;
   }
 
@@ -45,7 +54,7 @@ struct row_maker {
     row.compares = from.parent != nullptr;
     if (!from.parent || interim || !before)
       return;
-    row.before = shown(*before, unit);
+    row.before = shown_figure(*before, unit);
     row.change = change(*before, now);
   }
 };

@@ -174,6 +174,22 @@ QRectF right_of(const QRectF& other, QRectF box, double gap, double end) {
   return box;
 }
 
+void paint_pin(QPainter& painter, const QPointF& place, const QPointF& to, const QColor& ink,
+               double scale) {
+  constexpr double radius = 4;
+  const bool light = ink.lightness() > 128;
+  const QColor beside = light ? QColor(20, 24, 28, 200) : QColor(255, 255, 255, 220);
+  const QPointF way = to - place;
+  const double length = std::hypot(way.x(), way.y());
+  const QPointF rim = place + way * (length > 0 ? radius * scale / length : 0);
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [colour, width] : {std::pair(beside, 3.6), std::pair(ink, 1.2)}) {
+    painter.setPen(QPen(colour, width * scale));
+    painter.drawEllipse(place, radius * scale, radius * scale);
+    painter.drawLine(rim, to);
+  }
+}
+
 std::vector<overlay::tag> overlay::tags(double scale) const {
   const auto& ends = view_.painted().extremes;
   if (!extremes_ || !ends)
@@ -210,13 +226,10 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
 
 void overlay::paint_tag(QPainter& painter, const tag& what, double scale) const {
   painter.setFont(sized(font(), 12 * scale));
-  painter.setPen(QPen(ink_, 1.2 * scale));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(what.place, 4 * scale, 4 * scale);
   const bool leftwards = what.box.center().x() < what.place.x();
   const double side = leftwards ? what.box.right() : what.box.left();
-  painter.drawLine(what.place + scale * QPointF(leftwards ? -3 : 3, what.below ? 3 : -3),
-                   QPointF(side, what.below ? what.box.top() : what.box.bottom()));
+  paint_pin(painter, what.place, {side, what.below ? what.box.top() : what.box.bottom()}, ink_,
+            scale);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(255, 255, 255, 215));
   painter.drawRoundedRect(what.box, 4 * scale, 4 * scale);

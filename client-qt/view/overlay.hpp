@@ -26,6 +26,11 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
 /// `end`; else it stays.
 [[nodiscard]] QRectF right_of(const QRectF& other, QRectF box, double gap, double end);
 
+/// A ring at a place and a line from it towards `to`. Seen on every ground: ink that is light has
+/// dark beside it, and dark ink light.
+void paint_pin(QPainter& painter, const QPointF& place, const QPointF& to, const QColor& ink,
+               double scale);
+
 /// What lies over the viewport: legend, marks at the smallest and largest value, and a line about
 /// the state of the field. Lets the mouse through.
 class overlay : public QWidget {
@@ -35,6 +40,7 @@ public:
   explicit overlay(viewport& view);
 
   void set_note(const QString& note);
+  [[nodiscard]] const QString& note() const noexcept { return note_; }
   void set_ink(const QColor& ink);
   void show_extremes(bool on);
   /// The legend's room is kept free when something is made to fit.

@@ -17,6 +17,7 @@ finder_popup::finder_popup(const QString& name, const QString& placeholder, QWid
   setFrameShape(QFrame::StyledPanel);
   auto* column = new QVBoxLayout(this);
   letters_->setObjectName(name + "_letters");
+  letters_->setProperty("role", "search");
   letters_->setPlaceholderText(placeholder);
   letters_->setClearButtonEnabled(true);
   letters_->setAccessibleName(placeholder);

@@ -41,6 +41,31 @@ constexpr int widest_banner = 760;
 constexpr int narrowest_banner = 320;  // A file's name.
 constexpr int below_titles = 70;       // Of a comparison.
 
+constexpr int settled_ms = 50;    // Then layouts in layouts know their heights.
+constexpr int title_height = 28;  // Of a dock, with its frame.
+
+int least_height(const QDockWidget& dock) {
+  constexpr int least = 120;  // All of them scroll.
+  return std::max(least, dock.minimumSizeHint().height());
+}
+
+/// Layouts in layouts tell each other their heights one after another.
+void lay_out_all() {
+  constexpr int depth = 4;
+  for (int i = 0; i < depth; ++i)
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+}
+
+/// With all that stands in it.
+int whole_height(const QDockWidget& dock) {
+  return std::max(least_height(dock), dock.widget()->sizeHint().height() + title_height);
+}
+
+/// Not behind another one at its place.
+bool is_in_front(const QDockWidget& dock) {
+  return dock.isVisible() && !dock.visibleRegion().isEmpty();
+}
+
 }  // namespace
 
 main_window::main_window(const QString& state_folder)
@@ -180,9 +205,12 @@ void main_window::build_bar() {
 void main_window::place_overlays() {
   overlay_->setGeometry(view_->rect());
   cube_->move(view_->width() - cube_->width() - cube_margin, cube_margin);
+  tools_->selecting.place_count(cube_->geometry());
   auto& section = tools_->section.bar();
-  section.adjustSize();
-  section.move(view_->width() - section.width() - cube_margin,
+  const int room = view_->width() - 2 * cube_margin;
+  section.resize(std::max(section.sizeHint().width(), std::min(room, widest_banner)),
+                 section.sizeHint().height());
+  section.move((view_->width() - section.width()) / 2,
                view_->height() - section.height() - cube_margin);
   const int taken = section.isVisible() ? section.height() + cube_margin : 0;
   overlay_->keep_free(taken);
@@ -213,37 +241,63 @@ void main_window::place_banner() {
 
 /// A form needs more than a list: the docks beside it give what it lacks, as far as they can, when
 /// it opens and not again: what comes into it later scrolls, so nothing moves away from under the
-/// pointer. `gives` gives before `keeps` does.
-void main_window::make_room(int form_height, QDockWidget& dock, QDockWidget& gives,
-                            QDockWidget& keeps) {
-  constexpr int title_height = 40;
-  const auto least_of = [](const QDockWidget& one) {
-    constexpr int least = 120;  // All of them scroll.
-    return std::max(least, one.minimumSizeHint().height());
-  };
-  const int all = dock.height() + gives.height() + keeps.height();
-  const int wanted = std::min(form_height + title_height, all - least_of(gives) - least_of(keeps));
+/// pointer. First both give what they have to spare, then `gives` and then `keeps` what they scroll
+/// for.
+void main_window::make_room(const std::function<int()>& form_height, QDockWidget& dock,
+                            QDockWidget& gives, QDockWidget& keeps, bool to_spare_only) {
+  lay_out_all();
+  const int wanted = form_height() + title_height;
   if (dock.isFloating() || dock.height() >= wanted)
     return;
-  const int kept = std::min(keeps.height(), all - wanted - least_of(gives));
+  int lacks = wanted - dock.height();
+  const auto take = [&lacks](int& from, int least) {
+    const int taken = std::clamp(from - least, 0, lacks);
+    from -= taken;
+    lacks -= taken;
+  };
+  int given = gives.height();
+  int kept = keeps.height();
+  take(given, whole_height(gives));
+  take(kept, whole_height(keeps));
+  if (!to_spare_only) {
+    take(given, least_height(gives));
+    take(kept, least_height(keeps));
+  }
+  const int all = dock.height() + gives.height() + keeps.height();
   // All three are given: Qt would take part of the room from where it is not to.
-  resizeDocks({&dock, &gives, &keeps}, {wanted, all - wanted - kept, kept}, Qt::Vertical);
+  resizeDocks({&dock, &gives, &keeps}, {all - given - kept, given, kept}, Qt::Vertical);
 }
 
 void main_window::make_room_for_operation() {
   const auto& panel = tools_->operations.panel();
-  auto& loads = docks_.of("loads");
-  auto& below =
-    loads.isVisible() && !loads.visibleRegion().isEmpty() ? loads : docks_.of("receipt");
+  auto& below = is_in_front(docks_.of("loads")) ? docks_.of("loads") : docks_.of("receipt");
   if (!panel.chosen().isEmpty())
-    make_room(panel.sizeHint().height(), docks_.of("context"), below, docks_.of("field"));
+    make_room([&] { return panel.sizeHint().height(); }, docks_.of("context"), below,
+              docks_.of("field"));
 }
 
-void main_window::make_room_for_load() {
+/// What an edit did is read before the next surface is picked: the form, which says little until
+/// then, gives it the room that it does not need, and has it again when one is.
+void main_window::make_room_for_receipt() {
+  auto& receipt = docks_.of("receipt");
+  if (tools_->operations.panel().chosen().isEmpty() || !picked_.surfaces().empty() ||
+      !is_in_front(receipt))
+    return;
+  lent_ = true;
+  make_room([&] { return receipt.widget()->sizeHint().height(); }, receipt, docks_.of("context"),
+            docks_.of("field"), true);
+}
+
+void main_window::selection_changed() {
+  if (!picked_.surfaces().empty() && std::exchange(lent_, false))
+    QTimer::singleShot(0, this, &main_window::make_room_for_operation);
+}
+
+void main_window::make_room_for_load(bool to_spare_only) {
   if (before_form_.isEmpty())
     before_form_ = heights_of_docks();
-  make_room(tools_->loads.panel().wanted_height(), docks_.of("loads"), docks_.of("field"),
-            docks_.of("context"));
+  make_room([this] { return tools_->loads.panel().wanted_height(); }, docks_.of("loads"),
+            docks_.of("field"), docks_.of("context"), to_spare_only);
 }
 
 main_window::dock_heights main_window::heights_of_docks() {
@@ -308,11 +362,17 @@ void main_window::wire() {
   });
   connect(banner_, &banner::changed, this, &main_window::place_overlays);
   connect(&tools_->section.bar(), &section_bar::moved, this, &main_window::place_overlays);
+  connect(&tools_->selecting, &selection_tool::hidden_changed, this, &main_window::place_overlays);
   // Once the form has taken it up and its layout with it.
   connect(&tools_->operations.panel(), &context_panel::form_opened, this,
           [this] { QTimer::singleShot(0, this, &main_window::make_room_for_operation); });
-  connect(&tools_->loads.panel(), &loads_panel::form_opened, this,
-          [this] { QTimer::singleShot(0, this, &main_window::make_room_for_load); });
+  connect(&tools_->loads.panel(), &loads_panel::form_opened, this, [this] {
+    QTimer::singleShot(0, this, [this] { make_room_for_load(true); });
+    QTimer::singleShot(settled_ms, this, [this] {
+      if (!before_form_.isEmpty())  // Neither closed again nor moved by hand.
+        make_room_for_load();
+    });
+  });
   connect(&tools_->loads.panel(), &loads_panel::form_closed, this, &main_window::give_room_back);
   for (auto signal :
        {&document::opened, &document::closed, &document::head_changed, &document::surface_changed})
@@ -325,6 +385,10 @@ void main_window::wire() {
   for (auto signal : {&document::head_changed, &document::closed, &document::opened})
     connect(&part_, signal, &actions_, &command_actions::refresh);
   connect(&picked_, &selection::changed, &actions_, &command_actions::refresh);
+  connect(&picked_, &selection::changed, this, &main_window::selection_changed);
+  // Once its text stands there and the selection is done with.
+  connect(&part_, &document::edited, this,
+          [this] { QTimer::singleShot(settled_ms, this, &main_window::make_room_for_receipt); });
 }
 
 void main_window::wire_look() {
@@ -365,8 +429,10 @@ bool main_window::eventFilter(QObject* watched, QEvent* event) {
     place_overlays();
   // Moved by hand, and not by what stands in them.
   if (event->type() == QEvent::Resize && qobject_cast<QDockWidget*>(watched) &&
-      QGuiApplication::mouseButtons() != Qt::NoButton)
+      QGuiApplication::mouseButtons() != Qt::NoButton) {
     before_form_.clear();
+    lent_ = false;
+  }
   return QMainWindow::eventFilter(watched, event);
 }
 

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QSettings>
 
+#include <functional>
 #include <optional>
 
 #include "client-qt/context/window_context.hpp"
@@ -48,9 +49,12 @@ private:
   void wire_messages();
   void place_overlays();
   void place_banner();
-  void make_room(int form_height, QDockWidget& dock, QDockWidget& gives, QDockWidget& keeps);
+  void make_room(const std::function<int()>& form_height, QDockWidget& dock, QDockWidget& gives,
+                 QDockWidget& keeps, bool to_spare_only = false);
   void make_room_for_operation();
-  void make_room_for_load();
+  void make_room_for_receipt();
+  void selection_changed();
+  void make_room_for_load(bool to_spare_only = false);
   /// What the docks were before a load's form took their room; not where a person has moved them.
   void give_room_back();
   void show_docks(bool on);
@@ -61,6 +65,7 @@ private:
   [[nodiscard]] dock_heights heights_of_docks();
 
   dock_heights before_form_;  ///< Of loads; empty once a person has moved the docks since.
+  bool lent_ = false;         ///< The receipt has room of the form, until a surface is picked.
   QSettings settings_;
   remote link_;
   local_server server_;

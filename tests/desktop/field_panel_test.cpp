@@ -160,6 +160,22 @@ TEST_F(FieldPanel, WhatDoesNothingIsOffAndSaysWhy) {
   EXPECT_EQ(panel_.findChild<QWidget*>("bands")->toolTip(), hint);
 }
 
+TEST_F(FieldPanel, SafetyStepsHaveNoRangeOfTheirOwn) {
+  arrive(false);
+  auto* low = panel_.findChildren<QLineEdit*>().front();
+  panel_.set_field(shown_field::safety_factor);
+  legend shown = panel_.wanted();
+  shown.low = 20.5;
+  shown.high = 41;
+  panel_.take_range(shown, true);  // As the view tells it.
+  EXPECT_TRUE(low->text().isEmpty()) << low->text().toStdString();
+
+  panel_.findChild<QComboBox*>("colours")->setCurrentIndex(static_cast<int>(colour_map::viridis));
+  shown.map = colour_map::viridis;
+  panel_.take_range(shown, true);
+  EXPECT_EQ(low->text(), "20.5");
+}
+
 TEST_F(FieldPanel, SafetyStepsAreForTheSafetyFactorAndADeformationForALoadCase) {
   arrive_all();
   const auto* colours = panel_.findChild<QComboBox*>("colours");

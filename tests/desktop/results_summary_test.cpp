@@ -129,7 +129,8 @@ TEST_F(Summary, OneLoadCaseHasItsFiguresAndThePartItsMass) {
   EXPECT_EQ(stress.value, (shown_quantity{"13.4", "MPa"}));
   EXPECT_EQ(stress.at, std::optional(vec3{0.5, 0, 0}));
   EXPECT_TRUE(stress.warning.isEmpty());
-  EXPECT_EQ(row(all, figure::displacement).value, (shown_quantity{"25", QString::fromUtf8("µm")}));
+  EXPECT_EQ(row(all, figure::displacement).value, (shown_quantity{"0.025", "mm"}))
+    << "as in the legend";
   EXPECT_EQ(row(all, figure::safety).value, (shown_quantity{"17.5", {}}));
   EXPECT_EQ(row(all, figure::mass).value, (shown_quantity{"120", "g"}));
   EXPECT_EQ(row(all, figure::error).value, (shown_quantity{"3.1", "%"}));

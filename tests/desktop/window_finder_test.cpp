@@ -5,6 +5,9 @@
 #include <QLineEdit>
 #include <QListWidget>
 
+#include <cmath>
+#include <set>
+
 namespace tedit::desktop {
 namespace {
 
@@ -26,6 +29,33 @@ protected:
     return wait([=, this] { return hits()->count() > 0 && hits()->item(0)->text() == first_row; });
   }
 };
+
+/// The last column of an image with ink, of what stands in it.
+int end_of_ink(const QImage& row) {
+  const QColor ground = row.pixelColor(row.width() - 1, row.height() / 2);
+  for (int x = row.width() - 1; x >= 0; --x)
+    for (int y = 0; y < row.height(); ++y)
+      if (std::abs(row.pixelColor(x, y).lightness() - ground.lightness()) > 60)
+        return x;
+  return -1;
+}
+
+TEST_F(Finder, AreasEndBelowEachOther) {
+  open_plate(false);
+  open_finder();
+  ASSERT_GE(hits()->count(), 4);
+  QApplication::processEvents();
+
+  const auto image = hits()->viewport()->grab().toImage();
+  std::set<int> ends;
+  for (int i = 0; i < 4; ++i)  // 1911.15 and 176158 mm2 and others.
+    ends.insert(end_of_ink(image.copy(hits()->visualItemRect(hits()->item(i)))));
+
+  EXPECT_EQ(ends.size(), 1U);
+  EXPECT_GT(*ends.begin(), hits()->viewport()->width() / 2);
+  EXPECT_EQ(hits()->item(0)->data(Qt::AccessibleTextRole).toString(),
+            QString::fromUtf8("Surface 1, 1911.15 mm²"));
+}
 
 TEST_F(Finder, BoresAreSelectedByTheirDiameter) {
   open_plate(false);

@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QStackedWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <QTextDocument>
 #include <QTranslator>
 #include <QTreeWidget>
@@ -47,6 +49,22 @@ protected:
   void run(const char* command) {
     ASSERT_TRUE(window->context().all_commands.trigger(command)) << command;
     QApplication::processEvents();
+  }
+
+  /// Docks take up what stands in them a moment later: no more than that is waited for.
+  [[nodiscard]] static bool settles(const std::function<bool()>& until) {
+    return QTest::qWaitFor(until, 5000);
+  }
+
+  /// Of the docks at the right, for who reads that they are not as they should be.
+  [[nodiscard]] std::string heights() {
+    std::string all;
+    for (const auto* name : {"context", "field", "loads", "receipt"}) {
+      const auto& dock = window->context().panels.of(name);
+      all += std::string(" ") + name + " " + std::to_string(dock.height()) + " for " +
+             std::to_string(dock.widget()->sizeHint().height());
+    }
+    return all;
   }
 
   void preview_an_erosion() {
@@ -163,6 +181,72 @@ TEST_P(Fit, TheBarOfASectionLeavesThePartsFootFree) {
   run("view.section");
   const vec3 moved = view().view().get().position - before.position;
   EXPECT_LT(std::sqrt(dot(moved, moved)), 1e-9) << "and gives the room back";
+}
+
+TEST_P(Fit, TheBarOfASectionStandsInTheMiddle) {
+  open_plate(false);
+  run("view.section");
+  const auto* bar = window->findChild<QWidget*>("section_bar");
+  ASSERT_TRUE(wait([&] { return bar->isVisible(); }));
+
+  const int left = bar->geometry().left();
+  EXPECT_NEAR(left, view().width() - (left + bar->width()), 1);
+}
+
+TEST_P(Fit, AllFiguresOfAPreviewAreInSightOnALargerScreen) {
+  window->resize(1600, 1000);
+  open_plate();
+  preview_an_erosion();
+
+  const auto* all = window->findChild<QLabel*>("preview_details");
+  ASSERT_TRUE(all->isVisible());
+  // Docks take up what their forms need a moment later.
+  EXPECT_TRUE(settles([&] { return all->visibleRegion().boundingRect() == all->rect(); }))
+    << all->visibleRegion().boundingRect().height() << " of " << all->height();
+}
+
+TEST_P(Fit, WhatAnEditDidHasTheRoomThatItsFormDoesNotNeedUntilTheNextSurface) {
+  window->resize(1600, 1000);
+  open_plate();
+  preview_an_erosion();
+  auto& receipt = window->context().panels.of("receipt");
+  const auto* apply = window->findChild<QPushButton*>("apply");
+  const auto place = [&] { return apply->mapTo(window.get(), QPoint()); };
+  const QPoint before = place();
+  press("apply");
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  const int least = 200;  // Of 120 that it had.
+  EXPECT_TRUE(settles([&] { return receipt.height() >= least; })) << heights();
+  EXPECT_EQ(apply->visibleRegion().boundingRect(), apply->rect());
+
+  window->context().picked.set({5});
+  ASSERT_TRUE(
+    wait([&] { return window->tools().operations.panel().preview().shown() != nullptr; }));
+  EXPECT_TRUE(settles([&] { return place() == before; }))
+    << place().y() << " of " << before.y() << heights();
+}
+
+TEST_P(Fit, ALoadsFormTakesWhatOthersCanSpare) {
+  window->resize(1600, 1000);
+  open_plate();
+  window->tools().operations.panel().choose("fill_hole");
+  QApplication::processEvents();
+  run("loads.add_load");
+
+  const auto* form = window->tools().loads.panel().editor()->findChild<tall_scroll*>();
+  EXPECT_TRUE(settles([&] { return form->verticalScrollBar()->maximum() == 0; })) << heights();
+}
+
+TEST_P(Fit, TheHelpBeginsWithTheOperationThatItWasAskedFor) {
+  open_plate(false);
+  window->tools().operations.panel().choose("improve_mesh");
+  run("help.manual");
+
+  const auto* page = window->findChild<QTextBrowser*>("help_page");
+  const auto& about = part().operations().find("improve_mesh")->about;
+  const auto top = [&] { return page->cursorForPosition(QPoint(20, 4)).block().text(); };
+  EXPECT_TRUE(settles([&] { return top() == QString::fromStdString(about.name); }))
+    << top().toStdString();
 }
 
 TEST_P(Fit, ADifferenceShowsAllOfThePart) {

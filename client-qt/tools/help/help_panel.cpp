@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/tools/help/help_panel.hpp"
 
+#include <QAbstractTextDocumentLayout>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QFile>
@@ -8,26 +9,58 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextTable>
 #include <QVBoxLayout>
 
+#include <utility>
+
 #include "client-qt/model/language.hpp"
 
 namespace tedit::desktop {
 
-namespace {
-
 /// A picture wider than the panel would be cut off: it is left out.
 class manual_page : public QTextBrowser {
+public:
+  manual_page() {
+    connect(verticalScrollBar(), &QScrollBar::actionTriggered, this, &manual_page::let_go);
+  }
+
+  /// Brings a place to the top and keeps it there while the panel gets its width, until somebody
+  /// scrolls.
+  void hold(const QTextCursor& place) {
+    held_ = place;
+    bring_up();
+  }
+  void let_go() { held_ = {}; }
+
 protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QTextBrowser::resizeEvent(event);
+    bring_up();
+  }
+
   QVariant loadResource(int type, const QUrl& name) override {
     if (type == QTextDocument::ImageResource)
       return QImage(1, 1, QImage::Format_ARGB32);
     return QTextBrowser::loadResource(type, name);
   }
+
+private:
+  void bring_up() {
+    if (held_.isNull())
+      return;
+    const auto* lines = document()->documentLayout();
+    (void)lines->documentSize();  // So that all of it is laid out, and the bar knows its end.
+    verticalScrollBar()->setValue(qRound(lines->blockBoundingRect(held_.block()).top()));
+  }
+
+  QTextCursor held_;
 };
+
+namespace {
 
 constexpr double list_indent = 18;
 
@@ -59,6 +92,7 @@ help_panel::help_panel(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout;
   letters_ = new QLineEdit;
   letters_->setObjectName("help_letters");
+  letters_->setProperty("role", "search");  // As high as the button beside it.
   letters_->setPlaceholderText(tr("Search the help"));
   letters_->setAccessibleName(tr("Search the help"));
   letters_->setClearButtonEnabled(true);
@@ -87,9 +121,14 @@ help_panel::help_panel(QWidget* parent) : QWidget(parent) {
 }
 
 void help_panel::set_operations(const QString& markdown) {
-  operations_ = markdown;
+  if (std::exchange(operations_, markdown) == markdown)
+    return;  // Who reads it stays where they are.
   if (shown() == "operations")
     lay_out();
+}
+
+QTextBrowser* help_panel::page() const {
+  return page_;
 }
 
 QString help_panel::shown() const {
@@ -111,12 +150,12 @@ void help_panel::show_page(const QString& id, const QString& heading) {
        block = block.next())
     if (block.blockFormat().headingLevel() > 0 && block.text() == heading)
       place = QTextCursor(block);
-  page_->moveCursor(QTextCursor::End);  // So that the heading comes to stand at the top.
   page_->setTextCursor(place);
-  page_->ensureCursorVisible();
+  page_->hold(place);
 }
 
 void help_panel::lay_out() {
+  page_->let_go();
   page_->setMarkdown(shown() == "operations" ? operations_ : text_of(shown()));
   page_->document()->setIndentWidth(list_indent);
   for (auto* frame : page_->document()->rootFrame()->childFrames())
@@ -169,6 +208,7 @@ void help_panel::show_hit() {
   mark_hits();
   if (hits_.isEmpty())
     return;
+  page_->let_go();
   auto place = hits_[at_];
   place.clearSelection();  // The mark shows it; a selection would hide its colour.
   page_->setTextCursor(place);

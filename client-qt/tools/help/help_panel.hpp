@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace tedit::desktop {
 
+class manual_page;
+
 /// Pages of the manual inside the window, as they are shipped with the program, with a search.
 class help_panel : public QWidget {
   Q_OBJECT
@@ -24,7 +26,7 @@ public:
   /// Goes to the next place, from the last one to the first; `back`: the other way.
   void step(bool back);
   [[nodiscard]] int hits() const { return static_cast<int>(hits_.size()); }
-  [[nodiscard]] QTextBrowser* page() const { return page_; }
+  [[nodiscard]] QTextBrowser* page() const;
   void start_typing();
   /// Shows a page ("desktop", "operations", "results", ...) from a heading on; empty: from its top.
   void show_page(const QString& id, const QString& heading = {});
@@ -44,7 +46,7 @@ private:
   QPushButton* browser_;
   QLineEdit* letters_;
   QLabel* count_;
-  QTextBrowser* page_;
+  manual_page* page_;
   QList<QTextCursor> hits_;
   int at_ = 0;
   QString operations_;

@@ -351,6 +351,7 @@ void loads_panel::open_editor(const QString& title, const load_item& item) {
   editor_->edit(title, item);
   unfinished_.take_up(*editor_, picked_, part_);
   tree_->setVisible(window()->height() >= roomy_window);
+  tree_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // The form comes first.
   editor_->show();
   emit form_opened();
 }
@@ -386,6 +387,7 @@ void loads_panel::close_editor() {
   unfinished_.leave(*editor_);
   editing_.reset();
   editor_->hide();
+  tree_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   emit form_closed();
   tree_->show();
 }

@@ -103,21 +103,8 @@ void context_panel::show_selection() {
   title_->setText(picked_.title());
   const auto& surfaces = picked_.surfaces();
   growing_->setVisible(!surfaces.empty());
-  if (surfaces.empty()) {
-    details_->setText(
-      tr("Click a surface of the part: a bore, a rib or a wall is picked whole. "
-         "Click again for the single surface; Shift adds. "
-         "Ctrl+drag draws a box."));
-  } else {
-    QStringList ids;
-    for (const auto id : surfaces)
-      ids << QString::number(id);
-    QString all = ids.mid(0, 8).join(", ");
-    if (ids.size() > 8)
-      all += tr(" and %1 more").arg(ids.size() - 8);
-    details_->setText(tr("Surfaces: %1").arg(all) +
-                      tr("\nArea %1").arg(quantity(picked_.area(), "m2")));
-  }
+  details_->setText(details());
+  show_details();
   QStringList acting;
   for (const auto& item : part_.loads().acting_on(surfaces))
     acting << item;
@@ -129,6 +116,32 @@ void context_panel::show_selection() {
     show_readiness();
   else
     show_form();
+}
+
+QString context_panel::details() const {
+  const auto& surfaces = picked_.surfaces();
+  if (surfaces.empty())
+    return tr(
+      "Click a surface of the part: a bore, a rib or a wall is picked whole. "
+      "Click again for the single surface; Shift adds. "
+      "Ctrl+drag draws a box.");
+  QStringList ids;
+  for (const auto id : surfaces)
+    ids << QString::number(id);
+  QStringList lines;
+  // "Surface 7" above says it already.
+  if (ids.size() > 1 || !title_->text().endsWith(" " + ids.front())) {
+    QString all = ids.mid(0, 8).join(", ");
+    if (ids.size() > 8)
+      all += tr(" and %1 more").arg(ids.size() - 8);
+    lines << tr("Surfaces: %1").arg(all);
+  }
+  return (lines << tr("Area %1").arg(quantity(picked_.area(), "m2"))).join("\n");
+}
+
+/// How to select is no news beside a form, which says what to select.
+void context_panel::show_details() {
+  details_->setVisible(operation_.isEmpty() || !picked_.surfaces().empty());
 }
 
 std::vector<const offered_operation*> context_panel::offers() const {
@@ -151,6 +164,7 @@ void context_panel::choose(const QString& operation) {
     show_offers();
   else
     show_form();
+  show_details();
   follow();
   if (operation_.isEmpty())
     return;
@@ -181,10 +195,10 @@ QSize context_panel::sizeHint() const {
   const QSize fields = scroll_->sizeHint();
   const int foot = foot_->isVisibleTo(this) ? foot_->sizeHint().width() : 0;
   // Figures and details come with the preview, when nothing is moved any more.
-  constexpr int lines_to_come = 9;
+  constexpr int lines_to_come = 16;
   const auto* figures = foot_->findChild<QLabel*>("preview_figures");
-  const int to_come =
-    figures && figures->isHidden() ? lines_to_come * fontMetrics().lineSpacing() : 0;
+  const bool come = figures && figures->isHidden() && not_ready().isEmpty();
+  const int to_come = come ? lines_to_come * fontMetrics().lineSpacing() : 0;
   return {std::max(fields.width(), foot), fields.height() + foot_height() + to_come};
 }
 

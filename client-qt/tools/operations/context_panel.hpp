@@ -55,6 +55,8 @@ private:
   [[nodiscard]] QWidget* make_policy();
   void show_policy();
   void show_selection();
+  [[nodiscard]] QString details() const;
+  void show_details();
   void show_offers();
   void show_form();
   [[nodiscard]] QWidget* make_buttons();

@@ -324,7 +324,7 @@ void field_panel::take_range(const legend& shown, bool has_values) {
     edit->setPlaceholderText(!has_values && is_on_its_way() ? tr("loading") : QString());
   if (!follows_values())
     return;
-  if (!has_values) {
+  if (!has_values || shown.map == colour_map::safety) {  // The steps are those of the legend.
     low_->clear();
     high_->clear();
     return;

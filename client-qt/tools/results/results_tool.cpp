@@ -6,6 +6,7 @@
 #include "client-qt/model/field_values.hpp"
 #include "client-qt/model/live_preview.hpp"
 #include "client-qt/model/part_size.hpp"
+#include "client-qt/model/quantities.hpp"
 #include "client-qt/tools/operations/preview_box.hpp"
 #include "client-qt/tools/results/deformation_row.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
@@ -126,7 +127,11 @@ void results_tool::swing() {
 void results_tool::say_verdict() {
   const QString verdict = in_.truth.verdict();
   const bool earlier = preview_.shown() && in_.view.current().field;
-  in_.over.set_note(earlier ? tr("stress before the edit that is previewed") : verdict);
+  QString note = earlier ? tr("stress before the edit that is previewed") : verdict;
+  // A shape that nobody would believe must say that it is drawn larger, in pictures, too.
+  if (in_.view.current().field && in_.view.current().deform != 0)
+    note += "\n" + tr("deformation × %1").arg(number(panel_->deform()));
+  in_.over.set_note(note);
 }
 
 }  // namespace tedit::desktop

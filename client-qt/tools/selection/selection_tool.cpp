@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QMenu>
+#include <QPushButton>
 #include <QToolTip>
 
 #include "client-qt/context/command_groups.hpp"
@@ -75,12 +76,26 @@ void selection_tool::add_hiding() {
                         "isolate"});
   in_.all_commands.add({"view.show_all", tr("Show everything"), view, "Shift+H",
                         [this] { set_hidden({}); }, [this] { return !hidden_.empty(); }});
+  count_ = new QPushButton(&in_.view);
+  count_->setObjectName("hidden_count");
+  count_->setToolTip(tr("Show everything (Shift+H)"));
+  count_->setFocusPolicy(Qt::NoFocus);  // Keys stay the view's.
+  count_->hide();
+  connect(count_, &QPushButton::clicked, this, [this] { set_hidden({}); });
+}
+
+void selection_tool::place_count(const QRect& cube) {
+  constexpr int gap = 8;
+  count_->adjustSize();
+  count_->move(cube.x() + cube.width() - count_->width(), cube.y() + cube.height() + gap);
 }
 
 void selection_tool::set_hidden(std::set<surface_id> surfaces) {
   hidden_ = std::move(surfaces);
   in_.view.hide(hidden_);
   in_.buttons.refresh();
+  count_->setText(tr("Hidden surfaces: %1 - show all").arg(hidden_.size()));
+  count_->setVisible(!hidden_.empty());
   emit hidden_changed();
 }
 

@@ -3,12 +3,15 @@
 
 #include <QObject>
 #include <QPoint>
+#include <QRect>
 
 #include <optional>
 #include <set>
 #include <vector>
 
 #include "client-qt/context/window_context.hpp"
+
+class QPushButton;
 
 namespace tedit::desktop {
 
@@ -29,6 +32,8 @@ public:
   /// Surfaces that are not drawn.
   [[nodiscard]] const std::set<surface_id>& hidden() const noexcept { return hidden_; }
   void set_hidden(std::set<surface_id> surfaces);
+  /// How many are hidden stands under the cube, which turns the view, too.
+  void place_count(const QRect& cube);
 
 signals:
   void hidden_changed();
@@ -48,6 +53,7 @@ private:
 
   window_context& in_;
   surface_finder* finder_ = nullptr;  ///< Of the window.
+  QPushButton* count_ = nullptr;      ///< Of the view.
   std::set<surface_id> hidden_;
   bool picks_ = true;
   bool boxing_ = false;

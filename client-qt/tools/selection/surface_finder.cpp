@@ -3,8 +3,10 @@
 
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
 #include <QPointer>
 #include <QRect>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -15,12 +17,29 @@ namespace tedit::desktop {
 namespace {
 
 constexpr int most_rows = 200;
+constexpr int size_role = Qt::UserRole;             ///< What stands at a row's right end.
 constexpr QRect beside_the_part{12, 52, 370, 300};  ///< Rows are walked through: the part is seen.
 
 QString place_in_words(const vec3& at) {
   return surface_finder::tr("at (%1, %2, %3) mm")
     .arg(number(1e3 * at.x), number(1e3 * at.y), number(1e3 * at.z));
 }
+
+/// Sizes end below each other: so they are compared at a glance.
+class size_delegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    constexpr int end = 8;
+    const auto size = index.data(size_role).toString();
+    painter->setPen(option.palette.color(QPalette::Text));
+    painter->setFont(option.font);
+    painter->drawText(option.rect.adjusted(0, 0, -end, 0), Qt::AlignRight | Qt::AlignVCenter, size);
+  }
+};
 
 }  // namespace
 
@@ -29,6 +48,7 @@ surface_finder::surface_finder(document& part, selection& picked, QWidget* paren
       part_(part),
       picked_(picked) {
   hits_->setToolTip(tr("Up and down show what a row is, Enter selects it"));
+  hits_->setItemDelegate(new size_delegate(hits_));
 }
 
 void surface_finder::open() {
@@ -38,8 +58,13 @@ void surface_finder::open() {
   setGeometry(beside_the_part);
 }
 
-void surface_finder::add(const QString& title, std::vector<surface_id> surfaces) {
-  hits_->addItem(title);
+void surface_finder::add(const QString& title, std::vector<surface_id> surfaces,
+                         const QString& size) {
+  auto* row = new QListWidgetItem(title);
+  row->setData(size_role, size);
+  if (!size.isEmpty())
+    row->setData(Qt::AccessibleTextRole, title + ", " + size);
+  hits_->addItem(row);
   rows_.push_back(std::move(surfaces));
 }
 
@@ -86,7 +111,7 @@ void surface_finder::list_names(const QString& name) {
     if (hits_->count() == most_rows)
       return say(tr("and %1 more").arg(all.size() - most_rows));
     const double area = head->surface->surfaces().at(id).area_m2;
-    add(part_.surface_name(id) + "   " + quantity(area, "m2"), {id});
+    add(part_.surface_name(id), {id}, quantity(area, "m2"));
   }
   if (!name.isEmpty())
     hits_->setCurrentRow(0);
@@ -128,8 +153,7 @@ void surface_finder::list_bores(std::vector<found_feature> found) {
   if (found.size() > 1)
     add(tr("All %1 bores").arg(found.size()), all);
   for (const auto& one : found)
-    add(tr("\u00d8 %1").arg(length(one.diameter)) + "   " + place_in_words(one.centre),
-        one.surfaces);
+    add(tr("\u00d8 %1").arg(length(one.diameter)), one.surfaces, place_in_words(one.centre));
   hits_->setCurrentRow(0);
 }
 

@@ -35,8 +35,8 @@ private:
   void list_bores(std::vector<found_feature> found);
   void list_equal();
   void list_grown(const std::vector<found_feature>& found);
-  /// A row and what it selects.
-  void add(const QString& title, std::vector<surface_id> surfaces);
+  /// A row, what it selects, and what stands at its right end.
+  void add(const QString& title, std::vector<surface_id> surfaces, const QString& size = {});
   void say(const QString& words);
 
   document& part_;
