@@ -5156,8 +5156,7 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Eingabe in einem Feld, oder Strg+Eingabe</translation>
     </message>
     <message>
-        <source>
-Area %1</source>
+        <source>Area %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5817,7 +5816,7 @@ Area %1</source>
         <translation>Der Server rechnet noch an %1, das hier vorher offen war.</translation>
     </message>
     <message>
-        <source>open documents: %1, connections: %2</source>
+        <source>Open documents: %1, connections: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6837,6 +6836,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <source>No solve of this part runs.</source>
         <translation>Für dieses Teil läuft keine Rechnung.</translation>
     </message>
+    <message>
+        <source>deformation × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::section_bar</name>
@@ -6952,6 +6955,14 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>By a name, &quot;bores 8 to 12 mm&quot;, equal ones, smooth neighbours</source>
         <translation>Nach Namen, „Bohrungen 8 bis 12 mm“, gleiche, glatte Nachbarn</translation>
+    </message>
+    <message>
+        <source>Show everything (Shift+H)</source>
+        <translation>Alles zeigen (Umschalt+H)</translation>
+    </message>
+    <message>
+        <source>Hidden surfaces: %1 - show all</source>
+        <translation>Ausgeblendete Flächen: %1 - alle zeigen</translation>
     </message>
 </context>
 <context>

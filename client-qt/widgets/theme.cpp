@@ -41,7 +41,8 @@ QPushButton[role="primary"]:disabled { background: %LINE%; border-color: %LINE%;
 QPushButton[role="link"] { border: 0; background: transparent; color: %LINK%; padding: 2px; text-align: left; }
 QPushButton[role="link"]:disabled { color: %FAINT%; }
 QPushButton[role="link"]:hover { text-decoration: underline; }
-QLineEdit { border: 1px solid %LINE%; border-radius: 5px; padding: 4px 6px; background: %FIELD%; }
+QLineEdit { border: 1px solid %LINE%; border-radius: 5px; padding: 3px 6px; background: %FIELD%; }
+QLineEdit[role="search"] { padding: 4px 6px; }
 QLineEdit:focus { border-color: %ACCENT%; }
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: 0; padding: 0; }
 QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %FAINT%; border-radius: 3px;
@@ -54,6 +55,8 @@ QTextBrowser { border: 0; background: %PANEL%; padding: 6px; }
 QListView, QTreeView { border: 0; background: %PANEL%; outline: 0; }
 QListView::item, QTreeView::item { padding: 3px; }
 QListView::item:selected, QTreeView::item:selected { background: %PRESSED%; color: %TEXT%; }
+QFrame#jobs_panel, QFrame#finder, QFrame#palette, QFrame#section_bar, QFrame#tour_card {
+  border: 1px solid %LINE%; background: %PANEL%; }
 QProgressBar { border: 0; border-radius: 3px; background: %LINE%; max-height: 6px; }
 QProgressBar::chunk { background: %ACCENT%; border-radius: 3px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
@@ -109,6 +112,7 @@ theme make_theme(bool dark) {
   result.palette = palette_of(t);
   result.style_sheet = filled(sheet, t);
   result.ink = t.text;
+  result.frame = t.line;
   result.cube = t.panel;
   result.good = dark ? "#4cc38a" : "#1c8a55";
   result.warning = dark ? "#e5b454" : "#9a6700";

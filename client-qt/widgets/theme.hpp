@@ -16,8 +16,9 @@ struct theme {
   QPalette palette;
   QString style_sheet;
   scene_colours scene;
-  QColor ink;   ///< Text over the view.
-  QColor cube;  ///< Faces of the view cube.
+  QColor ink;    ///< Text over the view.
+  QColor cube;   ///< Faces of the view cube.
+  QColor frame;  ///< Around fields.
   QColor good;
   QColor warning;
   QColor error;

@@ -123,6 +123,13 @@ TEST_F(ResultsPanel, ShowsEachRowUnderItsLoadCaseWithWhatItWasBefore) {
   EXPECT_EQ(panel_.tree()->headerItem()->text(2), QString("Version 1"));
 }
 
+TEST_F(ResultsPanel, HeadsOfFiguresEndWhereTheFiguresDo) {
+  panel_.show_summary(two_sections());
+  auto* row = panel_.tree()->topLevelItem(0)->child(0);
+  for (const int i : {1, 2, 3})
+    EXPECT_EQ(panel_.tree()->headerItem()->textAlignment(i), row->textAlignment(i)) << i;
+}
+
 TEST_F(ResultsPanel, HasNoColumnsForAVersionBeforeWhenThereIsNone) {
   auto first = two_sections();
   first.before.reset();

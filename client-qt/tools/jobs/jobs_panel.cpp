@@ -71,8 +71,8 @@ jobs_panel::jobs_panel(jobs& work, remote& link, QWidget* parent)
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   setFixedWidth(panel_width);
-  setStyleSheet("#jobs_panel { border: 1px solid palette(mid); }");
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 10);
   nothing_ = make_line({}, "section");
   nothing_->setObjectName("nothing_runs");
   column->addWidget(nothing_);
@@ -144,7 +144,7 @@ QString jobs_panel::server() const {
       text += ", " + QString::fromStdString(worker.detail);
     lines << text;
   }
-  lines << tr("open documents: %1, connections: %2")
+  lines << tr("Open documents: %1, connections: %2")
              .arg(link_.server().documents)
              .arg(link_.server().connections);
   return lines.join("\n");
@@ -192,7 +192,8 @@ jobs_button::jobs_button(jobs& work, remote& link, QWidget* parent)
     : QToolButton(parent), work_(work), link_(link) {
   setObjectName("jobs");
   setAutoRaise(true);
-  setStyleSheet("padding: 0 8px; margin: 0; border: 0;");  // As high as the words beside it.
+  // As high as the words beside it. Of itself alone: the panel is a child of it.
+  setStyleSheet("#jobs { padding: 0 8px; margin: 0; border: 0; }");
   setToolTip(tr("What runs, and how the server is"));
   clock_.setInterval(tick_ms);
   connect(&clock_, &QTimer::timeout, this, &jobs_button::refresh);

@@ -158,7 +158,7 @@ void load_editor::build_material() {
   young_ = number_field("young_modulus", tr("Young's modulus"), "Pa");
   add_row(form, tr("E"), with_unit(young_), "young_modulus");
   poisson_ = number_field("poisson_ratio", tr("Poisson's ratio"), "");
-  add_row(form, QString::fromUtf8("ν"), poisson_, "poisson_ratio");
+  add_row(form, QString::fromUtf8("ν"), with_unit(poisson_), "poisson_ratio");
   density_ = number_field("density", tr("Density"), "kg/m3");
   add_row(form, tr("Density"), with_unit(density_), "density");
   yield_ = number_field("yield_strength", tr("Yield strength"), "Pa");

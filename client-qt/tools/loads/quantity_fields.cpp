@@ -11,6 +11,8 @@
 
 namespace tedit::desktop {
 
+static const QString widest_unit = QString::fromUtf8("kg/m³");  ///< Fields end below each other.
+
 quantity_field::quantity_field(const QString& name, const QString& accessible, QString si_unit)
     : what_(accessible) {
   setObjectName(name);
@@ -43,7 +45,9 @@ QWidget* with_unit(quantity_field* field) {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(field, 1);
-  row->addWidget(new QLabel(field->unit_name()));
+  auto* unit = new QLabel(field->unit_name());
+  unit->setMinimumWidth(QLabel(widest_unit).sizeHint().width());
+  row->addWidget(unit);
   return box;
 }
 

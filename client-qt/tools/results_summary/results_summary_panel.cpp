@@ -195,6 +195,8 @@ void results_summary_panel::set_columns() {
   const QString before = shown_.before ? tr("Version %1").arg(*shown_.before) : QString();
   tree_->setHeaderLabels(
     {tr("Figure"), tr("Value"), before, tr("Change"), tr("Where"), tr("Note")});
+  for (const int i : {value_column, before_column, change_column})
+    tree_->headerItem()->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);  // As below.
   tree_->setColumnHidden(before_column, !shown_.before);
   tree_->setColumnHidden(change_column, !shown_.before);
   tree_->setColumnHidden(note_column, !has_notes(shown_));
