@@ -5157,7 +5157,7 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     </message>
     <message>
         <source>Area %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt %1</translation>
     </message>
 </context>
 <context>
@@ -5817,7 +5817,7 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     </message>
     <message>
         <source>Open documents: %1, connections: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Offene Dokumente: %1, Verbindungen: %2</translation>
     </message>
 </context>
 <context>
@@ -6838,7 +6838,7 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     </message>
     <message>
         <source>deformation × %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verformung × %1</translation>
     </message>
 </context>
 <context>
