@@ -4913,11 +4913,11 @@
     </message>
     <message>
         <source>Wait for the answer to that</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Antwort darauf abwarten</translation>
     </message>
     <message>
         <source>the document %1 is being deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dokument %1 wird gerade gelöscht</translation>
     </message>
 </context>
 <context>
