@@ -220,11 +220,11 @@ void session_state::begin_comparison() {
   const auto& after = graph.nodes()[run->asked.after];
   auto work = std::make_shared<comparison_work>(
     comparison_work{side_of(before), side_of(after), {}, {}, run->asked.load_case});
-  for (const auto& name : all_cases(work->before, work->after)) {
-    if (auto found = results_to_compare(before, after, name))
-      work->pairs.push_back({name, std::move(found->first), std::move(found->second)});
+  for (const auto& load_case : all_cases(work->before, work->after)) {
+    if (auto found = results_to_compare(before, after, load_case))
+      work->pairs.push_back({load_case, std::move(found->first), std::move(found->second)});
     else
-      work->not_compared.push_back({name, found.error().message, found.error().remedy});
+      work->not_compared.push_back({load_case, found.error().message, found.error().remedy});
   }
   const bool own = !parts.reader;
   const auto thread = own ? self->spawn<job_thread, caf::linked + caf::detached>() : parts.reader;

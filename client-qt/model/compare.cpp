@@ -92,6 +92,29 @@ shared_field difference(const version_record& before, const shared_field& before
   return result;
 }
 
+shared_field difference(const client::comparison& made, shown_field wanted) {
+  if (!is_of_result(wanted))
+    wanted = shown_field::von_mises;
+  const auto& as = quantity_of(wanted);
+  const auto* form = fem::find_array(as.array);
+  const auto& all = made.differences.of(as.array);
+  if (as.part != fem::shown_part::component || form->needs_yield || all.empty())
+    return nullptr;
+  auto result = std::make_shared<client::field_event>();
+  result->report.version_id = made.what.after_id;
+  result->report.load_case = made.load_case;
+  auto& values = result->values[as.array];
+  const auto components = static_cast<std::size_t>(form->components);
+  for (std::size_t i = 0; i < made.vertices.size(); ++i) {
+    if (made.marks[i] == difference_mark::outside)
+      continue;
+    result->vertices.push_back(made.vertices[i]);
+    const auto row = all.begin() + static_cast<std::ptrdiff_t>(i * components);
+    values.insert(values.end(), row, row + static_cast<std::ptrdiff_t>(components));
+  }
+  return result;
+}
+
 shared_field field_of(const version_record& version, const std::string& load_case) {
   for (const auto& field : version.fields)
     if (field->envelope ? load_case.empty() : field->report.load_case == load_case)

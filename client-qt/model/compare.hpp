@@ -20,6 +20,11 @@ namespace tedit::desktop {
                                       const shared_field& before_field, const version_record& after,
                                       const shared_field& after_field, shown_field wanted);
 
+/// The same as the server made it, also at vertices where the value before is interpolated; none
+/// outside of the version before. Null when the answer does not have it: only a component of an
+/// array is a difference of one, and where 0 means "not known" it would not be told from none.
+[[nodiscard]] shared_field difference(const client::comparison& made, shown_field wanted);
+
 /// The quantity under which `difference` is shown.
 [[nodiscard]] shown_field difference_field(shown_field wanted);
 

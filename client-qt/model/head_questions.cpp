@@ -50,6 +50,18 @@ void head_questions::surface_of(std::uint32_t number, remote::reply<shared_surfa
     std::move(done));
 }
 
+void head_questions::compare(std::uint32_t before, std::uint32_t after,
+                             const std::string& load_case, remote::reply<shared_comparison> done) {
+  link_.run<shared_comparison>(
+    [=](client::client& c, const execution& run) -> expected<shared_comparison> {
+      auto got = c.compare(before, after, load_case, run);
+      if (!got)
+        return fail(std::move(got.error()));
+      return std::make_shared<const client::comparison>(std::move(*got));
+    },
+    std::move(done));
+}
+
 void head_questions::cut(const vec3& at, const vec3& normal, const std::string& load_case,
                          remote::reply<client::section> done) {
   // The server cuts in one go: an answer that comes after a cancel is dropped.

@@ -47,6 +47,9 @@ public:
   void select(const selection_query& query, remote::reply<std::vector<found_feature>> done);
   /// The surface of any version.
   void surface_of(std::uint32_t number, remote::reply<shared_surface> done);
+  /// What two versions differ in, with the difference of a load case's fields that the server has.
+  void compare(std::uint32_t before, std::uint32_t after, const std::string& load_case,
+               remote::reply<shared_comparison> done);
   /// A plane through the head, with the field of a load case as `client::cut` says. A newer
   /// question makes an older one `superseded`; one that is cancelled among what runs is `cancelled`
   /// at once.

@@ -12,6 +12,7 @@ namespace tedit::desktop {
 
 using shared_surface = std::shared_ptr<const client::surface_model>;
 using shared_field = std::shared_ptr<const client::field_event>;
+using shared_comparison = std::shared_ptr<const client::comparison>;
 
 /// What is held of one version: always its row, the rest once it was seen.
 struct version_record {

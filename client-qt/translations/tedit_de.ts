@@ -5041,6 +5041,14 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <source>Version %1 is being fetched.</source>
         <translation>Version %1 wird geholt.</translation>
     </message>
+    <message>
+        <source>v%1 minus v%2, on the surface of v%1; dark grey: outside of v%2</source>
+        <translation>v%1 minus v%2, auf der Oberfläche von v%1; dunkelgrau: außerhalb von v%2</translation>
+    </message>
+    <message>
+        <source>The server compares the versions.</source>
+        <translation>Der Server vergleicht die Versionen.</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::connection_tool</name>

@@ -90,6 +90,42 @@ TEST(Difference, OfAStrainIsAStrainAndOfAPrincipalStressAStress) {
   EXPECT_NEAR(change_of(field_named("principal_1")), 6e6F, 10);
 }
 
+/// Three vertices, of which the last one lies outside of the version before.
+client::comparison from_server() {
+  client::comparison made;
+  made.after = 2;
+  made.load_case = "a";
+  made.what.after_id = "after";
+  made.vertices = {4, 7, 9};
+  made.marks = {difference_mark::same, difference_mark::interpolated, difference_mark::outside};
+  made.differences["von_mises_pa"] = {5e6F, -2e6F, 0};
+  made.differences["displacement_m"] = {1, 2, 3, 4, 5, 6, 0, 0, 0};
+  made.differences["safety_factor"] = {0.5F, 0, 0};
+  return made;
+}
+
+TEST(DifferenceOfTheServer, HasNoValueOutsideOfTheVersionBefore) {
+  const auto change = difference(from_server(), shown_field::von_mises);
+
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->report.load_case, "a");
+  EXPECT_EQ(change->version_id(), "after");
+  EXPECT_EQ(change->vertices, (std::vector<std::uint32_t>{4, 7}));
+  EXPECT_EQ(change->values.of("von_mises_pa"), (std::vector<float>{5e6F, -2e6F}));
+  EXPECT_FLOAT_EQ(value_at(*difference(from_server(), shown_field::displacement_y), 7,
+                           shown_field::displacement_y),
+                  5);
+}
+
+TEST(DifferenceOfTheServer, IsNoneOfWhatItCannotTell) {
+  EXPECT_FALSE(difference(from_server(), shown_field::displacement)) << "the size of a difference";
+  EXPECT_FALSE(difference(from_server(), shown_field::safety_factor)) << "0 says not known";
+  EXPECT_FALSE(difference(from_server(), field_named("principal_1"))) << "was not watched";
+  auto none = from_server();
+  none.differences = {};
+  EXPECT_FALSE(difference(none, shown_field::von_mises));
+}
+
 TEST(FieldOf, FindsTheLoadCaseOrTheOnlyOne) {
   const auto one = version();
 

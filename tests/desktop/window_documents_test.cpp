@@ -194,9 +194,38 @@ TEST_F(Documents, AVersionThatWasNotSeenIsComparedWithoutMovingTheHead) {
       titles << one->text();
   ASSERT_EQ(titles.size(), 1) << titles.join("; ").toStdString();
   EXPECT_TRUE(titles.front().contains("not solved here")) << titles.front().toStdString();
-  // Their difference needs both fields: it says so, and who wants it goes there.
+  // The server still has the field of both, and so their difference.
   window->findChild<QPushButton*>("compare_difference")->click();
-  EXPECT_TRUE(window->findChild<QPushButton*>("compare_go")->isVisible());
+  auto* after = window->findChild<viewport*>("compare_after");
+  const auto is_shown = [&] {
+    return after->isVisible() && after->current().field &&
+           after->current().field != part().head()->fields.front() && after->is_settled();
+  };
+  ASSERT_TRUE(wait(is_shown));
+  const auto& values = after->current().field->values.of("von_mises_pa");
+  EXPECT_EQ(values.size(), after->current().field->vertices.size());
+  EXPECT_LT(values.size(), part().head()->fields.front()->vertices.size()) << "not in the bore";
+  EXPECT_LT(*std::ranges::min_element(values), 0);
+  EXPECT_GT(*std::ranges::max_element(values), 0);
+  EXPECT_EQ(version(), 1U);
+}
+
+TEST_F(Documents, ADifferenceThatTheServerCannotTellSendsToTheVersion) {
+  open_plate();
+  part().edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  const auto name = part().name();
+  part().files().close();
+  window->tools().documents.open_document(name);
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  // The size of a displacement: the difference of two is not the size of one.
+  window->tools().results.panel().set_field(shown_field::displacement);
+
+  ASSERT_TRUE(window->context().all_commands.trigger("view.compare"));
+  window->findChild<QPushButton*>("compare_difference")->click();
+  auto* go = window->findChild<QPushButton*>("compare_go");
+  ASSERT_TRUE(wait([&] { return go->isVisible(); }));
+  EXPECT_TRUE(window->findChild<QLabel*>("compare_why")->text().contains("no field"));
   EXPECT_EQ(version(), 1U);
 }
 

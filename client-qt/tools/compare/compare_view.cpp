@@ -196,6 +196,8 @@ void compare_view::open(const comparison& what) {
   refused_.clear();
   asked_.clear();
   change_.reset();
+  server_says_.reset();
+  asked_server_ = false;
   refresh();
 }
 
@@ -255,8 +257,9 @@ void compare_view::refresh() {
     if (why.isEmpty() && !(why = not_held(*row, what_->load_case, what_->by.field)).isEmpty())
       wanted_ = row->info.number;
   // Beside each other the shapes say something without their fields, too.
-  if (!why.isEmpty() && difference_)
-    return show_missing(why, true);
+  shared_field of_server;
+  if (!why.isEmpty() && difference_ && !(of_server = server_change(other, why)))
+    return show_missing(why, server_says_.has_value() || !asked_server_);
   show_missing({}, false);
   before_.box->setVisible(!difference_);
   const auto state = [&](const version_record& row) {
@@ -266,12 +269,58 @@ void compare_view::refresh() {
     return field && field->interim() ? tr("  (preview)") : QString();
   };
   before_.title->setText(title_of(one, nullptr) + state(one));
-  after_.title->setText(difference_
-                          ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")
-                              .arg(what_->after)
-                              .arg(what_->before)
-                          : title_of(other, &one) + state(other));
+  after_.title->setText(
+    of_server ? tr("v%1 minus v%2, on the surface of v%1; dark grey: outside of v%2")
+                  .arg(what_->after)
+                  .arg(what_->before)
+    : difference_ ? tr("v%1 minus v%2, on the surface of v%1; dark grey: not in both")
+                      .arg(what_->after)
+                      .arg(what_->before)
+                  : title_of(other, &one) + state(other));
   show_both(one, other);
+  if (of_server)
+    show_change(other.surface, of_server);
+}
+
+/// The difference of fields that are not here, as the server has it. Null while it is asked for, or
+/// when there is none; `why` says what a person is told then.
+shared_field compare_view::server_change(const version_record& after, QString& why) {
+  const auto& cases = after.info.load_cases;
+  const auto name =
+    what_->load_case.empty() && cases.size() == 1 ? cases.front() : what_->load_case;
+  // An envelope, or a quantity that is made of several components, is only for those who have both.
+  const auto& wanted = what_->by.field;
+  if (name.empty() || (is_of_result(wanted) && difference_field(wanted) != wanted))
+    return nullptr;
+  if (!asked_server_)
+    ask_server(name);
+  if (!server_says_) {
+    why = tr("The server compares the versions.");
+    return nullptr;
+  }
+  if (!*server_says_) {
+    why = words_of(server_says_->error().message);
+    return nullptr;
+  }
+  const auto& made = ***server_says_;
+  const auto absent =
+    std::ranges::find(made.what.not_compared, name, &uncompared_fields::load_case);
+  if (absent != made.what.not_compared.end())
+    why = words_of(absent->reason);
+  return difference(made, wanted);
+}
+
+void compare_view::ask_server(const std::string& load_case) {
+  asked_server_ = true;
+  part_.questions().compare(
+    what_->before, what_->after, load_case,
+    [this, mine = part_.opening(), before = what_->before,
+     after = what_->after](const expected<shared_comparison>& got) {
+      if (mine != part_.opening() || !what_ || what_->before != before || what_->after != after)
+        return;
+      server_says_ = got;
+      refresh();
+    });
 }
 
 /// Asks for the surfaces that are not at hand; true when all are.
@@ -328,23 +377,24 @@ void compare_view::show_both(const version_record& before, const version_record&
     colours.part = {0.33F, 0.35F, 0.38F};
   after_.view->set_colours(colours);
   if (difference_) {
-    show_change(before, after);
+    if (!a || !b)
+      return;  // The server's is shown.
+    if (!change_ || change_of_ != std::pair(a, b)) {
+      change_ = difference(before, a, after, b, what_->by.field);
+      change_of_ = {a, b};
+    }
+    show_change(after.surface, change_);
     return;
   }
   after_.view->set_legend(by);
   after_.view->show_part({after.surface, b, what_->deform});
 }
 
-void compare_view::show_change(const version_record& before, const version_record& after) {
-  const std::pair fields(field_of(before, what_->load_case), field_of(after, what_->load_case));
+void compare_view::show_change(const shared_surface& surface, const shared_field& change) {
   const shown_field as = difference_field(what_->by.field);
-  if (!change_ || change_of_ != fields) {
-    change_ = difference(before, fields.first, after, fields.second, what_->by.field);
-    change_of_ = fields;
-  }
   double most = 0;
-  const value_reader value(change_->values, as);
-  for (std::size_t i = 0; i < change_->vertices.size(); ++i)
+  const value_reader value(change->values, as);
+  for (std::size_t i = 0; i < change->vertices.size(); ++i)
     most = std::max<double>(most, std::abs(value(i)));
   legend by;
   by.field = as;
@@ -356,7 +406,7 @@ void compare_view::show_change(const version_record& before, const version_recor
   by.title = QString::fromUtf8("Δ ") + of;
   legend_->set_legend(by);
   after_.view->set_legend(by);
-  after_.view->show_part({after.surface, change_, 0});
+  after_.view->show_part({surface, change, 0});
   if (most == 0)
     after_.title->setText(after_.title->text() + tr(" (no difference)"));
 }

@@ -70,7 +70,10 @@ private:
   void fetched(std::uint32_t number, const expected<shared_surface>& got);
   void show_missing(const QString& why, bool may_go);
   void show_both(const version_record& before, const version_record& after);
-  void show_change(const version_record& before, const version_record& after);
+  /// On the surface of the version after.
+  void show_change(const shared_surface& surface, const shared_field& change);
+  [[nodiscard]] shared_field server_change(const version_record& after, QString& why);
+  void ask_server(const std::string& load_case);
   void take_start_pose();
   void step_back(double factor);
   void look_from(const camera::pose& pose);
@@ -88,6 +91,9 @@ private:
   std::optional<camera::pose> whole_;  ///< As it was last made to fit.
   shared_field change_;                ///< Kept, so that a refresh shows the same one.
   std::pair<shared_field, shared_field> change_of_;
+  /// What the server says where fields are not here.
+  std::optional<expected<shared_comparison>> server_says_;
+  bool asked_server_ = false;
   std::map<std::uint32_t, shared_surface> fetched_;  ///< Of versions that were not at hand.
   std::set<std::uint32_t> asked_;
   QString refused_;  ///< Why one of them does not come.
