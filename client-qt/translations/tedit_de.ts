@@ -818,7 +818,7 @@
     </message>
     <message>
         <source>where %1 and %2 meet</source>
-        <translation>wo %1 und %2 zusammenstoßen</translation>
+        <translation>zwischen %1 und %2</translation>
     </message>
 </context>
 <context>

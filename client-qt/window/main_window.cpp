@@ -246,7 +246,8 @@ void main_window::place_banner() {
 void main_window::make_room(const std::function<int()>& form_height, QDockWidget& dock,
                             QDockWidget& gives, QDockWidget& keeps, bool to_spare_only) {
   lay_out_all();
-  const int wanted = form_height() + title_height;
+  constexpr int some_more = 12;  // Words may wrap once more.
+  const int wanted = form_height() + title_height + some_more;
   if (dock.isFloating() || dock.height() >= wanted)
     return;
   int lacks = wanted - dock.height();

@@ -44,11 +44,13 @@ protected:
     return QJsonDocument::fromJson(program.readAllStandardOutput()).object();
   }
 
-  /// A row says an SI value, to four digits.
+  /// A row says an SI value, to four digits; what the legend shows, too, in its unit.
   void expect_says(figure kind, double value, const QString& unit) {
     const auto said = row(kind);
     ASSERT_TRUE(said) << static_cast<int>(kind);
-    const auto wanted = shown(value, unit);
+    const auto as = shown_as(unit);
+    const auto wanted =
+      unit == "m" ? shown_quantity{number(value * as.scale), as.name} : shown(value, unit);
     EXPECT_EQ(said->value.unit, wanted.unit);
     EXPECT_NEAR(said->value.number.toDouble(), wanted.number.toDouble(),
                 5e-4 * std::abs(wanted.number.toDouble()))

@@ -87,7 +87,7 @@ void selection_tool::add_hiding() {
 void selection_tool::place_count(const QRect& cube) {
   constexpr int gap = 8;
   count_->adjustSize();
-  count_->move(cube.x() + cube.width() - count_->width(), cube.y() + cube.height() + gap);
+  count_->move(cube.x() - gap - count_->width(), cube.y());
 }
 
 void selection_tool::set_hidden(std::set<surface_id> surfaces) {

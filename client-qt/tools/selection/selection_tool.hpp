@@ -32,7 +32,7 @@ public:
   /// Surfaces that are not drawn.
   [[nodiscard]] const std::set<surface_id>& hidden() const noexcept { return hidden_; }
   void set_hidden(std::set<surface_id> surfaces);
-  /// How many are hidden stands under the cube, which turns the view, too.
+  /// How many are hidden stands beside the cube, which turns the view, too.
   void place_count(const QRect& cube);
 
 signals:
