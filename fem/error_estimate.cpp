@@ -194,8 +194,10 @@ void estimate_error(const problem& p, const nodal_patches& patches, const elemen
   });
   const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
   const double whole = 2 * out.strain_energy_j + sum;
-  out.relative_error = whole > 0 ? std::sqrt(sum / whole) : 0;
-  const double density = whole > 0 ? patches.volume() / whole : 0;
+  // Energies may be so small that nothing can be related to them (a displacement of 1e-160 m).
+  const bool measurable = std::isfinite(patches.volume() / whole);
+  out.relative_error = measurable ? std::sqrt(sum / whole) : 0;
+  const double density = measurable ? patches.volume() / whole : 0;
   parallel_for(p.corner_count, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t n = first; n < last; ++n)
       if (auto& error = out.nodal_error[n]; error > 0)
