@@ -215,8 +215,7 @@ void session_state::forget_solve_of(const std::string& load_case) {
                      solve_phase::cancelled);
 }
 
-// -- the document as a whole
-// -----------------------------------------------------------------------
+// -- the document as a whole -------------------------------------------------------------------
 
 /// Beside the queue: the disk sees to it that no commit is under way, and an edit of minutes need
 /// not hold it up.

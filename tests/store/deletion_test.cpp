@@ -17,16 +17,6 @@ namespace {
 
 class Deletion : public Document {
 protected:
-  /// All that lies in the folder, but for the locks and the names of before.
-  [[nodiscard]] std::set<std::string> left() const {
-    std::set<std::string> result;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (const auto name = entry.path().filename().string();
-          name != ".tedit-lock" && name != ".tedit-names")
-        result.insert(name);
-    return result;
-  }
-
   /// As a kill leaves a document: with its last commit in the log.
   void make_and_be_killed() const {
     if (const auto child = ::fork(); child == 0) {
@@ -52,7 +42,7 @@ TEST_F(Deletion, AnOpenDocumentGoesWithItsLogAndItsNameIsFreeAfterwards) {
   const auto done = doc->erase();
 
   ASSERT_TRUE(done.has_value()) << render(done.error());
-  EXPECT_TRUE(left().empty());
+  EXPECT_TRUE(names().empty());
   EXPECT_EQ(refusal().code, ec::conflict) << "its name is locked until the object goes";
   doc.reset();
   const auto next = open();
@@ -63,14 +53,14 @@ TEST_F(Deletion, ADocumentWithoutAFileIsErasedWithoutOne) {
   auto doc = document::open(file);
   ASSERT_TRUE(doc.has_value());
   EXPECT_TRUE((*doc)->erase().has_value());
-  EXPECT_TRUE(left().empty());
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(Deletion, OneThatAKillLeftGoesWithItsLog) {
   make_and_be_killed();
   const auto done = delete_document(file);
   ASSERT_TRUE(done.has_value()) << render(done.error());
-  EXPECT_TRUE(left().empty());
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(Deletion, DamagedOnesGoToo) {
@@ -78,7 +68,7 @@ TEST_F(Deletion, DamagedOnesGoToo) {
   tamper("UPDATE version SET report = 'another'");
   ASSERT_FALSE(open()->read().has_value());
   EXPECT_TRUE(delete_document(file).has_value());
-  EXPECT_TRUE(left().empty());
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(Deletion, OneThatIsOpenIsRefusedAndStays) {
@@ -143,14 +133,14 @@ TEST_F(Deletion, WhatAKillLeftOfItGoesWhenTheFolderIsPrepared) {
   ASSERT_FALSE(document::open(file).has_value()) << "the log keeps others from the name";
 
   ASSERT_TRUE(prepare_documents_folder(folder).has_value());
-  EXPECT_TRUE(left().empty());
+  EXPECT_TRUE(names().empty());
   EXPECT_NE(open(), nullptr);
 
   // Not that of a document which has the name since.
   write(folder / ".part.tedit-erased", "rest");
   write(file.string() + "-wal", "of the new one");
   ASSERT_TRUE(prepare_documents_folder(folder).has_value());
-  EXPECT_EQ(left(), (std::set<std::string>{"part.tedit", "part.tedit-wal"}));
+  EXPECT_EQ(names(), (std::set<std::string>{"part.tedit", "part.tedit-wal"}));
 }
 
 TEST_F(Deletion, ACopyHasWhatWasCommittedAndGoesItsOwnWay) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,6 +56,16 @@ protected:
     file = folder / "part.tedit";
   }
   void TearDown() override { fs::remove_all(folder); }
+
+  /// All that lies in the folder, but for the locks and the names of before.
+  [[nodiscard]] std::set<std::string> names() const {
+    std::set<std::string> result;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (const auto name = entry.path().filename().string();
+          name != ".tedit-lock" && name != ".tedit-names")
+        result.insert(name);
+    return result;
+  }
 
   /// With its file there: of a new one, by a commit of nothing.
   std::unique_ptr<document> open() const {

@@ -12,16 +12,6 @@ namespace {
 
 class Rename : public Document {
 protected:
-  /// All that lies in the folder, but for the locks and the names of before.
-  [[nodiscard]] std::set<std::string> names() const {
-    std::set<std::string> result;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (const auto name = entry.path().filename().string();
-          name != ".tedit-lock" && name != ".tedit-names")
-        result.insert(name);
-    return result;
-  }
-
   void write(const std::string& name) const { std::ofstream(folder / name) << "somebody else's"; }
   [[nodiscard]] std::string text_of(const std::string& name) const {
     std::ifstream in(folder / name);
