@@ -10,6 +10,7 @@
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
+#include "mesh/morton.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
 
@@ -17,38 +18,22 @@ namespace tedit::fem {
 
 namespace {
 
-std::uint64_t spread_bits(std::uint64_t x) {
-  // 21 bits to every third place.
-  x &= 0x1FFFFF;
-  x = (x | x << 32) & 0x1F00000000FFFF;
-  x = (x | x << 16) & 0x1F0000FF0000FF;
-  x = (x | x << 8) & 0x100F00F00F00F00F;
-  x = (x | x << 4) & 0x10C30C30C30C30C3;
-  return (x | x << 2) & 0x1249249249249249;
-}
-
 /// Nodes along a Morton curve, so that neighbours in space are neighbours in memory.
 void number_nodes(const mesh_version& mesh, std::uint32_t spare, problem& p,
                   std::vector<std::uint32_t>& node_of) {
-  vec3 low{1e300, 1e300, 1e300};
-  vec3 high = -low;
+  box extents;
   polled_for(mesh.vertex_slots(), [&](std::size_t slot) {
     const auto v = static_cast<vertex_id>(slot);
     if (!mesh.is_live_vertex(v))
       return;
-    const auto& x = mesh.position(v);
-    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+    extents.add(mesh.position(v));
     p.node_vertices.push_back(v);
   });
-  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-300});
+  const morton_curve curve(extents);
   std::vector<std::uint64_t> code(mesh.vertex_slots());
   polled_for(p.node_vertices.size(), [&](std::size_t i) {
     const auto v = p.node_vertices[i];
-    const vec3 x = (mesh.position(v) - low) * (2097151.0 / size);
-    code[v] = spread_bits(static_cast<std::uint64_t>(x.x)) |
-              spread_bits(static_cast<std::uint64_t>(x.y)) << 1 |
-              spread_bits(static_cast<std::uint64_t>(x.z)) << 2;
+    code[v] = curve.code(mesh.position(v));
   });
   polled_sort(p.node_vertices, [&](vertex_id a, vertex_id b) {
     return code[a] != code[b] ? code[a] < code[b] : a < b;

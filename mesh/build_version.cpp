@@ -21,7 +21,7 @@ class version_assembler {
 public:
   explicit version_assembler(raw_mesh raw) : raw_(std::move(raw)) {}
 
-  expected<built_version> run(double metres_per_unit) {
+  expected<built_version> run(double metres_per_unit, slot_order order) {
     if (auto ok = check_input(); !ok)
       return fail(ok.error());
     if (auto ok = drop_unused_vertices(); !ok)
@@ -35,6 +35,8 @@ public:
       return fail(ok.error());
     if (auto ok = orient(); !ok)
       return fail(ok.error());
+    if (order == slot_order::along_curve && raw_.tets.size() > paged_array<tet>::items_per_page)
+      std::tie(vertex_order_, tet_order_) = sort_along_curve(raw_);
     if (auto ok = link(); !ok)
       return fail(ok.error());
     if (auto ok = match_triangles(); !ok)
@@ -47,11 +49,14 @@ public:
 
 private:
   [[nodiscard]] std::string tet_name(std::size_t t) const {
-    return "tet " + std::to_string(t < raw_.tet_numbers.size() ? raw_.tet_numbers[t] : t + 1);
+    const auto given = t < tet_order_.size() ? tet_order_[t] : t;
+    return "tet " +
+           std::to_string(given < raw_.tet_numbers.size() ? raw_.tet_numbers[given] : given + 1);
   }
 
   [[nodiscard]] std::string node_name(std::size_t v) const {
-    return std::to_string(v < raw_.node_numbers.size() ? raw_.node_numbers[v] : v + 1);
+    const auto given = v < vertex_order_.size() ? vertex_order_[v] : v;
+    return std::to_string(given < raw_.node_numbers.size() ? raw_.node_numbers[given] : given + 1);
   }
 
   [[nodiscard]] std::string triangle_name(const raw_mesh::triangle& triangle) const {
@@ -116,34 +121,15 @@ private:
   }
 
   expected<void> drop_unused_vertices() {
-    std::vector<vertex_id> renumbered(raw_.positions.size(), no_id);
+    std::vector<bool> is_used(raw_.positions.size());
     for (const auto& t : raw_.tets)
       for (const auto v : t.v)
-        renumbered[v] = 0;
+        is_used[v] = true;
     for (const auto& triangle : raw_.triangles)
       for (const auto v : triangle.v)
-        if (renumbered[v] == no_id)
+        if (!is_used[v])
           return fail(no_face(triangle_name(triangle)));
-    vertex_id used = 0;
-    for (std::size_t v = 0; v < renumbered.size(); ++v) {
-      if (renumbered[v] == no_id)
-        continue;
-      raw_.positions[used] = raw_.positions[v];
-      if (!raw_.node_numbers.empty())
-        raw_.node_numbers[used] = raw_.node_numbers[v];
-      renumbered[v] = used++;
-    }
-    if (used == raw_.positions.size())
-      return {};
-    raw_.positions.resize(used);
-    if (!raw_.node_numbers.empty())
-      raw_.node_numbers.resize(used);
-    for (auto& t : raw_.tets)
-      for (auto& v : t.v)
-        v = renumbered[v];
-    for (auto& triangle : raw_.triangles)
-      for (auto& v : triangle.v)
-        v = renumbered[v];
+    keep_vertices(raw_, is_used);
     return {};
   }
 
@@ -455,6 +441,8 @@ private:
     data.neighbours = paged_array<adjacency>::from(neighbours_);
     data.facets = paged_array<boundary_facet>::from(facets_);
     data.interfaces = paged_array<interface_facet>::from(interfaces_);
+    data.vertex_order = paged_array<std::uint32_t>::from(vertex_order_);
+    data.tet_order = paged_array<std::uint32_t>::from(tet_order_);
     fill_tables(data);
     return data;
   }
@@ -477,6 +465,8 @@ private:
   }
 
   raw_mesh raw_;
+  std::vector<std::uint32_t> vertex_order_;  ///< As in `mesh_data`.
+  std::vector<std::uint32_t> tet_order_;
   std::vector<adjacency> neighbours_;
   std::vector<boundary_facet> facets_;
   std::vector<interface_facet> interfaces_;
@@ -491,8 +481,8 @@ private:
 
 }  // namespace
 
-expected<built_version> build_version(raw_mesh raw, double metres_per_unit) {
-  return version_assembler(std::move(raw)).run(metres_per_unit);
+expected<built_version> build_version(raw_mesh raw, double metres_per_unit, slot_order order) {
+  return version_assembler(std::move(raw)).run(metres_per_unit, order);
 }
 
 }  // namespace tedit

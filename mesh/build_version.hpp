@@ -4,27 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "mesh/raw_mesh.hpp"
 #include "mesh/version.hpp"
 
 namespace tedit {
 
-/// A mesh as a file gives it: dense indices, nothing checked, lengths in the file's unit.
-struct raw_mesh {
-  struct triangle {
-    std::array<vertex_id, 3> v;
-    surface_id surface = 0;
-    bool has_surface = true;  ///< False when the file gave no tag.
-  };
-
-  std::vector<vec3> positions;
-  std::vector<tet> tets;
-  std::vector<region_id> tet_regions;  ///< One for each tet.
-  std::vector<triangle> triangles;
-  std::vector<surface_info> surface_names;
-  std::vector<region_info> region_names;
-  /// File numbers for messages; empty means index + 1.
-  std::vector<std::uint64_t> node_numbers;
-  std::vector<std::uint64_t> tet_numbers;
+/// How the slots of a version follow each other.
+enum class slot_order {
+  as_given,    ///< As the raw mesh lists vertices and tets.
+  along_curve  ///< Along a curve through space, where the mesh has more tets than a page:
+               ///< neighbours lie in the same pages, so that an edit touches few. The version keeps
+               ///< the order of the raw mesh for what is written to files.
 };
 
 /// A version with what a person should know about how it came to be.
@@ -41,6 +31,7 @@ struct built_version {
 /// triangle that is no face of a tet or claimed by two surfaces, coordinates whose volumes
 /// overflow. Cost: O(n log n). Exactly flat or inverted tets are kept and warned of; simulation
 /// refuses them.
-[[nodiscard]] expected<built_version> build_version(raw_mesh raw, double metres_per_unit);
+[[nodiscard]] expected<built_version> build_version(raw_mesh raw, double metres_per_unit,
+                                                    slot_order order = slot_order::as_given);
 
 }  // namespace tedit

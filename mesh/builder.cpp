@@ -103,7 +103,9 @@ mesh_builder::mesh_builder(version_ptr base)
       tets_(base_->data().tets),
       tet_regions_(base_->data().tet_regions),
       neighbours_(base_->data().neighbours),
-      facets_(base_->data().facets) {
+      facets_(base_->data().facets),
+      vertex_order_(base_->data().vertex_order),
+      tet_order_(base_->data().tet_order) {
   const auto& data = base_->data();
   counts_.interfaces = data.interfaces;
   counts_.surfaces = data.surfaces;
@@ -173,6 +175,8 @@ vertex_id mesh_builder::add_vertex(vec3 position) {
   if (v == no_id) {
     v = static_cast<vertex_id>(positions_.push_back(position));
     vertex_tet_.push_back(no_id);
+    if (vertex_order_.size() > 0)
+      vertex_order_.push_back(v);
   } else {
     const auto next = vertex_tet_[v] & ~facet_flag;
     counts_.free_vertex = next == end_of_list ? no_id : next;
@@ -199,7 +203,10 @@ tet_id mesh_builder::take_tet_slot() {
   if (t == no_id) {
     tet_regions_.push_back(0);
     neighbours_.push_back({no_id, no_id, no_id, no_id});
-    return static_cast<tet_id>(tets_.push_back({}));
+    const auto fresh = static_cast<tet_id>(tets_.push_back({}));
+    if (tet_order_.size() > 0)
+      tet_order_.push_back(fresh);
+    return fresh;
   }
   counts_.free_tet = tets_[t].v[1];
   return t;
@@ -462,6 +469,8 @@ version_ptr mesh_builder::freeze() {
   data.tet_regions = tet_regions_.freeze();
   data.neighbours = neighbours_.freeze();
   data.facets = facets_.freeze();
+  data.vertex_order = vertex_order_.freeze();
+  data.tet_order = tet_order_.freeze();
   return mesh_version::create(std::move(data));
 }
 

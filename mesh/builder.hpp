@@ -127,6 +127,8 @@ private:
   paged_array_builder<region_id> tet_regions_;
   paged_array_builder<adjacency> neighbours_;
   paged_array_builder<boundary_facet> facets_;
+  paged_array_builder<std::uint32_t> vertex_order_;
+  paged_array_builder<std::uint32_t> tet_order_;
   mesh_data counts_;  ///< Tables, counts and free lists; its arrays stay empty.
   surface_id largest_surface_ = 0;
   std::unordered_set<tet_id> touched_;

@@ -93,7 +93,8 @@ inline void add_mesh(std::vector<layout_fact>& facts) {
   facts.push_back(of("mesh_version", m, m.data(), m.pages(), m.id()));
   facts.push_back(of("mesh_data", d, d.positions, d.vertex_tet, d.tets, d.tet_regions, d.neighbours,
                      d.facets, d.interfaces, d.surfaces, d.regions, d.vertices, d.live_tets,
-                     d.live_facets, d.free_vertex, d.free_tet, d.free_facet));
+                     d.live_facets, d.free_vertex, d.free_tet, d.free_facet, d.vertex_order,
+                     d.tet_order));
   const auto& [arrays, surfaces, regions, counts] = m.pages();
   facts.push_back(of("manifest", m.pages(), arrays, surfaces, regions, counts));
   facts.push_back(of("manifest row", arrays[0], arrays[0].size, arrays[0].pages));

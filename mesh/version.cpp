@@ -23,16 +23,28 @@ void for_each_array(Data& data, Visit&& visit) {
   visit(data.interfaces);
 }
 
+template <class Data, class Visit>
+void for_each_order(Data& data, Visit&& visit) {
+  visit(data.vertex_order);
+  visit(data.tet_order);
+}
+
+constexpr std::size_t arrays_without_order = 7;
+constexpr std::size_t arrays_with_order = 9;
+
 manifest make_manifest(const mesh_data& data) {
   manifest list;
-  for_each_array(data, [&](const auto& array) {
+  const auto add = [&](const auto& array) {
     manifest::array_row row;
     row.size = array.size();
     row.pages.reserve(array.pages().size());
     for (const auto& p : array.pages())
       row.pages.push_back(p->id());
     list.arrays.push_back(std::move(row));
-  });
+  };
+  for_each_array(data, add);
+  if (data.vertex_order.size() > 0 || data.tet_order.size() > 0)
+    for_each_order(data, add);
   list.surfaces = data.surfaces;
   list.regions = data.regions;
   list.counts = {data.vertices,    data.live_tets, data.live_facets,
@@ -55,10 +67,10 @@ expected<version_ptr> mesh_version::from_manifest(
   mesh_data data;
   std::size_t index = 0;
   std::optional<error> failure;
-  if (list.arrays.size() != 7)
+  if (list.arrays.size() != arrays_without_order && list.arrays.size() != arrays_with_order)
     return fail(ec::invalid_mesh,
-                "a manifest lists 7 arrays, this one " + std::to_string(list.arrays.size()));
-  for_each_array(data, [&](auto& array) {
+                "a manifest lists 7 or 9 arrays, this one " + std::to_string(list.arrays.size()));
+  const auto take = [&](auto& array) {
     const auto& row = list.arrays[index++];
     std::vector<page_ptr> pages;
     for (const auto& id : row.pages) {
@@ -73,7 +85,10 @@ expected<version_ptr> mesh_version::from_manifest(
       array = std::move(*made);
     else
       failure = made.error();
-  });
+  };
+  for_each_array(data, take);
+  if (list.arrays.size() == arrays_with_order)
+    for_each_order(data, take);
   if (failure)
     return fail(*failure);
   data.surfaces = list.surfaces;
@@ -89,11 +104,13 @@ expected<version_ptr> mesh_version::from_manifest(
 
 void mesh_version::for_each_page(const std::function<void(const page_ptr&)>& visit) const {
   std::unordered_set<const page*> seen;
-  for_each_array(data_, [&](const auto& array) {
+  const auto visit_pages = [&](const auto& array) {
     for (const auto& p : array.pages())
       if (seen.insert(p.get()).second)
         visit(p);
-  });
+  };
+  for_each_array(data_, visit_pages);
+  for_each_order(data_, visit_pages);
 }
 
 const surface_info* mesh_version::find_surface(surface_id id) const {

@@ -23,9 +23,14 @@ struct mesh_data {
   paged_array<adjacency> neighbours;        ///< By tet slot.
   paged_array<boundary_facet> facets;       ///< By facet slot.
   paged_array<interface_facet> interfaces;  ///< Dense; corners in no particular order.
-  std::vector<surface_info> surfaces;       ///< Ascending by id.
-  std::vector<region_info> regions;         ///< Ascending by id.
-  std::uint32_t vertices = 0;               ///< Live counts.
+  /// Of each slot, where its item stands among those of the file that the mesh came from; slots
+  /// that were added later stand behind. Empty: in the order of the slots. What is written to
+  /// files stands in this order, while slots follow a curve through space (decision 0034).
+  paged_array<std::uint32_t> vertex_order;
+  paged_array<std::uint32_t> tet_order;
+  std::vector<surface_info> surfaces;  ///< Ascending by id.
+  std::vector<region_info> regions;    ///< Ascending by id.
+  std::uint32_t vertices = 0;          ///< Live counts.
   std::uint32_t live_tets = 0;
   std::uint32_t live_facets = 0;
   std::uint32_t free_vertex = no_id;  ///< Heads of the free lists.
@@ -36,7 +41,8 @@ struct mesh_data {
 /// The list of page identities of all arrays of a version, with its tables and counts: all that
 /// is needed to fetch the version from page stores. Its hash is the version's id.
 struct manifest {
-  /// One row per array of `mesh_data`, in declaration order.
+  /// One row per array of `mesh_data`, in declaration order; the two orders have none where both
+  /// are empty.
   struct array_row {
     std::uint64_t size = 0;  ///< Items.
     std::vector<hash128> pages;

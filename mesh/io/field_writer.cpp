@@ -29,9 +29,8 @@ bool vtu::recognises(std::span<const char> bytes) {
 
 expected<void> vtu::write(const file_target& to, const mesh_version& mesh,
                           const file_terms& terms) {
-  const auto vertices =
-    compact(mesh.vertex_slots(), [&](vertex_id v) { return mesh.is_live_vertex(v); });
-  const auto tets = compact(mesh.tet_slots(), [&](tet_id t) { return mesh.is_live_tet(t); });
+  const auto vertices = vertices_of_file(mesh);
+  const auto tets = tets_of_file(mesh);
   std::vector<vec3> points;
   points.reserve(vertices.slots.size());
   for (const auto v : vertices.slots)

@@ -50,7 +50,7 @@ expected<imported_mesh> read_and_build(std::span<const char> bytes,
     surface.name = cut_text(to_utf8(surface.name), longest_name);
   for (auto& region : read->mesh.region_names)
     region.name = cut_text(to_utf8(region.name), longest_name);
-  auto built = build_version(std::move(read->mesh), *unit);
+  auto built = build_version(std::move(read->mesh), *unit, slot_order::along_curve);
   if (!built)
     return fail(built.error());
   result.build_ms = clock.restart();

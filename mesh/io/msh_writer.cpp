@@ -23,9 +23,8 @@ public:
   msh_writer(const mesh_version& mesh, double scale)
       : mesh_(mesh),
         scale_(scale),
-        vertices_(
-          compact(mesh.vertex_slots(), [&](vertex_id v) { return mesh.is_live_vertex(v); })),
-        live_tets_(compact(mesh.tet_slots(), [&](tet_id t) { return mesh.is_live_tet(t); })) {
+        vertices_(vertices_of_file(mesh)),
+        live_tets_(tets_of_file(mesh)) {
     for (facet_id f = 0; f < mesh.facet_slots(); ++f)
       if (mesh.is_live_facet(f))
         triangles_[mesh.facet(f).surface].push_back(mesh.facet(f).v);

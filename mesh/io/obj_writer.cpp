@@ -58,8 +58,8 @@ expected<void> obj::write(const file_target& to, const mesh_version& mesh,
     for (const auto v : mesh.facet(f).v)
       on_boundary[v] = true;
   }
-  const auto vertices =
-    compact(mesh.vertex_slots(), [&](vertex_id v) -> bool { return on_boundary[v]; });
+  const auto vertices = compact(mesh.vertex_slots(), mesh.data().vertex_order,
+                                [&](vertex_id v) -> bool { return on_boundary[v]; });
   return to.write([&](std::ostream& out) {
     out.precision(15);  // Of what an edit or a file gave; more digits would be those of its unit.
     out << "# TEdit boundary, unit " << terms.length_unit << '\n';

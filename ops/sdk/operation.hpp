@@ -233,7 +233,7 @@ inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// goes up with any change of what plugins were compiled with; the minor one when `context` gets a
 /// member or `services` a function, each at its end. No number of a release of the program is in a
 /// plugin: a patch release changes neither.
-inline constexpr std::uint32_t sdk_major = 6;
+inline constexpr std::uint32_t sdk_major = 7;
 inline constexpr std::uint32_t sdk_minor = 0;
 
 #define TEDIT_TEXT_OF(x) #x

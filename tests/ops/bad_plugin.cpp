@@ -61,7 +61,7 @@ public:
   result.descriptor_size += 8;
 #endif
 #ifdef TEDIT_BAD_LAST_SDK
-  // As SDK 5 had it: nothing after `destroy`.
+  // As those before SDK 6 had it: nothing after `destroy`.
   --result.sdk_major;
   result.descriptor_size = offsetof(ops::plugin_descriptor, layout);
   result.layout = reinterpret_cast<const layout_fact*>(1);

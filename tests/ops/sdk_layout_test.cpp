@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What plugins of SDK 6 were compiled with. A row that differs here is a plugin refused or broken
+// What plugins of SDK 7 were compiled with. A row that differs here is a plugin refused or broken
 // there: raise sdk_major, and put in the rows that the test prints.
 #include <algorithm>
 #include <sstream>
@@ -13,7 +13,7 @@ namespace {
 
 #if defined(__x86_64__) && defined(__GLIBCXX__) && !defined(_GLIBCXX_DEBUG)
 
-constexpr std::uint32_t frozen_major = 6;
+constexpr std::uint32_t frozen_major = 7;
 constexpr layout_fact frozen[] = {
   {"execution", 48, 0xc257467f4f1fc055},
   {"cancel_token", 16, 0x18},
