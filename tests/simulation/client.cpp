@@ -124,7 +124,7 @@ simulated_client::simulated_client(timeline& time, history& past, door server, s
     if (field.interim())
       return;
     lost_solve_ = false;
-    last_solve_ = field.solve;
+    sent_solves_.emplace(field.version_id(), field.solve);
     last_field_version_ = field.version_id();
   };
 }

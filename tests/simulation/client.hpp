@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "actors/gateway/client_actor.hpp"
 #include "client/inbox.hpp"
@@ -39,8 +40,12 @@ public:
   [[nodiscard]] const std::string& document() const { return document_; }
   [[nodiscard]] const caf::actor& actor() const { return actor_; }
   [[nodiscard]] client::surface_model surface() const { return inbox_->surface(); }
-  [[nodiscard]] std::uint64_t last_solve() const { return last_solve_; }
   [[nodiscard]] const std::string& last_field_version() const { return last_field_version_; }
+  /// Whether it was ever sent the fields of a solve of the version. Where loads changed after
+  /// the last one, what holds for the head is an earlier one's.
+  [[nodiscard]] bool was_sent(const std::string& version, std::uint64_t solve) const {
+    return sent_solves_.contains({version, solve});
+  }
   /// Whether it must have been sent the fields of the head's last solve: not when that was over
   /// before it opened the document, nor when the last solve that it heard of gave no result.
   [[nodiscard]] bool expects_fields() const { return saw_change_ && !lost_solve_; }
@@ -92,7 +97,7 @@ private:
   milliseconds slow_until_{0};
   bool saw_change_ = false;  ///< Another head or a solve since the document was opened.
   bool lost_solve_ = false;
-  std::uint64_t last_solve_ = 0;
+  std::set<std::pair<std::string, std::uint64_t>> sent_solves_;
   std::string last_field_version_;
   client::events handlers_;
   std::optional<client::inbox> inbox_;  ///< A new one for each connection.

@@ -123,6 +123,14 @@ TEST_F(Simulation, WhoComesBackWithANameOfBeforeFindsTheDocumentAlsoAfterARestar
   }
 }
 
+// Two load cases are solved one after the other and the later one's loads change: the head has
+// the earlier one's result, which its client was sent first.
+TEST_F(Simulation, WhatAnEarlierSolveFoundHoldsWhereTheLoadsOfTheLastChanged) {
+  const auto all = make_scenario(1837);
+
+  EXPECT_THAT(play(all, folder_).faults, IsEmpty()) << describe(all);
+}
+
 TEST_F(Simulation, OneSeedIsOneReplay) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto all = make_scenario(seed);
