@@ -211,6 +211,8 @@ using hub_actor = caf::typed_actor<
   caf::replies_to<list_atom>::with<document_list>,
   // A session of which nobody wants anything: it is ended.
   caf::reacts_to<end_atom, session_actor>,
+  // From itself: a document without a name of its own goes, if nobody came back to it.
+  caf::reacts_to<rest_atom, std::string, std::uint64_t>,
   // How the workers are, and how many documents are open.
   caf::replies_to<status_atom>::with<server_status>,
   // The operations there are.

@@ -181,6 +181,7 @@ const std::vector<option>& options() {
     {"limits", "import_timeout_s", seconds(&c::import_timeout_s)},
     {"limits", "solve_timeout_s", seconds(&c::solve_timeout_s)},
     {"limits", "close_unused_after_s", seconds(&c::close_unused_after_s)},
+    {"limits", "keep_unnamed_s", seconds(&c::keep_unnamed_s)},
     {"limits", "modeling_memory_mb", whole(&c::modeling_memory_mb, 0, 1 << 24)},
     {"limits", "upload_bytes", bytes(&c::upload_bytes)},
     {"limits", "all_upload_bytes", bytes(&c::all_upload_bytes)},

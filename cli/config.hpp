@@ -31,6 +31,7 @@ struct server_config {
   double import_timeout_s = 600;
   double solve_timeout_s = 7200;
   double close_unused_after_s = 120;
+  double keep_unnamed_s = 3600;
   int modeling_memory_mb = 0;
   std::int64_t upload_bytes = std::int64_t{2} << 30;
   std::int64_t all_upload_bytes = std::int64_t{4} << 30;

@@ -49,6 +49,7 @@ server_options to_server_options(const server_config& config) {
   options.edit_limit = limit(config.edit_timeout_s);
   options.solve_limit = limit(config.solve_timeout_s);
   options.unused_limit = limit(config.close_unused_after_s);
+  options.temporary_limit = limit(config.keep_unnamed_s);
   options.upload_bytes = static_cast<std::uint64_t>(config.upload_bytes);
   options.all_upload_bytes = static_cast<std::uint64_t>(config.all_upload_bytes);
   options.result_bytes = static_cast<std::uint64_t>(config.result_bytes);

@@ -89,15 +89,16 @@ caf::result<opened_document> open(hub_pointer self, const std::string& given) {
   auto& state = self->state;
   std::string name = given;
   if (name.empty())
-    name = "unnamed-" +
-           std::to_string(std::chrono::system_clock::now().time_since_epoch().count()) + "-" +
-           std::to_string(++state.unnamed);
+    name = make_temporary_name(state);
   if (auto ok = check_document_name(name); !ok)
     return to_caf(ok.error());
   if (state.adding.contains(name))
     return to_caf({ec::conflict, "the document " + name + " is being added", "Try again soon", {}});
-  if (!state.open.contains(name) && !state.opening.contains(name))
+  if (!state.open.contains(name) && !state.opening.contains(name)) {
     name = present_name(state, name);
+    if (!given.empty() && is_temporary(name) && !has_file(state, name))
+      return to_caf(ended_document(name));
+  }
   auto promise = self->make_response_promise<opened_document>();
   open_for(self, name, promise);
   return promise;
@@ -120,6 +121,7 @@ void end_session(hub_pointer self, const session_actor& session) {
       [=](const shared_remains& left) {
         keep_remains(self->state, name, left);
         let_go(self, name);
+        note_left(self, name);
       },
       [=](const caf::error&) {
         self->state.open.emplace(name, session);
@@ -131,7 +133,7 @@ void end_session(hub_pointer self, const session_actor& session) {
 
 /// Errors: `conflict` when the name is taken and no other is wanted.
 expected<std::string> free_name(const hub_state& state, const add_request& request) {
-  if (auto ok = check_document_name(request.name); !ok)
+  if (auto ok = check_lasting_name(request.name); !ok)
     return fail(ok.error());
   if (!is_taken(state, request.name))
     return request.name;
@@ -202,7 +204,7 @@ void leave_name(hub_pointer self, const session_actor& session, const std::strin
 /// for the document.
 caf::result<acknowledged> rename(hub_pointer self, const rename_request& request) {
   auto& state = self->state;
-  if (auto ok = check_document_name(request.name); !ok)
+  if (auto ok = check_lasting_name(request.name); !ok)
     return to_caf(ok.error());
   const auto session = caf::actor_cast<session_actor>(request.session);
   if (const auto here = state.open.find(request.name);
@@ -326,6 +328,7 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   self->state.disks = disks ? *disks : disk_set::spawn(self);
   for (auto& one : store::read_former_names(self->state.parts.documents))
     self->state.former.push_back(std::move(one));
+  expect_ends(self);
   return {[=](const std::string& name) { return open(self, name); },
           [=](const add_request& request) { return add(self, request); },
           [=](const rename_request& request) { return rename(self, request); },
@@ -333,6 +336,9 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
           [=](const delete_request& request) { return delete_document(self, request); },
           [=](list_atom) { return list_documents(self); },
           [=](end_atom, const session_actor& session) { end_session(self, session); },
+          [=](rest_atom, const std::string& name, std::uint64_t number) {
+            end_temporary(self, name, number);
+          },
           [=](status_atom) { return status(self); },
           [=](catalog_atom) { return catalogue(self); }};
 }

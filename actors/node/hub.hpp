@@ -29,6 +29,8 @@ struct hub_parts {
   std::shared_ptr<page_cache> cache;
   std::string device = "auto";
   std::chrono::milliseconds unused_limit = actors::unused_limit;
+  /// So long after its session ended goes a document that has no name of its own.
+  std::chrono::milliseconds temporary_limit = std::chrono::hours(1);
   std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
   job_thread_actor reader = {};        ///< As `session_parts::reader`.
@@ -49,7 +51,9 @@ struct hub_state {
   std::deque<std::pair<std::string, std::string>> former;
   /// What sessions that ended left, by document, the latest first.
   std::list<std::pair<std::string, shared_remains>> remains;
-  std::uint64_t unnamed = 0;
+  /// Documents without a name of their own that nobody has open: by what message each goes.
+  std::map<std::string, std::uint64_t> temporary;
+  std::uint64_t temporaries = 0;  ///< Names and messages for them so far.
 
   static inline const char* name = "hub";
 };

@@ -12,25 +12,15 @@ namespace {
 /// While names change, a list is made anew so often; then it is what it is.
 constexpr int most_lists = 20;
 
-/// Work for a disk that holds up no commit.
-template <class Job>
-auto ask_disk(hub_pointer self, Job job) {
-  const auto& disk = self->state.disks.for_load();
-  ++*disk.jobs;
-  return self->request(disk.actor, std::chrono::minutes(10), std::move(job));
-}
-
 /// The present name of a document that is there and that nothing else is done with. Errors:
 /// `invalid_argument`, `not_found`; `conflict` while it comes, goes or gets another name.
 expected<std::string> settled_name(hub_state& state, const std::string& given) {
   if (auto ok = check_document_name(given); !ok)
     return fail(ok.error());
-  const auto busy = [&](const std::string& name) {
-    return state.opening.contains(name) || state.adding.contains(name);
-  };
-  const auto name = state.open.contains(given) || busy(given) ? given : present_name(state, given);
+  const auto name =
+    state.open.contains(given) || is_busy(state, given) ? given : present_name(state, given);
   const auto here = state.open.find(name);
-  if (busy(name) || (here != state.open.end() && state.renaming.contains(here->second)))
+  if (is_busy(state, name) || (here != state.open.end() && state.renaming.contains(here->second)))
     return fail(ec::conflict,
                 "the document " + name + " is being opened, closed, added, copied or renamed",
                 "Try again soon");
@@ -117,7 +107,7 @@ caf::result<document_list> list_documents(hub_pointer self) {
 /// that are opened, too: a file must not be opened beside the copying (`document_view`).
 caf::result<added_document> copy_document(hub_pointer self, const copy_request& request) {
   auto& state = self->state;
-  if (auto ok = check_document_name(request.name); !ok)
+  if (auto ok = check_lasting_name(request.name); !ok)
     return to_caf(ok.error());
   const auto from = settled_name(state, request.document);
   if (!from)
@@ -159,16 +149,12 @@ caf::result<added_document> copy_document(hub_pointer self, const copy_request& 
 
 // -- documents that go ---------------------------------------------------------------------------
 
-namespace {
-
 void take_deleted(hub_state& state, const std::string& name) {
   ++state.name_changes;
   std::erase_if(state.former,
                 [&](const auto& one) { return one.first == name || one.second == name; });
   state.remains.remove_if([&](const auto& one) { return one.first == name; });
 }
-
-}  // namespace
 
 /// The name is held among those that are opened: who opens it meanwhile waits, for a new document
 /// or for this one if it stays.

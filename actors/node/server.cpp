@@ -142,7 +142,7 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
                                                 : start_threads(system, options, cache, pages);
   const auto hub =
     system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device,
-                                     options.unused_limit,
+                                     options.unused_limit, options.temporary_limit,
                                      std::make_shared<result_memory>(options.result_bytes)});
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
   workers.for_each([&](worker_role, const auto& worker) {

@@ -36,6 +36,8 @@ struct server_options {
   std::chrono::milliseconds solve_limit{2 * 60 * 60 * 1000};
   /// A document that no client has open for so long is closed, and its memory is free.
   std::chrono::milliseconds unused_limit{120 * 1000};
+  /// So long after that goes a document to which nobody gave a name.
+  std::chrono::milliseconds temporary_limit{3600 * 1000};
   /// Bytes of uploads that wait for their import, of one connection and of all together.
   std::uint64_t upload_bytes = std::uint64_t{2} << 30;
   std::uint64_t all_upload_bytes = std::uint64_t{4} << 30;

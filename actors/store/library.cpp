@@ -20,6 +20,18 @@ expected<void> check_document_name(const std::string& name) {
   return {};
 }
 
+bool is_temporary(const std::string& name) {
+  std::string_view rest(name);
+  if (!rest.starts_with(temporary_prefix))
+    return false;
+  rest.remove_prefix(std::string_view(temporary_prefix).size());
+  const auto dash = rest.find('-');
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  };
+  return dash != rest.npos && is_number(rest.substr(0, dash)) && is_number(rest.substr(dash + 1));
+}
+
 document_list list_folder(const std::filesystem::path& folder) {
   document_list result;
   std::error_code code;

@@ -12,6 +12,13 @@ namespace tedit::actors {
 /// not begin with a dot.
 [[nodiscard]] expected<void> check_document_name(const std::string& name);
 
+/// How the names begin that the server makes for documents to which nobody gave one; two numbers
+/// with a dash between them follow.
+inline constexpr const char* temporary_prefix = "temporary-";
+
+/// Whether the name is one of those: its document goes some time after its last client.
+[[nodiscard]] bool is_temporary(const std::string& name);
+
 /// Bytes of a document's name.
 inline constexpr std::size_t longest_document_name = 64;
 

@@ -107,6 +107,7 @@ edit_timeout_s = 0.5
 import_timeout_s = 60
 solve_timeout_s = 604800
 close_unused_after_s = 9.5
+keep_unnamed_s = 60.5
 upload_bytes = 1048576
 all_upload_bytes = 17179869184
 result_bytes = 2097152
@@ -128,6 +129,7 @@ level = "debug"
   EXPECT_EQ(config->import_timeout_s, 60);
   EXPECT_EQ(config->solve_timeout_s, 604800);
   EXPECT_EQ(config->close_unused_after_s, 9.5);
+  EXPECT_EQ(config->keep_unnamed_s, 60.5);
   EXPECT_EQ(config->upload_bytes, 1 << 20);
   EXPECT_EQ(config->all_upload_bytes, std::int64_t{16} << 30);
   EXPECT_EQ(config->result_bytes, 2 << 20);

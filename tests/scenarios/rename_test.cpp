@@ -132,7 +132,7 @@ TEST_F(Rename, AskedForAgainIsDoneAlready) {
 }
 
 TEST_F(Rename, ADocumentWithoutANameOfItsOwnIsGivenOne) {
-  EXPECT_THAT(value(user->open("", true, false)).document, HasSubstr("unnamed-"));
+  EXPECT_THAT(value(user->open("", true, false)).document, HasSubstr("temporary-"));
   value(user->rename_document("wing"));
   EXPECT_TRUE(names().empty());
 

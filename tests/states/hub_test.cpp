@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Documents to which nobody gave a name, with the hub, sessions and stores as they are and real
+// files.
+#include <filesystem>
+
+#include "actors/node/hub.hpp"
+#include "actors/pages/page_store.hpp"
+#include "actors/session/session.hpp"
+#include "actors/store/document_lock.hpp"
+#include "actors/store/library.hpp"
+#include "tests/simulation/disks.hpp"
+#include "tests/simulation/server.hpp"
+#include "tests/states/fixture.hpp"
+
+namespace tedit::actors {
+namespace {
+
+using std::chrono::hours;
+using std::chrono::seconds;
+using ::testing::StartsWith;
+
+/// Sessions end after two seconds without a client, documents without a name a minute after that.
+class Hub : public States {
+protected:
+  Hub() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ =
+      std::filesystem::path(::testing::TempDir()) / "tedit_hub" / info->name() / "documents";
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    start();
+  }
+  ~Hub() override {
+    end();
+    std::filesystem::remove_all(folder_.parent_path());
+  }
+
+  void start() {
+    disks_ = std::make_unique<simulation::simulated_disks>(
+      time_, stage_.system(), std::make_shared<simulation::document_record>());
+    const auto cache = std::make_shared<page_cache>(std::size_t{1} << 20);
+    hub_parts parts{folder_, {}, stage_.system().spawn(make_page_store, cache), cache};
+    parts.disks = disks_->disks();
+    parts.unused_limit = seconds(2);
+    parts.temporary_limit = seconds(60);
+    hub_ = stage_.system().spawn(make_hub, parts);
+  }
+
+  /// As by kill -9.
+  void end() {
+    disks_->stop();
+    for (const auto& [name, session] : simulation::state_of<hub_state>(hub_).open)
+      simulation::cut_off(caf::actor_cast<caf::actor>(session));
+    simulation::cut_off(caf::actor_cast<caf::actor>(hub_));
+    stage_.drain();
+  }
+
+  caf::actor make_client() {
+    return stage_.system().spawn(
+      [](caf::event_based_actor* self, int) -> caf::behavior {
+        self->set_default_handler(caf::drop);
+        return {[](doing& one) { one.what(); }};
+      },
+      0);
+  }
+
+  answer<opened_document> open(const std::string& name) {
+    const auto got = ask<opened_document>(hub_, name);
+    pass(seconds(1));
+    return got;
+  }
+
+  /// A document without a name, and a client that has it open.
+  opened_document open_unnamed() {
+    auto made = open("").value();
+    attach(made);
+    return made;
+  }
+
+  void attach(const opened_document& document) {
+    const auto got = ask<session_snapshot>(document.session, attach_request{client_});
+    pass(milliseconds(10));
+    EXPECT_TRUE(got.is_success());
+  }
+
+  void leave(const opened_document& document) {
+    caf::anon_send(document.session, detach_atom::value, client_);
+  }
+
+  [[nodiscard]] bool is_there(const std::string& name) const {
+    return std::filesystem::exists(folder_ / (name + ".tedit"));
+  }
+
+  std::filesystem::path folder_;
+  std::unique_ptr<simulation::simulated_disks> disks_;
+  hub_actor hub_;
+  caf::actor client_ = make_client();
+};
+
+TEST(TemporaryNames, AreThoseThatTheServerMakes) {
+  EXPECT_TRUE(is_temporary("temporary-1764100000000000000-1"));
+  for (const auto* name : {"temporary", "temporary-", "temporary-1", "temporary-1-", "temporary--1",
+                           "temporary-1-2-3", "temporary-1-x", "my-temporary-1-2", "unnamed-1-2"})
+    EXPECT_FALSE(is_temporary(name)) << name;
+}
+
+TEST_F(Hub, ADocumentWithoutANameGoesAfterItsLastClient) {
+  const auto document = open_unnamed();
+  EXPECT_THAT(document.name, StartsWith("temporary-"));
+  pass(hours(5));
+  EXPECT_TRUE(is_there(document.name)) << "its client is there";
+
+  leave(document);
+  pass(seconds(58));
+  EXPECT_TRUE(is_there(document.name));
+  pass(seconds(10));
+
+  EXPECT_TRUE(list_folder(folder_).documents.empty());
+  const auto refusal = open(document.name).refusal();
+  EXPECT_EQ(refusal.code, ec::not_found);
+  EXPECT_THAT(refusal.message, HasSubstr("is gone: it had no name of its own"));
+  EXPECT_FALSE(refusal.remedy.empty());
+  EXPECT_TRUE(list_folder(folder_).documents.empty()) << "no empty one in its place";
+}
+
+TEST_F(Hub, OneThatNobodyEverCameToGoesToo) {
+  const auto document = open("").value();
+  pass(seconds(70));
+  EXPECT_FALSE(is_there(document.name));
+}
+
+TEST_F(Hub, WhoComesBackInTimeHasItAgainAndLeavesItAnew) {
+  const auto first = open_unnamed();
+  leave(first);
+  pass(seconds(40));
+
+  const auto again = open(first.name).value();
+  attach(again);
+  pass(hours(2));
+  EXPECT_TRUE(is_there(first.name));
+  leave(again);
+  pass(seconds(58));
+  EXPECT_TRUE(is_there(first.name)) << "the time begins anew";
+  pass(seconds(10));
+  EXPECT_FALSE(is_there(first.name));
+}
+
+TEST_F(Hub, ANameOfItsOwnKeepsADocument) {
+  const auto document = open_unnamed();
+  const auto renamed = ask<acknowledged>(hub_, rename_request{document.session, "bracket"});
+  pass(seconds(1));
+  ASSERT_TRUE(renamed.is_success());
+
+  leave(document);
+  pass(hours(5));
+
+  EXPECT_TRUE(is_there("bracket"));
+  EXPECT_EQ(open(document.name).value().name, "bracket") << "by its name of before, too";
+}
+
+TEST_F(Hub, ACopyStaysWithoutItsDocument) {
+  const auto document = open_unnamed();
+  const auto copied = ask<added_document>(hub_, copy_request{document.name, "bracket"});
+  pass(seconds(1));
+  ASSERT_TRUE(copied.is_success());
+
+  leave(document);
+  pass(seconds(70));
+
+  EXPECT_TRUE(is_there("bracket"));
+  EXPECT_FALSE(is_there(document.name));
+}
+
+TEST_F(Hub, AfterARestartItsClientHasTimeToComeBack) {
+  const auto document = open_unnamed();
+  end();
+  start();
+
+  pass(seconds(55));
+  EXPECT_TRUE(is_there(document.name));
+  pass(seconds(10));
+  EXPECT_FALSE(is_there(document.name));
+}
+
+TEST_F(Hub, OthersStayHoweverLongNobodyHasThemOpen) {
+  for (const auto* name : {"bracket", "unnamed-1764100000000000000-1"}) {
+    const auto document = open(name).value();
+    attach(document);
+    leave(document);
+  }
+  pass(hours(48));
+
+  EXPECT_TRUE(is_there("bracket"));
+  EXPECT_TRUE(is_there("unnamed-1764100000000000000-1")) << "as versions of before named them";
+}
+
+TEST_F(Hub, NobodyGivesADocumentSuchAName) {
+  const auto document = open("bracket").value();
+  attach(document);
+
+  const auto renamed = ask<acknowledged>(hub_, rename_request{document.session, "temporary-1-1"});
+  const auto copied = ask<added_document>(hub_, copy_request{"bracket", "temporary-1-1"});
+  const auto added = ask<added_document>(hub_, add_request{"temporary-1-1", false, {}, nullptr});
+  pass(seconds(1));
+
+  for (const auto& refusal : {renamed.refusal(), copied.refusal(), added.refusal()}) {
+    EXPECT_EQ(refusal.code, ec::invalid_argument);
+    EXPECT_THAT(refusal.message, HasSubstr("go after their last client"));
+    EXPECT_THAT(refusal.remedy, HasSubstr("another name"));
+  }
+}
+
+TEST_F(Hub, OneThatAnotherProgramHoldsStays) {
+  const auto document = open_unnamed();
+  end();
+  const auto lock = store::document_lock::take(folder_ / (document.name + ".tedit"));
+  ASSERT_TRUE(lock.has_value());
+  start();
+
+  pass(seconds(70));
+
+  EXPECT_TRUE(is_there(document.name));
+}
+
+}  // namespace
+}  // namespace tedit::actors
