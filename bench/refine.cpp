@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A finer mesh of the same part: each tet is cut into eight at the middles of its edges.
 // usage: bench_refine MESH OUT.msh
+#include <algorithm>
 #include <cstdio>
 #include <unordered_map>
 

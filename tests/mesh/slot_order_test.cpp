@@ -48,7 +48,7 @@ raw_mesh shuffled(const mesh_version& mesh) {
 }
 
 /// 6 * 12^3 = 10,368 tets: three pages of 4096.
-version_ptr block() {
+version_ptr three_pages() {
   return test::box_mesh({12, 12, 12}, {.012, .012, .012});
 }
 
@@ -65,8 +65,8 @@ std::size_t tet_pages_within(const mesh_version& mesh, double side) {
 
 TEST(MortonCurve, InterleavesTheBitsOfThreeCoordinates) {
   box extents;
-  extents.add({0, 0, 0});
-  extents.add({2097151, 0, 1});  // A cell is a metre.
+  extents.add(vec3{0, 0, 0});
+  extents.add(vec3{2097151, 0, 1});  // A cell is a metre.
   const morton_curve curve(extents);
 
   EXPECT_EQ(curve.code({0, 0, 0}), 0u);
@@ -77,7 +77,7 @@ TEST(MortonCurve, InterleavesTheBitsOfThreeCoordinates) {
 }
 
 TEST(SlotOrder, PutsNeighboursIntoThePagesOfNeighbours) {
-  const auto raw = shuffled(*block());
+  const auto raw = shuffled(*three_pages());
 
   const auto given = build_version(raw, 1)->version;
   const auto sorted = build_version(raw, 1, slot_order::along_curve)->version;
@@ -88,7 +88,7 @@ TEST(SlotOrder, PutsNeighboursIntoThePagesOfNeighbours) {
 }
 
 TEST(SlotOrder, KeepsTheOrderOfTheFileForFiles) {
-  const auto raw = shuffled(*block());
+  const auto raw = shuffled(*three_pages());
 
   const auto mesh = build_version(raw, 1, slot_order::along_curve)->version;
 
@@ -114,7 +114,7 @@ TEST(SlotOrder, OfAPageOfTetsIsThatOfTheFile) {
 }
 
 TEST(SlotOrder, OfAnEditedMeshPutsWhatIsNewBehind) {
-  const auto raw = shuffled(*block());
+  const auto raw = shuffled(*three_pages());
   const auto before = build_version(raw, 1, slot_order::along_curve)->version;
 
   const auto after = test::split(before, [](tet_id t) { return t % 1000 == 0; });
@@ -131,7 +131,7 @@ TEST(SlotOrder, OfAnEditedMeshPutsWhatIsNewBehind) {
 }
 
 TEST(SlotOrder, TravelsWithTheManifest) {
-  const auto raw = shuffled(*block());
+  const auto raw = shuffled(*three_pages());
   const auto mesh = build_version(raw, 1, slot_order::along_curve)->version;
   std::map<hash128, page_ptr> pages;
   mesh->for_each_page([&](const page_ptr& p) { pages[p->id()] = p; });
@@ -152,7 +152,7 @@ TEST(SlotOrder, TravelsWithTheManifest) {
 }
 
 TEST(SlotOrder, FaultsAreToldByTheNumbersOfTheFile) {
-  auto raw = shuffled(*block());
+  auto raw = shuffled(*three_pages());
   for (std::uint64_t t = 0; t < raw.tets.size(); ++t)
     raw.tet_numbers.push_back(100000 + t);
   raw.tets[5] = raw.tets[9];
