@@ -60,10 +60,16 @@ bool is_flat(const std::array<vec3, 4>& c, double volume) {
   return std::abs(volume) <= 1e-10 * longest2 * std::sqrt(longest2);
 }
 
-std::string list_of(const std::vector<tet_id>& tets) {
+/// Where a tet stands in the file that the mesh came from: what people can look up.
+std::uint32_t place_in_file(const mesh_version& mesh, tet_id t) {
+  const auto& order = mesh.data().tet_order;
+  return t < order.size() ? order[t] : t;
+}
+
+std::string list_of(const mesh_version& mesh, const std::vector<tet_id>& tets) {
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(tets.size(), 8); ++i)
-    text += (i ? ", " : "") + std::to_string(tets[i]);
+    text += (i ? ", " : "") + std::to_string(place_in_file(mesh, tets[i]));
   return tets.size() > 8 ? text + ", ..." : text;
 }
 
@@ -154,10 +160,11 @@ expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> te
     else if (volume < 0)
       inverted.push_back(tets[i]);
   });
-  const auto refuse = [&](ec code, const std::vector<tet_id>& bad, const char* what) {
+  const auto refuse = [&](ec code, std::vector<tet_id> bad, const char* what) {
+    std::ranges::sort(bad, {}, [&](tet_id t) { return place_in_file(mesh, t); });
     const auto c = mesh.corners(bad.front());
     const vec3 at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
-    return fail(code, std::to_string(bad.size()) + " tets " + what + ": tet " + list_of(bad),
+    return fail(code, std::to_string(bad.size()) + " tets " + what + ": tet " + list_of(mesh, bad),
                 "Repair or remesh the part there", "first at " + place_text(at));
   };
   if (!inverted.empty())

@@ -298,7 +298,13 @@ TEST_P(ThoroughOnParts, TheRegionAroundASurfaceGetsBetterAndPassesTheChecks) {
 
     ASSERT_TRUE(done.has_value()) << render(done.error());
     EXPECT_GE(done->improvement.min_after, done->improvement.min_before * (1 - 1e-12));
-    EXPECT_GE(done->improvement.after->mean_ratio, done->improvement.before->mean_ratio);
+    const auto& before = *done->improvement.before;
+    const auto& after = *done->improvement.after;
+    EXPECT_GE(after.ratio_1pct, before.ratio_1pct);
+    // Vertices that mend the worst tets have tets of their own, which may lie below the mean.
+    if (after.tets <= before.tets) {
+      EXPECT_GE(after.mean_ratio, before.mean_ratio);
+    }
     EXPECT_LE(check_version(*done->version).total, check_version(*mesh).total);
     EXPECT_EQ(done->version->surfaces().size(), mesh->surfaces().size());
     if (tolerance == 0) {
