@@ -17,7 +17,6 @@ namespace {
 
 using std::chrono::hours;
 using std::chrono::seconds;
-using ::testing::StartsWith;
 
 /// Sessions end after two seconds without a client, documents without a name a minute after that.
 class Hub : public States {
@@ -70,9 +69,16 @@ protected:
     return got;
   }
 
-  /// A document without a name, and a client that has it open.
+  /// A document has a file from its first change on.
+  void put_file(const std::string& name) {
+    std::filesystem::copy_file(TEDIT_TEST_DATA "/documents/cube_format_1.tedit",
+                               folder_ / (name + ".tedit"));
+  }
+
+  /// A document without a name of its own, and a client that has it open.
   opened_document open_unnamed() {
-    auto made = open("").value();
+    put_file("temporary-1764100000000000000-1");
+    auto made = open("temporary-1764100000000000000-1").value();
     attach(made);
     return made;
   }
@@ -106,7 +112,6 @@ TEST(TemporaryNames, AreThoseThatTheServerMakes) {
 
 TEST_F(Hub, ADocumentWithoutANameGoesAfterItsLastClient) {
   const auto document = open_unnamed();
-  EXPECT_THAT(document.name, StartsWith("temporary-"));
   pass(hours(5));
   EXPECT_TRUE(is_there(document.name)) << "its client is there";
 
@@ -123,10 +128,21 @@ TEST_F(Hub, ADocumentWithoutANameGoesAfterItsLastClient) {
   EXPECT_TRUE(list_folder(folder_).documents.empty()) << "no empty one in its place";
 }
 
+TEST_F(Hub, EachThatIsOpenedWithoutANameGetsOneOfThese) {
+  const auto first = open("").value();
+  const auto second = open("").value();
+
+  EXPECT_TRUE(is_temporary(first.name)) << first.name;
+  EXPECT_TRUE(is_temporary(second.name)) << second.name;
+  EXPECT_NE(first.name, second.name);
+  EXPECT_EQ(open(first.name).value().session, first.session);
+}
+
 TEST_F(Hub, OneThatNobodyEverCameToGoesToo) {
-  const auto document = open("").value();
+  put_file("temporary-1764100000000000000-1");
+  open("temporary-1764100000000000000-1");
   pass(seconds(70));
-  EXPECT_FALSE(is_there(document.name));
+  EXPECT_FALSE(is_there("temporary-1764100000000000000-1"));
 }
 
 TEST_F(Hub, WhoComesBackInTimeHasItAgainAndLeavesItAnew) {
@@ -184,6 +200,7 @@ TEST_F(Hub, AfterARestartItsClientHasTimeToComeBack) {
 
 TEST_F(Hub, OthersStayHoweverLongNobodyHasThemOpen) {
   for (const auto* name : {"bracket", "unnamed-1764100000000000000-1"}) {
+    put_file(name);
     const auto document = open(name).value();
     attach(document);
     leave(document);
