@@ -39,7 +39,7 @@ expected<void> check_lasting_name(const std::string& name) {
 error ended_document(const std::string& name) {
   return {ec::not_found,
           "the document " + name + " is gone: it had no name of its own, and no client had it open",
-          "Open a new one; RenameDocument makes a document stay",
+          "Open a new one, and give it a name of its own to keep it",
           {}};
 }
 

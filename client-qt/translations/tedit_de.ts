@@ -4919,6 +4919,22 @@
         <source>the document %1 is being deleted</source>
         <translation>Das Dokument %1 wird gerade gelöscht</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is a name for documents that go after their last client</source>
+        <translation>„%1“ ist ein Name für Dokumente, die nach ihrem letzten Benutzer verschwinden</translation>
+    </message>
+    <message>
+        <source>Open a new one, and give it a name of its own to keep it</source>
+        <translation>Ein neues öffnen und ihm einen eigenen Namen geben, damit es bleibt</translation>
+    </message>
+    <message>
+        <source>Take another name: with one of your own a document stays</source>
+        <translation>Einen anderen Namen nehmen: mit einem eigenen bleibt ein Dokument</translation>
+    </message>
+    <message>
+        <source>the document %1 is gone: it had no name of its own, and no client had it open</source>
+        <translation>das Dokument %1 ist nicht mehr da: es hatte keinen eigenen Namen, und niemand hatte es offen</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
