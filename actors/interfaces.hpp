@@ -99,6 +99,8 @@ struct worker_set {
 using disk_actor = caf::typed_actor<
   // Opens the document and reads all of it.
   caf::replies_to<load_atom, shared_file>::with<stored_document>,
+  // Reads one version of an open document.
+  caf::replies_to<load_atom, shared_file, version_query>::with<stored_version>,
   // Writes one transaction; the answer means that it is durable.
   caf::replies_to<shared_file, stored_change>::with<acknowledged>,
   // The whole document as one file.
@@ -129,6 +131,8 @@ using disk_actor = caf::typed_actor<
 using store_actor = caf::typed_actor<
   // Reads the whole document, pages included; asked once, when it is opened.
   caf::replies_to<load_atom>::with<stored_document>,
+  // The mesh of one version, after that.
+  caf::replies_to<load_atom, version_query>::with<stored_version>,
   // Writes one transaction; the answer means that it is durable.
   caf::replies_to<stored_change>::with<acknowledged>,
   // The whole document as one file, as it is after the commits before this.

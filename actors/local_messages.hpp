@@ -280,6 +280,8 @@ struct session_history {
   std::uint32_t head = 0;
 };
 
+class page_cache;
+
 /// What a session has that its document does not (actors/session/session.hpp).
 struct session_remains;
 using shared_remains = std::shared_ptr<session_remains>;
@@ -312,13 +314,25 @@ struct document_file {
 };
 using shared_file = std::shared_ptr<document_file>;
 
-/// A version as it stands in a document, with its mesh.
+/// A version as it stands in a document.
 struct graph_node {
   version_info info;
-  version_ptr mesh;
+  version_ptr mesh;  ///< Null where it is only in the document, or kept elsewhere.
   shared_load_cases load_cases = no_load_cases();
   shared_report report;               ///< Null for imports.
   std::optional<std::uint32_t> redo;  ///< The child that a redo goes to.
+};
+
+/// A version's mesh is wanted. Pages that are known are not read.
+struct version_query {
+  std::uint32_t number = 0;
+  hash128 id;
+  std::shared_ptr<page_cache> known;
+};
+
+struct stored_version {
+  version_ptr mesh;
+  std::uint64_t read_bytes = 0;  ///< Of pages that nobody had.
 };
 
 /// What a document holds when it is opened.
@@ -449,6 +463,8 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::server_status)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::shared_file)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_change)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_document)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::stored_version)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::version_query)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::opened_document)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::add_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::adoption)

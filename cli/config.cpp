@@ -186,6 +186,7 @@ const std::vector<option>& options() {
     {"limits", "upload_bytes", bytes(&c::upload_bytes)},
     {"limits", "all_upload_bytes", bytes(&c::all_upload_bytes)},
     {"limits", "result_bytes", bytes(&c::result_bytes)},
+    {"limits", "version_bytes", bytes(&c::version_bytes)},
     {"log", "level", text(&c::log_level, level_fault)},
   };
   return list;

@@ -36,6 +36,7 @@ struct server_config {
   std::int64_t upload_bytes = std::int64_t{2} << 30;
   std::int64_t all_upload_bytes = std::int64_t{4} << 30;
   std::int64_t result_bytes = std::int64_t{512} << 20;
+  std::int64_t version_bytes = std::int64_t{512} << 20;
   // [log]
   std::string log_level = "info";  ///< In the file: level.
 

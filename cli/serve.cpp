@@ -53,6 +53,7 @@ server_options to_server_options(const server_config& config) {
   options.upload_bytes = static_cast<std::uint64_t>(config.upload_bytes);
   options.all_upload_bytes = static_cast<std::uint64_t>(config.all_upload_bytes);
   options.result_bytes = static_cast<std::uint64_t>(config.result_bytes);
+  options.version_bytes = static_cast<std::uint64_t>(config.version_bytes);
   return options;
 }
 

@@ -61,6 +61,7 @@ void start_opening(hub_pointer self, const std::string& name) {
                             caf::actor_cast<caf::actor>(self),
                             with.unused_limit,
                             with.results,
+                            with.versions,
                             take_remains(self->state, name),
                             with.reader};
         const auto session = self->spawn<caf::linked>(make_session, std::move(parts), stored);
@@ -246,6 +247,7 @@ caf::result<server_status> status(hub_pointer self) {
   const auto pages = parts.cache->usage();
   all->result.memory = {{"documents", pages.known, 0},
                         {"recent pages", pages.recent, pages.budget},
+                        {"versions", parts.versions->used(), parts.versions->budget()},
                         {"results", parts.results->used(), parts.results->budget()}};
   self->state.parts.workers.for_each([=](worker_role role, const auto& worker) {
     const auto receive = [=](const worker_status& one) {

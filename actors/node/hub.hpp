@@ -32,6 +32,7 @@ struct hub_parts {
   /// So long after its session ended goes a document that has no name of its own.
   std::chrono::milliseconds temporary_limit = std::chrono::hours(1);
   std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
+  std::shared_ptr<version_memory> versions = std::make_shared<version_memory>(version_bytes);
   std::optional<disk_set> disks = {};  ///< None: the hub makes its own.
   job_thread_actor reader = {};        ///< As `session_parts::reader`.
 };

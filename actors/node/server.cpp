@@ -143,7 +143,8 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   const auto hub =
     system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device,
                                      options.unused_limit, options.temporary_limit,
-                                     std::make_shared<result_memory>(options.result_bytes)});
+                                     std::make_shared<result_memory>(options.result_bytes),
+                                     std::make_shared<version_memory>(options.version_bytes)});
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));

@@ -43,6 +43,8 @@ struct server_options {
   std::uint64_t all_upload_bytes = std::uint64_t{4} << 30;
   /// Bytes of the fields of results that are kept for undo and for documents that are opened again.
   std::uint64_t result_bytes = std::uint64_t{512} << 20;
+  /// Bytes of versions other than the heads of open documents that are kept for undo.
+  std::uint64_t version_bytes = std::uint64_t{512} << 20;
 };
 
 /// The whole server: gateway, hub, sessions, page store, workers or their pools. It runs on threads

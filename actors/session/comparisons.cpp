@@ -41,8 +41,8 @@ struct comparison_work {
   std::string load_case;  ///< Whose difference is wanted.
 };
 
-compared_side side_of(const graph_node& node) {
-  return {node.info.number, node.mesh, node.load_cases};
+compared_side side_of(const graph_node& node, const version_ptr& mesh) {
+  return {node.info.number, mesh, node.load_cases};
 }
 
 /// All load cases of both: those of after, then those that only before has.
@@ -151,8 +151,8 @@ caf::result<compared> session_state::compare(const comparison_request& request) 
                      "there is no version " + std::to_string(number),
                      "The history lists those that there are",
                      {}});
-  const auto cases =
-    all_cases(side_of(graph.nodes()[request.before]), side_of(graph.nodes()[request.after]));
+  const auto cases = all_cases(side_of(graph.nodes()[request.before], {}),
+                               side_of(graph.nodes()[request.after], {}));
   if (!request.load_case.empty() && std::ranges::count(cases, request.load_case) == 0)
     return to_caf(no_such_case(request, cases));
   auto promise = self->make_response_promise<compared>();
@@ -202,8 +202,8 @@ expected<std::pair<solved, solved>> session_state::results_to_compare(
   for (const auto* a : was)
     for (const auto* b : is)
       if (a->key.element_order == b->key.element_order) {
-        auto first = with_fields(*a);
-        auto second = with_fields(*b);
+        auto first = with_fields(*a, nullptr);
+        auto second = with_fields(*b, nullptr);
         if (first && second)
           return std::pair(std::move(*first), std::move(*second));
         return fail(no_field(first ? after : before));
@@ -213,13 +213,24 @@ expected<std::pair<solved, solved>> session_state::results_to_compare(
               "Solve both with the same element order, then compare again");
 }
 
-/// The fields are those at hand when its turn has come.
 void session_state::begin_comparison() {
   const auto run = comparisons.front();
+  const auto refuse = [=, this](const error& e) { end_comparison(run, fail(e)); };
+  const auto take_after = [=, this](const version_ptr& before) {
+    with_mesh(
+      run->asked.after, [=, this](const version_ptr& after) { run_comparison(run, before, after); },
+      refuse);
+  };
+  with_mesh(run->asked.before, take_after, refuse);
+}
+
+/// The fields are those at hand when its turn has come.
+void session_state::run_comparison(const std::shared_ptr<comparison_run>& run,
+                                   const version_ptr& before_mesh, const version_ptr& after_mesh) {
   const auto& before = graph.nodes()[run->asked.before];
   const auto& after = graph.nodes()[run->asked.after];
-  auto work = std::make_shared<comparison_work>(
-    comparison_work{side_of(before), side_of(after), {}, {}, run->asked.load_case});
+  auto work = std::make_shared<comparison_work>(comparison_work{
+    side_of(before, before_mesh), side_of(after, after_mesh), {}, {}, run->asked.load_case});
   for (const auto& load_case : all_cases(work->before, work->after)) {
     if (auto found = results_to_compare(before, after, load_case))
       work->pairs.push_back({load_case, std::move(found->first), std::move(found->second)});

@@ -6,6 +6,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/session/candidate.hpp"
+#include "actors/store/loading.hpp"
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
 #include "mesh/formats.hpp"
@@ -42,14 +43,6 @@ asked_change asked_by(const move_request& request) {
 bool keeps_fields(const std::string& format) {
   const auto* row = find_format(format);
   return row && row->keeps.fields;
-}
-
-void describe_mesh(graph_node& node, version_ptr mesh) {
-  node.info.id = mesh->id();
-  node.info.tets = mesh->tet_count();
-  node.info.vertices = mesh->vertex_count();
-  node.info.boundary_facets = mesh->facet_count();
-  node.mesh = std::move(mesh);
 }
 
 }  // namespace
@@ -191,10 +184,15 @@ void session_state::commit_node(graph_node node, past_change made, const std::st
   change.what = made.what;
   change.details = made.to_details(how);
   parts.cache->put(*node.mesh);
+  std::uint64_t bytes = 0;
+  for (const auto& p : change.new_pages)
+    bytes += p->bytes().size();
   auto shared = std::make_shared<graph_node>(std::move(node));
   commit(
     std::move(change),
     [=, this](double ms) mutable {
+      leave_head();
+      nearby[shared->info.number].bytes = bytes;
       graph.add(std::move(*shared));
       show_head(made, ms, std::move(asked_by));
     },
@@ -248,19 +246,36 @@ void session_state::begin_move(const move_request& request,
     promise.deliver(to_caf(target.error()));
     return finish_command();
   }
+  with_mesh(
+    target->number,
+    [=, this, target = *target](const version_ptr& mesh) {
+      commit_move(request, target, mesh, promise);
+    },
+    [=, this](const error& e) mutable {
+      promise.deliver(to_caf(e));
+      finish_command();
+    });
+}
+
+void session_state::commit_move(const move_request& request, const version_graph::target& target,
+                                const version_ptr& mesh,
+                                caf::typed_response_promise<head_moved> promise) {
+  const auto asked = asked_by(request);
   auto made = begin_change(request.terms, asked);
-  made.version = target->number;
+  made.version = target.number;
   store::change change;
-  change.head = target->number;
+  change.head = target.number;
   change.what = made.what;
   change.details = made.to_details(asked.how);
-  change.redo.assign(target->redo.begin(), target->redo.end());
+  change.redo.assign(target.redo.begin(), target.redo.end());
   commit(
     std::move(change),
-    [=, this, target = *target](double ms) mutable {
+    [=, this](double ms) mutable {
       for (const auto& [number, child] : target.redo)
         graph.set_redo(number, child);
-      graph.move_to(target.number);
+      leave_head();
+      graph.move_to(target.number, mesh);
+      nearby[target.number].kept.reset();
       show_head(made, ms, {request.client, std::move(promise)});
     },
     [=, this](const error& e) mutable {
@@ -281,42 +296,52 @@ caf::result<exported> session_state::write_file(const export_request& request) {
                     : error{ec::not_found, "there is no version " + request.version, {}, {}});
   const auto promise = std::make_shared<caf::typed_response_promise<exported>>(
     self->make_response_promise<exported>());
+  const auto number = node->info.number;
+  with_mesh(
+    number,
+    [=, this](const version_ptr& mesh) {
+      write_version(request, graph.nodes()[number], mesh, promise);
+    },
+    [=](const error& e) { promise->deliver(to_caf(e)); });
+  return *promise;
+}
+
+void session_state::write_version(const export_request& request, const graph_node& node,
+                                  const version_ptr& mesh,
+                                  std::shared_ptr<caf::typed_response_promise<exported>> promise) {
   const auto job = new_job(request.ticket, request.client);
-  export_order order{base_order(request.client), make_ref(node->mesh), {}, {}, request.format,
+  export_order order{base_order(request.client), make_ref(mesh), {}, {}, request.format,
                      request.length_unit};
   const auto file_name =
-    parts.document + "_v" + std::to_string(node->info.number) + "." + request.format;
-  const auto* result = result_of(*node);
-  if (!result || !keeps_fields(request.format)) {
-    send_export(job, order, file_name, promise);
-    return *promise;
-  }
+    parts.document + "_v" + std::to_string(node.info.number) + "." + request.format;
+  const auto* result = result_of(node);
+  if (!result || !keeps_fields(request.format))
+    return send_export(job, order, file_name, promise, mesh);
   fetch_all_fields(
-    *result, order.base,
+    *result, mesh, order.base,
     [=, this](const solve_result& fields, const page_set& pages) mutable {
       order.fields = fields.fields;
       order.fields.insert(order.fields.end(), fields.more.begin(), fields.more.end());
       order.outcome = fields.outcome;
-      send_export(job, order, file_name, promise, pages);
+      send_export(job, order, file_name, promise, mesh, pages);
     },
     [=, this](const error& e) {
       progress_of.erase(job);
       promise->deliver(to_caf(e));
     });
-  return *promise;
 }
 
 void session_state::send_export(job_id job, const export_order& order, const std::string& file_name,
                                 std::shared_ptr<caf::typed_response_promise<exported>> promise,
-                                const page_set& held, int retries) {
+                                const version_ptr& mesh, const page_set& held, int retries) {
   const auto refuse = [=, this](const error& e) {
     progress_of.erase(job);
     promise->deliver(to_caf(e));
   };
-  // The order names the fields' pages: they are held here until the worker has read them.
+  // The order names the pages of both: they are held here until the worker has read them.
   self->request(parts.workers.modeling, answer_limit, job, order)
     .then(
-      [=, this, until_now = held](const export_result& result) {
+      [=, this, mesh = mesh, until_now = held](const export_result& result) {
         pull(
           result.source, result.pages,
           [=, this](const page_set& pages) {
@@ -329,7 +354,7 @@ void session_state::send_export(job_id job, const export_order& order, const std
           [=, this](const error& e) {  // The worker may have died after it answered.
             if (!worth_a_retry(e) || retries >= most_retries)
               return refuse(e);
-            send_export(job, order, file_name, promise, until_now, retries + 1);
+            send_export(job, order, file_name, promise, mesh, until_now, retries + 1);
           });
       },
       [=](const caf::error& e) { refuse(from_caf(e, "writing the file")); });

@@ -15,8 +15,9 @@ void session_state::start(session_pointer owner, session_parts with, stored_docu
   parts = std::move(with);
   past = change_log(stored.log);
   graph = version_graph(std::move(stored));
-  for (const auto& node : graph.nodes())
-    parts.cache->put(*node.mesh);
+  if (const auto* head = graph.head())
+    parts.cache->put(*head->mesh);
+  begin_meshes();
   if (const auto before = std::exchange(parts.remains, nullptr))
     take_over(*before);
   look_later();
@@ -60,20 +61,28 @@ session_history session_state::history(const history_request& request) const {
   return result;
 }
 
-caf::result<session_version> session_state::version(const version_request& request) const {
+caf::result<session_version> session_state::version(const version_request& request) {
   if (request.number >= graph.nodes().size())
     return to_caf({ec::not_found,
                    "there is no version " + std::to_string(request.number),
                    "The history lists those that there are",
                    {}});
-  return session_version{parts.document, request.number, graph.nodes()[request.number].mesh};
+  const auto promise = std::make_shared<caf::typed_response_promise<session_version>>(
+    self->make_response_promise<session_version>());
+  with_mesh(
+    request.number,
+    [=, this, number = request.number](const version_ptr& mesh) {
+      promise->deliver(session_version{parts.document, number, mesh});
+    },
+    [=](const error& e) { promise->deliver(to_caf(e)); });
+  return *promise;
 }
 
 // -- its end -----------------------------------------------------------------------------------
 
 bool session_state::is_unused() const {
   return subscribers.empty() && !running && waiting.empty() && previews.empty() && !active &&
-         progress_of.empty() && comparisons.empty() && copying == 0 && !ended;
+         progress_of.empty() && comparisons.empty() && copying == 0 && loading == 0 && !ended;
 }
 
 void session_state::look_later() {
@@ -102,8 +111,6 @@ caf::result<shared_remains> session_state::end() {
       [=, this](acknowledged) {
         auto remains = std::make_shared<session_remains>();
         remains->results = std::move(results);
-        for (auto& one : remains->results)
-          one.event.version.reset();  // The next session has it from the document.
         remains->followed = followed;
         promise->deliver(std::move(remains));
         self->quit();

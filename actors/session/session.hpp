@@ -14,8 +14,8 @@
 
 #include "actors/interfaces.hpp"
 #include "actors/pages/page_cache.hpp"
+#include "actors/session/bounded_memory.hpp"
 #include "actors/session/change_log.hpp"
-#include "actors/session/result_memory.hpp"
 #include "actors/session/version_graph.hpp"
 #include "actors/worker/job_thread.hpp"
 #include "base/stopwatch.hpp"
@@ -35,6 +35,9 @@ inline constexpr std::chrono::seconds unused_limit{120};
 /// Bytes of the fields of results that a server keeps.
 inline constexpr std::uint64_t result_bytes = std::uint64_t{512} << 20;
 
+/// Bytes of versions other than the heads that a server keeps at hand.
+inline constexpr std::uint64_t version_bytes = std::uint64_t{512} << 20;
+
 /// What a session works with.
 struct session_parts {
   std::string document;
@@ -47,6 +50,7 @@ struct session_parts {
   std::chrono::milliseconds unused_limit = actors::unused_limit;
   /// Shared by all sessions of a server.
   std::shared_ptr<result_memory> results = std::make_shared<result_memory>(result_bytes);
+  std::shared_ptr<version_memory> versions = std::make_shared<version_memory>(version_bytes);
   shared_remains remains = {};   ///< Of the session before; may be null.
   job_thread_actor reader = {};  ///< Does what reads much; null: each has a thread of its own.
 };
@@ -54,10 +58,10 @@ struct session_parts {
 struct session_state;
 using session_pointer = session_actor::stateful_pointer<session_state>;
 
-/// The state of a session. Its members are what the handlers call; they are split over seven
+/// The state of a session. Its members are what the handlers call; they are split over eight
 /// files: session.cpp (subscribers, queue, history), edits.cpp (everything that moves the head),
-/// changes.cpp (what every change must pass), candidates.cpp (operations, previews), notes.cpp
-/// (what makes no new version), solves.cpp and comparisons.cpp.
+/// changes.cpp (what every change must pass), meshes.cpp (meshes of versions), candidates.cpp
+/// (operations, previews), notes.cpp (what makes no new version), solves.cpp and comparisons.cpp.
 struct session_state {
   /// Something that changes the document. One at a time, in the order of arrival.
   struct command {
@@ -128,7 +132,7 @@ struct session_state {
   /// A result, with what is needed to write it to a file.
   struct kept_result {
     solve_key key;
-    solved event;  ///< Without its fields.
+    solved event;  ///< Without its fields and its mesh.
     solve_result fields;
     result_memory::handle shown;  ///< The fields, as long as there is room for them.
   };
@@ -139,7 +143,7 @@ struct session_state {
   caf::result<session_snapshot> attach(const attach_request& request);
   void detach(const caf::actor& subscriber);
   [[nodiscard]] session_history history(const history_request& request) const;
-  [[nodiscard]] caf::result<session_version> version(const version_request& request) const;
+  caf::result<session_version> version(const version_request& request);
   void cancel(std::uint64_t ticket);
   /// Whether nobody has the document open and nothing is done for it.
   [[nodiscard]] bool is_unused() const;
@@ -171,11 +175,11 @@ struct session_state {
   caf::result<head_moved> edit(const apply_request& request);
   caf::result<head_moved> move(const move_request& request);
   caf::result<exported> write_file(const export_request& request);
-  /// The rest of an export, once this process has all pages that its order names; `held`: those
-  /// that nobody else holds.
+  /// The rest of an export, once this process has all pages that its order names, of `mesh` and
+  /// `held`, which nobody else may hold.
   void send_export(job_id job, const export_order& order, const std::string& file_name,
                    std::shared_ptr<caf::typed_response_promise<exported>> promise,
-                   const page_set& held = {}, int retries = 0);
+                   const version_ptr& mesh, const page_set& held = {}, int retries = 0);
   caf::result<selected> select(const select_request& request);
 
   void begin_import(const std::shared_ptr<import_run>& run);
@@ -186,7 +190,24 @@ struct session_state {
   void commit_node(graph_node node, past_change made, const std::string& how, head_waiter asked_by);
   void show_head(const past_change& made, double commit_ms, head_waiter asked_by);
   void begin_move(const move_request& request, caf::typed_response_promise<head_moved> promise);
+  void commit_move(const move_request& request, const version_graph::target& target,
+                   const version_ptr& mesh, caf::typed_response_promise<head_moved> promise);
+  void write_version(const export_request& request, const graph_node& node, const version_ptr& mesh,
+                     std::shared_ptr<caf::typed_response_promise<exported>> promise);
   [[nodiscard]] head_moved describe(const graph_node& node, const std::string& cause) const;
+
+  // -- meshes.cpp -----------------------------------------------------------------------------
+
+  /// The document is open: its head is there.
+  void begin_meshes();
+  /// The head is about to be another version: its mesh stays at hand.
+  void leave_head();
+  /// Null when it is only in the document. Counts as a use.
+  [[nodiscard]] version_ptr mesh_at_hand(std::uint32_t number);
+  /// Calls `use` at once when the mesh is at hand, else once it was read. @pre there is the
+  /// version.
+  void with_mesh(std::uint32_t number, std::function<void(const version_ptr&)> use,
+                 std::function<void(const error&)> refuse);
 
   // -- what every change must pass (changes.cpp) -----------------------------------------------
 
@@ -235,8 +256,9 @@ struct session_state {
 
   caf::result<solved> solve(const solve_request& request);
   [[nodiscard]] held_result held() const;
-  /// The result with its fields; nothing when they had to give way.
-  [[nodiscard]] std::optional<solved> with_fields(const kept_result& result) const;
+  /// The result, of this mesh, with its fields; nothing when they had to give way.
+  [[nodiscard]] std::optional<solved> with_fields(const kept_result& result,
+                                                  const version_ptr& mesh) const;
   /// The last result of a version with load cases that it has now: after a change of loads the old
   /// field would lie. Null when there is none.
   [[nodiscard]] const kept_result* result_of(const graph_node& node) const;
@@ -245,7 +267,7 @@ struct session_state {
   void take_over(session_remains& before);
   /// Has all fields of a result, those that only files have, too, in this process: from the worker
   /// that solved, or, where that has gone or forgotten them, by solving once more.
-  void fetch_all_fields(const kept_result& result, const order_base& base,
+  void fetch_all_fields(const kept_result& result, const version_ptr& mesh, const order_base& base,
                         std::function<void(const solve_result&, const page_set&)> use,
                         std::function<void(const error&)> refuse);
   [[nodiscard]] solve_order order_of(const solve_key& key, const version_ptr& mesh,
@@ -283,6 +305,8 @@ struct session_state {
   caf::result<compared> compare(const comparison_request& request);
   /// The first of those that wait.
   void begin_comparison();
+  void run_comparison(const std::shared_ptr<comparison_run>& run, const version_ptr& before,
+                      const version_ptr& after);
   void end_comparison(const std::shared_ptr<comparison_run>& run, expected<compared> result);
   /// Ends a comparison early; whether there was one with this ticket.
   bool leave_comparison(std::uint64_t ticket);
@@ -294,6 +318,12 @@ struct session_state {
   /// Two that may be compared. Errors: which version has no field, or why they do not fit.
   [[nodiscard]] expected<std::pair<solved, solved>> results_to_compare(
     const graph_node& before, const graph_node& after, const std::string& load_case) const;
+
+  /// A version other than the head that was used lately.
+  struct near_version {
+    version_memory::handle kept;  ///< Null while it is the head.
+    std::uint64_t bytes = 0;      ///< Of pages that came with it.
+  };
 
   session_state() = default;
   session_state(const session_state&) = delete;
@@ -316,15 +346,17 @@ struct session_state {
 
   std::deque<std::shared_ptr<comparison_run>> comparisons;  ///< The first one runs.
 
-  std::uint64_t looks = 0;  ///< Called for by `look_later`.
-  std::size_t copying = 0;  ///< Copies of the document that are being written.
-  bool ended = false;       ///< Its document is being closed or deleted.
+  std::uint64_t looks = 0;                       ///< Called for by `look_later`.
+  std::map<std::uint32_t, near_version> nearby;  ///< By number.
+  std::size_t loading = 0;                       ///< Meshes that are being read.
+  std::size_t copying = 0;                       ///< Copies of the document that are being written.
+  bool ended = false;                            ///< Its document is being closed or deleted.
 
   static inline const char* name = "session";
 };
 
 struct session_remains {
-  std::list<session_state::kept_result> results;  ///< Without their versions.
+  std::list<session_state::kept_result> results;
   std::optional<solve_request> followed;
 };
 

@@ -18,8 +18,7 @@ constexpr std::size_t most_results = 8;
 void session_state::take_over(session_remains& before) {
   followed = before.followed;
   for (auto& one : before.results)
-    if (const auto* node = graph.find(one.key.version)) {
-      one.event.version = node->mesh;
+    if (graph.find(one.key.version)) {
       one.event.document = parts.document;
       results.push_back(std::move(one));
     }
@@ -54,14 +53,16 @@ held_result session_state::held() const {
   if (active && active->key.version == version)
     return {std::nullopt, true};
   const auto* found = result_of(*head);
-  return {found ? with_fields(*found) : std::nullopt, false};
+  return {found ? with_fields(*found, head->mesh) : std::nullopt, false};
 }
 
-std::optional<solved> session_state::with_fields(const kept_result& result) const {
+std::optional<solved> session_state::with_fields(const kept_result& result,
+                                                 const version_ptr& mesh) const {
   auto fields = parts.results->find(result.shown);
   if (!fields)
     return std::nullopt;
   auto event = result.event;
+  event.version = mesh;
   event.fields = std::move(fields);
   return event;
 }
@@ -119,7 +120,7 @@ void session_state::start_solve(const solve_request& request,
               request.element_order};
 
   const auto kept = std::ranges::find(results, next.key, &kept_result::key);
-  if (const auto event = kept == results.end() ? std::nullopt : with_fields(*kept)) {
+  if (const auto event = kept == results.end() ? std::nullopt : with_fields(*kept, next.mesh)) {
     results.splice(results.begin(), results, kept);
     end_active_solve(ec::superseded, "a newer version is the head", solve_phase::superseded);
     broadcast(*event, next.askers());
@@ -153,7 +154,8 @@ solve_order session_state::order_of(const solve_key& key, const version_ptr& mes
           key.tolerance, key.energy_tolerance, key.element_order};
 }
 
-void session_state::fetch_all_fields(const kept_result& result, const order_base& base,
+void session_state::fetch_all_fields(const kept_result& result, const version_ptr& mesh,
+                                     const order_base& base,
                                      std::function<void(const solve_result&, const page_set&)> use,
                                      std::function<void(const error&)> refuse) {
   const auto take = [=, this](const solve_result& solved_now,
@@ -165,22 +167,22 @@ void session_state::fetch_all_fields(const kept_result& result, const order_base
       solved_now.source, ids, [=](const page_set& pages) { use(solved_now, pages); },
       std::move(failed));
   };
-  const auto solve_again =
-    [=, this, order = order_of(result.key, result.event.version, base)](const error& e) mutable {
-      spdlog::info("{}: solving again for a file: {}", parts.document, render(e));
-      order.base.listener = nullptr;
-      const auto job = new_job(0, nullptr);
-      self->request(parts.workers.solver, answer_limit, job, order)
-        .then(
-          [=, this](const solve_result& again) {
-            progress_of.erase(job);
-            take(again, refuse);
-          },
-          [=, this](const caf::error& failure) {
-            progress_of.erase(job);
-            refuse(from_caf(failure, "the solve"));
-          });
-    };
+  const auto solve_again = [=, this,
+                            order = order_of(result.key, mesh, base)](const error& e) mutable {
+    spdlog::info("{}: solving again for a file: {}", parts.document, render(e));
+    order.base.listener = nullptr;
+    const auto job = new_job(0, nullptr);
+    self->request(parts.workers.solver, answer_limit, job, order)
+      .then(
+        [=, this, held = mesh](const solve_result& again) {
+          progress_of.erase(job);
+          take(again, refuse);
+        },
+        [=, this](const caf::error& failure) {
+          progress_of.erase(job);
+          refuse(from_caf(failure, "the solve"));
+        });
+  };
   take(result.fields, solve_again);
 }
 
@@ -269,7 +271,9 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       const solved event{parts.document, done.mesh, outcome, fields, job.value};
       auto kept = event;
       kept.fields.reset();
-      keep_result({std::move(done.key), std::move(kept), result, parts.results->keep(fields)});
+      kept.version.reset();
+      keep_result({std::move(done.key), std::move(kept), result,
+                   parts.results->keep(fields, bytes_of(*fields))});
       broadcast(event, done.askers());
       for (auto& waiter : done.waiting)
         waiter.promise.deliver(event);

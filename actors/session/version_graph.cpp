@@ -57,8 +57,17 @@ graph_node version_graph::draft() const {
 void version_graph::add(graph_node node) {
   if (node.info.parent)
     nodes_[*node.info.parent].redo = node.info.number;
+  if (head_)
+    nodes_[*head_].mesh.reset();
   head_ = node.info.number;
   nodes_.push_back(std::move(node));
+}
+
+void version_graph::move_to(std::uint32_t number, version_ptr mesh) {
+  if (head_)
+    nodes_[*head_].mesh.reset();
+  head_ = number;
+  nodes_[number].mesh = std::move(mesh);
 }
 
 void version_graph::set_load_cases(std::uint32_t number, shared_load_cases load_cases) {

@@ -5,8 +5,8 @@
 
 namespace tedit::actors {
 
-/// The versions of a document as a tree, and where its head is. Nodes are never taken away: an edit
-/// after an undo begins a branch.
+/// The versions of a document as a tree, and where its head is, whose mesh it holds. Nodes are
+/// never taken away: an edit after an undo begins a branch.
 class version_graph {
 public:
   version_graph() = default;
@@ -26,7 +26,7 @@ public:
   /// A node that would become the head's child: number and parent are set.
   [[nodiscard]] graph_node draft() const;
 
-  /// Adds what `draft` began and makes it the head; its parent's redo leads to it.
+  /// Adds what `draft` began, with its mesh, and makes it the head; its parent's redo leads to it.
   void add(graph_node node);
 
   /// What a move means: the version that becomes the head, and whose redo leads to which child from
@@ -38,8 +38,8 @@ public:
   };
   [[nodiscard]] expected<target> target_of(const move_request& request) const;
 
-  /// Makes an existing node the head.
-  void move_to(std::uint32_t number) { head_ = number; }
+  /// Makes an existing node the head; only the head's mesh is held.
+  void move_to(std::uint32_t number, version_ptr mesh);
 
   void set_redo(std::uint32_t number, std::uint32_t child) { nodes_[number].redo = child; }
 

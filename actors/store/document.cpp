@@ -90,7 +90,8 @@ struct document::impl {
   connection db;  ///< None while the document rests.
   seal last;      ///< As this object read or wrote it last.
   seal_keeper seals;
-  statement has_page, page_by_id, insert_page, insert_version, set_load_cases, set_redo, set_head;
+  statement has_page, page_by_id, manifest_by_number, insert_page, insert_version, set_load_cases,
+    set_redo, set_head;
   statement insert_annotation, insert_log;
 };
 
@@ -129,8 +130,8 @@ expected<void> document::impl::wake() {
 void document::impl::rest() {
   if (!db)
     return;
-  for (auto* one : {&has_page, &page_by_id, &insert_page, &insert_version, &set_load_cases,
-                    &set_redo, &set_head, &insert_annotation, &insert_log})
+  for (auto* one : {&has_page, &page_by_id, &manifest_by_number, &insert_page, &insert_version,
+                    &set_load_cases, &set_redo, &set_head, &insert_annotation, &insert_log})
     one->reset();
   seals = {};
   db.reset();
@@ -233,6 +234,7 @@ expected<void> document::impl::prepare_all() {
   const std::pair<statement*, const char*> rows[] = {
     {&has_page, "SELECT 1 FROM page WHERE id = ?"},
     {&page_by_id, page_query},
+    {&manifest_by_number, "SELECT manifest FROM version WHERE number = ?"},
     {&insert_page, "INSERT INTO page(id, size, data) VALUES(?, ?, ?)"},
     {&insert_version,
      "INSERT INTO version(number, parent, id, manifest, operation, load_cases, report, redo)"
@@ -343,6 +345,22 @@ expected<contents> document::read() const {
   if (!impl_->exists)
     return contents{};
   return impl_->wake().and_then([&] { return read_contents(impl_->db.get(), impl_->seals); });
+}
+
+expected<std::vector<std::byte>> document::read_manifest(std::uint32_t number) const {
+  const error missing{
+    ec::not_found, "version " + std::to_string(number) + " is not stored", {}, {}};
+  if (!impl_->exists)
+    return fail(missing);
+  if (auto awake = impl_->wake(); !awake)
+    return fail(awake.error());
+  query row(impl_->manifest_by_number, number);
+  const auto found = row.next();
+  if (!found)
+    return fail(found.error());
+  if (!*found)
+    return fail(missing);
+  return row.blob(0);
 }
 
 expected<page_ptr> document::read_page(const hash128& id) const {

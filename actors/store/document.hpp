@@ -107,6 +107,10 @@ public:
   /// what is damaged. Cost: O(rows), with all manifests.
   [[nodiscard]] expected<contents> read() const;
 
+  /// Reads the manifest of one version; whoever takes it compares its hash with the version's id.
+  /// Errors: `not_found`, `storage_error`. Cost: one look-up.
+  [[nodiscard]] expected<std::vector<std::byte>> read_manifest(std::uint32_t number) const;
+
   /// Reads a page and checks its size and hash.
   /// Errors: `not_found`; `storage_error` when the stored bytes are damaged.
   [[nodiscard]] expected<page_ptr> read_page(const hash128& id) const;

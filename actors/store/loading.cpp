@@ -2,7 +2,9 @@
 #include "actors/store/loading.hpp"
 
 #include <unordered_map>
+#include <unordered_set>
 
+#include "actors/pages/page_cache.hpp"
 #include "protocol/forms.hpp"
 
 namespace tedit::actors {
@@ -75,7 +77,26 @@ expected<version_ptr> load_mesh(const store::version_row& row, const page_reader
   return version;
 }
 
-expected<stored_document> load(const store::document& document) {
+namespace {
+
+/// What a version is told by without its mesh. Errors: `storage_error` when its manifest is not the
+/// one that it is named by, or when one of its pages is missing; those in `there` are not.
+expected<void> describe_unread(const store::document& document, const store::version_row& row,
+                               std::unordered_set<hash128>& there, version_info& info) {
+  const auto list = manifest::from_bytes(row.manifest);
+  if (!list || hash_bytes(row.manifest) != row.id)
+    return damaged_row("the mesh of version " + std::to_string(row.number) + " is another one");
+  for (const auto& id : list->page_ids())
+    if (there.insert(id).second && !document.has_page(id))
+      return damaged_row("page " + to_hex(id) + " of version " + std::to_string(row.number) +
+                         " is missing");
+  info.vertices = list->counts[0];
+  info.tets = list->counts[1];
+  info.boundary_facets = list->counts[2];
+  return {};
+}
+
+expected<stored_document> load(const store::document& document, bool only_head) {
   const auto contents = document.read();
   if (!contents)
     return fail(contents.error());
@@ -85,12 +106,10 @@ expected<stored_document> load(const store::document& document) {
   result.head = contents->head;
   result.log = contents->log;
   page_map known;
+  std::unordered_set<hash128> there;
   const auto read = [&](const hash128& id) { return document.read_page(id); };
   std::unordered_map<std::string, shared_load_cases> known_cases;  // Most versions have the same.
   for (const auto& row : contents->versions) {
-    auto mesh = load_mesh(row, read, known);
-    if (!mesh)
-      return fail(mesh.error());
     auto& load_cases = known_cases[row.load_cases];
     if (!load_cases) {
       auto found = read_load_cases(row);
@@ -102,22 +121,66 @@ expected<stored_document> load(const store::document& document) {
     if (!report)
       return fail(report.error());
     graph_node node;
-    node.mesh = *mesh;
-    node.info = {row.number,
-                 row.id,
-                 row.parent,
-                 row.operation,
-                 (*mesh)->tet_count(),
-                 (*mesh)->vertex_count(),
-                 (*mesh)->facet_count(),
-                 names_of(*load_cases),
-                 row.name,
-                 row.note};
+    node.info = {row.number, row.id,  row.parent, row.operation, 0, 0, 0, names_of(*load_cases),
+                 row.name,   row.note};
     node.load_cases = load_cases;
     node.report = std::move(*report);
     node.redo = row.redo;
+    if (only_head && row.number != contents->head) {
+      if (auto ok = describe_unread(document, row, there, node.info); !ok)
+        return fail(ok.error());
+    } else {
+      auto mesh = load_mesh(row, read, known);
+      if (!mesh)
+        return fail(mesh.error());
+      describe_mesh(node, std::move(*mesh));
+    }
     result.nodes.push_back(std::move(node));
   }
+  return result;
+}
+
+}  // namespace
+
+void describe_mesh(graph_node& node, version_ptr mesh) {
+  node.info.id = mesh->id();
+  node.info.tets = mesh->tet_count();
+  node.info.vertices = mesh->vertex_count();
+  node.info.boundary_facets = mesh->facet_count();
+  node.mesh = std::move(mesh);
+}
+
+expected<stored_document> load(const store::document& document) {
+  return load(document, false);
+}
+
+expected<stored_document> load_head(const store::document& document) {
+  return load(document, true);
+}
+
+expected<stored_version> load_version(const store::document& document,
+                                      const version_query& wanted) {
+  auto list = document.read_manifest(wanted.number);
+  if (!list)
+    return fail(list.error());
+  store::version_row row;
+  row.number = wanted.number;
+  row.id = wanted.id;
+  row.manifest = std::move(*list);
+  stored_version result;
+  page_map known;
+  const auto find = [&](const hash128& id) -> expected<page_ptr> {
+    if (auto there = wanted.known->find(id))
+      return there;
+    auto read = document.read_page(id);
+    if (read)
+      result.read_bytes += (*read)->bytes().size();
+    return read;
+  };
+  auto mesh = load_mesh(row, find, known);
+  if (!mesh)
+    return fail(mesh.error());
+  result.mesh = std::move(*mesh);
   return result;
 }
 

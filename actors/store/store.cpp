@@ -69,11 +69,21 @@ caf::result<stored_document> open_and_load(document_file& file) {
   auto opened = store::document::open(file.path);
   if (!opened)
     return to_caf(opened.error());
-  auto contents = load(**opened);
+  auto contents = load_head(**opened);
   if (!contents)
     return to_caf(contents.error());
   file.document = std::move(*opened);
   return std::move(*contents);
+}
+
+caf::result<stored_version> load_one(document_file& file, const version_query& wanted) {
+  const std::lock_guard lock(file.in_use);
+  if (!file.document)
+    return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  auto found = load_version(*file.document, wanted);
+  if (!found)
+    return to_caf(found.error());
+  return std::move(*found);
 }
 
 caf::result<acknowledged> write(document_file& file, const store::change& change) {
@@ -149,6 +159,11 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
   };
   return {[=](load_atom, const shared_file& file) {
             auto result = open_and_load(*file);
+            end_job(file);
+            return result;
+          },
+          [=](load_atom, const shared_file& file, const version_query& wanted) {
+            auto result = load_one(*file, wanted);
             end_job(file);
             return result;
           },
@@ -232,6 +247,10 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
   return {
     [=](load_atom) {
       return self->delegate(use(self->state.disks.for_load()), load_atom::value, self->state.file);
+    },
+    [=](load_atom, const version_query& wanted) {
+      return self->delegate(use(self->state.disks.for_load()), load_atom::value, self->state.file,
+                            wanted);
     },
     [=](const stored_change& change) {
       return self->delegate(use(self->state.disks.for_commit()), self->state.file, change);

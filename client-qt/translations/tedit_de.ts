@@ -4935,6 +4935,10 @@
         <source>the document %1 is gone: it had no name of its own, and no client had it open</source>
         <translation>das Dokument %1 ist nicht mehr da: es hatte keinen eigenen Namen, und niemand hatte es offen</translation>
     </message>
+    <message>
+        <source>reading version %1</source>
+        <translation>Lesen von Version %1</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

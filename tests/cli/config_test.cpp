@@ -111,6 +111,7 @@ keep_unnamed_s = 60.5
 upload_bytes = 1048576
 all_upload_bytes = 17179869184
 result_bytes = 2097152
+version_bytes = 3145728
 [log]
 level = "debug"
 )"));
@@ -133,6 +134,7 @@ level = "debug"
   EXPECT_EQ(config->upload_bytes, 1 << 20);
   EXPECT_EQ(config->all_upload_bytes, std::int64_t{16} << 30);
   EXPECT_EQ(config->result_bytes, 2 << 20);
+  EXPECT_EQ(config->version_bytes, 3 << 20);
   EXPECT_EQ(config->log_level, "debug");
 }
 

@@ -233,8 +233,9 @@ TEST_F(ServerProgram, TheStatusSaysHowItIsAndWhatTakesUpItsMemory) {
   std::vector<std::string> kinds;
   for (const auto& row : all["memory"])
     kinds.push_back(row["what"]);
-  EXPECT_EQ(kinds, (std::vector<std::string>{"documents", "recent pages", "results", "uploads"}));
-  EXPECT_EQ(all["memory"][2]["budget_bytes"], 2097152);
+  EXPECT_EQ(kinds, (std::vector<std::string>{"documents", "recent pages", "versions", "results",
+                                             "uploads"}));
+  EXPECT_EQ(all["memory"][3]["budget_bytes"], 2097152);
   EXPECT_THAT(run("status" + arguments).out, HasSubstr("results       0.0 MiB of 2.0 MiB"));
 }
 

@@ -25,6 +25,7 @@ simulated_server::simulated_server(timeline& time, const std::filesystem::path& 
   hub_parts hub{documents, pools_, pages_, cache_};
   hub.disks = disks_->disks();
   hub.unused_limit = milliseconds(2000);
+  hub.versions = std::make_shared<version_memory>(1);  // One beside the heads: most are read.
   hub.reader = system.spawn<job_thread>();
   hub_ = system.spawn(make_hub, hub);
   parts_.hub = hub_;

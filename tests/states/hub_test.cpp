@@ -165,7 +165,7 @@ TEST_F(Hub, ANameOfItsOwnKeepsADocument) {
   const auto document = open_unnamed();
   const auto renamed = ask<acknowledged>(hub_, rename_request{document.session, "bracket"});
   pass(seconds(1));
-  ASSERT_TRUE(renamed.is_success());
+  ASSERT_TRUE(renamed.is_success()) << render(renamed.refusal());
 
   leave(document);
   pass(hours(5));

@@ -100,6 +100,11 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
               return acknowledged{};
             });
           },
+          [=](load_atom, const version_query& wanted) {
+            return add_task<stored_version>(self, "load", {}, wanted.id, [=] {
+              return stored_version{self->state.versions.at(to_hex(wanted.id)), 1000};
+            });
+          },
           [=](const stored_change&) {
             return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
           },
@@ -139,7 +144,8 @@ inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
 
 class Session : public States {
 protected:
-  Session() {
+  explicit Session(std::uint64_t version_budget = version_bytes)
+      : session_versions_(std::make_shared<version_memory>(version_budget)) {
     helper_ = stage_.system().spawn(make_helper, cache_);
     pages_ = stage_.system().spawn(make_page_store, cache_);
     hub_ = stage_.system().spawn(
@@ -157,6 +163,7 @@ protected:
                      caf::actor_cast<solver_actor>(helper_)};
     parts.hub = hub_;
     parts.results = session_results_;
+    parts.versions = session_versions_;
     parts.reader = caf::actor_cast<job_thread_actor>(helper_);
     session_ = stage_.system().spawn(make_session, parts, stored_document{});
     mine_ = listen();
@@ -263,6 +270,7 @@ protected:
 
   std::shared_ptr<page_cache> cache_ = std::make_shared<page_cache>(std::size_t{0});
   std::shared_ptr<result_memory> session_results_ = std::make_shared<result_memory>(1000);
+  std::shared_ptr<version_memory> session_versions_;
   caf::actor helper_, hub_, mine_, other_;
   page_store_actor pages_;
   session_actor session_;

@@ -109,7 +109,7 @@ TEST_F(Solves, AFieldThatHadToGiveWayIsSolvedAnew) {
   const auto fill = [&] {
     auto large = std::make_shared<std::vector<field>>(1);
     large->front().values = paged_array<double>::from(std::vector<double>(200));
-    return session_results_->keep(large);
+    return session_results_->keep(large, bytes_of(*large));
   };
   solve(mine_);
   finish({"solve"});

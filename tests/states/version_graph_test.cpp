@@ -23,7 +23,7 @@ version_graph two_branches() {
   add();
   add();
   add();
-  graph.move_to(1);
+  graph.move_to(1, nullptr);
   add();
   add();
   return graph;
@@ -35,7 +35,7 @@ void move(version_graph& graph, const move_request& request) {
   ASSERT_TRUE(target.has_value()) << render(target.error());
   for (const auto& [number, child] : target->redo)
     graph.set_redo(number, child);
-  graph.move_to(target->number);
+  graph.move_to(target->number, nullptr);
 }
 
 TEST(VersionGraph, AnEmptyOneHasNothingToGoTo) {
