@@ -16,6 +16,7 @@ CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", *WIRE)
 # owns it.
 ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
+    "certs": (("base",), ("openssl/",)),
     "mesh": (("base",), ("Eigen/",)),
     "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
     "mesh/io": (("mesh", "base"), ()),
@@ -55,7 +56,7 @@ ROOMS = {
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "cli": (
-        ("actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
+        ("certs", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
          "ops/sdk", "mesh/io", "mesh", "base"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),

@@ -10,6 +10,7 @@
 #include "client/client.hpp"
 #include "protocol/convert.hpp"
 #include "tests/support/raw_client.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace tedit::test {
 
@@ -22,39 +23,6 @@ inline constexpr auto patience = std::chrono::seconds(300);
 #else
 inline constexpr auto patience = std::chrono::seconds(60);
 #endif
-
-/// A fresh folder that goes with the test.
-class scratch_folder {
-public:
-  scratch_folder() {
-    auto name = (std::filesystem::temp_directory_path() / "tedit-test-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  scratch_folder(const scratch_folder&) = delete;
-  scratch_folder& operator=(const scratch_folder&) = delete;
-  ~scratch_folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
-
-/// The value of an expected; the test fails with the error's words when there is none.
-template <class T>
-T value(expected<T> result) {
-  if (!result)
-    throw std::runtime_error(render(result.error()));
-  return std::move(*result);
-}
-
-inline void value(expected<void> result) {
-  if (!result)
-    throw std::runtime_error(render(result.error()));
-}
 
 /// Facets, their positions and the rows of surfaces agree to the last bit.
 inline void expect_same(const client::surface_model& a, const client::surface_model& b) {

@@ -31,6 +31,7 @@ expect "move " tedit edit a.msh --loads m
 expect "lavapipe " tedit solve a.msh --device l
 expect "new test " tedit plugin ""
 expect "check copy export gc list " tedit doc ""
+expect "init issue list renew revoke " tedit certs ""
 expect "--drop-unreachable --dry-run " tedit doc gc part.tedit --dr
 cd "$source/examples/ctc01_plate"
 expect "load_case.json load_case_sideways.json " tedit solve ctc01_plate.coarse.msh --load-case load
