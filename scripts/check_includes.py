@@ -46,8 +46,9 @@ ROOMS = {
     "protocol": (WIRE, ("tedit/v1/", "google/")),
     "client": (("protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
+    "actors/links": (("certs", "base"), ("caf/", "spdlog/", "boost/", "openssl/")),
     "actors": (
-        ("protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("actors/links", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
     "actors/node/server.cpp": (("actors/gateway", "actors", "base"), ("caf/", "spdlog/")),
