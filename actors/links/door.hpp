@@ -49,7 +49,8 @@ struct door_options {
 /// What ends a link cuts its connection, and the other way round; a certificate that ends or is
 /// revoked meanwhile is cut at the next look. Who is refused is counted by reason and logged, one
 /// line a second at most.
-/// Cost: a handshake about a millisecond of one core; a link 170 KiB.
+/// Cost: a handshake a millisecond of the door's thread; a link 128 KiB of buffers and what OpenSSL
+/// keeps.
 class door {
 public:
   /// Errors: `io_error`, `bad_input` and `invalid_argument` for files that are missing, cut off,
