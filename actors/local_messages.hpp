@@ -293,6 +293,17 @@ struct memory_use {
   std::uint64_t budget = 0;  ///< 0: none.
 };
 
+/// What ties a worker to its pool (actors/supervisor/lifeline.hpp).
+class lifeline;
+
+/// A worker that joined from another machine, for the pool of its role. Answered by whether it is
+/// taken in.
+struct remote_worker {
+  caf::actor worker;
+  node_facts node;
+  std::shared_ptr<lifeline> line;
+};
+
 struct server_status {
   std::vector<worker_status> workers;
   std::vector<memory_use> memory;
@@ -433,6 +444,7 @@ struct opened_document {
 
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::acknowledged)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::page_set)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::remote_worker)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::attach_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::import_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::apply_request)

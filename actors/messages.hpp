@@ -349,6 +349,47 @@ typename Inspector::result_type inspect(Inspector& f, enlistment& x) {
   return f(caf::meta::type_name("enlistment"), x.pid, x.worker);
 }
 
+/// What a worker on another machine says of itself.
+struct node_facts {
+  std::string name;     ///< As its certificate has it; the server puts that in.
+  std::string address;  ///< Where its connection comes from; the server puts that in.
+  std::string version;  ///< Of TEdit: "0.9.1".
+  std::string device;   ///< What it computes on, for people.
+  std::uint32_t threads = 0;
+  std::uint64_t memory_bytes = 0;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, node_facts& x) {
+  return f(caf::meta::type_name("node_facts"), x.name, x.address, x.version, x.device, x.threads,
+           x.memory_bytes);
+}
+
+/// A worker on another machine that wants to work here. Its role is the certificate's.
+struct node_enlistment {
+  std::string role;
+  node_facts node;
+  caf::actor worker;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, node_enlistment& x) {
+  return f(caf::meta::type_name("node_enlistment"), x.role, x.node, x.worker);
+}
+
+/// Whether it may; else why not and what helps.
+struct node_answer {
+  bool accepted = false;
+  bool later = false;  ///< Asking again may come to something else.
+  std::string reason;
+  std::string remedy;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, node_answer& x) {
+  return f(caf::meta::type_name("node_answer"), x.accepted, x.later, x.reason, x.remedy);
+}
+
 /// A worker that wants no more work, sent to its pool before the answer to its last job.
 struct retirement {
   std::string why;  ///< "it left 213 files open".
@@ -359,6 +400,26 @@ typename Inspector::result_type inspect(Inspector& f, retirement& x) {
   return f(caf::meta::type_name("retirement"), x.why);
 }
 
+/// A worker on another machine, as its pool sees it.
+struct node_status {
+  std::string name;
+  std::string address;
+  std::string role;
+  std::string state;  ///< "idle", "working", "leaving", "lost".
+  std::string device;
+  std::string version;
+  std::uint32_t threads = 0;
+  std::uint64_t memory_bytes = 0;
+  double connected_s = 0;
+  std::uint64_t jobs_done = 0;
+};
+
+template <class Inspector>
+typename Inspector::result_type inspect(Inspector& f, node_status& x) {
+  return f(caf::meta::type_name("node_status"), x.name, x.address, x.role, x.state, x.device,
+           x.version, x.threads, x.memory_bytes, x.connected_s, x.jobs_done);
+}
+
 /// How a worker, or the pool that stands for several, is.
 struct worker_status {
   std::string role;
@@ -367,12 +428,13 @@ struct worker_status {
   std::uint32_t restarts = 0;
   std::uint32_t jobs = 0;
   std::string detail;
+  std::vector<node_status> nodes;  ///< Of a pool: those that joined from other machines.
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, worker_status& x) {
   return f(caf::meta::type_name("worker_status"), x.role, x.state, x.pid, x.restarts, x.jobs,
-           x.detail);
+           x.detail, x.nodes);
 }
 
 }  // namespace tedit::actors

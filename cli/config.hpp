@@ -18,6 +18,10 @@ struct server_config {
   std::vector<std::string> allowed_origins;
   std::string token_file;  ///< Empty: see `token_path`.
   std::string documents;   ///< Empty: see `documents_folder`.
+  // [nodes]
+  std::string node_certificates;  ///< In the file: certificates. Empty: no other machine joins.
+  std::string node_address = "127.0.0.1";
+  int node_port = 7465;
   // [work]
   std::string device = "auto";
   int modeling_workers = 1;

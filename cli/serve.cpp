@@ -24,6 +24,9 @@ struct serve_options {
   std::optional<int> port;
   std::optional<std::string> documents;
   std::optional<std::string> token_file;
+  std::optional<std::string> node_certificates;
+  std::optional<std::string> node_address;
+  std::optional<int> node_port;
   std::optional<std::string> device;
   std::string ready_file;
   bool in_process = false;
@@ -38,6 +41,10 @@ server_options to_server_options(const server_config& config) {
   options.address = config.address;
   options.port = static_cast<std::uint16_t>(config.port);
   options.allowed_origins = config.allowed_origins;
+  if (!config.node_certificates.empty())
+    options.node_certificates = config.node_certificates;
+  options.node_address = config.node_address;
+  options.node_port = static_cast<std::uint16_t>(config.node_port);
   options.device = config.device;
   options.safe_mode = config.safe_mode;
   options.quarantine_after = static_cast<unsigned>(config.quarantine_after);
@@ -69,6 +76,12 @@ expected<server_config> effective_config(const serve_options& given) {
     config->documents = *given.documents;
   if (given.token_file)
     config->token_file = *given.token_file;
+  if (given.node_certificates)
+    config->node_certificates = *given.node_certificates;
+  if (given.node_address)
+    config->node_address = *given.node_address;
+  if (given.node_port)
+    config->node_port = *given.node_port;
   if (given.device)
     config->device = *given.device;
   config->safe_mode = config->safe_mode || given.safe_mode;
@@ -108,10 +121,12 @@ int run_serve(const serve_options& given, session& s) {
   auto started = server::start(options);
   if (!started)
     return print_error(s, started.error());
-  const nlohmann::ordered_json state{{"url", (*started)->url()},
-                                     {"token_file", token_file->string()},
-                                     {"documents", options.documents.string()},
-                                     {"pid", getpid()}};
+  nlohmann::ordered_json state{{"url", (*started)->url()},
+                               {"token_file", token_file->string()},
+                               {"documents", options.documents.string()},
+                               {"pid", getpid()}};
+  if (const auto port = (*started)->node_port())
+    state["node_port"] = *port;
   if (!given.ready_file.empty())
     if (auto written = write_ready_file(given.ready_file, state); !written)
       return print_error(s, written.error());
@@ -119,7 +134,10 @@ int run_serve(const serve_options& given, session& s) {
                "listening on " + (*started)->url() + "\n  token     " + token_file->string() +
                  "\n  documents " + options.documents.string() +
                  "\n  end with Ctrl-C; clients: tedit run RECIPE.json --server " +
-                 (*started)->url() + "\n");
+                 (*started)->url() + "\n" +
+                 ((*started)->node_port() ? "  workers of other machines join at port " +
+                                              std::to_string(*(*started)->node_port()) + "\n"
+                                          : std::string()));
   std::fflush(stdout);
   // The signal that ends the server ends this wait, too: Linux gives it to the main thread.
   while (!s.cancel.cancelled())
@@ -142,6 +160,15 @@ void add_serve(CLI::App& app, action& chosen) {
   command->add_option("--documents", options->documents, "Folder of the documents");
   command->add_option("--token-file", options->token_file,
                       "File with the secret that clients must give; it is made when missing");
+  command->add_option("--node-certificates", options->node_certificates,
+                      "Folder of \"tedit certs issue --role server\": workers of other machines "
+                      "may join");
+  command->add_option("--node-address", options->node_address,
+                      "Address where they join (default 127.0.0.1)");
+  command
+    ->add_option("--node-port", options->node_port,
+                 "Port where they join; 0 takes a free one (default 7465)")
+    ->check(CLI::Range(0, 65535));
   command->add_option("--device", options->device, "Device for solves that name none");
   command->add_option("--ready-file", options->ready_file,
                       "Write URL and token file here (JSON) when clients can connect");

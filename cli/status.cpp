@@ -29,12 +29,25 @@ nlohmann::ordered_json to_json(const client::server_status& status) {
                        {"restarts", w.restarts},
                        {"jobs", w.jobs},
                        {"detail", w.detail}});
+  json nodes = json::array();
+  for (const auto& n : status.nodes)
+    nodes.push_back({{"name", n.name},
+                     {"address", n.address},
+                     {"role", n.role},
+                     {"state", n.state},
+                     {"device", n.device},
+                     {"version", n.version},
+                     {"threads", n.threads},
+                     {"memory_bytes", n.memory_bytes},
+                     {"connected_s", n.connected_s},
+                     {"jobs_done", n.jobs_done}});
   json memory = json::array();
   for (const auto& m : status.memory)
     memory.push_back({{"what", m.what}, {"bytes", m.bytes}, {"budget_bytes", m.budget_bytes}});
   return {{"documents", status.documents},
           {"connections", status.connections},
           {"workers", std::move(workers)},
+          {"nodes", std::move(nodes)},
           {"memory", std::move(memory)}};
 }
 
@@ -46,11 +59,17 @@ std::string describe(const client::server_status& status) {
   auto text = fmt::format("  documents open  {}\n  connections     {}\n", status.documents,
                           status.connections);
   for (const auto& w : status.workers) {
-    text += fmt::format("  {:<15} {}, process {}, {} jobs", w.role, w.state, w.pid, w.jobs);
+    const auto process = w.pid ? fmt::format(", process {}", w.pid) : std::string();
+    text += fmt::format("  {:<15} {}{}, {} jobs", w.role, w.state, process, w.jobs);
     if (w.restarts > 0)
       text += fmt::format(", started anew {} times", w.restarts);
     text += (w.detail.empty() ? "" : ": " + w.detail) + "\n";
   }
+  for (const auto& n : status.nodes)
+    text +=
+      fmt::format("  {:<15} {}, {} at {}: {}, TEdit {}, {} threads, {:.0f} GiB, {} jobs done\n",
+                  "node " + n.name, n.state, n.role, n.address, n.device, n.version, n.threads,
+                  static_cast<double>(n.memory_bytes) / (1 << 30), n.jobs_done);
   text += "  memory\n";
   for (const auto& m : status.memory)
     text += fmt::format("    {:<13} {}{}\n", m.what, mebibytes(m.bytes),

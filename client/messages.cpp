@@ -177,6 +177,9 @@ server_status from_message(const v1::ServerStatus& message) {
     result.workers.push_back({w.role(), w.state(), w.pid(), w.restarts(), w.jobs(), w.detail()});
   for (const auto& use : message.memory())
     result.memory.push_back({use.what(), use.bytes(), use.budget_bytes()});
+  for (const auto& n : message.nodes())
+    result.nodes.push_back({n.name(), n.address(), n.role(), n.state(), n.device(), n.version(),
+                            n.threads(), n.memory_bytes(), n.connected_s(), n.jobs_done()});
   result.documents = message.documents();
   result.connections = message.connections();
   return result;

@@ -169,6 +169,20 @@ struct worker_status {
   std::string detail;
 };
 
+/// A worker that joined from another machine (message `tedit.v1.NodeStatus`).
+struct node_status {
+  std::string name;
+  std::string address;
+  std::string role;   ///< As of a worker.
+  std::string state;  ///< "idle", "working", "leaving", "lost".
+  std::string device;
+  std::string version;
+  std::uint32_t threads = 0;
+  std::uint64_t memory_bytes = 0;
+  double connected_s = 0;
+  std::uint64_t jobs_done = 0;
+};
+
 /// Bytes of one kind that the server's process keeps.
 struct memory_use {
   std::string what;
@@ -179,6 +193,7 @@ struct memory_use {
 struct server_status {
   std::vector<worker_status> workers;
   std::vector<memory_use> memory;
+  std::vector<node_status> nodes;
   std::uint32_t documents = 0;
   std::uint32_t connections = 0;
 };

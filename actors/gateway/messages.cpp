@@ -111,6 +111,19 @@ void to_message(const actors::memory_use& use, v1::MemoryUse* out) {
   out->set_budget_bytes(use.budget);
 }
 
+void to_message(const actors::node_status& node, v1::NodeStatus* out) {
+  out->set_name(node.name);
+  out->set_address(node.address);
+  out->set_role(node.role);
+  out->set_state(node.state);
+  out->set_device(node.device);
+  out->set_version(node.version);
+  out->set_threads(node.threads);
+  out->set_memory_bytes(node.memory_bytes);
+  out->set_connected_s(node.connected_s);
+  out->set_jobs_done(node.jobs_done);
+}
+
 void to_message(const actors::server_status& status, v1::ServerStatus* out) {
   for (const auto& use : status.memory)
     to_message(use, out->add_memory());
@@ -122,6 +135,8 @@ void to_message(const actors::server_status& status, v1::ServerStatus* out) {
     row->set_restarts(worker.restarts);
     row->set_jobs(worker.jobs);
     row->set_detail(worker.detail);
+    for (const auto& node : worker.nodes)
+      to_message(node, out->add_nodes());
   }
   out->set_documents(status.documents);
 }

@@ -10,6 +10,7 @@
 #include "actors/gateway/gateway.hpp"
 #include "actors/modeling/modeling.hpp"
 #include "actors/node/hub.hpp"
+#include "actors/node/nodes.hpp"
 #include "actors/node/system_config.hpp"
 #include "actors/optimizer/optimizer.hpp"
 #include "actors/pages/page_store.hpp"
@@ -51,6 +52,7 @@ pool_options options_of(const server_options& options, worker_role role, unsigne
   result.quarantine_after = options.quarantine_after;
   result.operation_limit = options.edit_limit;
   result.workers = workers;
+  result.retired_stay = options.retired_stay;
   result.job_limit = limit;
   return result;
 }
@@ -79,6 +81,21 @@ std::vector<std::pair<std::string, std::string>> states_of(const role_healths& h
   return result;
 }
 
+/// Null when no worker of another machine may join.
+expected<std::unique_ptr<node_entrance>> open_to_nodes(caf::actor_system& system,
+                                                       const worker_set& pools,
+                                                       const server_options& options) {
+  if (options.node_certificates.empty())
+    return nullptr;
+  if (!options.worker_processes)
+    return fail(ec::invalid_argument,
+                "workers of other machines cannot join a server whose own run on its threads",
+                "Leave out --in-process, or nodes.certificates in the configuration");
+  return node_entrance::open(
+    system, pools,
+    {options.node_certificates, options.node_address, options.node_port, TEDIT_VERSION});
+}
+
 }  // namespace
 
 struct server::impl {
@@ -90,6 +107,7 @@ struct server::impl {
     stopped = true;
     if (door)
       door->stop();
+    nodes.reset();
     // Pools and sessions hold each other's handles: all are told to end.
     caf::scoped_actor self(system);
     for (const auto& a : to_end)
@@ -100,6 +118,7 @@ struct server::impl {
   system_config config;
   caf::actor_system system;
   std::unique_ptr<gateway::transport> door;
+  std::unique_ptr<node_entrance> nodes;
   std::vector<caf::actor> to_end;
   std::string address;
   bool stopped = false;
@@ -113,6 +132,10 @@ server::~server() {
 
 std::uint16_t server::port() const {
   return impl_->door->port();
+}
+
+std::optional<std::uint16_t> server::node_port() const {
+  return impl_->nodes ? std::optional(impl_->nodes->port()) : std::nullopt;
 }
 
 std::string server::url() const {
@@ -149,6 +172,12 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));
   });
+  auto nodes = open_to_nodes(system, workers, options);
+  if (!nodes) {
+    made->stop();
+    return fail(nodes.error());
+  }
+  made->nodes = std::move(*nodes);
   made->address = options.address;
   gateway::transport_options door;
   door.address = options.address;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,15 @@ struct server_options {
   std::chrono::milliseconds solve_limit{2 * 60 * 60 * 1000};
   /// A document that no client has open for so long is closed, and its memory is free.
   std::chrono::milliseconds unused_limit{120 * 1000};
+  /// So long a worker that gets no more work stays for others to fetch its last result.
+  std::chrono::milliseconds retired_stay{30 * 1000};
   /// So long after that goes a document to which nobody gave a name.
   std::chrono::milliseconds temporary_limit{3600 * 1000};
+  /// A folder with the certificate of a server ("tedit certs"): workers of other machines may
+  /// join at `node_port`. Empty: none can.
+  std::filesystem::path node_certificates;
+  std::string node_address = "127.0.0.1";
+  std::uint16_t node_port = 0;  ///< 0: any that is free.
   /// Bytes of uploads that wait for their import, of one connection and of all together.
   std::uint64_t upload_bytes = std::uint64_t{2} << 30;
   std::uint64_t all_upload_bytes = std::uint64_t{4} << 30;
@@ -62,6 +70,9 @@ public:
 
   /// "ws://ADDRESS:PORT/v1".
   [[nodiscard]] std::string url() const;
+
+  /// Where workers of other machines join; nothing when none can.
+  [[nodiscard]] std::optional<std::uint16_t> node_port() const;
 
   /// Says goodbye to all clients and ends all workers. What was acknowledged is in the documents.
   void stop();

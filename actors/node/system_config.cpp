@@ -30,6 +30,10 @@ system_config::system_config(bool networked) {
   add_message_type<job_frame>("job_frame");
   add_message_type<job_preview>("job_preview");
   add_message_type<enlistment>("enlistment");
+  add_message_type<node_enlistment>("node_enlistment");
+  add_message_type<node_answer>("node_answer");
+  add_message_type<node_facts>("node_facts");
+  add_message_type<node_status>("node_status");
   add_message_type<retirement>("retirement");
   add_message_type<worker_status>("worker_status");
   add_message_type<wire_value<operation_catalogue>>("operation_catalogue");

@@ -3,14 +3,18 @@
 
 #include <unistd.h>
 
+#include <utility>
+
 #include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
 #include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
+#include "actors/links/dial.hpp"
 #include "actors/links/link.hpp"
 #include "actors/modeling/modeling.hpp"
+#include "actors/node/remote.hpp"
 #include "actors/node/system_config.hpp"
 #include "actors/optimizer/optimizer.hpp"
 #include "actors/pages/page_store.hpp"
@@ -41,9 +45,42 @@ caf::actor spawn_role(caf::actor_system& system, const worker_options& options,
     system.spawn(make_modeling, cache, pages, plugins, usage_of_this_process()));
 }
 
+/// Says that the worker is there, to the pool that started it or to a server elsewhere.
+expected<void> enlist(caf::scoped_actor& self, const caf::actor& enlister, const caf::actor& worker,
+                      const worker_options& options) {
+  if (options.joins)
+    return enlist_at(
+      self, enlister,
+      {name_of(options.role), facts_of_this_machine(options.role, options.joins->version), worker});
+  expected<void> result;
+  self
+    ->request(enlister, std::chrono::seconds(10),
+              enlistment{static_cast<std::int32_t>(getpid()), worker})
+    .receive(
+      [&](bool accepted) {
+        if (!accepted)
+          result = fail(ec::service_unavailable, "the server turned this worker away",
+                        "Workers are started by \"tedit serve\"");
+      },
+      [&](const caf::error& e) { result = fail(from_caf(e, "enlisting")); });
+  return result;
+}
+
 }  // namespace
 
 expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
+  std::unique_ptr<dial> connection;  // As long as the system that talks over it.
+  unique_fd link(options.link);
+  if (options.joins) {
+    auto made =
+      dial::connect({options.joins->certificates, options.joins->host, options.joins->port}, stop);
+    if (!made)
+      return fail(made.error());
+    connection = std::move(*made);
+    link = connection->take_link();
+    spdlog::info("joined {} at {}:{}", connection->server().name, options.joins->host,
+                 options.joins->port);
+  }
   system_config config(true);
   caf::actor_system system(config);
   const auto cache = std::make_shared<page_cache>(cache_bytes);
@@ -55,7 +92,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
     caf::anon_send_exit(pages, caf::exit_reason::user_shutdown);
     return fail(why);
   };
-  const auto enlister = join_link(system, unique_fd(options.link), stop);
+  const auto enlister = join_link(system, std::move(link), stop);
   if (!enlister)
     return turned_away(enlister.error());
   caf::scoped_actor self(system);
@@ -63,23 +100,15 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   // Without one of these the process would refuse all work; its pool starts another instead.
   self->monitor(worker);
   self->monitor(pages);
-  std::optional<error> refused;
-  self
-    ->request(*enlister, std::chrono::seconds(10),
-              enlistment{static_cast<std::int32_t>(getpid()), worker})
-    .receive(
-      [&](bool accepted) {
-        if (!accepted)
-          refused = error{ec::service_unavailable,
-                          "the server turned this worker away",
-                          "Workers are started by \"tedit serve\"",
-                          {}};
-      },
-      [&](const caf::error& e) { refused = from_caf(e, "enlisting"); });
-  if (refused)
-    return turned_away(*refused);
+  if (const auto ok = enlist(self, *enlister, worker, options); !ok)
+    return turned_away(ok.error());
   bool gone = false;
-  while (!gone && !stop.cancelled())
+  bool leaving = false;
+  while (!gone && !(stop.cancelled() && !options.joins)) {
+    if (stop.cancelled() && !std::exchange(leaving, true)) {
+      spdlog::info("leaving the server; work that has begun is ended first");
+      self->send(*enlister, retirement{"it is being stopped"}, worker);
+    }
     self->receive(
       [&](const caf::down_msg& down) {
         gone = true;
@@ -87,6 +116,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
           spdlog::error("an actor of this worker ended: {}", caf::to_string(down.reason));
       },
       caf::after(std::chrono::seconds(1)) >> [] {});
+  }
   // Work that still runs belongs to nobody any more; its threads must not keep the process.
   std::_Exit(0);
 }

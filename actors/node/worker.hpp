@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
 #include "actors/worker_roles.hpp"
 #include "base/error.hpp"
 #include "base/execution.hpp"
 
 namespace tedit::actors {
 
-struct worker_options {
-  worker_role role = worker_role::modeling;
-  int link = -1;           ///< The end of a link to its pool; it is taken over.
-  bool safe_mode = false;  ///< Modeling: only the plugins that came with the program.
+/// A server on another machine.
+struct join_place {
+  std::string host;  ///< Name or IP address; the server's certificate must have it.
+  std::uint16_t port = 0;
+  std::filesystem::path certificates;  ///< What "tedit certs issue" made for this node.
+  std::string version;                 ///< Of this program.
 };
 
-/// Runs a worker until its pool is gone or `stop` is set. Errors: `service_unavailable` when the
-/// pool cannot be reached or turns the worker away.
+struct worker_options {
+  worker_role role = worker_role::modeling;
+  int link = -1;                    ///< The end of a link to its pool; it is taken over.
+  bool safe_mode = false;           ///< Modeling: only the plugins that came with the program.
+  std::optional<join_place> joins;  ///< Nothing: its own pool started it.
+};
+
+/// Runs a worker until its pool is gone or `stop` is set; one that joined another machine's server
+/// then ends the work that it has, as long as that takes, and lets others fetch its last result.
+/// Errors: `service_unavailable` when the pool cannot be reached or turns the worker away; of one
+/// that joins, those of `dial::connect` and `enlist_at`.
 [[nodiscard]] expected<void> run_worker(const worker_options& options, const cancel_token& stop);
 
 }  // namespace tedit::actors

@@ -36,9 +36,10 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
 
 void pool_state::stop() {
   const error stopping{ec::service_unavailable, "the server is stopping", {}, {}};
+  stopped = true;
   for (const auto& c : std::exchange(children, {})) {
     caf::anon_send_exit(c.enlister, caf::exit_reason::user_shutdown);
-    options.processes->kill(c.pid);
+    c.line->cut();
     if (c.work)
       c.work->refuse(stopping);
   }
@@ -46,6 +47,12 @@ void pool_state::stop() {
 }
 
 error pool_state::no_worker() const {
+  if (options.workers == 0)
+    return {ec::service_unavailable,
+            "no " + name_of(options.role) + " worker has joined this server",
+            "Start one with \"tedit worker --join\", or set work." + name_of(options.role) +
+              "_workers in the server's configuration",
+            {}};
   return {ec::service_unavailable,
           "no " + name_of(options.role) + " worker runs: " + last_failure,
           "They are started again within a minute; the server's log says more",
@@ -59,11 +66,15 @@ void pool_state::refuse_waiting(const error& why) {
     q.refuse(why);
 }
 
+bool pool_state::nobody_comes() const {
+  return children.empty() && (degraded || options.workers == 0);
+}
+
 void pool_state::ask(question q) {
   const auto there = std::ranges::find_if(children, &child::is_there);
   if (there != children.end())
     return q.ask(there->worker);
-  if (degraded && children.empty())
+  if (nobody_comes())
     return q.refuse(no_worker());
   asked.push_back(std::move(q));
 }
@@ -73,7 +84,7 @@ void pool_state::ask(question q) {
 void pool_state::add(job j) {
   if (const auto why = off.refusal(j.edit))
     return j.refuse(*why);
-  if (degraded && children.empty())
+  if (nobody_comes())
     return j.refuse(no_worker());
   waiting.push_back(std::move(j));
   dispatch();
@@ -110,21 +121,33 @@ pool_state::job pool_state::take_next() {
   return next;
 }
 
-void pool_state::dispatch() {
+pool_state::child* pool_state::free_child(const job& wanted) {
+  child* found = nullptr;
   for (auto& c : children) {
-    if (waiting.empty())
-      return;
     if (!c.is_there() || c.work)
       continue;
+    if (c.last_place == wanted.place.document && wanted.place.document != 0)
+      return &c;
+    if (!found)
+      found = &c;
+  }
+  return found;
+}
+
+void pool_state::dispatch() {
+  const auto is_free = [](const child& c) { return c.is_there() && !c.work; };
+  while (!waiting.empty() && std::ranges::any_of(children, is_free)) {
     auto next = take_next();
     if (const auto why = off.refusal(next.edit)) {
       next.refuse(*why);  // Switched off while it waited.
-      return dispatch();
+      continue;
     }
-    c.work = std::move(next);
-    c.work->deadline = now() + limit_of(*c.work);
+    auto* c = free_child(next);
+    c->last_place = next.place.document;
+    c->work = std::move(next);
+    c->work->deadline = now() + limit_of(*c->work);
     wake();
-    c.work->send(c.worker, c.work->deaths);
+    c->work->send(c->worker, c->work->deaths);
   }
 }
 
@@ -157,6 +180,7 @@ void pool_state::complete(job_id id) {
   if (c == children.end())
     return;
   c->work.reset();
+  ++c->jobs_done;
   dispatch();
 }
 
@@ -164,7 +188,7 @@ void pool_state::give_up_on(job_id id, const std::string& why) {
   const auto c = child_with(id);
   if (c == children.end())
     return;
-  options.processes->kill(c->pid);
+  c->line->cut();
   bury(c, why);
 }
 
@@ -180,7 +204,7 @@ expected<pool_state::child> pool_state::make_child() {
     caf::anon_send_exit(c.enlister, caf::exit_reason::user_shutdown);
     return fail(pid.error());
   }
-  c.pid = *pid;
+  c.line = own_process(options.processes, *pid);
   return c;
 }
 
@@ -191,7 +215,7 @@ void pool_state::spawn_child() {
     spdlog::error("{} worker: {}", name_of(options.role), render(made.error()));
     return;
   }
-  spdlog::info("{} worker: process {} started", name_of(options.role), made->pid);
+  spdlog::info("{} worker: {} started", name_of(options.role), made->line->name());
   wake();
   children.push_back(std::move(*made));
 }
@@ -220,7 +244,7 @@ void pool_state::spawn_missing() {
     }
   }
   started_once = started_once || active() >= options.workers;
-  if (degraded && children.empty())
+  if (nobody_comes())
     refuse_waiting(no_worker());
 }
 
@@ -234,13 +258,17 @@ bool pool_state::enlist(std::uint64_t number, const enlistment& who) {
   c->worker = who.worker;
   c->worker_pid = who.pid;
   self->monitor(c->worker);
-  spdlog::info("{} worker: process {} ready after {} ms", name_of(options.role), c->pid,
+  spdlog::info("{} worker: {} ready after {} ms", name_of(options.role), c->line->name(),
                std::chrono::duration_cast<std::chrono::milliseconds>(now() - c->started).count());
+  serve_new(*c);
+  return true;
+}
+
+void pool_state::serve_new(child& c) {
   for (const auto& q : std::exchange(asked, {}))
-    q.ask(c->worker);
+    q.ask(c.worker);
   dispatch();
   say_health();
-  return true;
 }
 
 std::chrono::milliseconds pool_state::limit_of(const job& work) const {
@@ -285,7 +313,7 @@ void pool_state::try_again(job work, const std::string& how) {
 }
 
 void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
-  last_failure = "process " + std::to_string(dead->pid) + " " + how;
+  last_failure = dead->line->name() + " " + how;
   spdlog::warn("{} worker: {}", name_of(options.role), last_failure);
   auto work = std::move(dead->work);
   caf::anon_send_exit(dead->enlister, caf::exit_reason::user_shutdown);
@@ -300,7 +328,7 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
 
 std::size_t pool_state::active() const {
   return static_cast<std::size_t>(
-    std::ranges::count_if(children, [](const child& c) { return !c.retired; }));
+    std::ranges::count_if(children, [](const child& c) { return !c.retired && !c.is_remote(); }));
 }
 
 void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
@@ -308,9 +336,11 @@ void pool_state::retire(const caf::actor_addr& source, const std::string& why) {
     children, [&](const child& one) { return one.worker && one.worker.address() == source; });
   if (c == children.end() || c->retired)
     return;
-  spdlog::info("{} worker: process {} is replaced: {}", name_of(options.role), c->pid, why);
+  spdlog::info("{} worker: {} gets no more work: {}", name_of(options.role), c->line->name(), why);
   c->retired = now();
   wake();
+  if (c->is_remote())
+    return;  // Whoever keeps it there sees to another.
   ++forgiven;
   spawn_missing();
 }
@@ -325,7 +355,7 @@ void pool_state::dismiss_retired(clock::time_point at) {
       continue;
     if (too_many-- <= 0 && at - *current->retired < options.retired_stay)
       continue;
-    options.processes->kill(current->pid);
+    current->line->cut();
     caf::anon_send_exit(current->enlister, caf::exit_reason::user_shutdown);
     children.erase(current);
   }
@@ -338,7 +368,7 @@ void pool_state::on_down(const caf::actor_addr& source) {
     return;
   // Gone from the network is not yet gone as a process. One that has ended says how within moments,
   // though its connection closed first; a frozen one must not come back.
-  if (const auto how = options.processes->reap(c->pid))
+  if (const auto how = c->line->ended())
     return bury(c, *how);
   c->lost = now();
   resting = false;
@@ -374,14 +404,14 @@ void pool_state::tick() {
   const auto at = now();
   for (auto c = children.begin(); c != children.end();) {
     const auto current = c++;
-    if (const auto how = options.processes->reap(current->pid))
+    if (const auto how = current->line->ended())
       return bury(current, *how);  // The list has changed; the rest waits for the next tick.
     const bool late_start = !current->worker && at - current->started > options.start_limit;
     const bool late_work = current->work && at > current->work->deadline;
     const bool frozen = current->lost && at - *current->lost > options.last_moments;
     if (!late_start && !late_work && !frozen)
       continue;
-    options.processes->kill(current->pid);
+    current->line->cut();
     if (frozen)
       return bury(current, "did not answer any more");
     if (late_work && !current->work->cancelled) {
@@ -420,7 +450,9 @@ const char* to_string(role_state state) {
 
 role_state pool_state::state() const {
   const bool served = std::ranges::any_of(children, &child::is_there);
-  return served ? role_state::ready : degraded ? role_state::degraded : role_state::starting;
+  return served                       ? role_state::ready
+         : degraded || nobody_comes() ? role_state::degraded
+                                      : role_state::starting;
 }
 
 void pool_state::say_health() const {
@@ -440,6 +472,7 @@ worker_status pool_state::status() const {
     result.jobs += c.work.has_value();
   }
   result.detail = last_failure;
+  result.nodes = nodes();
   return result;
 }
 

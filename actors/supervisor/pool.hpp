@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <sys/types.h>
-
 #include <atomic>
 #include <chrono>
 #include <deque>
@@ -14,6 +12,7 @@
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/interfaces.hpp"
+#include "actors/supervisor/lifeline.hpp"
 #include "actors/supervisor/quarantine.hpp"
 #include "actors/supervisor/turns.hpp"
 #include "actors/supervisor/worker_processes.hpp"
@@ -107,14 +106,17 @@ struct pool_state {
     clock::time_point deadline;  ///< Once it runs.
   };
 
-  /// A worker process, starting, idle or with a job.
+  /// A worker, starting, idle or with a job: a process of ours, or one that joined from elsewhere.
   struct child {
-    std::uint64_t number = 0;  ///< Never used again.
-    pid_t pid = 0;
-    caf::actor enlister;  ///< What it talks to before it is a worker; ours.
+    std::uint64_t number = 0;  ///< Never used again: what one with another number says is void.
+    std::shared_ptr<lifeline> line;
+    caf::actor enlister;  ///< What it talks to before it is a worker; ours. Null for remote ones.
     clock::time_point started;
     caf::actor worker;            ///< Null until it has enlisted.
-    std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is `pid`.
+    std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is another process.
+    node_facts node;              ///< Of a remote one; else without a name.
+    std::uint64_t jobs_done = 0;
+    std::uint64_t last_place = 0;  ///< Whose job it did last: what that one works on is in memory.
     /// Since when it gets no more work; others still fetch the pages of its last result.
     std::optional<clock::time_point> retired;
     /// Since when its link is down; how its process ended is not known yet.
@@ -122,6 +124,7 @@ struct pool_state {
     std::optional<job> work;
 
     [[nodiscard]] bool is_there() const { return worker && !retired && !lost; }
+    [[nodiscard]] bool is_remote() const { return !node.name.empty(); }
   };
 
   /// What is asked of a worker beside its jobs.
@@ -132,6 +135,8 @@ struct pool_state {
 
   void start(caf::scheduled_actor* owner, pool_options with);
   void stop();
+  /// Whether what is asked now would wait for a worker that nobody expects.
+  [[nodiscard]] bool nobody_comes() const;
   /// Asks some worker that is there, or the first that comes; refuses when none can be had.
   void ask(question q);
   /// Takes a job; it is sent as soon as a worker is free.
@@ -147,6 +152,8 @@ struct pool_state {
   void give_up_on(job_id id, const std::string& why);
   /// The worker behind the link of a child says that it is there; false when none waits for it.
   bool enlist(std::uint64_t number, const enlistment& who);
+  /// Takes in a worker that came from elsewhere; false when it is not wanted any more.
+  bool welcome(const remote_worker& guest);
   void on_down(const caf::actor_addr& source);
   /// A worker wants no more work.
   void retire(const caf::actor_addr& source, const std::string& why);
@@ -182,7 +189,13 @@ struct pool_state {
   /// A job whose worker died: given to another, or refused when that has been tried often enough.
   void try_again(job work, const std::string& how);
   void dismiss_retired(clock::time_point at);
-  [[nodiscard]] std::size_t active() const;  ///< Children that have not retired.
+  [[nodiscard]] std::size_t active() const;  ///< Processes of ours that have not retired.
+  /// A worker is there: those who ask, and the jobs that wait, get it.
+  void serve_new(child& c);
+  /// The free worker for a job; null when none is free. One that did the last job of the same
+  /// document is best: versions and systems are in its memory.
+  [[nodiscard]] child* free_child(const job& wanted);
+  [[nodiscard]] std::vector<node_status> nodes() const;
   void bury(std::list<child>::iterator dead, const std::string& how);
   [[nodiscard]] std::list<child>::iterator child_with(job_id id);
   [[nodiscard]] error no_worker() const;
@@ -210,6 +223,7 @@ struct pool_state {
   std::uint32_t restarts = 0;
   bool started_once = false;
   bool degraded = false;
+  bool stopped = false;
   std::string last_failure;
 
   static inline const char* name = "pool";

@@ -82,20 +82,24 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
   const auto own = caf::actor_cast<caf::actor>(self);
   self->set_down_handler([=](caf::down_msg& down) { self->state.on_down(down.source); });
   heed_only_own_exits(self, [=] { self->state.stop(); });
-  self->set_default_handler(
-    [=](caf::scheduled_actor*, caf::message_view& view) -> caf::result<caf::message> {
-      auto message = view.move_content_to_message();
-      caf::message answer;
-      message.apply({[&](std::uint64_t number, const enlistment& who) {
-                       answer = caf::make_message(self->state.enlist(number, who));
-                     },
-                     [&](const retirement& note) {
-                       self->state.retire(caf::actor_cast<caf::actor_addr>(self->current_sender()),
-                                          note.why);
-                     },
-                     [&](tick_atom, std::uint64_t number) { self->state.on_tick(number); }});
-      return answer;
-    });
+  self->set_default_handler([=](caf::scheduled_actor*,
+                                caf::message_view& view) -> caf::result<caf::message> {
+    auto message = view.move_content_to_message();
+    caf::message answer;
+    message.apply(
+      {[&](std::uint64_t number, const enlistment& who) {
+         answer = caf::make_message(self->state.enlist(number, who));
+       },
+       [&](const remote_worker& guest) { answer = caf::make_message(self->state.welcome(guest)); },
+       [&](const retirement& note) {
+         self->state.retire(caf::actor_cast<caf::actor_addr>(self->current_sender()), note.why);
+       },
+       [&](const retirement& note, const caf::actor_addr& worker) {
+         self->state.retire(worker, note.why);
+       },
+       [&](tick_atom, std::uint64_t number) { self->state.on_tick(number); }});
+    return answer;
+  });
   state.make_enlister = [=](std::uint64_t number) {
     return self->spawn(make_enlister, own, number);
   };

@@ -3348,10 +3348,6 @@
         <translation>Vorbereiten des Vorkonditionierers</translation>
     </message>
     <message>
-        <source>process %1 %2</source>
-        <translation>Prozess %1 %2</translation>
-    </message>
-    <message>
         <source>put on at the least exact place</source>
         <translation>aufgetragen an der ungenauesten Stelle</translation>
     </message>
@@ -4938,6 +4934,18 @@
     <message>
         <source>reading version %1</source>
         <translation>Lesen von Version %1</translation>
+    </message>
+    <message>
+        <source>Start one with &quot;tedit worker --join&quot;, or set work.%1_workers in the server&apos;s configuration</source>
+        <translation>Einen mit „tedit worker --join“ starten oder work.%1_workers in der Konfiguration des Servers setzen</translation>
+    </message>
+    <message>
+        <source>no %1 worker has joined this server</source>
+        <translation>dieser Server hat keinen Arbeiter für %1</translation>
+    </message>
+    <message>
+        <source>the server turned this worker away: %1</source>
+        <translation>der Server hat diesen Arbeiter abgewiesen: %1</translation>
     </message>
 </context>
 <context>

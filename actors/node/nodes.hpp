@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <caf/actor_system.hpp>
+
+#include "actors/interfaces.hpp"
+#include "base/error.hpp"
+
+namespace tedit::actors {
+
+struct node_options {
+  std::filesystem::path certificates;  ///< What "tedit certs issue --role server" made.
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 0;  ///< 0: any that is free.
+  std::string version;     ///< Of this program.
+};
+
+/// Where workers of other machines come in: behind mutual TLS (actors/links/door.hpp), each as a
+/// worker of the pool of its certificate's role.
+class node_entrance {
+public:
+  /// Errors: those of `door::open`.
+  [[nodiscard]] static expected<std::unique_ptr<node_entrance>> open(caf::actor_system& system,
+                                                                     const worker_set& pools,
+                                                                     node_options options);
+  node_entrance(const node_entrance&) = delete;
+  node_entrance& operator=(const node_entrance&) = delete;
+  ~node_entrance();  ///< Cuts all connections.
+
+  [[nodiscard]] std::uint16_t port() const;
+
+private:
+  struct impl;
+  explicit node_entrance(std::unique_ptr<impl> made);
+  std::unique_ptr<impl> impl_;
+};
+
+}  // namespace tedit::actors

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/node/remote.hpp"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include <spdlog/spdlog.h>
+#include <caf/event_based_actor.hpp>
+#include <caf/send.hpp>
+#include <caf/stateful_actor.hpp>
+#include <caf/typed_response_promise.hpp>
+
+#include "actors/errors.hpp"
+#include "actors/exits.hpp"
+#include "fem/solver.hpp"
+
+namespace tedit::actors {
+
+namespace {
+
+std::optional<std::pair<int, int>> major_and_minor(std::string_view version) {
+  std::pair<int, int> result;
+  const char* const end = version.data() + version.size();
+  const auto major = std::from_chars(version.data(), end, result.first);
+  if (major.ec != std::errc() || major.ptr == end || *major.ptr != '.')
+    return std::nullopt;
+  const auto minor = std::from_chars(major.ptr + 1, end, result.second);
+  if (minor.ec != std::errc() || (minor.ptr != end && *minor.ptr != '.'))
+    return std::nullopt;
+  return result;
+}
+
+/// For a node to say what it is, once its certificate was seen.
+constexpr std::chrono::seconds time_to_enlist{30};
+
+/// Text from another machine goes into logs and status: printable, and not endless.
+std::string tidy(std::string text) {
+  constexpr std::size_t longest = 200;
+  std::erase_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+  if (text.size() > longest)
+    text.resize(longest);
+  return text;
+}
+
+node_answer refusal(bool later, std::string reason, std::string remedy) {
+  return {false, later, std::move(reason), std::move(remedy)};
+}
+
+/// Why a node cannot be taken in, before its pool is asked.
+std::optional<node_answer> objection(const node_enlistment& who, const node_peer& peer,
+                                     const std::string& version) {
+  const auto role = name_of(peer.role);
+  if (who.role != role)
+    return refusal(false,
+                   "the certificate of " + peer.name + " is one of a " + role + " worker, not of " +
+                     tidy(who.role),
+                   "Start it with --role " + role + ", or issue it another certificate");
+  if (!work_together(who.node.version, version))
+    return refusal(true,
+                   "the worker is TEdit " + tidy(who.node.version) + ", the server " + version,
+                   "Install a version on both whose minor numbers are at most one apart");
+  if (!who.worker)
+    return refusal(false, "no worker was named", "Start it with \"tedit worker --join\"");
+  return std::nullopt;
+}
+
+/// The devices that a solver finds here, the processor's own last.
+std::string solving_devices() {
+  std::string text;
+  for (const auto& device : fem::list_devices())
+    text += (text.empty() ? "" : ", ") + device.name;
+  return text;
+}
+
+caf::actor pool_of(const worker_set& pools, worker_role role) {
+  caf::actor result;
+  pools.for_each([&](worker_role one, const auto& pool) {
+    if (one == role)
+      result = caf::actor_cast<caf::actor>(pool);
+  });
+  return result;
+}
+
+struct enlister_state {
+  bool enlisted = false;
+  static inline const char* name = "node_enlister";
+};
+
+caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const worker_set& pools,
+                            const node_peer& peer, const std::string& version) {
+  heed_only_own_exits(self);
+  const auto pool = pool_of(pools, peer.role);
+  // It ends with its worker; one that never names a worker must not keep the connection.
+  self->set_down_handler([=](const caf::down_msg&) { self->quit(); });
+  self->delayed_send(self, time_to_enlist, rest_atom::value);
+  const auto enlist = [=](const node_enlistment& who) -> caf::result<node_answer> {
+    if (const auto why = objection(who, peer, version)) {
+      spdlog::warn("node {} ({}) was turned away: {}", peer.name, peer.address, why->reason);
+      self->quit();  // Once it is answered.
+      return *why;
+    }
+    self->monitor(who.worker);
+    auto promise = self->make_response_promise<node_answer>();
+    remote_worker guest{who.worker, who.node, peer.line};
+    guest.node.name = peer.name;
+    guest.node.address = peer.address;
+    guest.node.device = tidy(std::move(guest.node.device));
+    guest.node.version = tidy(std::move(guest.node.version));
+    self->request(pool, std::chrono::seconds(5), guest)
+      .then(
+        [=](bool accepted) mutable {
+          self->state.enlisted = accepted;
+          promise.deliver(accepted ? node_answer{true, false, {}, {}}
+                                   : refusal(true, "the server is stopping", "Try again soon"));
+        },
+        [=](const caf::error& e) mutable {
+          promise.deliver(refusal(true, from_caf(e, "the pool").message, "Try again soon"));
+        });
+    return promise;
+  };
+  return {enlist,
+          [=](const retirement& note, const caf::actor& worker) {
+            self->send(pool, note, worker.address());
+          },
+          [=](rest_atom) {
+            if (self->state.enlisted)
+              return;
+            peer.line->cut();
+            self->quit();
+          }};
+}
+
+}  // namespace
+
+bool work_together(std::string_view a, std::string_view b) {
+  const auto one = major_and_minor(a);
+  const auto other = major_and_minor(b);
+  return one && other && one->first == other->first && std::abs(one->second - other->second) <= 1;
+}
+
+caf::actor make_node_enlister(caf::actor_system& system, const worker_set& pools, node_peer peer,
+                              const std::string& version) {
+  return system.spawn(node_enlister, pools, std::move(peer), version);
+}
+
+void end_enlister(const caf::actor& enlister) {
+  caf::anon_send_exit(enlister, caf::exit_reason::user_shutdown);
+}
+
+node_facts facts_of_this_machine(worker_role role, const std::string& version) {
+  node_facts result;
+  result.version = version;
+  result.threads = std::thread::hardware_concurrency();
+  result.memory_bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                        static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  result.device = role == worker_role::solver ? solving_devices() : "processor";
+  return result;
+}
+
+expected<void> enlist_at(caf::scoped_actor& self, const caf::actor& enlister, node_enlistment who) {
+  expected<void> result;
+  self->request(enlister, std::chrono::seconds(10), std::move(who))
+    .receive(
+      [&](const node_answer& answer) {
+        if (!answer.accepted)
+          result =
+            fail(answer.later ? ec::service_unavailable : ec::invalid_argument,
+                 "the server turned this worker away: " + tidy(answer.reason), tidy(answer.remedy));
+      },
+      [&](const caf::error& e) { result = fail(from_caf(e, "joining the server")); });
+  return result;
+}
+
+}  // namespace tedit::actors
