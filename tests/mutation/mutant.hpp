@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What `mutate.py` writes into the sources of a clone: every planted change is in the program, and
+// What `planting.py` includes in the sources of a copy: every planted change is in the program, and
 // TEDIT_MUTANT=NUMBER makes one of them act. TEDIT_MUTANT_HITS names a file, a byte for each
 // number, in which those that were reached are noted, by child processes too.
 #pragma once

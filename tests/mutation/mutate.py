@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Plants small faults in the sources of a clone and says which tests notice them.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Plants small faults in the sources and says which tests notice them.
 
-usage: mutate.py TREE [--rooms actors,mesh,fem] [--count 150] [--seed 1] [--labels REGEX] [--targets ...] [--table FILE]
+usage: mutate.py [TREE] [--rooms actors,mesh,fem] [--count 150] [--seed 1] [--labels REGEX] [--targets ...] [--table FILE]
 
-TREE is a clone of its own, which this changes. A fault is a negated condition, a bound that is off by one,
-a sign, a turned answer, a call that is left out. All are built into one program; TEDIT_MUTANT=NUMBER
-makes one act (mutant.hpp). Tests that reach a fault run with it until the first one fails. What is
+TREE (this one) is not changed: the faults are in a copy of it, TREE/build/mutants. A fault is a negated condition,
+a bound that is off by one, a sign, a turned answer, a call that is left out. All are built into one program;
+TEDIT_MUTANT=NUMBER makes one act (mutant.hpp). What the compiler warns of is left out. Tests that reach a fault run with it until the first one fails. What is
 printed as "survived" was reached by tests and noticed by none; "not reached" says itself.
 """
 import argparse
@@ -21,8 +22,9 @@ import sys
 import tempfile
 import time
 
+import planting
+
 HITS = 4096
-PRESET = "mutants"
 OPERAND = r"[A-Za-z_0-9][\w.]*(?:\(\))?"
 SKIPPED = re.compile(r"^\s*(//|#|case |static_assert|template|using |friend |constexpr |///|\*)|requires|operator")
 
@@ -116,53 +118,49 @@ def choose(places, count, seed):
     return chosen
 
 
-def write(tree, originals, mutants):
-    """The sources with `mutants` (number: place), from the originals."""
+def planted(originals, mutants):
+    """The sources (path: text) with `mutants` (number: place), from the originals."""
     of_file = collections.defaultdict(dict)
     for number, (file, line, kind) in mutants.items():
         of_file[file][line] = (number, kind)
-    for file, text in originals.items():
-        lines = text.splitlines()
-        for line, (number, kind) in of_file.get(file, {}).items():
+    changed = {}
+    for file, of_line in of_file.items():
+        lines = originals[file].splitlines()
+        for line, (number, kind) in of_line.items():
             lines[line] = KINDS[kind](lines[line])(number)
-        head = next(i for i, line in enumerate(lines) if line.startswith("#include"))
-        lines[head] = '#include "tests/mutation/mutant.hpp"\n' + lines[head]
-        changed = "\n".join(lines) + "\n"
-        if (tree / file).read_text() != changed:
-            (tree / file).write_text(changed)
+        changed[file] = planting.with_switch("\n".join(lines) + "\n")
+    return changed
 
 
-def build(tree, originals, mutants, targets):
+def build(tree, copy, originals, mutants, targets):
     """Builds; what does not compile is taken out again. Returns what is left."""
-    folder = tree / "build" / PRESET
-    subprocess.run(["cmake", "--preset", "ci", "-B", folder, "-DTEDIT_WERROR=OFF", "-DTEDIT_DESKTOP=OFF",
-                    "-DTEDIT_RENDER=OFF"], cwd=tree, check=True, stdout=subprocess.DEVNULL)
     for _ in range(8):
-        write(tree, originals, mutants)
-        done = subprocess.run(["ninja", "-C", folder, "-j2", "-k0", *targets], capture_output=True, text=True)
-        if done.returncode == 0:
+        planting.copy_sources(tree, copy, planted(originals, mutants))
+        folder = planting.configure(copy)
+        said = planting.build(folder, targets)
+        if not said:
             return mutants
         wrong = set()
-        for file, line in re.findall(r"([\w./-]+\.cpp):(\d+):\d+: (?:error|  required)", done.stdout):
-            path = pathlib.Path(os.path.relpath((folder / file).resolve(), tree))
+        for file, line in re.findall(r"([\w./-]+\.cpp):(\d+):\d+: (?:error|  required)", said):
+            path = pathlib.Path(os.path.relpath((folder / file).resolve(), copy))
             wrong.add((path, int(line) - 2))  # The include is a line more; lines count from 1.
         gone = [n for n, place in mutants.items() if (place[0], place[1]) in wrong]
         if not gone:
-            sys.exit("the build fails for another reason:\n" + done.stdout[-3000:])
+            sys.exit("the build fails for another reason:\n" + said[-3000:])
         print(f"{len(gone)} faults do not compile and are left out", flush=True)
         mutants = {n: place for n, place in mutants.items() if n not in gone}
     sys.exit("the build fails again and again")
 
 
-def tests_of(tree, labels):
+def tests_of(copy, labels):
     """(program, gtest name, environment, folder) of each test of these labels."""
-    listed = subprocess.run(["ctest", "--test-dir", tree / "build" / PRESET, "-L", labels, "--show-only=json-v1"],
+    listed = subprocess.run(["ctest", "--test-dir", copy / "build" / "release", "-L", labels, "--show-only=json-v1"],
                             capture_output=True, text=True, check=True)
     found = []
     for test in json.loads(listed.stdout)["tests"]:
         name = next((a.split("=", 1)[1] for a in test.get("command", []) if a.startswith("--gtest_filter=")), None)
         if name:
-            folder = next((p["value"] for p in test["properties"] if p["name"] == "WORKING_DIRECTORY"), tree)
+            folder = next((p["value"] for p in test["properties"] if p["name"] == "WORKING_DIRECTORY"), copy)
             found.append((test["command"][0], name, folder))
     return found
 
@@ -206,7 +204,7 @@ def judge(number, tests):
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("tree", type=pathlib.Path)
+    options.add_argument("tree", nargs="?", type=pathlib.Path, default=pathlib.Path(__file__).parents[2])
     options.add_argument("--rooms", default="actors,mesh,fem")
     options.add_argument("--count", type=int, default=150)
     options.add_argument("--seed", type=int, default=1)
@@ -215,15 +213,15 @@ def main():
     options.add_argument("--table", type=pathlib.Path)
     given = options.parse_args()
     tree = given.tree.resolve()
-    subprocess.run(["git", "checkout", "-q", "--", *given.rooms.split(",")], cwd=tree, check=True)
+    copy = tree / "build" / "mutants"
     chosen = choose(candidates(tree, given.rooms.split(",")), given.count, given.seed)
     originals = {place[0]: (tree / place[0]).read_text() for place in chosen}
-    mutants = build(tree, originals, dict(enumerate(chosen)), given.targets.split())
+    mutants = build(tree, copy, originals, dict(enumerate(chosen)), given.targets.split())
     print(f"{len(mutants)} faults planted", flush=True)
 
     reached = collections.defaultdict(list)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        for test, passed, hits in pool.map(reach, tests_of(tree, given.labels)):
+        for test, passed, hits in pool.map(reach, tests_of(copy, given.labels)):
             if not passed:
                 print(f"left out, fails by itself: {test[1]}", flush=True)
             for number in hits if passed else ():

@@ -1,142 +1,138 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Plants faults in the actors, one at a time, and says which the simulation finds.
+"""Plants faults in the actors and says which of them the simulation finds.
 
-usage: tests/simulation/planted_faults.py TREE [SEEDS]
+usage: tests/simulation/planted_faults.py [--seeds 300] [--only WORDS] [TREE]
 
-TREE: a checkout of its own, which this changes and restores. Each fault is a piece of source and what
-stands in its place. The tree is built in TREE/build/planted; a fault is found when `simulate 1 SEEDS`
-(default 300) fails or ends by a signal.
+TREE (this one) is not changed: the faults are in a copy, TREE/build/planted, all in one program; a variable of
+the environment makes one act. A fault is found when `simulate 1 SEEDS` fails, ends by a signal or takes ten
+minutes. Without any fault the seeds must pass.
 """
+import argparse
+import concurrent.futures
+import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "mutation"))
+import planting
+
+# What is wrong, where, a piece of source, and what stands in its place. There FAULT says whether the fault acts,
+# and OLD is the piece itself.
+LEFT_OUT = "if (!FAULT) {\nOLD\n}"
 FAULTS = [
     ("a finished command does not start the next", "actors/session/session.cpp",
-     "  running.reset();\n  next_command();", "  running.reset();"),
+     "running.reset();\n  next_command();", "running.reset();\n  if (!FAULT)\n    next_command();"),
     ("who asked hears a new head twice", "actors/session/edits.cpp",
-     "broadcast(moved, {asked_by.client});", "broadcast(moved);"),
+     "broadcast(moved, {asked_by.client});", "if (FAULT)\n    broadcast(moved);\n  else {\n    OLD\n  }"),
     ("others do not hear of a new head", "actors/session/edits.cpp",
-     "broadcast(moved, {asked_by.client});", ""),
+     "broadcast(moved, {asked_by.client});", LEFT_OUT),
     ("a change of loads is not remembered by its id", "actors/session/notes.cpp",
-     "        past.add(made);\n", ""),
+     "        past.add(made);\n", LEFT_OUT),
     ("an edit is not remembered by its id", "actors/session/edits.cpp",
-     "  past.add(made);\n  last_preview", "  last_preview"),
+     "past.add(made);\n  last_preview", "if (!FAULT)\n    past.add(made);\n  last_preview"),
     ("undo forgets where it came from", "actors/session/edits.cpp",
-     "        graph.set_redo(number, child);", "        (void)child;"),
+     "graph.set_redo(number, child);", LEFT_OUT),
     ("a change is acknowledged before it is durable", "actors/session/session.cpp",
-     "  auto shared = std::make_shared<const store::change>(std::move(change));",
-     "  auto shared = std::make_shared<const store::change>(std::move(change));\n"
-     "  self->send(parts.store, stored_change{shared});\n  return done(0);"),
+     "auto shared = std::make_shared<const store::change>(std::move(change));",
+     "OLD\n  if (FAULT) {\n    self->request(parts.store, std::chrono::minutes(5), stored_change{shared})"
+     ".then([](acknowledged) {}, [](const caf::error&) {});\n    return done(0);\n  }"),
     ("a check stays in the list of jobs", "actors/session/candidates.cpp",
-     "      [=, this](const check_result& result) {\n        progress_of.erase(job);",
-     "      [=, this](const check_result& result) {"),
+     "(const check_result& result) {\n        progress_of.erase(job);",
+     "(const check_result& result) {\n        if (!FAULT)\n          progress_of.erase(job);"),
     ("a preview that was answered stays", "actors/session/candidates.cpp",
-     "std::move(previews.extract(ticket).mapped())", "previews.at(ticket)"),
+     "std::move(previews.extract(ticket).mapped())", "FAULT ? previews.at(ticket) : OLD"),
     ("who waits for a solve that ends early waits on", "actors/session/solves.cpp",
-     "  for (auto& waiter : ended.waiting)\n    waiter.promise.deliver(to_caf({code, why, {}, {}}));\n", ""),
+     "for (auto& waiter : ended.waiting)\n    waiter.promise.deliver(to_caf({code, why, {}, {}}));", LEFT_OUT),
     ("a solve is answered to nobody", "actors/session/solves.cpp",
-     "      for (auto& waiter : done.waiting)\n        waiter.promise.deliver(event);\n", ""),
+     "for (auto& waiter : done.waiting)\n        waiter.promise.deliver(event);", LEFT_OUT),
     ("a free worker takes no waiting work", "actors/supervisor/pool.cpp",
-     "  c->work.reset();\n  dispatch();\n}", "  c->work.reset();\n}"),
+     "  c->work.reset();\n  dispatch();\n}", "  c->work.reset();\n  if (!FAULT)\n    dispatch();\n}"),
     ("the work of a dead worker is lost", "actors/supervisor/pool.cpp",
-     "  if (work)\n    try_again(std::move(*work), how);\n", ""),
+     "  if (work)\n    try_again(std::move(*work), how);", "  if (work && !FAULT)\n    try_again(std::move(*work), how);"),
     ("a worker gets work while it has some", "actors/supervisor/pool.cpp",
-     "if (!c.is_there() || c.work)", "if (!c.is_there())"),
-    ("a batch of pages is not counted off", "actors/pages/page_store.cpp",
-     "  --transfer.in_flight;\n", ""),
+     "!c.is_there() || c.work", "!c.is_there() || (c.work && !FAULT)"),
+    ("a batch of pages is not counted off", "actors/pages/page_store.cpp", "--transfer.in_flight;", LEFT_OUT),
     ("an answered request is kept", "actors/gateway/client_actor.cpp",
-     "  end(id);\n  message.set_request_id(id);", "  message.set_request_id(id);"),
+     "end(id);\n  message.set_request_id(id);", "if (!FAULT)\n    end(id);\n  message.set_request_id(id);"),
     ("the surface of another's edit is not sent", "actors/gateway/client_actor.cpp",
-     "  send(*client.to, message);\n  client.follow(event);", "  send(*client.to, message);"),
+     "  client.follow(event);\n}\n\nvoid on_load_cases", "  if (!FAULT)\n    client.follow(event);\n}\n\nvoid on_load_cases"),
     ("an edit hangs from the wrong parent", "actors/session/version_graph.cpp",
-     "node.info.parent = head_;", "node.info.parent = head_ ? nodes_[*head_].info.parent : head_;"),
+     "node.info.parent = head_;", "node.info.parent = FAULT && head_ ? nodes_[*head_].info.parent : head_;"),
     ("a written file stays on the count", "actors/gateway/exports.cpp",
-     "(const exported& file) {\n          --exporting;", "(const exported& file) {"),
-    ("uploads stay on the account", "actors/gateway/uploads.cpp",
-     "  used_ -= bytes;\n  if (all_)\n    all_->give_back(bytes);", "  used_ -= bytes;"),
+     "(const exported& file) {\n          --exporting;", "(const exported& file) {\n          if (!FAULT)\n            --exporting;"),
+    ("uploads stay on the account", "actors/gateway/uploads.cpp", "all_->give_back(bytes);", LEFT_OUT),
     ("a repeated change is made again", "actors/session/change_log.cpp",
-     "const past_change* change_log::find(const std::string& edit_id) const {\n",
-     "const past_change* change_log::find(const std::string& edit_id) const {\n"
-     "  if (edit_id.size() % 2 == 0)\n    return nullptr;\n"),
+     "return edit_id.empty() ||", "return (FAULT && edit_id.size() % 2 == 0) || edit_id.empty() ||"),
     ("a cancelled command that waits is not answered", "actors/session/session.cpp",
-     "  refuse({ec::cancelled, \"the request was cancelled before it began\", {}, {}});", ""),
+     "refuse({ec::cancelled, \"the request was cancelled before it began\", {}, {}});", LEFT_OUT),
     ("a solve is not tried again", "actors/session/solves.cpp",
-     "active->retries++ >= most_retries", "active->retries++ >= 0"),
+     "active->retries++ >= most_retries", "active->retries++ >= (FAULT ? 0 : most_retries)"),
     ("a document goes although another has it open", "actors/session/notes.cpp",
-     "  if (others > 0)\n", "  if (others > 100)\n"),
+     "  if (others > 0)\n", "  if (others > (FAULT ? 100 : 0))\n"),
     ("who waits for the name of a deleted document waits on", "actors/node/library.cpp",
-     "    promise->deliver(deleted_document{name});\n    let_go(self, name);",
-     "    promise->deliver(deleted_document{name});"),
+     "promise->deliver(deleted_document{name});\n    let_go(self, name);",
+     "promise->deliver(deleted_document{name});\n    if (!FAULT)\n      let_go(self, name);"),
     ("a deletion is acknowledged and not made", "actors/node/library.cpp",
-     "  if (!name)\n    return to_caf(name.error());\n",
-     "  if (!name)\n    return to_caf(name.error());\n"
-     "  if (state.name_changes % 2 == 1)\n    return deleted_document{*name};\n"),
+     "  const auto promise = std::make_shared<caf::typed_response_promise<deleted_document>>(",
+     "  if (FAULT && state.name_changes % 2 == 1)\n    return deleted_document{*name};\nOLD"),
     ("a copy that was written stays on the count", "actors/session/notes.cpp",
-     "        --copying;\n        promise->deliver(acknowledged{});",
-     "        promise->deliver(acknowledged{});"),
-    ("the log of a deleted document stays", "actors/store/deletion.cpp",
-     "  remove_companions(file);\n  ::unlink(hidden.c_str());\n  return {};",
-     "  ::unlink(hidden.c_str());\n  return {};"),
+     "--copying;\n        promise->deliver(acknowledged{});",
+     "if (!FAULT)\n          --copying;\n        promise->deliver(acknowledged{});"),
+    ("a deleted document stays under its hidden name", "actors/store/deletion.cpp",
+     "::unlink(hidden.c_str());\n  return {};", "if (!FAULT)\n    ::unlink(hidden.c_str());\n  return {};"),
     ("new loads are not sent to others", "actors/session/notes.cpp",
-     "    state.broadcast(\n      load_cases_changed{", "    (void)(\n      load_cases_changed{"),
+     "state.broadcast(\n      load_cases_changed{state.parts.document, to_hex(state.graph.head()->info.id), shared});",
+     LEFT_OUT),
 ]
 
-# Each source by itself, so that a fault costs one of them; a fault may leave something unused.
-ALONE = """
-set_target_properties(tedit_actors tedit_gateway PROPERTIES UNITY_BUILD OFF)
-target_compile_options(tedit_actors PRIVATE -Wno-error)
-target_compile_options(tedit_gateway PRIVATE -Wno-error)
-"""
+
+def planted(tree):
+    """The sources (path: text) with every fault in them."""
+    changed = {}
+    for number, (what, name, old, new) in enumerate(FAULTS):
+        path = pathlib.Path(name)
+        text = changed.get(path) or planting.with_switch((tree / path).read_text())
+        if text.count(old) != 1:
+            sys.exit(f"{what}: {name} has {text.count(old)} times: {old}")
+        new = new.replace("FAULT", f"tedit::mutation::acts({number})").replace("OLD", old)
+        changed[path] = text.replace(old, new)
+    return changed
 
 
-def run(command, tree, **more):
-    return subprocess.run(command, cwd=tree, capture_output=True, text=True, **more)
-
-
-def build(tree):
-    done = run(["ninja", "-C", "build/planted", "simulate"], tree)
-    return done.returncode == 0, done.stdout[-2000:]
+def play(program, seeds, number=None):
+    """How the seeds failed with a fault, or nothing."""
+    with tempfile.TemporaryDirectory(dir="/dev/shm" if os.path.isdir("/dev/shm") else None) as folder:
+        environment = {**os.environ, "TMPDIR": folder} | ({} if number is None else {"TEDIT_MUTANT": str(number)})
+        done = subprocess.run(["timeout", "600", program, "1", str(seeds), "--first"], env=environment,
+                              capture_output=True, text=True)
+    lines = done.stdout.splitlines()
+    return None if done.returncode == 0 else lines[0] if lines else f"ended with {done.returncode}"
 
 
 def main():
-    tree = pathlib.Path(sys.argv[1]).resolve()
-    seeds = sys.argv[2] if len(sys.argv) > 2 else "300"
-    lists = tree / "actors/CMakeLists.txt"
-    before = lists.read_text()
-    lists.write_text(before + ALONE)
-    try:
-        run(["cmake", "--preset", "ci", "-B", "build/planted"], tree)
-        plant_all(tree, seeds)
-    finally:
-        lists.write_text(before)
-
-
-def plant_all(tree, seeds):
-    good, said = build(tree)
-    sound = good and run(["build/planted/bin/simulate", "1", seeds], tree).returncode == 0
-    if not sound:
-        sys.exit("the tree must build and pass before faults are planted: " + said)
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("tree", nargs="?", type=pathlib.Path, default=pathlib.Path(__file__).parents[2])
+    options.add_argument("--seeds", type=int, default=300)
+    options.add_argument("--only", default="", help="faults with these words in their names")
+    given = options.parse_args()
+    tree = given.tree.resolve()
+    planting.copy_sources(tree, tree / "build" / "planted", planted(tree))
+    folder = planting.configure(tree / "build" / "planted")
+    if said := planting.build(folder, ["simulate"]):
+        sys.exit("what is planted does not compile:\n" + "\n".join(l for l in said.splitlines() if "error:" in l))
+    program = folder / "bin" / "simulate"
+    if said := play(program, given.seeds):
+        sys.exit("the seeds must pass without a fault: " + said)
+    chosen = [n for n, fault in enumerate(FAULTS) if given.only in fault[0]]
     found = 0
-    for what, name, old, new in FAULTS:
-        file = tree / name
-        text = file.read_text()
-        if text.count(old) != 1:
-            sys.exit(f"{name} does not have once: {old}")
-        file.write_text(text.replace(old, new))
-        try:
-            good, said = build(tree)
-            if not good:
-                sys.exit(f"{what}: does not compile: {said}")
-            done = run(["timeout", "600", "build/planted/bin/simulate", "1", seeds], tree)
-        finally:
-            file.write_text(text)
-        found += done.returncode != 0
-        lines = done.stdout.splitlines()
-        how = lines[0] if done.returncode == 1 and lines else f"ended with {done.returncode}"
-        print(f"{'found' if done.returncode else 'MISSED'}: {what}: {how}", flush=True)
-    print(f"{found} of {len(FAULTS)} found")
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for number, how in zip(chosen, pool.map(lambda n: play(program, given.seeds, n), chosen)):
+            print(f"{'found' if how else 'MISSED'}: {FAULTS[number][0]}: {how or ''}", flush=True)
+            found += how is not None
+    print(f"{found} of {len(chosen)} found")
 
 
 if __name__ == "__main__":
