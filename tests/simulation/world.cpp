@@ -194,7 +194,17 @@ private:
   // -- what the files have
   // -------------------------------------------------------------------------
 
+  /// Documents, who holds them, and what they were called: no logs, drafts or what was deleted.
+  void check_folder() {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const auto name = entry.path().filename().string();
+      if (!name.ends_with(".tedit") && name != ".tedit-lock" && name != ".tedit-names")
+        past_.faults.push_back("the file " + name + " is left beside the documents");
+    }
+  }
+
   void check_documents() {
+    check_folder();
     check_whole_documents();
     std::map<std::string, int> made;  // By edit id.
     std::vector<stored_document> documents;
