@@ -60,6 +60,20 @@ TEST(Receipt, AMergedSurfaceTakesItsLoadAlong) {
   EXPECT_THAT(result.lines[1].text, HasSubstr("total force 1 N kept"));
 }
 
+TEST(Receipt, TenThousandNewtonsAndMoreAreWrittenOutAndTenMillionAreNot) {
+  const auto before = test::box_mesh({2, 2, 2}, {1, 1, 1});
+  const auto after = repainted(before, 2, 4);
+  const auto text = [&](double newtons) {
+    auto loads = two_items();
+    std::get<force>(loads.loads[0].kind).total_n = {0, 0, newtons};
+    return carry_over(loads, *before, *after, compare_surfaces(*before, *after)).lines[1].text;
+  };
+
+  EXPECT_THAT(text(10000), HasSubstr("total force 10000 N kept"));
+  EXPECT_THAT(text(-12345), HasSubstr("total force 12345 N kept"));
+  EXPECT_THAT(text(1e7), HasSubstr("total force 1e+07 N kept"));
+}
+
 TEST(Receipt, ALostSurfaceReducesOrDropsWithASentence) {
   const auto before = test::box_mesh({2, 2, 2}, {1, 1, 1});
   const std::vector<surface_change> map{{3, surface_fate::removed, 0, "", 1, 0},

@@ -126,6 +126,18 @@ TEST(BadFiles, ScaledFilesKeepPositiveVolumes) {
   }
 }
 
+TEST(BadFiles, APhysicalNameNeedsBothItsQuotes) {
+  const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 ";
+  const auto said = [&](const std::string& name) {
+    const auto file = head + name + "\n$EndPhysicalNames\n";
+    return all_text(import_mesh_bytes(std::span(file.data(), file.size()), "mm"));
+  };
+
+  EXPECT_THAT(said("\"wall"), HasSubstr("a physical name must stand in double quotes"));
+  EXPECT_THAT(said("wall"), HasSubstr("a physical name must stand in double quotes"));
+  EXPECT_THAT(said("\"wall\""), HasSubstr("no nodes"));
+}
+
 /// One tet of ten nodes; the middle of its first edge lies `off` the edge.
 std::string quadratic_tet(const std::string& off) {
   return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n"

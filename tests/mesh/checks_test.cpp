@@ -75,6 +75,16 @@ TEST(CheckVersion, FindsWrongCounts) {
   EXPECT_THAT(broken(data), HasSubstr("48 live, 49 stated"));
 }
 
+TEST(CheckVersion, FindsWrongCountsOfFacetsAndOfVertices) {
+  auto facets = unit_box()->data();
+  ++facets.live_facets;
+  auto vertices = unit_box()->data();
+  --vertices.vertices;
+
+  EXPECT_EQ(broken(facets), "counts are right at facets (48 live, 49 stated); ");
+  EXPECT_EQ(broken(vertices), "counts are right at vertices (27 live, 26 stated); ");
+}
+
 /// Two cells that share an edge only, from vertex 0 to vertex 3.
 version_ptr two_at_an_edge() {
   raw_mesh raw;
