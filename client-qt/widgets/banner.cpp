@@ -152,7 +152,7 @@ bool banner::event(QEvent* event) {
   const bool done = QFrame::event(event);
   if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
     fit_words();
-  if (event->type() == QEvent::LayoutRequest)
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Hide)
     emit changed();
   return done;
 }
