@@ -149,7 +149,7 @@ QString history_strip::details(const version_record& version) const {
   if (const auto m = mass(version))
     lines << tr("mass %1").arg(desktop::mass(*m));
   if (version.report) {
-    lines << tr("volume %1").arg(quantity(version.report->volume_change, "m3"));
+    lines << tr("volume %1").arg(change_by(version.report->volume_change, "m3"));
     if (const auto& ratios = version.report->ratios)
       lines << tr("worst tet where it changed: %1 before, %2 now")
                  .arg(number(ratios->min_before), number(ratios->min_after));
