@@ -6,10 +6,10 @@
 
 #include "actors/errors.hpp"
 #include "actors/session/candidate.hpp"
+#include "actors/session/numbers.hpp"
 #include "actors/store/loading.hpp"
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
-#include "base/metrics.hpp"
 #include "mesh/formats.hpp"
 #include "protocol/forms.hpp"
 
@@ -205,9 +205,7 @@ void session_state::commit_node(graph_node node, past_change made, const std::st
 
 /// What follows once a change that moved the head is durable.
 void session_state::show_head(const past_change& made, double commit_ms, head_waiter asked_by) {
-  metrics::count_of("tedit_heads_moved_total", "Changes that moved a document's head, by kind.",
-                    {{"kind", made.what}})
-    .add();
+  numbers::heads_moved(made.what).add();
   past.add(made);
   last_preview.reset();
   auto moved = describe(*graph.head(), made.what);

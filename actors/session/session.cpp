@@ -7,26 +7,17 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
-#include "base/metrics.hpp"
+#include "actors/session/numbers.hpp"
 
 namespace tedit::actors {
 
-namespace {
-
-metrics::gauge& open_documents() {
-  static auto& open = metrics::level_of("tedit_documents_open", "Documents that are open.");
-  return open;
-}
-
-}  // namespace
-
 session_state::session_state() {
-  open_documents().add(1);
+  numbers::open_documents().add(1);
 }
 
 session_state::~session_state() {
   end_comparisons();
-  open_documents().add(-1);
+  numbers::open_documents().add(-1);
 }
 
 void session_state::start(session_pointer owner, session_parts with, stored_document stored) {

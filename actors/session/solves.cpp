@@ -2,9 +2,9 @@
 #include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
+#include "actors/session/numbers.hpp"
 #include "actors/session/session.hpp"
 #include "actors/versions.hpp"
-#include "base/metrics.hpp"
 
 namespace tedit::actors {
 
@@ -268,8 +268,7 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       auto done = std::move(*active);
       active.reset();
       progress_of.erase(job);
-      static auto& solved_total = metrics::count_of("tedit_solves_total", "Solves that were done.");
-      solved_total.add();
+      numbers::solves().add();
       const auto outcome = *result.outcome.get();  // Read when the fields were opened.
       const solved event{parts.document, done.mesh, outcome, fields, job.value};
       auto kept = event;
@@ -314,9 +313,7 @@ void session_state::fail_solve(job_id job, const error& e) {
     return;
   auto failed = std::move(*active);
   active.reset();
-  static auto& failures =
-    metrics::count_of("tedit_solve_failures_total", "Solves that came to no result.");
-  failures.add();
+  numbers::failed_solves().add();
   spdlog::warn("{}: solve failed: {}", parts.document, render(e));
   for (auto& waiter : failed.waiting)
     waiter.promise.deliver(to_caf(e));
