@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/metrics.hpp"
 #include "protocol/text_fields.hpp"
 
 namespace tedit::gateway {
@@ -58,11 +59,19 @@ void align(bulk& data) {
 /// All that goes out passes here. Names and error messages may come from files, in whatever
 /// encoding; most languages refuse a whole message for one text that is no UTF-8.
 void send(connection& to, const v1::ServerMessage& message) {
-  if (protocol::has_valid_text(message))
-    return to.send(std::make_shared<const std::string>(message.SerializeAsString()));
-  auto valid = message;
-  protocol::make_text_valid(valid);
-  to.send(std::make_shared<const std::string>(valid.SerializeAsString()));
+  static auto& messages = metrics::count_of("tedit_sent_messages_total", "Messages to clients.");
+  static auto& total = metrics::count_of("tedit_sent_bytes_total", "Bytes of them.");
+  std::string bytes;
+  if (protocol::has_valid_text(message)) {
+    bytes = message.SerializeAsString();
+  } else {
+    auto valid = message;
+    protocol::make_text_valid(valid);
+    bytes = valid.SerializeAsString();
+  }
+  messages.add();
+  total.add(bytes.size());
+  to.send(std::make_shared<const std::string>(std::move(bytes)));
 }
 
 void outbox::pump() {

@@ -27,6 +27,12 @@ bool parse(const std::string& bytes, v1::ClientMessage& message) {
   return message.ParseFromCodedStream(&in) && in.ConsumedEntireMessage();
 }
 
+void count_refusal(const std::string& code) {
+  metrics::count_of("tedit_requests_refused_total", "Requests that were refused, by error code.",
+                    {{"code", code}})
+    .add();
+}
+
 }  // namespace
 
 void client_state::start(client_pointer owner, std::shared_ptr<connection> peer,
@@ -93,8 +99,18 @@ void client_state::on_closed() {
   self->quit();
 }
 
+void client_state::end(std::uint64_t id) {
+  requests.erase(id);
+  if (const auto found = timed.extract(id)) {
+    const auto& [counted, since] = found.mapped();
+    counted->note(std::chrono::steady_clock::now() - since);
+  }
+}
+
 void client_state::answer(std::uint64_t id, v1::ServerMessage message) {
   end(id);
+  if (message.has_error())
+    count_refusal(message.error().code());
   message.set_request_id(id);
   send(*to, message);
 }
@@ -116,6 +132,7 @@ void client_state::reject(std::uint64_t id, const error& e) {
   v1::ServerMessage message;
   message.set_request_id(id);
   to_message(e, message.mutable_error());
+  count_refusal(message.error().code());
   send(*to, message);
 }
 

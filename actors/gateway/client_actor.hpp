@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <map>
 
@@ -15,6 +16,7 @@
 #include "actors/gateway/token_guard.hpp"
 #include "actors/gateway/uploads.hpp"
 #include "actors/interfaces.hpp"
+#include "base/metrics.hpp"
 #include "mesh/formats.hpp"
 
 namespace tedit::gateway {
@@ -46,6 +48,9 @@ struct gateway_parts {
   std::function<std::size_t()> connections;  ///< Set by `start_gateway`.
   /// Each role of workers and its state ("ready", "starting", "degraded"); called from any thread.
   std::function<std::vector<std::pair<std::string, std::string>>()> roles;
+  /// Brings what is only looked at, as the use of memory, into the process's metrics; called from
+  /// any thread. May be empty.
+  std::function<void()> measure;
 };
 
 /// One client: what it has open, what runs for it, what is on its way to it. The members are called
@@ -148,7 +153,7 @@ struct client_state {
   [[nodiscard]] actors::change_terms terms_of(const Body& body) const {
     return {client_name, body.edit_id(), body.expected_version()};
   }
-  void end(std::uint64_t id) { requests.erase(id); }
+  void end(std::uint64_t id);
 
   client_pointer self = nullptr;
   std::shared_ptr<connection> to;
@@ -163,6 +168,8 @@ struct client_state {
   std::deque<waiting_export> exports;            ///< Not begun.
   unsigned exporting = 0;                        ///< Begun, and not written yet.
   std::map<std::uint64_t, running_request> requests;
+  /// When each that is not answered was asked, and where that is counted.
+  std::map<std::uint64_t, std::pair<metrics::times*, std::chrono::steady_clock::time_point>> timed;
   std::uint64_t previewing = 0;  ///< Ticket of the newest PreviewEdit; answered or not.
 
   static inline const char* name = "client";

@@ -7,6 +7,8 @@
 #include <caf/actor_system.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/metrics.hpp"
+
 namespace tedit::gateway {
 
 namespace {
@@ -22,7 +24,14 @@ public:
   }
   ~forwarder() override { --*open_; }
 
-  void on_message(std::string bytes) override { caf::anon_send(client_, std::move(bytes)); }
+  void on_message(std::string bytes) override {
+    static auto& messages =
+      metrics::count_of("tedit_received_messages_total", "Messages of clients.");
+    static auto& total = metrics::count_of("tedit_received_bytes_total", "Bytes of them.");
+    messages.add();
+    total.add(bytes.size());
+    caf::anon_send(client_, std::move(bytes));
+  }
   void on_drained() override { caf::anon_send(client_, drained_atom::value); }
   void on_closed(const std::string& reason) override {
     spdlog::info("client {}: gone: {}", peer_, reason);
@@ -35,9 +44,11 @@ private:
   connection_count open_;
 };
 
-/// The worst of the roles: "ok" when all are ready, "starting", or "degraded".
-health_report health_of(const std::string& server,
-                        const std::vector<std::pair<std::string, std::string>>& roles) {
+/// The worst of the roles: "ok" when all are ready, "starting", or "degraded". The server is well
+/// unless it is degraded, and ready when all are.
+page_answer health_of(const std::string& server,
+                      const std::vector<std::pair<std::string, std::string>>& roles,
+                      bool must_be_ready) {
   nlohmann::ordered_json workers = nlohmann::ordered_json::object();
   bool degraded = false;
   bool starting = false;
@@ -47,22 +58,48 @@ health_report health_of(const std::string& server,
     starting = starting || state == "starting";
   }
   const char* status = degraded ? "degraded" : starting ? "starting" : "ok";
+  const bool fine = !degraded && !(must_be_ready && starting);
   return {
-    !degraded,
+    fine ? 200U : 503U,
     nlohmann::ordered_json{{"status", status}, {"server", server}, {"workers", workers}}.dump()};
 }
 
 }  // namespace
 
+page_answer metrics_for(const page_request& asked, const gateway_parts& parts) {
+  if (!asked.local && !parts.guard->admits(asked.bearer))
+    return {401, "Give the server's token: Authorization: Bearer TOKEN\n", "text/plain"};
+  metrics::note_process();
+  metrics::level_of("tedit_connections", "Clients that are connected.")
+    .set(static_cast<double>(parts.connections()));
+  metrics::count_of("tedit_wrong_tokens_total", "Clients that were turned away for their token.")
+    .set(parts.guard->turned_away());
+  const auto roles = parts.roles ? parts.roles() : decltype(parts.roles()){};
+  for (const auto& [role, state] : roles)
+    metrics::level_of("tedit_role_ready", "1 when work of this kind can be done.", {{"role", role}})
+      .set(state == "ready" ? 1 : 0);
+  if (parts.measure)
+    parts.measure();
+  return {200, metrics::to_text(), "text/plain; version=0.0.4; charset=utf-8"};
+}
+
 expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
                                                    transport_options options, gateway_parts parts) {
-  options.health = [name = parts.server_name, roles = parts.roles] {
-    return health_of(name, roles ? roles() : decltype(roles()){});
-  };
   // Counted here, not asked of the transport: actors of clients may outlive it.
   const auto open = std::make_shared<std::atomic<std::size_t>>(0);
   parts.connections = [open] { return open->load(); };
+  const auto health = [name = parts.server_name, roles = parts.roles](bool must_be_ready) {
+    return health_of(name, roles ? roles() : decltype(roles()){}, must_be_ready);
+  };
+  options.pages["/healthz"] = [=](const page_request&) { return health(false); };
+  options.pages["/readyz"] = [=](const page_request&) { return health(true); };
+  options.pages["/metrics"] = [parts](const page_request& asked) {
+    return metrics_for(asked, parts);
+  };
   options.accept = [&system, parts, open](std::shared_ptr<connection> to) {
+    static auto& total =
+      metrics::count_of("tedit_connections_total", "Clients that have connected.");
+    total.add();
     const auto peer = to->peer();
     return std::make_unique<forwarder>(system.spawn(make_client, std::move(to), parts), peer, open);
   };

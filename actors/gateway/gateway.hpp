@@ -5,8 +5,13 @@
 
 namespace tedit::gateway {
 
-/// Listens for clients and gives each its own actor. `options.accept`, `options.health` and
-/// `parts.connections` are set here. Errors: those of `transport::start`.
+/// What GET /metrics answers: the numbers of this process (base/metrics.hpp), for whoever is on
+/// this machine, and else for who knows the token: how much is done here, and when, is nobody
+/// else's business.
+[[nodiscard]] page_answer metrics_for(const page_request& asked, const gateway_parts& parts);
+
+/// Listens for clients and gives each its own actor. `options.accept`, `options.pages` (/healthz,
+/// /readyz, /metrics) and `parts.connections` are set here. Errors: those of `transport::start`.
 [[nodiscard]] expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
                                                                  transport_options options,
                                                                  gateway_parts parts);

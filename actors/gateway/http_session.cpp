@@ -36,6 +36,7 @@ public:
 private:
   void on_header(error_code problem);
   bool trusted(const upgrade_request& r) const;
+  page_request asked_by(const upgrade_request& r);
   void route(const upgrade_request& r);
   void respond(http::status status, std::string body, const char* type = "text/plain");
   void drain();
@@ -72,6 +73,19 @@ bool http_session::trusted(const upgrade_request& r) const {
          origin_allowed(origin, hub_->port, hub_->options.allowed_origins);
 }
 
+page_request http_session::asked_by(const upgrade_request& r) {
+  page_request result;
+  error_code problem;
+  const auto peer = stream_.socket().remote_endpoint(problem);
+  result.local = !problem && peer.address().is_loopback();
+  constexpr std::string_view scheme = "Bearer ";
+  const auto given = r[http::field::authorization];
+  const std::string_view text(given.data(), given.size());
+  if (r.count(http::field::authorization) == 1 && text.starts_with(scheme))
+    result.bearer = text.substr(scheme.size());
+  return result;
+}
+
 void http_session::route(const upgrade_request& r) {
   if (refused_)
     return respond(http::status::service_unavailable,
@@ -83,10 +97,10 @@ void http_session::route(const upgrade_request& r) {
   if (r.method() != http::verb::get && r.method() != http::verb::head)
     return respond(http::status::method_not_allowed, "Only GET and HEAD are understood.\n");
   const auto path = r.target().substr(0, r.target().find('?'));
-  if (path == "/healthz") {
-    auto health = hub_->options.health ? hub_->options.health() : health_report{};
-    return respond(health.well ? http::status::ok : http::status::service_unavailable,
-                   std::move(health.body), "application/json");
+  const auto page = hub_->options.pages.find(std::string(path.data(), path.size()));
+  if (page != hub_->options.pages.end()) {
+    auto made = page->second(asked_by(r));
+    return respond(static_cast<http::status>(made.status), std::move(made.body), made.type.c_str());
   }
   if (path != "/v1")
     return respond(http::status::not_found, "There is nothing here. WebSocket is at /v1.\n");

@@ -6,6 +6,7 @@
 #include "actors/errors.hpp"
 #include "actors/gateway/client_actor.hpp"
 #include "actors/session/session.hpp"
+#include "base/metrics.hpp"
 #include "base/text.hpp"
 #include "protocol/numbers.hpp"
 #include "protocol/operation_message.hpp"
@@ -148,6 +149,13 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
                        "this server does not know this request",
                        "Use a client of the server's release",
                        {}});
+  const auto* kind = message.GetReflection()->GetOneofFieldDescriptor(
+    message, message.GetDescriptor()->FindOneofByName("body"));
+  timed.try_emplace(
+    id,
+    &metrics::times_of("tedit_request_seconds", "From a request to its answer, by kind.",
+                       {{"kind", kind->name()}}),
+    std::chrono::steady_clock::now());
   found->second(*this, id, message);
 }
 

@@ -176,7 +176,7 @@ void transport::stop() {
     impl_->thread.join();
     // Connection handles may keep the hub alive, but not what the callbacks hold on to.
     shared.options.accept = nullptr;
-    shared.options.health = nullptr;
+    shared.options.pages.clear();
   });
 }
 

@@ -93,10 +93,16 @@ struct transport_limits {
   std::chrono::milliseconds close_timeout{1'000};      ///< Wait for the client's side of a close.
 };
 
-/// What GET /healthz answers.
-struct health_report {
-  bool well = true;         ///< False: with status 503.
-  std::string body = "{}";  ///< JSON.
+/// Who asks for a page.
+struct page_request {
+  bool local = false;  ///< From this machine.
+  std::string bearer;  ///< The token of "Authorization: Bearer TOKEN"; empty: none.
+};
+
+struct page_answer {
+  unsigned status = 200;
+  std::string body;
+  std::string type = "application/json";
 };
 
 struct transport_options {
@@ -106,8 +112,8 @@ struct transport_options {
   std::vector<std::string> allowed_hosts;    ///< See `host_allowed`; `address` need not be named.
   transport_limits limits;
 
-  /// Called from the I/O thread; must not block.
-  std::function<health_report()> health;
+  /// What GET answers, by path: "/healthz". Called from the I/O thread; must not block.
+  std::map<std::string, std::function<page_answer(const page_request&)>> pages;
 
   /// Makes the handler of a new connection. Called from the I/O thread before any message; null
   /// refuses the connection (closed with 1013).
@@ -115,7 +121,7 @@ struct transport_options {
 };
 
 /// Listens on one address and port with one I/O thread. WebSocket is at /v1, without compression,
-/// binary messages only (text is closed with 1003); GET /healthz answers 200 or 503; other paths
+/// binary messages only (text is closed with 1003); GET of a page what that says; other paths
 /// 404, other methods 405, a foreign Origin or Host 403, too many connections 503. Connections that
 /// are not `authenticated` have places of their own, so that they take none from clients.
 class transport {

@@ -15,6 +15,7 @@
 #include "actors/links/door.hpp"
 #include "actors/links/link.hpp"
 #include "actors/node/remote.hpp"
+#include "base/metrics.hpp"
 #include "base/unique_fd.hpp"
 
 namespace tedit::actors {
@@ -124,6 +125,17 @@ expected<std::unique_ptr<node_entrance>> node_entrance::open(caf::actor_system& 
   made->made = desk.made;
   made->entrance = std::move(*opened);
   return std::unique_ptr<node_entrance>(new node_entrance(std::move(made)));
+}
+
+void node_entrance::measure() const {
+  const auto counts = impl_->entrance->refusals();
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    metrics::count_of("tedit_nodes_refused_total",
+                      "Connections of nodes that came to nothing, by reason.",
+                      {{"reason", std::string(refusal_text(static_cast<refusal>(i)))}})
+      .set(counts[i]);
+  metrics::level_of("tedit_node_links", "Connections of nodes that have shown their certificate.")
+    .set(static_cast<double>(impl_->entrance->peers().size()));
 }
 
 std::uint16_t node_entrance::port() const {

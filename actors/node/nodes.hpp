@@ -34,6 +34,9 @@ public:
 
   [[nodiscard]] std::uint16_t port() const;
 
+  /// Brings how many were turned away, by reason, into the process's metrics. From any thread.
+  void measure() const;
+
 private:
   struct impl;
   explicit node_entrance(std::unique_ptr<impl> made);

@@ -18,6 +18,7 @@
 #include "actors/store/documents_folder.hpp"
 #include "actors/supervisor/pool.hpp"
 #include "base/child_process.hpp"
+#include "base/metrics.hpp"
 
 namespace tedit {
 
@@ -79,6 +80,24 @@ std::vector<std::pair<std::string, std::string>> states_of(const role_healths& h
   for (const auto& h : healths)
     result.emplace_back(name_of(h->role), to_string(h->state()));
   return result;
+}
+
+/// How much is kept, and of how much.
+void note_memory(const page_cache& pages, const version_memory& versions,
+                 const result_memory& results, const gateway::upload_account& uploads) {
+  const auto note = [](const char* what, std::uint64_t bytes, std::uint64_t budget) {
+    metrics::level_of("tedit_kept_bytes", "Bytes that the server keeps, by kind.", {{"what", what}})
+      .set(static_cast<double>(bytes));
+    metrics::level_of("tedit_kept_budget_bytes", "The most of them; 0 where there is no bound.",
+                      {{"what", what}})
+      .set(static_cast<double>(budget));
+  };
+  const auto known = pages.usage();
+  note("pages", known.known, 0);
+  note("recent_pages", known.recent, known.budget);
+  note("versions", versions.used(), versions.budget());
+  note("results", results.used(), results.budget());
+  note("uploads", uploads.used(), uploads.limit());
 }
 
 /// Null when no worker of another machine may join.
@@ -163,11 +182,11 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   role_healths healths;
   const auto workers = options.worker_processes ? start_pools(system, options, healths)
                                                 : start_threads(system, options, cache, pages);
-  const auto hub =
-    system.spawn(make_hub, hub_parts{options.documents, workers, pages, cache, options.device,
-                                     options.unused_limit, options.temporary_limit,
-                                     std::make_shared<result_memory>(options.result_bytes),
-                                     std::make_shared<version_memory>(options.version_bytes)});
+  const auto results = std::make_shared<result_memory>(options.result_bytes);
+  const auto versions = std::make_shared<version_memory>(options.version_bytes);
+  const auto hub = system.spawn(
+    make_hub, hub_parts{options.documents, workers, pages, cache, options.device,
+                        options.unused_limit, options.temporary_limit, results, versions});
   made->to_end = {caf::actor_cast<caf::actor>(hub), caf::actor_cast<caf::actor>(pages)};
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));
@@ -190,6 +209,14 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   parts.upload_bytes = options.upload_bytes;
   parts.all_uploads = std::make_shared<gateway::upload_account>(options.all_upload_bytes);
   parts.roles = [healths] { return states_of(healths); };
+  parts.measure = [=, uploads = parts.all_uploads, nodes = made->nodes.get()] {
+    note_memory(*cache, *versions, *results, *uploads);
+    if (nodes)
+      nodes->measure();
+  };
+  metrics::level_of("tedit_build_info", "1; the version is the label.",
+                    {{"version", TEDIT_VERSION}})
+    .set(1);
   auto opened = gateway::start_gateway(system, std::move(door), std::move(parts));
   if (!opened) {
     made->stop();

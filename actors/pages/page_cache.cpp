@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/pages/page_cache.hpp"
 
+#include "base/metrics.hpp"
+
 namespace tedit::actors {
 
 void page_cache::put(const page_ptr& p) {
@@ -21,10 +23,12 @@ void page_cache::put(const mesh_version& version) {
 
 page_ptr page_cache::find(const hash128& id) {
   const std::lock_guard lock(mutex_);
+  static auto& hits = metrics::count_of("tedit_page_hits_total", "Pages asked for and known.");
+  static auto& misses =
+    metrics::count_of("tedit_page_misses_total", "Pages asked for and not known.");
   const auto found = entries_.find(id);
-  if (found == entries_.end())
-    return nullptr;
-  auto p = found->second.alive.lock();
+  auto p = found == entries_.end() ? nullptr : found->second.alive.lock();
+  (p ? hits : misses).add();
   if (p)
     keep(found->second, p);
   return p;

@@ -6,6 +6,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/session/candidate.hpp"
+#include "actors/session/numbers.hpp"
 #include "actors/store/loading.hpp"
 #include "actors/store/store.hpp"
 #include "actors/versions.hpp"
@@ -204,6 +205,7 @@ void session_state::commit_node(graph_node node, past_change made, const std::st
 
 /// What follows once a change that moved the head is durable.
 void session_state::show_head(const past_change& made, double commit_ms, head_waiter asked_by) {
+  numbers::heads_moved(made.what).add();
   past.add(made);
   last_preview.reset();
   auto moved = describe(*graph.head(), made.what);

@@ -7,8 +7,18 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "actors/session/numbers.hpp"
 
 namespace tedit::actors {
+
+session_state::session_state() {
+  numbers::open_documents().add(1);
+}
+
+session_state::~session_state() {
+  end_comparisons();
+  numbers::open_documents().add(-1);
+}
 
 void session_state::start(session_pointer owner, session_parts with, stored_document stored) {
   self = owner;

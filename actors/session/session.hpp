@@ -325,10 +325,10 @@ struct session_state {
     std::uint64_t bytes = 0;      ///< Of pages that came with it.
   };
 
-  session_state() = default;
+  session_state();
   session_state(const session_state&) = delete;
   session_state& operator=(const session_state&) = delete;
-  ~session_state() { end_comparisons(); }
+  ~session_state();
 
   session_pointer self = nullptr;
   session_parts parts;

@@ -2,6 +2,7 @@
 #include <spdlog/spdlog.h>
 
 #include "actors/errors.hpp"
+#include "actors/session/numbers.hpp"
 #include "actors/session/session.hpp"
 #include "actors/versions.hpp"
 
@@ -267,6 +268,7 @@ void session_state::receive_result(job_id job, const solve_result& result) {
       auto done = std::move(*active);
       active.reset();
       progress_of.erase(job);
+      numbers::solves().add();
       const auto outcome = *result.outcome.get();  // Read when the fields were opened.
       const solved event{parts.document, done.mesh, outcome, fields, job.value};
       auto kept = event;
@@ -311,6 +313,7 @@ void session_state::fail_solve(job_id job, const error& e) {
     return;
   auto failed = std::move(*active);
   active.reset();
+  numbers::failed_solves().add();
   spdlog::warn("{}: solve failed: {}", parts.document, render(e));
   for (auto& waiter : failed.waiting)
     waiter.promise.deliver(to_caf(e));

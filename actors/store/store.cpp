@@ -13,6 +13,8 @@
 #include "actors/store/deletion.hpp"
 #include "actors/store/library.hpp"
 #include "actors/store/loading.hpp"
+#include "base/metrics.hpp"
+#include "base/stopwatch.hpp"
 #include "protocol/forms.hpp"
 
 namespace tedit::actors {
@@ -69,6 +71,8 @@ caf::result<stored_document> open_and_load(document_file& file) {
   auto opened = store::document::open(file.path);
   if (!opened)
     return to_caf(opened.error());
+  static auto& total = metrics::count_of("tedit_documents_opened_total", "Documents opened.");
+  total.add();
   auto contents = load_head(**opened);
   if (!contents)
     return to_caf(contents.error());
@@ -80,7 +84,11 @@ caf::result<stored_version> load_one(document_file& file, const version_query& w
   const std::lock_guard lock(file.in_use);
   if (!file.document)
     return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  static auto& took =
+    metrics::times_of("tedit_version_read_seconds", "Versions read that were not at hand.");
+  const stopwatch clock;
   auto found = load_version(*file.document, wanted);
+  took.note(std::chrono::duration<double, std::milli>(clock.milliseconds()));
   if (!found)
     return to_caf(found.error());
   return std::move(*found);
@@ -90,9 +98,17 @@ caf::result<acknowledged> write(document_file& file, const store::change& change
   const std::lock_guard lock(file.in_use);
   if (!file.document)
     return to_caf({ec::storage_error, "the document is not open", {}, {}});
+  static auto& took =
+    metrics::times_of("tedit_commit_seconds", "Changes of documents until they were durable.");
+  static auto& failures =
+    metrics::count_of("tedit_commit_failures_total", "Changes that could not be made durable.");
+  const stopwatch clock;
   const auto done = file.document->commit(change);
-  if (!done)
+  if (!done) {
+    failures.add();
     return to_caf(done.error());
+  }
+  took.note(std::chrono::duration<double, std::milli>(clock.milliseconds()));
   return acknowledged{};
 }
 

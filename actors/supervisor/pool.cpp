@@ -32,6 +32,7 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
   options = std::move(with);
   budget.emplace(options.restart_budget, options.restart_window);
   off = quarantine(options.quarantine_after);
+  numbers.emplace(name_of(options.role));
 }
 
 void pool_state::stop() {
@@ -145,6 +146,7 @@ void pool_state::dispatch() {
     auto* c = free_child(next);
     c->last_place = next.place.document;
     c->work = std::move(next);
+    c->work_began = now();
     c->work->deadline = now() + limit_of(*c->work);
     wake();
     c->work->send(c->worker, c->work->deaths);
@@ -179,6 +181,7 @@ void pool_state::complete(job_id id) {
   const auto c = child_with(id);
   if (c == children.end())
     return;
+  numbers->done.note(now() - c->work_began);
   c->work.reset();
   ++c->jobs_done;
   dispatch();
@@ -293,6 +296,7 @@ void pool_state::blame(const job& work, const std::string& how) {
 
 void pool_state::try_again(job work, const std::string& how) {
   ++work.deaths;
+  numbers->retries.add();
   forgive(work);
   if (work.cancelled)
     return work.refuse({ec::cancelled, "the work was cancelled", {}, {}});
@@ -315,6 +319,7 @@ void pool_state::try_again(job work, const std::string& how) {
 void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   last_failure = dead->line->name() + " " + how;
   spdlog::warn("{} worker: {}", name_of(options.role), last_failure);
+  numbers->deaths.add();
   auto work = std::move(dead->work);
   caf::anon_send_exit(dead->enlister, caf::exit_reason::user_shutdown);
   children.erase(dead);
@@ -456,6 +461,7 @@ role_state pool_state::state() const {
 }
 
 void pool_state::say_health() const {
+  measure();
   if (options.health)
     options.health->say(state());
 }

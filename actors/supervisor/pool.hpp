@@ -16,6 +16,7 @@
 #include "actors/supervisor/quarantine.hpp"
 #include "actors/supervisor/turns.hpp"
 #include "actors/supervisor/worker_processes.hpp"
+#include "base/metrics.hpp"
 
 namespace tedit::actors {
 
@@ -84,6 +85,15 @@ private:
   std::deque<clock::time_point> taken_;
 };
 
+/// What a pool counts, by its role.
+struct pool_numbers {
+  explicit pool_numbers(const std::string& role);
+
+  metrics::gauge &workers, &nodes, &running, &waiting;
+  metrics::counter &deaths, &retries;
+  metrics::times& done;
+};
+
 struct pool_state {
   using clock = std::chrono::steady_clock;
 
@@ -116,6 +126,7 @@ struct pool_state {
     std::int32_t worker_pid = 0;  ///< As it says: its keeper, if it has one, is another process.
     node_facts node;              ///< Of a remote one; else without a name.
     std::uint64_t jobs_done = 0;
+    clock::time_point work_began;  ///< Of the work that it has.
     std::uint64_t last_place = 0;  ///< Whose job it did last: what that one works on is in memory.
     /// Since when it gets no more work; others still fetch the pages of its last result.
     std::optional<clock::time_point> retired;
@@ -170,6 +181,8 @@ struct pool_state {
   [[nodiscard]] worker_status status() const;
   [[nodiscard]] role_state state() const;
   void say_health() const;
+  /// Brings how much runs and waits into the process's metrics.
+  void measure() const;
 
   /// Takes the job whose turn it is. @pre one waits.
   [[nodiscard]] job take_next();
@@ -206,6 +219,7 @@ struct pool_state {
   caf::scheduled_actor* self = nullptr;
   pool_options options;
   std::optional<restart_budget> budget;
+  std::optional<pool_numbers> numbers;
   /// Makes the enlister of the child with this number; set by the actor.
   std::function<caf::actor(std::uint64_t number)> make_enlister;
   /// Sends the tick with this number after a while; set by the actor.

@@ -52,7 +52,7 @@ namespace {
 QString sentences(const std::vector<std::string>& texts) {
   QStringList lines;
   for (const auto& text : texts)
-    lines << words_of(text);
+    lines << sentence_of(text);
   return lines.join("\n");
 }
 

@@ -23,6 +23,17 @@ void file_requests::close() {
   part_.begin({});
   part_.solver().forget_watch();
   emit part_.closed();
+  leave();
+}
+
+/// Not where another document was opened meanwhile: that has closed the one before.
+void file_requests::leave() {
+  link_.run<void>(
+    [order = order_, mine = ++order_->last](client::client& c, const execution&) -> expected<void> {
+      const std::lock_guard lock(order->one_at_a_time);
+      return mine == order->last ? c.close_document() : expected<void>();
+    },
+    [](const expected<void>&) {});  // Without a connection nothing is open.
 }
 
 expected<file_requests::ready> file_requests::look_up(client::client& server,
@@ -128,10 +139,14 @@ void file_requests::reopen() {
   if (!part_.is_open())
     return;
   const QString title = tr("Open %1").arg(part_.name());
+  ++order_->last;
   part_.foreground().ask<client::document_state>(
     title,
-    [name = part_.name().toStdString(), or_else = std::exchange(asked_name_, {}).toStdString()](
-      client::client& c, const execution&) { return open_named(c, name, or_else); },
+    [name = part_.name().toStdString(), or_else = std::exchange(asked_name_, {}).toStdString(),
+     order = order_](client::client& c, const execution&) {
+      const std::lock_guard lock(order->one_at_a_time);
+      return open_named(c, name, or_else);
+    },
     [this, title, mine = part_.opening()](const expected<client::document_state>& got) {
       if (mine != part_.opening())
         return;

@@ -4,7 +4,10 @@
 #include <QObject>
 #include <QStringList>
 
+#include <atomic>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -43,6 +46,7 @@ public:
   /// Gives the document another name. `done` gets why not; that it has it is told by
   /// `document::renamed`.
   void rename(const QString& name, std::function<void(const expected<void>&)> done);
+  /// The server hears of it: others may delete the document then, and its memory is free soon.
   void close();
   /// Writes a file, by its suffix: the head in a format of the server's or the whole document
   /// (.tedit). Another suffix fails with those that there are.
@@ -67,6 +71,13 @@ private:
     imported_file file;
     std::vector<fem::load_case> loads;
   };
+  /// What the connection has open is changed by one thread at a time, and what was asked for before
+  /// it is not done after it.
+  struct opening_order {
+    std::mutex one_at_a_time;
+    std::atomic<int> last{0};
+  };
+  void leave();
   void reopen();
   [[nodiscard]] static expected<ready> look_up(client::client& server, const std::string& name);
   [[nodiscard]] static expected<client::document_state> open_named(client::client& server,
@@ -83,6 +94,7 @@ private:
   remote& link_;
   QString asked_name_;  ///< Whether the document has got it is not known: the connection broke.
   int wanted_ = 0;      ///< The last document that was asked for, or that none shall be open.
+  const std::shared_ptr<opening_order> order_ = std::make_shared<opening_order>();
 };
 
 }  // namespace tedit::desktop

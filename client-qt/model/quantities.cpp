@@ -174,6 +174,11 @@ QString change(double before, double after) {
   return (percent < 0 ? QString::fromUtf8("−") : QString("+")) + text;
 }
 
+QString change_by(double in_si, const QString& si_unit) {
+  const QString sign = in_si < 0 ? QString::fromUtf8("−") : in_si > 0 ? QString("+") : QString();
+  return sign + quantity(std::abs(in_si), si_unit);
+}
+
 QString words_of(const std::string& said) {
   static const QRegularExpression power(R"(\b([mck]?m)([23])\b)");
   QString text = in_window_language(said);
@@ -184,6 +189,15 @@ QString words_of(const std::string& said) {
     R"((?<![\w.])(?<!ersion )(\d+)\.(?=\d+(e[-+]?\d+)?([\s,;:)%]|\.?\s|\.?$)))");
   text.replace(point, "\\1" + QLocale().decimalPoint());
   return text;
+}
+
+QString sentence_of(const std::string& said) {
+  QString result = words_of(said);
+  if (!result.isEmpty())
+    result[0] = result[0].toUpper();
+  if (!result.isEmpty() && !result.endsWith('.'))
+    result += '.';
+  return result;
 }
 
 }  // namespace tedit::desktop

@@ -57,8 +57,13 @@ struct shown_quantity {
 /// `before` is zero.
 [[nodiscard]] QString change(double before, double after);
 
+/// A change with its sign, so that nobody takes it for the whole: "+21992.1 mm³", "−3800 cm³".
+[[nodiscard]] QString change_by(double in_si, const QString& si_unit);
+
 /// What the server says, which writes English and no letters beyond ASCII, as the window writes it:
 /// in its language (`in_window_language`), "3 mm²" for "3 mm2", numbers with its decimal point.
 [[nodiscard]] QString words_of(const std::string& said);
+/// The same as a sentence: with a capital and a full stop.
+[[nodiscard]] QString sentence_of(const std::string& said);
 
 }  // namespace tedit::desktop

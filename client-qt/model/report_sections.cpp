@@ -175,7 +175,8 @@ QString history_html(const report_facts& facts) {
     mass_before = one.mass_kg;
     lines += line({QString::number(one.number),
                    one.note.isEmpty() ? one.made : one.made + " (" + one.note + ")",
-                   known(one.volume_change_m3, "m3"), mass, known(one.stress_pa, "Pa")});
+                   one.volume_change_m3 ? change_by(*one.volume_change_m3, "m3") : known({}, "m3"),
+                   mass, known(one.stress_pa, "Pa")});
   }
   return heading(report_sections_phrases::tr("Versions")) +
          table(

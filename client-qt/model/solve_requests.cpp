@@ -96,7 +96,7 @@ void solve_requests::send_watch() {
       if (!got)
         emit part_.failed(tr("Fields on demand"), got.error());
       else if (!got->empty() && progress_ == field_state::converged)
-        emit part_.notice(QString::fromStdString(*got));
+        emit part_.notice(sentence_of(*got));
     });
 }
 
@@ -111,9 +111,9 @@ void solve_requests::take_outcome(const solve_outcome& outcome) {
   row->outcome = outcome;
   for (const auto& report : outcome.cases) {
     if (!report.notice.empty())
-      emit part_.notice(words_of(report.notice));
+      emit part_.notice(sentence_of(report.notice));
     for (const auto& warning : report.warnings)
-      emit part_.notice(words_of(warning));
+      emit part_.notice(sentence_of(warning));
   }
   emit changed();
   emit part_.history_changed();

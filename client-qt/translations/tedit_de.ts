@@ -5077,6 +5077,10 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <source>The server compares the versions.</source>
         <translation>Der Server vergleicht die Versionen.</translation>
     </message>
+    <message>
+        <source>  (seen without this quantity)</source>
+        <translation>  (ohne diese Größe gesehen)</translation>
+    </message>
 </context>
 <context>
     <name>tedit::desktop::connection_tool</name>

@@ -15,6 +15,10 @@ namespace {
 
 constexpr double border = 1.12;  // Of what is seen, when it is made to fit.
 
+double bounded(double share) {
+  return std::clamp(share, 0.0, 0.4);
+}
+
 vec3 to_vec3(const double* p) {
   return {p[0], p[1], p[2]};
 }
@@ -144,8 +148,8 @@ void camera::fit(const std::array<double, 6>& bounds) {
   const vec3 back = unit_or_up(now.position - now.focus);
   const vec3 right = unit_or_up(cross(now.up, back));
   const vec3 up = cross(back, right);
-  const double free_height = 1 - lower_margin_;
-  const double aspect = (1 - left_margin_) * width_ / (free_height * height_);
+  const double free_height = 1 - lower_margin_ - upper_margin_;
+  const double aspect = (1 - left_margin_ - right_margin_) * width_ / (free_height * height_);
   const double slope = free_height * std::tan(camera_->GetViewAngle() * std::numbers::pi / 360);
   now.focus = {(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
                (bounds[4] + bounds[5]) / 2};
@@ -166,14 +170,24 @@ void camera::fit(const std::array<double, 6>& bounds) {
 }
 
 void camera::set_left_margin(double share) {
-  left_margin_ = std::clamp(share, 0.0, 0.4);
-  // The picture's middle moves, the focus stays.
-  camera_->SetWindowCenter(-left_margin_, -lower_margin_);
+  left_margin_ = bounded(share);
+  move_middle();
 }
 
 void camera::set_lower_margin(double share) {
-  lower_margin_ = std::clamp(share, 0.0, 0.4);
-  camera_->SetWindowCenter(-left_margin_, -lower_margin_);
+  lower_margin_ = bounded(share);
+  move_middle();
+}
+
+void camera::set_corner_margins(double right, double upper) {
+  right_margin_ = bounded(right);
+  upper_margin_ = bounded(upper);
+  move_middle();
+}
+
+/// The picture's middle moves, the focus stays.
+void camera::move_middle() {
+  camera_->SetWindowCenter(right_margin_ - left_margin_, upper_margin_ - lower_margin_);
 }
 
 void camera::focus_on(const vec3& place) {

@@ -75,6 +75,8 @@ public:
   void set_left_margin(double share);
   /// The same of its height, at the lower edge.
   void set_lower_margin(double share);
+  /// The same at the right and at the top: two ways to leave the upper right corner free.
+  void set_corner_margins(double right, double upper);
   /// Moves the focus to a place and keeps direction and distance.
   void focus_on(const vec3& place);
   void set_parallel(bool on);
@@ -97,6 +99,7 @@ public:
 
 private:
   void turn(double dx, double dy);
+  void move_middle();
   void adjust_depth();
   [[nodiscard]] std::array<double, 16> matrix() const;
 
@@ -106,6 +109,8 @@ private:
   double height_ = 1;
   double left_margin_ = 0;
   double lower_margin_ = 0;
+  double right_margin_ = 0;
+  double upper_margin_ = 0;
   turning turning_ = turning::turntable;
 };
 

@@ -21,6 +21,7 @@ namespace {
 constexpr double margin = 16;
 constexpr double bar_width = 16;
 constexpr double legend_height = 240;
+constexpr double least_legend = 140;  // Title, unit, some numbers, a note.
 constexpr double legend_width = 140;
 constexpr double title_size = 13;
 constexpr double words_size = 12;
@@ -159,6 +160,11 @@ void overlay::keep_free(int below) {
     update();
 }
 
+void overlay::keep_free_above(int above) {
+  if (std::exchange(above_, above) != above)
+    update();
+}
+
 QRectF clear_of(const QRectF& other, QRectF box, double gap) {
   if (!box.intersects(other))
     return box;
@@ -285,10 +291,10 @@ void overlay::paint_orientation(QPainter& painter, double scale) {
     paint_scale_bar(painter, scale * end, *bar, ink_, scale);
 }
 
-/// Around the legend, pixels of the screen.
 QRectF overlay::scale_box() const {
   const double room = view_.height() - below_;
-  const double height = std::min(legend_height, room - 2 * margin);
+  const double free = std::max(least_legend, room - above_ - 2 * margin);
+  const double height = std::min({legend_height, room - 2 * margin, free});
   const auto& by = view_.painted().by;
   const QFontMetricsF title(sized(font(), title_size, true));
   const QFontMetricsF second(sized(font(), words_size));

@@ -49,8 +49,13 @@ public:
   /// Axes and a length at the lower right.
   void show_orientation(bool on);
   [[nodiscard]] bool shows_orientation() const noexcept { return orientation_; }
+  /// Around the legend, pixels of the screen; whether it is shown or not.
+  [[nodiscard]] QRectF scale_box() const;
   /// All stands above `below` pixels that something else covers.
   void keep_free(int below);
+  /// The legend stands below what ends so many pixels from the upper edge: it is lower for that,
+  /// as far as it can be read then.
+  void keep_free_above(int above);
 
   /// The view with all that lies over it, `factor` times as many pixels as on the screen.
   [[nodiscard]] QImage picture(int width = 0, int height = 0);
@@ -68,7 +73,6 @@ private:
   };
   void paint(QPainter& painter, double scale, const QRect& within);
   [[nodiscard]] std::vector<tag> tags(double scale) const;
-  [[nodiscard]] QRectF scale_box() const;
   void paint_scale(QPainter& painter, double scale);
   void paint_note(QPainter& painter, double scale);
   [[nodiscard]] QRect orientation_box() const;
@@ -81,7 +85,8 @@ private:
   bool extremes_ = true;
   bool legend_ = true;
   bool orientation_ = true;
-  int below_ = 0;  ///< Pixels at the lower edge that are not free.
+  int below_ = 0;  ///< Pixels at the lower edge that are not free,
+  int above_ = 0;  ///< and at the upper one, of those where the legend is.
 };
 
 }  // namespace tedit::desktop

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "client-qt/view/part_framing.hpp"
 
+#include <QPolygonF>
+
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tedit::desktop {
@@ -31,9 +34,65 @@ void part_framing::fit(const std::vector<surface_id>& around) {
   }
   fitted_ = true;
   eye_.set_lower_margin(static_cast<double>(lower_margin_) / std::max(1, size_.height()));
-  eye_.fit(bounds);
+  fit_beside_corner(bounds);
   whole_ = around.empty() ? std::optional(eye_.get()) : std::nullopt;
   emit moved();
+}
+
+/// Whether what covers the corner lies over a side of a box, as it would be drawn.
+bool part_framing::covers(const box& bounds) const {
+  std::array<QPointF, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto [x, y] =
+      eye_.to_pixel({bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2 & 1)]});
+    corners[i] = {x, size_.height() - y};
+  }
+  constexpr std::array<std::array<std::size_t, 4>, 6> sides{
+    {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+  return std::ranges::any_of(sides, [&](const auto& side) {
+    QPolygonF shape;
+    for (const auto i : side)
+      shape << corners[i];
+    return shape.intersects(QPolygonF(QRectF(corner_)));
+  });
+}
+
+/// Of the two ways around the corner, to the left of it and below it, the one that leaves the part
+/// larger, and of that no more than is needed.
+void part_framing::fit_beside_corner(const box& bounds) {
+  eye_.set_corner_margins(0, 0);
+  eye_.fit(bounds);
+  if (corner_.isEmpty() || size_.isEmpty() || !covers(bounds))
+    return;
+  const auto size_of = [&] { return 1 / eye_.metres_per_pixel(); };
+  const auto fit_with = [&](double right, double upper) {
+    eye_.set_corner_margins(right, upper);
+    eye_.fit(bounds);
+    return !covers(bounds);
+  };
+  const double widest = static_cast<double>(size_.width() - corner_.left()) / size_.width();
+  const double highest = static_cast<double>(corner_.bottom() + 1) / size_.height();
+  const auto least = [&](double right, double upper) {
+    constexpr int halvings = 7;  // To a pixel.
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (low + high) / 2;
+      (fit_with(middle * right, middle * upper) ? high : low) = middle;
+    }
+    return fit_with(high * right, high * upper) ? std::pair(size_of(), high) : std::pair(0.0, 1.0);
+  };
+  const auto [beside, right] = least(widest, 0);
+  const auto [below, upper] = least(0, highest);
+  if (beside > below)
+    fit_with(right * widest, 0);
+  else
+    fit_with(0, upper * highest);
+}
+
+void part_framing::set_corner(const QRect& covered) {
+  if (std::exchange(corner_, covered) != covered)
+    fit_again();
 }
 
 void part_framing::set_left_margin(int pixels) {

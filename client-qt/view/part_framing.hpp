@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QObject>
+#include <QRect>
 #include <QSize>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +39,9 @@ public:
   /// The same at the lower edge, from the next time on that something is made to fit: what a person
   /// has moved stays where it is.
   void set_lower_margin(int pixels);
+  /// What else covers the upper right corner: what is made to fit keeps clear of it, moved or
+  /// smaller by no more than that takes.
+  void set_corner(const QRect& covered);
   /// Width to height of what that leaves.
   [[nodiscard]] double free_aspect(const QSize& size) const;
   [[nodiscard]] double free_aspect() const { return free_aspect(size_); }
@@ -51,6 +56,9 @@ signals:
 private:
   /// Unless somebody has turned or moved the part.
   void fit_again();
+  using box = std::array<double, 6>;
+  void fit_beside_corner(const box& bounds);
+  [[nodiscard]] bool covers(const box& bounds) const;
 
   camera& eye_;
   std::shared_ptr<const part_geometry> part_;
@@ -60,6 +68,7 @@ private:
   std::optional<camera::pose> whole_;  ///< As the last fit of the whole part left it.
   int left_margin_ = 0;
   int lower_margin_ = 0;
+  QRect corner_;
 };
 
 }  // namespace tedit::desktop

@@ -23,15 +23,6 @@ constexpr int news_ms = 8000;
 constexpr int warning_ms = 30000;
 constexpr int least_line = 100;  // Pixels.
 
-QString sentence(const std::string& text) {
-  QString result = words_of(text);
-  if (!result.isEmpty())
-    result[0] = result[0].toUpper();
-  if (!result.isEmpty() && !result.endsWith('.'))
-    result += '.';
-  return result;
-}
-
 }  // namespace
 
 QList<qint64> surfaces_in(const QString& text) {
@@ -46,11 +37,11 @@ QList<qint64> surfaces_in(const QString& text) {
 }
 
 QString explained(const error& reason) {
-  QString text = sentence(reason.message);
+  QString text = sentence_of(reason.message);
   if (!reason.where.empty())
     text += "\n" + banner::tr("Where: %1").arg(words_of(reason.where));
   if (!reason.remedy.empty())
-    text += "\n" + sentence(reason.remedy);
+    text += "\n" + sentence_of(reason.remedy);
   return text;
 }
 
@@ -152,7 +143,7 @@ bool banner::event(QEvent* event) {
   const bool done = QFrame::event(event);
   if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
     fit_words();
-  if (event->type() == QEvent::LayoutRequest)
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Hide)
     emit changed();
   return done;
 }

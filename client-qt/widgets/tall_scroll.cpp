@@ -16,8 +16,11 @@ tall_scroll::tall_scroll(QWidget* content, QWidget* parent) : QScrollArea(parent
 QSize tall_scroll::sizeHint() const {
   if (!widget())
     return QScrollArea::sizeHint();
-  const QSize whole(0, widget()->minimumHeight());  // With its words wrapped as they are.
-  return widget()->sizeHint().expandedTo(widget()->minimumSizeHint()).expandedTo(whole);
+  const auto wide = widget()->sizeHint().expandedTo(widget()->minimumSizeHint());
+  // With its words wrapped as they are: of its own accord a label asks for more lines than that.
+  const bool wraps = isVisible() && widget()->hasHeightForWidth();
+  return wraps ? QSize(wide.width(), widget()->heightForWidth(viewport()->width()))
+               : wide.expandedTo(QSize(0, widget()->minimumHeight()));
 }
 
 QSize tall_scroll::minimumSizeHint() const {

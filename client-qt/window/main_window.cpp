@@ -21,9 +21,7 @@
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/part_size.hpp"
 #include "client-qt/model/server_words.hpp"
-#include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
-#include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/section/section_bar.hpp"
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/widgets/command_palette.hpp"
@@ -40,31 +38,6 @@ constexpr int docks_width = 330;  // Those on the right.
 constexpr int widest_banner = 760;
 constexpr int narrowest_banner = 320;  // A file's name.
 constexpr int below_titles = 70;       // Of a comparison.
-
-constexpr int settled_ms = 50;    // Then layouts in layouts know their heights.
-constexpr int title_height = 28;  // Of a dock, with its frame.
-
-int least_height(const QDockWidget& dock) {
-  constexpr int least = 120;  // All of them scroll.
-  return std::max(least, dock.minimumSizeHint().height());
-}
-
-/// Layouts in layouts tell each other their heights one after another.
-void lay_out_all() {
-  constexpr int depth = 4;
-  for (int i = 0; i < depth; ++i)
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-}
-
-/// With all that stands in it.
-int whole_height(const QDockWidget& dock) {
-  return std::max(least_height(dock), dock.widget()->sizeHint().height() + title_height);
-}
-
-/// Not behind another one at its place.
-bool is_in_front(const QDockWidget& dock) {
-  return dock.isVisible() && !dock.visibleRegion().isEmpty();
-}
 
 }  // namespace
 
@@ -89,6 +62,7 @@ main_window::main_window(const QString& state_folder)
   tools_.emplace(*context_);
   add_commands();
   lay_out_docks();
+  room_.emplace(*context_, *tools_);
   build_bar();
   wire();
   tools_->settings.apply_kept();
@@ -176,8 +150,6 @@ void main_window::lay_out_docks() {
   tabifyDockWidget(&docks_.of("log"), &docks_.of("probes"));
   docks_.raise("loads");
   docks_.raise("history");
-  for (const auto* name : {"context", "field", "loads"})
-    docks_.of(name).installEventFilter(this);
   resizeDocks({&docks_.of("context"), &docks_.of("field"), &docks_.of("loads")}, {320, 240, 240},
               Qt::Vertical);
   resizeDocks({&docks_.of("context")}, {docks_width}, Qt::Horizontal);
@@ -205,6 +177,7 @@ void main_window::build_bar() {
 void main_window::place_overlays() {
   overlay_->setGeometry(view_->rect());
   cube_->move(view_->width() - cube_->width() - cube_margin, cube_margin);
+  view_->framing().set_corner(cube_->geometry());
   tools_->selecting.place_count(cube_->geometry());
   auto& section = tools_->section.bar();
   const int room = view_->width() - 2 * cube_margin;
@@ -237,79 +210,9 @@ void main_window::place_banner() {
                              : 2 * cube_margin + cube_->height();
   banner_->setGeometry(left, top, width, height);
   banner_->raise();
-}
-
-/// A form needs more than a list: the docks beside it give what it lacks, as far as they can, when
-/// it opens and not again: what comes into it later scrolls, so nothing moves away from under the
-/// pointer. First both give what they have to spare, then `gives` and then `keeps` what they scroll
-/// for.
-void main_window::make_room(const std::function<int()>& form_height, QDockWidget& dock,
-                            QDockWidget& gives, QDockWidget& keeps, bool to_spare_only) {
-  lay_out_all();
-  constexpr int some_more = 12;  // Words may wrap once more.
-  const int wanted = form_height() + title_height + some_more;
-  if (dock.isFloating() || dock.height() >= wanted)
-    return;
-  int lacks = wanted - dock.height();
-  const auto take = [&lacks](int& from, int least) {
-    const int taken = std::clamp(from - least, 0, lacks);
-    from -= taken;
-    lacks -= taken;
-  };
-  int given = gives.height();
-  int kept = keeps.height();
-  take(given, whole_height(gives));
-  take(kept, whole_height(keeps));
-  if (!to_spare_only) {
-    take(given, least_height(gives));
-    take(kept, least_height(keeps));
-  }
-  const int all = dock.height() + gives.height() + keeps.height();
-  // All three are given: Qt would take part of the room from where it is not to.
-  resizeDocks({&dock, &gives, &keeps}, {all - given - kept, given, kept}, Qt::Vertical);
-}
-
-void main_window::make_room_for_operation() {
-  const auto& panel = tools_->operations.panel();
-  auto& below = is_in_front(docks_.of("loads")) ? docks_.of("loads") : docks_.of("receipt");
-  if (!panel.chosen().isEmpty())
-    make_room([&] { return panel.sizeHint().height(); }, docks_.of("context"), below,
-              docks_.of("field"));
-}
-
-/// What an edit did is read before the next surface is picked: the form, which says little until
-/// then, gives it the room that it does not need, and has it again when one is.
-void main_window::make_room_for_receipt() {
-  auto& receipt = docks_.of("receipt");
-  if (tools_->operations.panel().chosen().isEmpty() || !picked_.surfaces().empty() ||
-      !is_in_front(receipt))
-    return;
-  lent_ = true;
-  make_room([&] { return receipt.widget()->sizeHint().height(); }, receipt, docks_.of("context"),
-            docks_.of("field"), true);
-}
-
-void main_window::selection_changed() {
-  if (!picked_.surfaces().empty() && std::exchange(lent_, false))
-    QTimer::singleShot(0, this, &main_window::make_room_for_operation);
-}
-
-void main_window::make_room_for_load(bool to_spare_only) {
-  if (before_form_.isEmpty())
-    before_form_ = heights_of_docks();
-  make_room([this] { return tools_->loads.panel().wanted_height(); }, docks_.of("loads"),
-            docks_.of("field"), docks_.of("context"), to_spare_only);
-}
-
-main_window::dock_heights main_window::heights_of_docks() {
-  return {docks_.of("loads").height(), docks_.of("field").height(), docks_.of("context").height()};
-}
-
-void main_window::give_room_back() {
-  const auto before = std::exchange(before_form_, {});
-  if (!before.isEmpty())
-    resizeDocks({&docks_.of("loads"), &docks_.of("field"), &docks_.of("context")}, before,
-                Qt::Vertical);
+  // Where both stand one over the other the legend gives way for as long as something is said.
+  const bool over_legend = has_cube && banner_->isVisible() && left < overlay_->scale_box().right();
+  overlay_->keep_free_above(over_legend ? top + height : 0);
 }
 
 /// Docks and operations are about a part: beside the start page they would be empty. The help is
@@ -364,17 +267,6 @@ void main_window::wire() {
   connect(banner_, &banner::changed, this, &main_window::place_overlays);
   connect(&tools_->section.bar(), &section_bar::moved, this, &main_window::place_overlays);
   connect(&tools_->selecting, &selection_tool::hidden_changed, this, &main_window::place_overlays);
-  // Once the form has taken it up and its layout with it.
-  connect(&tools_->operations.panel(), &context_panel::form_opened, this,
-          [this] { QTimer::singleShot(0, this, &main_window::make_room_for_operation); });
-  connect(&tools_->loads.panel(), &loads_panel::form_opened, this, [this] {
-    QTimer::singleShot(0, this, [this] { make_room_for_load(true); });
-    QTimer::singleShot(settled_ms, this, [this] {
-      if (!before_form_.isEmpty())  // Neither closed again nor moved by hand.
-        make_room_for_load();
-    });
-  });
-  connect(&tools_->loads.panel(), &loads_panel::form_closed, this, &main_window::give_room_back);
   for (auto signal :
        {&document::opened, &document::closed, &document::head_changed, &document::surface_changed})
     connect(&part_, signal, this, &main_window::show_title);
@@ -386,10 +278,6 @@ void main_window::wire() {
   for (auto signal : {&document::head_changed, &document::closed, &document::opened})
     connect(&part_, signal, &actions_, &command_actions::refresh);
   connect(&picked_, &selection::changed, &actions_, &command_actions::refresh);
-  connect(&picked_, &selection::changed, this, &main_window::selection_changed);
-  // Once its text stands there and the selection is done with.
-  connect(&part_, &document::edited, this,
-          [this] { QTimer::singleShot(settled_ms, this, &main_window::make_room_for_receipt); });
 }
 
 void main_window::wire_look() {
@@ -428,12 +316,6 @@ void main_window::wire_messages() {
 bool main_window::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_ && event->type() == QEvent::Resize && tools_)
     place_overlays();
-  // Moved by hand, and not by what stands in them.
-  if (event->type() == QEvent::Resize && qobject_cast<QDockWidget*>(watched) &&
-      QGuiApplication::mouseButtons() != Qt::NoButton) {
-    before_form_.clear();
-    lent_ = false;
-  }
   return QMainWindow::eventFilter(watched, event);
 }
 
@@ -445,6 +327,7 @@ void main_window::resizeEvent(QResizeEvent* event) {
 void main_window::closeEvent(QCloseEvent* event) {
   settings_.setValue("geometry", saveGeometry());
   settings_.setValue("layout", docks_shown_ ? saveState() : layout_);
+  settings_.setValue("docks_by_hand", room_->moved_by_hand());
   tools_->documents.forget_unfinished();
   event->accept();
 }

@@ -4,11 +4,11 @@
 #include <QMainWindow>
 #include <QSettings>
 
-#include <functional>
 #include <optional>
 
 #include "client-qt/context/window_context.hpp"
 #include "client-qt/tools/toolbox.hpp"
+#include "client-qt/window/dock_room.hpp"
 
 class QLabel;
 
@@ -49,23 +49,9 @@ private:
   void wire_messages();
   void place_overlays();
   void place_banner();
-  void make_room(const std::function<int()>& form_height, QDockWidget& dock, QDockWidget& gives,
-                 QDockWidget& keeps, bool to_spare_only = false);
-  void make_room_for_operation();
-  void make_room_for_receipt();
-  void selection_changed();
-  void make_room_for_load(bool to_spare_only = false);
-  /// What the docks were before a load's form took their room; not where a person has moved them.
-  void give_room_back();
   void show_docks(bool on);
   void show_title();
 
-  /// Heights of the docks for loads, field and selection.
-  using dock_heights = QList<int>;
-  [[nodiscard]] dock_heights heights_of_docks();
-
-  dock_heights before_form_;  ///< Of loads; empty once a person has moved the docks since.
-  bool lent_ = false;         ///< The receipt has room of the form, until a surface is picked.
   QSettings settings_;
   remote link_;
   local_server server_;
@@ -88,6 +74,7 @@ private:
   QLabel* title_;
   std::optional<window_context> context_;
   std::optional<toolbox> tools_;
+  std::optional<dock_room> room_;
   bool docks_shown_ = true;
   QByteArray layout_;  ///< Of docks and bars, while they are hidden.
 };

@@ -97,6 +97,10 @@ port = 0
 allowed_origins = ["http://localhost:5173", "https://cad.example"]
 token_file = "/run/tedit/token"
 documents = "/srv/tedit"
+[nodes]
+certificates = "/etc/tedit/hall"
+address = "0.0.0.0"
+port = 0
 [work]
 device = "H200"
 modeling_workers = 2
@@ -122,6 +126,9 @@ level = "debug"
   EXPECT_THAT(config->allowed_origins, ElementsAre("http://localhost:5173", "https://cad.example"));
   EXPECT_EQ(config->token_file, "/run/tedit/token");
   EXPECT_EQ(config->documents, "/srv/tedit");
+  EXPECT_EQ(config->node_certificates, "/etc/tedit/hall");
+  EXPECT_EQ(config->node_address, "0.0.0.0");
+  EXPECT_EQ(config->node_port, 0);
   EXPECT_EQ(config->device, "H200");
   EXPECT_EQ(config->modeling_workers, 2);
   EXPECT_EQ(config->optimizer_workers, 3);
@@ -179,7 +186,7 @@ TEST_F(Config, AValueOfTheWrongTypeIsNamed) {
   EXPECT_THAT(message("server", "port = 7464.0"), HasSubstr("whole number"));
   EXPECT_THAT(message("server", "allowed_origins = \"http://a\""), HasSubstr("list of texts"));
   EXPECT_THAT(message("server", "allowed_origins = [1]"), HasSubstr("texts only"));
-  EXPECT_THAT(message("work", "solver_workers = true"), HasSubstr("whole number, 1 to 64"));
+  EXPECT_THAT(message("work", "solver_workers = true"), HasSubstr("whole number, 0 to 64"));
   EXPECT_THAT(message("limits", "edit_timeout_s = \"2 min\""), HasSubstr("number of seconds"));
   EXPECT_THAT(message("limits", "upload_bytes = \"2 GiB\""), HasSubstr("whole number of bytes"));
   EXPECT_EQ(message("log", "level = 3"), "log.level must be a text");
@@ -197,9 +204,12 @@ TEST_F(Config, AValueOutOfRangeIsNamed) {
   EXPECT_THAT(message("server", "token_file = \"token\""), HasSubstr("absolute path"));
   EXPECT_THAT(message("server", "allowed_origins = [\"*\"]"), HasSubstr("origins"));
   EXPECT_THAT(message("server", "allowed_origins = [\"http://a/\"]"), HasSubstr("no path"));
+  EXPECT_EQ(message("nodes", "port = 70000"), "nodes.port must be 0 to 65535, not 70000");
+  EXPECT_THAT(message("nodes", "address = \"rack\""), HasSubstr("IPv4 or IPv6"));
+  EXPECT_THAT(message("nodes", "certificates = \"hall\""), HasSubstr("absolute path"));
   EXPECT_THAT(message("work", "device = \"\""), HasSubstr("work.device must be"));
-  EXPECT_EQ(message("work", "modeling_workers = 0"),
-            "work.modeling_workers must be 1 to 64, not 0");
+  EXPECT_EQ(message("work", "modeling_workers = 65"),
+            "work.modeling_workers must be 0 to 64, not 65");
   EXPECT_EQ(message("limits", "solve_timeout_s = 0"),
             "limits.solve_timeout_s must be 0.1 to 604800 seconds, not 0");
   EXPECT_THAT(message("limits", "all_upload_bytes = 1000"), HasSubstr("must be 1048576 to"));

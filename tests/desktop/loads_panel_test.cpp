@@ -68,6 +68,18 @@ TEST_F(LoadsPanel, ACompleteLoadCaseStaysMarkedUntilTheServerHasTakenIt) {
   EXPECT_TRUE(hint().contains("the server has not taken yet"));
 }
 
+TEST_F(LoadsPanel, AFormThatIsLeftMakesNoLoadCase) {
+  const QString before = hint();
+  picked_.set({3});
+  panel_.add_item(item_kind::support);
+  ASSERT_TRUE(panel_.editor()->isVisibleTo(&panel_));
+  panel_.editor()->findChild<QPushButton*>("close_item")->click();
+
+  EXPECT_EQ(panel_.tree()->topLevelItemCount(), 0);
+  EXPECT_TRUE(panel_.drafts().empty());
+  EXPECT_EQ(hint(), before) << hint().toStdString();
+}
+
 TEST_F(LoadsPanel, ADoubleClickChangesTheItemWhereItStands) {
   picked_.set({3});
   panel_.add_item(item_kind::load);

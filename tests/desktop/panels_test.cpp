@@ -196,6 +196,13 @@ TEST(Receipt, SaysNoQualityWhereNoTetWasTouched) {
   EXPECT_TRUE(preview_figures(made).contains("0.5 before, 0.25 then"));
 }
 
+TEST(Receipt, TheVolumeIsThatOfTheChange) {
+  client::edit_preview made;
+  made.report.volume_change = 2.5e-6;
+  for (const auto& html : {receipt_html(made.report), preview_figures(made)})
+    EXPECT_TRUE(html.contains("+2500 mm³")) << html.toStdString();
+}
+
 TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
   client::edit_preview made;
   fem::receipt_line line;

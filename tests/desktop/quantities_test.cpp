@@ -35,6 +35,18 @@ TEST(Quantities, NumbersKeepTheirSizeReadable) {
   EXPECT_EQ(text(quantity(-3.8e-3, "m3")), "-3800 cm³");
 }
 
+TEST(Quantities, AChangeIsNotTakenForTheWhole) {
+  EXPECT_EQ(text(change_by(2.19921e-5, "m3")), "+21992.1 mm³");
+  EXPECT_EQ(text(change_by(-3.8e-3, "m3")), "−3800 cm³");
+  EXPECT_EQ(text(change_by(0, "m3")), "0 mm³");
+}
+
+TEST(Quantities, WhatIsSaidIsASentence) {
+  EXPECT_EQ(text(sentence_of("the selection grew by 3 mm2")), "The selection grew by 3 mm².");
+  EXPECT_EQ(text(sentence_of("It is done.")), "It is done.");
+  EXPECT_EQ(text(sentence_of("")), "");
+}
+
 TEST(Quantities, NumbersOnAScaleAreRoundedByItsRange) {
   EXPECT_EQ(text(number_in(5.4e-8, 7.117)), "0");
   EXPECT_EQ(text(number_in(7.117, 7.117)), "7.12");

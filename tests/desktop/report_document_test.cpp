@@ -107,7 +107,7 @@ TEST_F(Report, SaysMaterialsSupportsAndLoadsInWords) {
 
 TEST_F(Report, HasTheHistoryWithWhatEachStepDid) {
   EXPECT_TRUE(text().contains("0 Import - 500 g 20 MPa"));
-  EXPECT_TRUE(text().contains("3 Fill hole: thicker (as asked) 2000 mm³ 516 g (+3.2 %) 13.4 MPa"));
+  EXPECT_TRUE(text().contains("3 Fill hole: thicker (as asked) +2000 mm³ 516 g (+3.2 %) 13.4 MPa"));
 }
 
 TEST_F(Report, SaysWhatToTrust) {

@@ -166,6 +166,20 @@ TEST_F(ResultsPanel, PlacesHaveTheRoomThatNotesDoNotNeed) {
   EXPECT_GE(panel_.tree()->columnWidth(4), 200) << "it keeps enough to be read";
 }
 
+TEST_F(ResultsPanel, WhereThereIsLittleRoomPlaceAndNoteHaveTheSame) {
+  auto some = two_sections();
+  auto& row = some.sections[0].rows[0];
+  row.where = QString("where two surfaces meet ").repeated(5);
+  row.warning = QString("a very long warning ").repeated(9);
+  for (const int width : {1400, 700}) {
+    panel_.resize(width, 300);
+    panel_.show_summary(some);
+    const int where = panel_.tree()->columnWidth(4);
+    EXPECT_GE(panel_.tree()->columnWidth(5), where - 1) << width;
+    EXPECT_GE(where, 120) << width;
+  }
+}
+
 TEST_F(ResultsPanel, APlaceIsWrittenIntoTheRoomOfANoteThatIsNotThere) {
   auto some = two_sections();
   some.sections[0].rows[0].warning.clear();

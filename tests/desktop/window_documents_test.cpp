@@ -170,6 +170,25 @@ TEST_F(Documents, WhatWasSaidOfAPartGoesWithIt) {
   EXPECT_FALSE(window->findChild<QLabel*>("title")->text().contains("plate"));
 }
 
+TEST_F(Documents, AVersionThatWasSeenWithoutAQuantityIsNotCalledUnsolved) {
+  open_plate();
+  part().edits().apply({"fill_hole", {1, 2}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && is_final(); }));
+  window->tools().results.panel().set_field(shown_field::safety_factor);
+  ASSERT_TRUE(wait([&] { return view().painted().extremes.has_value() && is_final(); }));
+  ASSERT_TRUE(window->context().all_commands.trigger("view.compare"));
+
+  const auto title = [&] {
+    for (const auto* one : window->findChildren<QLabel*>())
+      if (one->isVisible() && one->text().startsWith("v0"))
+        return one->text();
+    return QString();
+  };
+  EXPECT_TRUE(wait([&] { return title().contains("seen without this quantity"); }))
+    << title().toStdString();
+  EXPECT_FALSE(title().contains("not solved"));
+}
+
 TEST_F(Documents, AVersionThatWasNotSeenIsComparedWithoutMovingTheHead) {
   open_plate();
   part().edits().apply({"fill_hole", {1, 2}, {}});

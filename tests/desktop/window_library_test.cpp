@@ -113,5 +113,37 @@ TEST_F(ServerLibrary, WhatAnotherHasOpenStaysAndTheWindowSaysWhy) {
   EXPECT_TRUE(part().head());
 }
 
+TEST_F(ServerLibrary, APartThatIsClosedIsNotInUseAndAnotherMayDeleteIt) {
+  open_plate(false);
+  const auto name = part().name().toStdString();
+  const auto other = client::client::connect(window->context().link.options(), {});
+  ASSERT_TRUE(other.has_value());
+  const auto in_use = [&] {
+    const auto all = (*other)->list_documents();
+    return !all || all->size() != 1 || all->front().name != name || all->front().clients > 0;
+  };
+  EXPECT_TRUE(in_use());
+  ASSERT_TRUE(window->context().all_commands.trigger("file.close"));
+
+  ASSERT_TRUE(wait([&] { return !in_use(); }));
+  EXPECT_EQ(window->context().messages.text(), "");
+  EXPECT_TRUE(wait([&] { return (*other)->delete_document(name).has_value(); }));
+  EXPECT_FALSE(has_file(part().name()));
+  EXPECT_EQ((*other)->status()->documents, 0U);
+}
+
+TEST_F(ServerLibrary, APartThatIsOpenedAgainAtOnceIsInUse) {
+  open_plate(false);
+  const auto name = part().name();
+  for (std::uint32_t i = 1; i < 6; ++i) {
+    ASSERT_TRUE(window->context().all_commands.trigger("file.close"));
+    part().files().open(name);
+    ASSERT_TRUE(wait([&] { return part().is_open() && shows_head(); }));
+    part().edits().apply({"thicken", {7}, {}});
+    ASSERT_TRUE(wait([&] { return version() == i && shows_head(); }));
+    EXPECT_EQ(window->context().messages.text(), "");
+  }
+}
+
 }  // namespace
 }  // namespace tedit::desktop

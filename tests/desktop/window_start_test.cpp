@@ -3,8 +3,11 @@
 #include "tests/desktop/window_fixture.hpp"
 
 #include <QDockWidget>
+#include <QFile>
 #include <QListWidget>
 #include <QToolBar>
+
+#include "client-qt/tools/pictures/kept_picture.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -45,6 +48,29 @@ TEST_F(Start, EveryShippedPartHasItsPicture) {
     EXPECT_FALSE(picture->pixmap().isNull());
     EXPECT_TRUE(card->rect().contains(picture->geometry()));
   }
+}
+
+/// Corners of a picture that let what is behind them through.
+int clear_corners(const QImage& picture) {
+  int clear = 0;
+  for (const int x : {0, picture.width() - 1})
+    for (const int y : {0, picture.height() - 1})
+      clear += picture.pixelColor(x, y).alpha() == 0 ? 1 : 0;
+  return clear;
+}
+
+TEST_F(Start, PicturesHaveTheGroundOfThePageInEveryLook) {
+  for (const auto* card : window->findChildren<QPushButton*>("example")) {
+    const auto picture = card->findChild<QLabel*>("example_picture")->pixmap().toImage();
+    EXPECT_EQ(clear_corners(picture), 4) << card->accessibleName().toStdString();
+  }
+
+  open_plate();
+  const QString kept = picture_file(state.path(), part().name());
+  ASSERT_TRUE(wait([&] { return QFile::exists(kept) && !QImage(kept).isNull(); }));
+  const QImage picture(kept);
+  EXPECT_EQ(clear_corners(picture), 4);
+  EXPECT_EQ(picture.pixelColor(picture.rect().center()).alpha(), 255) << "the part";
 }
 
 TEST_F(Start, NothingEmptyStandsBesideTheStartPage) {

@@ -188,7 +188,10 @@ private:
 class transport_fixture : public ::testing::Test {
 protected:
   void start() {
-    options.health = [this] { return health_report{well, R"({"ok":true})"}; };
+    options.pages["/healthz"] = [this](const page_request& asked) {
+      last_asked = asked;
+      return page_answer{well ? 200U : 503U, R"({"ok":true})"};
+    };
     options.accept = [l = seen](std::shared_ptr<connection> c) {
       l->update(l->opened, c);
       return std::make_unique<echo>(std::move(c), l);
@@ -222,6 +225,7 @@ protected:
   std::unique_ptr<transport> server;
   std::string host;
   std::atomic<bool> well = true;
+  page_request last_asked;  ///< Read after its answer.
 };
 
 }  // namespace tedit::gateway::test

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/unique_fd.hpp"
+#include "tests/scenarios/http.hpp"
 #include "tests/scenarios/served.hpp"
 
 namespace tedit::test {
@@ -82,36 +83,8 @@ std::vector<std::string> local_names_of(const std::vector<pid_t>& processes) {
   return names;
 }
 
-int port_of(const std::string& url) {
-  return std::stoi(url.substr(url.rfind(':') + 1));
-}
-
-unique_fd connect_to(int port) {
-  unique_fd fd(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  sockaddr_in to{};
-  to.sin_family = AF_INET;
-  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  to.sin_port = htons(static_cast<std::uint16_t>(port));
-  const timeval limit{10, 0};
-  setsockopt(fd.get(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
-  if (connect(fd.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0)
-    fd.reset();
-  return fd;
-}
-
-void say(int fd, const std::string& bytes) {
-  [[maybe_unused]] const auto sent = send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-}
-
 std::string health_of(int port) {
-  const auto fd = connect_to(port);
-  say(fd.get(), "GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
-  std::string answer;
-  std::array<char, 4096> buffer{};
-  ssize_t n = 0;
-  while ((n = recv(fd.get(), buffer.data(), buffer.size(), 0)) > 0)
-    answer.append(buffer.data(), static_cast<std::size_t>(n));
-  return answer;
+  return get(port, "/healthz");
 }
 
 /// Waits until the server's health has these words; the last that it said.

@@ -264,6 +264,8 @@ void compare_view::refresh() {
   before_.box->setVisible(!difference_);
   const auto state = [&](const version_record& row) {
     const auto field = field_of(row, what_->load_case);
+    if (field && !has(*field, what_->by.field))
+      return tr("  (seen without this quantity)");
     if (!not_held(row, what_->load_case, what_->by.field).isEmpty())
       return tr("  (not solved here)");
     return field && field->interim() ? tr("  (preview)") : QString();

@@ -14,6 +14,7 @@
 
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/tools/history/version_editor.hpp"
+#include "client-qt/widgets/small_picture.hpp"
 
 namespace tedit::desktop {
 
@@ -81,12 +82,7 @@ history_strip::history_strip(document& part, QWidget* parent) : QListWidget(pare
 }
 
 void history_strip::keep(const std::string& version_id, const QImage& picture) {
-  const QSize size = thumbnail * devicePixelRatioF();
-  const QImage fitted =
-    picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  const QRect middle(
-    QPoint((fitted.width() - size.width()) / 2, (fitted.height() - size.height()) / 2), size);
-  auto pixmap = QPixmap::fromImage(fitted.copy(middle));
+  auto pixmap = QPixmap::fromImage(small_picture(picture, thumbnail * devicePixelRatioF()));
   pixmap.setDevicePixelRatio(devicePixelRatioF());
   pictures_[version_id] = std::move(pixmap);
 }
@@ -153,7 +149,7 @@ QString history_strip::details(const version_record& version) const {
   if (const auto m = mass(version))
     lines << tr("mass %1").arg(desktop::mass(*m));
   if (version.report) {
-    lines << tr("volume %1").arg(quantity(version.report->volume_change, "m3"));
+    lines << tr("volume %1").arg(change_by(version.report->volume_change, "m3"));
     if (const auto& ratios = version.report->ratios)
       lines << tr("worst tet where it changed: %1 before, %2 now")
                  .arg(number(ratios->min_before), number(ratios->min_after));

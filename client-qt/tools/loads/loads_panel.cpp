@@ -317,9 +317,9 @@ void loads_panel::new_load_case() {
 void loads_panel::add_item(item_kind kind) {
   if (!part_.head())
     return;
-  if (all().empty())
-    new_load_case();
-  const auto cases = all();
+  auto cases = all();
+  if (cases.empty())  // It is made when its first item is applied: a form that is left makes none.
+    cases.emplace_back().name = tr("Load case").toStdString();
   const auto chosen = current();
   const auto* loads = chosen ? find(chosen->load_case, cases) : nullptr;
   if (!loads)
@@ -371,13 +371,12 @@ void loads_panel::apply_editor() {
     return;
   const auto cases = all();
   const auto* loads = find(editing_->load_case, cases);
-  if (!loads)
-    return;
-  auto changed = *loads;
+  auto changed = loads ? *loads : fem::load_case{};
+  changed.name = editing_->load_case;
   auto at = std::optional(editing_->at);
   const auto* material = std::get_if<fem::material>(&*item);
-  if (material && *at >= loads->materials.size())
-    at = place_for(*loads, *material);
+  if (material && *at >= changed.materials.size())
+    at = place_for(changed, *material);
   put(changed, *item, at);
   cancel();
   change(changed);

@@ -72,10 +72,10 @@ context_panel::context_panel(document& part, selection& picked, QWidget* parent)
   body_layout_->setContentsMargins(0, 8, 0, 0);
   column->addWidget(body_);
 
-  column->addWidget(make_activity());
   column->addStretch();
   scroll_ = new tall_scroll(content);
   all->addWidget(scroll_, 1);
+  all->addWidget(make_activity());
   foot_ = new QWidget;
   auto* foot = new QVBoxLayout(foot_);
   foot->setContentsMargins(12, 4, 12, 10);
@@ -139,9 +139,10 @@ QString context_panel::details() const {
   return (lines << tr("Area %1").arg(quantity(picked_.area(), "m2"))).join("\n");
 }
 
-/// How to select is no news beside a form, which says what to select.
+/// How to select is no news beside a form, which says what to select; what runs has its room.
 void context_panel::show_details() {
-  details_->setVisible(operation_.isEmpty() || !picked_.surfaces().empty());
+  const bool idle = operation_.isEmpty() && !part_.foreground().current();
+  details_->setVisible(idle || !picked_.surfaces().empty());
 }
 
 std::vector<const offered_operation*> context_panel::offers() const {
@@ -167,7 +168,7 @@ void context_panel::choose(const QString& operation) {
   show_details();
   follow();
   if (operation_.isEmpty())
-    return;
+    return emit form_closed();
   // What is typed next is meant for it, not for the view.
   QWidget* first = form_->focusProxy() ? form_->focusProxy() : apply_.data();
   first->setFocus(Qt::TabFocusReason);
@@ -181,7 +182,8 @@ void context_panel::choose(const QString& operation) {
 /// What stays in sight while the fields scroll is never squashed.
 QSize context_panel::minimumSizeHint() const {
   constexpr int some_fields = 70;
-  return {QWidget::minimumSizeHint().width(), some_fields + foot_height()};
+  const int runs = running_->isVisibleTo(this) ? running_->sizeHint().height() : 0;
+  return {QWidget::minimumSizeHint().width(), some_fields + runs + foot_height()};
 }
 
 /// Its words wrap at the panel's width.
@@ -430,10 +432,12 @@ void context_panel::edited(const client::committed& what) {
   }
 }
 
+/// In sight whatever scrolls above it.
 QWidget* context_panel::make_activity() {
   running_ = new QWidget;
   auto* activity = new QVBoxLayout(running_);
-  activity->setContentsMargins(0, 8, 0, 0);
+  activity->setContentsMargins(12, 4, 12, 4);
+  activity->setSpacing(2);
   stage_ = make_label("faint");
   fraction_ = new QProgressBar;
   fraction_->setRange(0, 1000);
@@ -441,15 +445,17 @@ QWidget* context_panel::make_activity() {
   cancel_ = new QPushButton(tr("Cancel"));
   cancel_->setObjectName("cancel");
   connect(cancel_, &QPushButton::clicked, &part_.foreground(), &foreground_work::cancel);
+  auto* row = new QHBoxLayout;
+  row->addWidget(fraction_, 1);
+  row->addWidget(cancel_);
   activity->addWidget(stage_);
-  activity->addWidget(fraction_);
+  activity->addLayout(row);
   then_ = make_label("faint");
   then_->setObjectName("queue");
   empty_ = new QPushButton(tr("Empty the queue"));
   empty_->setObjectName("empty_queue");
   empty_->setToolTip(tr("What runs goes on, what waits behind it is not made"));
   connect(empty_, &QPushButton::clicked, &part_.edits().queue(), &edit_queue::clear);
-  activity->addWidget(cancel_, 0, Qt::AlignLeft);
   activity->addWidget(then_);
   activity->addWidget(empty_, 0, Qt::AlignLeft);
   return running_;
@@ -458,6 +464,7 @@ QWidget* context_panel::make_activity() {
 void context_panel::show_activity() {
   const auto& now = part_.foreground().current();
   running_->setVisible(now.has_value());
+  show_details();
   if (now) {
     stage_->setText(now->stage.isEmpty() ? now->title : now->title + ": " + now->stage);
     fraction_->setValue(qRound(1000 * now->fraction));

@@ -41,6 +41,7 @@ public:
 
 signals:
   void form_opened();
+  void form_closed();
   /// A person wants to see these surfaces.
   void place_wanted(const std::vector<tedit::surface_id>& surfaces);
 

@@ -57,8 +57,7 @@ static bool asked_too_much(const error& reason) {
 QString preview_figures(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html = "<table>";
-  html += table_row(preview_box_phrases::tr("Volume"),
-                    (report.volume_change > 0 ? "+" : "") + quantity(report.volume_change, "m3"));
+  html += table_row(preview_box_phrases::tr("Volume"), change_by(report.volume_change, "m3"));
   html += table_row(
     preview_box_phrases::tr("Tets"),
     preview_box_phrases::tr("%1 (%2 new, %3 gone)")

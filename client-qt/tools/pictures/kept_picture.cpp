@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QThreadPool>
 
+#include "client-qt/widgets/small_picture.hpp"
+
 namespace tedit::desktop {
 
 static constexpr QSize kept_size(264, 168);
@@ -44,13 +46,8 @@ void move_pictures(const QString& state_folder, const QString& from, const QStri
 
 void keep_picture(const QImage& frame, const QString& to) {
   writers().start([frame, to] {
-    const QImage fitted =
-      frame.scaled(kept_size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    const QRect middle(
-      QPoint((fitted.width() - kept_size.width()) / 2, (fitted.height() - kept_size.height()) / 2),
-      kept_size);
     QDir().mkpath(QFileInfo(to).path());
-    fitted.copy(middle).save(to);
+    small_picture(frame, kept_size).save(to);
   });
 }
 

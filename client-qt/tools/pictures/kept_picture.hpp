@@ -23,7 +23,7 @@ void remove_pictures(const QString& state_folder, const QString& document);
 /// `keep_picture` still writes: some ms.
 void move_pictures(const QString& state_folder, const QString& from, const QString& to);
 
-/// Cuts a frame to the size of the start page's pictures and writes it aside.
+/// Writes the start page's picture of a frame, aside.
 void keep_picture(const QImage& frame, const QString& to);
 
 }  // namespace tedit::desktop

@@ -83,7 +83,7 @@ QString receipt_html(const edit_report& report) {
       html += "<p><b>" + words_of(line.warning).toHtmlEscaped() + "</b></p>";
   html += "<table>";
   if (report.volume_change != 0)
-    html += table_row(receipt_panel_phrases::tr("Volume"), quantity(report.volume_change, "m3"));
+    html += table_row(receipt_panel_phrases::tr("Volume"), change_by(report.volume_change, "m3"));
   if (report.tets_added + report.tets_removed > 0)
     html += table_row(receipt_panel_phrases::tr("Tets"),
                       receipt_panel_phrases::tr("%1 new, %2 gone")
@@ -113,7 +113,7 @@ QString receipt_html(const edit_report& report) {
     html +=
       "<p><b>" + receipt_panel_phrases::tr("Surfaces") + "</b></p><table>" + surfaces + "</table>";
   for (const auto& text : report.notices)
-    html += "<p>" + words_of(text).toHtmlEscaped() + "</p>";
+    html += "<p>" + sentence_of(text).toHtmlEscaped() + "</p>";
   return html;
 }
 

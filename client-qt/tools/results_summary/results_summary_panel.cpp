@@ -29,6 +29,7 @@ enum role { section_role = Qt::UserRole, row_role };
 
 constexpr int enough_where = 260;  // Pixels: beside a long note what is longer is read in its hint.
 constexpr int least_where = 120;
+constexpr int least_margin = 4;  // Below the list.
 
 QString notes_of(const result_row& row) {
   if (row.warning.isEmpty())
@@ -81,7 +82,7 @@ QString spoken(const QTreeWidgetItem& row) {
 
 results_summary_panel::results_summary_panel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 4, 8, 4);
+  column->setContentsMargins(8, 4, 8, least_margin);
   column->setSpacing(2);
   build_top();
   missing_ = new QLabel;
@@ -97,7 +98,7 @@ results_summary_panel::results_summary_panel(QWidget* parent) : QWidget(parent) 
   tree_->setIndentation(12);
   tree_->setSelectionBehavior(QAbstractItemView::SelectRows);
   tree_->setAllColumnsShowFocus(true);
-  tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);  // Rows stay whole.
   tree_->header()->setStretchLastSection(false);  // `share_width` gives each its room.
   column->addWidget(tree_, 1);
   wire();
@@ -162,12 +163,14 @@ void results_summary_panel::show_summary(const results_summary& what) {
   for (const int i : {title_column, value_column, before_column, change_column})
     tree_->resizeColumnToContents(i);
   share_width();
+  fit_rows();
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)  // Who reads by keys stays where they were.
     if (std::pair((*it)->data(0, section_role).toInt(), (*it)->data(0, row_role).toInt()) == at)
       tree_->setCurrentItem(*it);
 }
 
-/// Places and notes share what the figures leave: neither is cut off beside empty room.
+/// Places and notes share what the figures leave: neither is cut off beside empty room, nor to
+/// nothing for the other.
 void results_summary_panel::share_width() {
   int left = tree_->viewport()->width();
   for (const int i : {title_column, value_column, before_column, change_column})
@@ -177,17 +180,37 @@ void results_summary_panel::share_width() {
   const int note = std::max(list.sizeHintForColumn(note_column), heading);
   const int where =
     std::max(list.sizeHintForColumn(where_column), tree_->header()->sectionSizeHint(where_column));
-  const int enough =
-    std::clamp(left - heading, std::min(where, least_where), std::min(where, enough_where));
+  const int enough = std::clamp(std::min(left - heading, left / 2), std::min(where, least_where),
+                                std::min(where, enough_where));
   const bool notes = !tree_->isColumnHidden(note_column);
   const int given = notes ? std::clamp(left - note, enough, where) : std::max(left, where);
   tree_->setColumnWidth(where_column, given);
   tree_->setColumnWidth(note_column, std::max(left - given, std::min(heading, least_where)));
 }
 
+/// The list ends with a whole row; what is left over stays empty below it.
+void results_summary_panel::fit_rows() {
+  const auto* first = tree_->topLevelItem(0);
+  const int row = first ? tree_->visualItemRect(first).height() : 0;
+  if (row <= 0)
+    return;
+  auto margins = layout()->contentsMargins();
+  // Of the panel: what the list has may be on its way yet.
+  const int heading = tree_->height() - tree_->viewport()->height();
+  const int room = height() - least_margin - tree_->y() - heading;
+  margins.setBottom(least_margin + (room > row ? room % row : 0));
+  layout()->setContentsMargins(margins);
+}
+
 bool results_summary_panel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == tree_->viewport() && event->type() == QEvent::Resize)
-    QTimer::singleShot(0, this, &results_summary_panel::share_width);  // Once the header has it.
+    QTimer::singleShot(0, this, [this] {  // Once the header has it.
+      share_width();
+      fit_rows();
+    });
+  // How high a row is the list knows for sure once it is drawn.
+  if (watched == tree_->viewport() && event->type() == QEvent::Paint)
+    QTimer::singleShot(0, this, &results_summary_panel::fit_rows);
   return QWidget::eventFilter(watched, event);
 }
 

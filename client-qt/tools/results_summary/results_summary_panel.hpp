@@ -45,6 +45,7 @@ private:
   void add_row(QTreeWidgetItem* parent, std::size_t section, std::size_t at);
   void set_columns();
   void share_width();
+  void fit_rows();
   void go_to(const QTreeWidgetItem* item);
 
   results_summary shown_;
