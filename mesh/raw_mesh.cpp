@@ -2,6 +2,7 @@
 #include "mesh/raw_mesh.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "mesh/morton.hpp"
 
@@ -9,16 +10,38 @@ namespace tedit {
 
 namespace {
 
-/// The items 0 to `count` - 1 in the order of their places on the curve.
+/// 10 bits of each coordinate: cells much smaller than what lies in one page of a mesh.
+constexpr int key_bits = 30;
+constexpr int digit_bits = 10;
+
+/// The items 0 to `count` - 1 in the order of their places on the curve, those of one cell as they
+/// were: a radix sort, as sorting by comparison takes three times as long.
 template <class PlaceOf>
 std::vector<std::uint32_t> order_along(const morton_curve& curve, std::size_t count,
                                        const PlaceOf& place_of) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places(count);
+  struct item {
+    std::uint32_t key;
+    std::uint32_t index;
+  };
+  std::vector<item> items(count);
   for (std::size_t i = 0; i < count; ++i)
-    places[i] = {curve.code(place_of(i)), static_cast<std::uint32_t>(i)};
-  std::ranges::sort(places);
+    items[i] = {static_cast<std::uint32_t>(curve.code(place_of(i)) >> (63 - key_bits)),
+                static_cast<std::uint32_t>(i)};
+  std::vector<item> sorted(count);
+  for (int shift = 0; shift < key_bits; shift += digit_bits) {
+    const auto digit = [&](const item& one) {
+      return (one.key >> shift) & ((1U << digit_bits) - 1);
+    };
+    std::array<std::uint32_t, (1U << digit_bits) + 1> begin{};
+    for (const auto& one : items)
+      ++begin[digit(one) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (const auto& one : items)
+      sorted[begin[digit(one)]++] = one;
+    items.swap(sorted);
+  }
   std::vector<std::uint32_t> order(count);
-  std::ranges::transform(places, order.begin(), [](const auto& place) { return place.second; });
+  std::ranges::transform(items, order.begin(), &item::index);
   return order;
 }
 

@@ -35,7 +35,7 @@ void keep_vertices(raw_mesh& raw, const std::vector<bool>& is_used);
 
 /// Puts vertices and tets (by their middles) along a curve through space (mesh/morton.hpp). The
 /// numbers of the file stay as they were. Returns where each vertex and each tet stood. All
-/// positions must be finite. Cost: O(n log n).
+/// positions must be finite. Cost: O(n).
 [[nodiscard]] std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>> sort_along_curve(
   raw_mesh& raw);
 

@@ -90,6 +90,8 @@ expected<void> client_state::check(const v1::ClientMessage& message) const {
 }
 
 void client_state::on_closed() {
+  running_requests().add(-static_cast<double>(timed.size()));
+  timed.clear();
   // What runs for this client alone is ended; what it has committed stays.
   for (const auto& [id, request] : requests)
     if (request.session)
@@ -99,9 +101,16 @@ void client_state::on_closed() {
   self->quit();
 }
 
+metrics::gauge& running_requests() {
+  static auto& one =
+    metrics::level_of("tedit_requests_running", "Requests that are not answered yet.");
+  return one;
+}
+
 void client_state::end(std::uint64_t id) {
   requests.erase(id);
   if (const auto found = timed.extract(id)) {
+    running_requests().add(-1);
     const auto& [counted, since] = found.mapped();
     counted->note(std::chrono::steady_clock::now() - since);
   }

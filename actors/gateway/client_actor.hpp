@@ -154,6 +154,8 @@ struct client_state {
     return {client_name, body.edit_id(), body.expected_version()};
   }
   void end(std::uint64_t id);
+  /// From here on it is counted how long the answer takes.
+  void note_begin(std::uint64_t id, const v1::ClientMessage& message);
 
   client_pointer self = nullptr;
   std::shared_ptr<connection> to;
@@ -229,6 +231,9 @@ void to_message(const actors::solved& done, v1::Solved* out);
 void to_message(const error& e, v1::Error* out);
 void to_message(const actors::rival& other, v1::Conflict* out);
 void to_message(const actors::memory_use& use, v1::MemoryUse* out);
+/// Of all clients.
+[[nodiscard]] metrics::gauge& running_requests();
+
 void to_message(const actors::server_status& status, v1::ServerStatus* out);
 void to_message(const file_format& format, v1::FileFormat* out);
 void to_message(const fem::result_array& array, v1::ResultArray* out);

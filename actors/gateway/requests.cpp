@@ -140,6 +140,15 @@ void client_state::refuse_token(std::uint64_t id) {
   to->close(1008, "wrong token");
 }
 
+void client_state::note_begin(std::uint64_t id, const v1::ClientMessage& message) {
+  const auto* kind = message.GetReflection()->GetOneofFieldDescriptor(
+    message, message.GetDescriptor()->FindOneofByName("body"));
+  auto& counted = metrics::times_of(
+    "tedit_request_seconds", "From a request to its answer, by kind.", {{"kind", kind->name()}});
+  if (timed.try_emplace(id, &counted, std::chrono::steady_clock::now()).second)
+    running_requests().add(1);
+}
+
 void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) {
   if (auto ok = protocol::check_numbers(message, finite_number(), ec::invalid_argument); !ok)
     return refuse(id, ok.error());
@@ -149,13 +158,8 @@ void client_state::dispatch(std::uint64_t id, const v1::ClientMessage& message) 
                        "this server does not know this request",
                        "Use a client of the server's release",
                        {}});
-  const auto* kind = message.GetReflection()->GetOneofFieldDescriptor(
-    message, message.GetDescriptor()->FindOneofByName("body"));
-  timed.try_emplace(
-    id,
-    &metrics::times_of("tedit_request_seconds", "From a request to its answer, by kind.",
-                       {{"kind", kind->name()}}),
-    std::chrono::steady_clock::now());
+  if (!message.has_upload_chunk())  // Which is not answered.
+    note_begin(id, message);
   found->second(*this, id, message);
 }
 

@@ -8,6 +8,12 @@ metrics::gauge& open_documents() {
   return one;
 }
 
+metrics::gauge& subscriptions() {
+  static auto& one =
+    metrics::level_of("tedit_subscriptions", "Clients that have a document open, for each.");
+  return one;
+}
+
 metrics::counter& heads_moved(const std::string& kind) {
   return metrics::count_of("tedit_heads_moved_total",
                            "Changes that moved a document's head, by kind.", {{"kind", kind}});

@@ -9,6 +9,7 @@
 namespace tedit::actors::numbers {
 
 [[nodiscard]] metrics::gauge& open_documents();
+[[nodiscard]] metrics::gauge& subscriptions();
 [[nodiscard]] metrics::counter& heads_moved(const std::string& kind);
 [[nodiscard]] metrics::counter& solves();
 [[nodiscard]] metrics::counter& failed_solves();

@@ -13,11 +13,13 @@ namespace tedit::actors {
 
 session_state::session_state() {
   numbers::open_documents().add(1);
+  static_cast<void>(numbers::failed_solves());  // Shown from the first document on.
 }
 
 session_state::~session_state() {
   end_comparisons();
   numbers::open_documents().add(-1);
+  numbers::subscriptions().add(-static_cast<double>(subscribers.size()));
 }
 
 void session_state::start(session_pointer owner, session_parts with, stored_document stored) {
@@ -36,8 +38,10 @@ void session_state::start(session_pointer owner, session_parts with, stored_docu
 caf::result<session_snapshot> session_state::attach(const attach_request& request) {
   if (ended)
     return to_caf({ec::service_unavailable, "the document is being closed", "Open it again", {}});
-  if (subscribers.insert(request.subscriber).second)
+  if (subscribers.insert(request.subscriber).second) {
     self->monitor(request.subscriber);
+    numbers::subscriptions().add(1);
+  }
   session_snapshot snapshot;
   snapshot.document = parts.document;
   if (const auto* head = graph.head()) {
@@ -52,7 +56,7 @@ caf::result<session_snapshot> session_state::attach(const attach_request& reques
 }
 
 void session_state::detach(const caf::actor& subscriber) {
-  subscribers.erase(subscriber);
+  numbers::subscriptions().add(-static_cast<double>(subscribers.erase(subscriber)));
   if (!subscribers.empty())
     return;
   last_preview.reset();

@@ -90,7 +90,7 @@ struct pool_numbers {
   explicit pool_numbers(const std::string& role);
 
   metrics::gauge &workers, &nodes, &running, &waiting;
-  metrics::counter &deaths, &retries;
+  metrics::counter &deaths, &retries, &restarts;
   metrics::times& done;
 };
 

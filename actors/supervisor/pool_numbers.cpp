@@ -18,6 +18,8 @@ pool_numbers::pool_numbers(const std::string& role)
       retries(metrics::count_of("tedit_job_deaths_total",
                                 "Jobs whose worker was gone before they were done.",
                                 {{"role", role}})),
+      restarts(metrics::count_of("tedit_worker_restarts_total",
+                                 "Processes of workers that were started anew.", {{"role", role}})),
       done(metrics::times_of("tedit_job_seconds", "Jobs that were done, without their waiting.",
                              {{"role", role}})) {}
 
@@ -29,6 +31,7 @@ void pool_state::measure() const {
   numbers->nodes.set(count([](const child& c) { return c.is_there() && c.is_remote(); }));
   numbers->running.set(count([](const child& c) { return c.work.has_value(); }));
   numbers->waiting.set(static_cast<double>(waiting.size()));
+  numbers->restarts.set(restarts);
 }
 
 }  // namespace tedit::actors

@@ -54,6 +54,8 @@ TEST(Metrics, SayWhatAServerHasDone) {
   };
   EXPECT_EQ(of("tedit_connections"), 1);
   EXPECT_EQ(of("tedit_documents_open"), 1);
+  EXPECT_EQ(of("tedit_subscriptions"), 1);
+  EXPECT_EQ(of("tedit_requests_running"), 0);
   EXPECT_EQ(of("tedit_heads_moved_total{kind=\"import\"}"), 1);
   EXPECT_EQ(of("tedit_heads_moved_total{kind=\"edit\"}"), 1);
   EXPECT_EQ(of("tedit_heads_moved_total{kind=\"undo\"}"), 1);
@@ -79,7 +81,12 @@ TEST(Metrics, AServerIsReadyOnceAllItsWorkersAre) {
   const auto port = host->port();
 
   EXPECT_THAT(get(port, "/readyz"), HasSubstr("503 "));
-  EXPECT_THAT(get(port, "/readyz"), HasSubstr("\"solver\":\"degraded\""));
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  auto said = get(port, "/readyz");
+  while (said.find("degraded") == said.npos && std::chrono::steady_clock::now() < deadline)
+    said = get(port, "/readyz");
+  EXPECT_THAT(said, HasSubstr("503 "));
+  EXPECT_THAT(said, HasSubstr("\"solver\":\"degraded\""));
 }
 
 TEST(Metrics, OfOtherMachinesOnlyWhoKnowsTheTokenSeesThem) {
