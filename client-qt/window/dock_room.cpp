@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMouseEvent>
 #include <QSettings>
+#include <QTabBar>
 #include <QTimer>
 
 #include <algorithm>
@@ -101,6 +102,27 @@ bool dock_room::stand_in_their_column() const {
   return stands(of("context")) && stands(of("field")) && stands(lower());
 }
 
+/// Qt counts the tabs below docks that share a place as part of these docks: without them in the
+/// sum it would share what is missing out among all.
+void dock_room::resize(const QList<QDockWidget*>& docks, QList<int> heights) {
+  for (qsizetype i = 0; i < docks.size(); ++i)
+    heights[i] += tabs_below(*docks[i]);
+  in_.window.resizeDocks(docks, heights, Qt::Vertical);
+}
+
+/// Height of the tabs of the docks that share this one's place.
+int dock_room::tabs_below(const QDockWidget& dock) const {
+  if (in_.window.tabifiedDockWidgets(const_cast<QDockWidget*>(&dock)).isEmpty())
+    return 0;
+  const auto bars = in_.window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly);
+  for (const auto* bar : bars)
+    if (bar->isVisible() && bar->geometry().left() <= dock.geometry().right() &&
+        dock.geometry().left() <= bar->geometry().right() &&
+        bar->geometry().top() >= dock.geometry().top())
+      return bar->height();
+  return 0;
+}
+
 void dock_room::settle() {
   const bool form = !tools_.operations.panel().chosen().isEmpty();
   const bool selected = !in_.picked.surfaces().empty();
@@ -122,8 +144,7 @@ void dock_room::settle() {
   const int second =
     std::clamp(whole_height(field), least_field, std::max(least_field, all - least_lower - first));
   // All three are given: Qt would take part of the room from where it is not to.
-  in_.window.resizeDocks({&context, &field, &lower()}, {first, second, all - first - second},
-                         Qt::Vertical);
+  resize({&context, &field, &lower()}, {first, second, all - first - second});
 }
 
 /// A form needs more than a list: the docks beside it give what it lacks, as far as they can, when
@@ -152,7 +173,7 @@ void dock_room::make_room(const std::function<int()>& form_height, QDockWidget& 
     take(kept, least_height(keeps));
   }
   const int all = dock.height() + gives.height() + keeps.height();
-  in_.window.resizeDocks({&dock, &gives, &keeps}, {all - given - kept, given, kept}, Qt::Vertical);
+  resize({&dock, &gives, &keeps}, {all - given - kept, given, kept});
 }
 
 /// Without a surface the form says little: what comes with one has its room then.
@@ -188,7 +209,7 @@ void dock_room::make_room_for_load(bool to_spare_only) {
 void dock_room::give_room_back() {
   const auto before = std::exchange(before_form_, {});
   if (!before.isEmpty())
-    in_.window.resizeDocks({&of("loads"), &of("field"), &of("context")}, before, Qt::Vertical);
+    resize({&of("loads"), &of("field"), &of("context")}, before);
 }
 
 bool dock_room::eventFilter(QObject* watched, QEvent* event) {

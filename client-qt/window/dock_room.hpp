@@ -45,6 +45,8 @@ private:
   /// Loads or the receipt, whichever is in front.
   [[nodiscard]] QDockWidget& lower() const;
   [[nodiscard]] bool stand_in_their_column() const;
+  void resize(const QList<QDockWidget*>& docks, QList<int> heights);
+  [[nodiscard]] int tabs_below(const QDockWidget& dock) const;
 
   /// Heights of the docks for loads, field and selection.
   using dock_heights = QList<int>;
