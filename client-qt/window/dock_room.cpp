@@ -193,7 +193,9 @@ void dock_room::edited() {
 
 void dock_room::selection_changed() {
   if (tools_.operations.panel().chosen().isEmpty())
-    QTimer::singleShot(0, this, &dock_room::settle);
+    // Twice: what was offered for the selection may know its height only once it was shown.
+    for (const int after : {0, 2 * settled_ms})
+      QTimer::singleShot(after, this, &dock_room::settle);
   else if (!in_.picked.surfaces().empty() && std::exchange(lent_, false))
     QTimer::singleShot(0, this, &dock_room::make_room_for_operation);
 }
