@@ -16,6 +16,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "base/text.hpp"
 #include "fem/solver.hpp"
 
 namespace tedit::actors {
@@ -37,13 +38,12 @@ std::optional<std::pair<int, int>> major_and_minor(std::string_view version) {
 /// For a node to say what it is, once its certificate was seen.
 constexpr std::chrono::seconds time_to_enlist{30};
 
-/// Text from another machine goes into logs and status: printable, and not endless.
+/// Text from another machine goes into logs and status: printable, valid and not endless.
 std::string tidy(std::string text) {
   constexpr std::size_t longest = 200;
   std::erase_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
-  if (text.size() > longest)
-    text.resize(longest);
-  return text;
+  text = to_utf8(text);
+  return std::string(cut_text(text, longest));
 }
 
 node_answer refusal(bool later, std::string reason, std::string remedy) {
@@ -86,6 +86,7 @@ caf::actor pool_of(const worker_set& pools, worker_role role) {
 }
 
 struct enlister_state {
+  caf::actor_addr worker;  ///< Once it was named; the connection has no other.
   bool enlisted = false;
   static inline const char* name = "node_enlister";
 };
@@ -98,11 +99,18 @@ caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const wor
   self->set_down_handler([=](const caf::down_msg&) { self->quit(); });
   self->delayed_send(self, time_to_enlist, rest_atom::value);
   const auto enlist = [=](const node_enlistment& who) -> caf::result<node_answer> {
-    if (const auto why = objection(who, peer, version)) {
+    auto why = objection(who, peer, version);
+    // It speaks for itself alone: once, and for a worker of its own.
+    const auto& asker = self->current_sender();
+    if (!why && (self->state.worker || !asker || asker->node() != who.worker.node()))
+      why = refusal(false, "it named a worker that is not its own, or a second one",
+                    "Start each worker with a \"tedit worker --join\" of its own");
+    if (why) {
       spdlog::warn("node {} ({}) was turned away: {}", peer.name, peer.address, why->reason);
       self->quit();  // Once it is answered.
       return *why;
     }
+    self->state.worker = who.worker.address();
     self->monitor(who.worker);
     auto promise = self->make_response_promise<node_answer>();
     remote_worker guest{who.worker, who.node, peer.line};
@@ -123,8 +131,9 @@ caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const wor
     return promise;
   };
   return {enlist,
-          [=](const retirement& note, const caf::actor& worker) {
-            self->send(pool, note, worker.address());
+          [=](const retirement& note) {
+            if (self->state.worker)
+              self->send(pool, note, self->state.worker);
           },
           [=](rest_atom) {
             if (self->state.enlisted)

@@ -107,7 +107,7 @@ expected<void> run_worker(const worker_options& options, const cancel_token& sto
   while (!gone && !(stop.cancelled() && !options.joins)) {
     if (stop.cancelled() && !std::exchange(leaving, true)) {
       spdlog::info("leaving the server; work that has begun is ended first");
-      self->send(*enlister, retirement{"it is being stopped"}, worker);
+      self->send(*enlister, retirement{"it is being stopped"});
     }
     self->receive(
       [&](const caf::down_msg& down) {

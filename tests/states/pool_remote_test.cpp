@@ -231,6 +231,32 @@ TEST_F(NodeEnlister, TurnsOthersAwayByName) {
   EXPECT_THAT(status().nodes, IsEmpty());
 }
 
+TEST_F(NodeEnlister, HearsOneWorkerAndLetsNobodyRetireAnothers) {
+  start_with(0);
+  const auto mine = std::make_shared<made_up_line>("rack-2");
+  mine->worker = stage_.system().spawn(make_puppet, 0);
+  const auto others = join("rack-1");
+  const auto enlister = make_node_enlister(
+    stage_.system(), {pool_, {}, {}}, {"rack-2", "10.0.0.7", worker_role::modeling, mine}, "1.4.2");
+  // Before it has named a worker it has none that could leave.
+  caf::anon_send(enlister, retirement{"it is being stopped"});
+  node_facts facts;
+  facts.version = "1.4.2";
+  const node_enlistment who{"modeling", facts, mine->worker};
+  const auto first = ask<node_answer>(enlister, who);
+  pass(milliseconds(1));
+  caf::anon_send(enlister, retirement{"it is being stopped"});
+  pass(milliseconds(1));
+
+  EXPECT_TRUE(first.value().accepted);
+  EXPECT_EQ(status().nodes.at(0).state, "idle") << "of rack-1";
+  EXPECT_EQ(status().nodes.at(1).state, "leaving");
+  const auto second = ask<node_answer>(enlister, who);
+  pass(milliseconds(1));
+  EXPECT_FALSE(second.value().accepted);
+  EXPECT_THAT(second.value().reason, HasSubstr("a second one"));
+}
+
 TEST(NodeVersions, OfTwoNeighbouringMinorsWorkTogether) {
   EXPECT_TRUE(work_together("1.4.2", "1.4.0"));
   EXPECT_TRUE(work_together("1.4.2", "1.5.0"));
