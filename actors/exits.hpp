@@ -8,6 +8,12 @@
 
 namespace tedit::actors {
 
+/// Whether an actor of this process sent what `self` now works on. Nobody who stays nameless is.
+[[nodiscard]] inline bool is_asked_from_here(caf::scheduled_actor* self) {
+  const auto& from = self->current_sender();
+  return from && from->node() == self->node();
+}
+
 /// Lets an actor be ended from this process only. By CAF's default any node that knows its number,
 /// or that dies while it is linked to it, ends it too; the actors of a server serve others and must
 /// outlive such a node. `before` is called first when it ends.

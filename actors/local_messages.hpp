@@ -73,6 +73,7 @@ struct version_info {
 
 struct attach_request {
   caf::actor subscriber;
+  bool only_looks = false;  ///< It keeps the document open, but nobody from deleting it.
 };
 
 /// What a request that changes a document says beside what it wants.

@@ -355,14 +355,16 @@ struct node_facts {
   std::string address;  ///< Where its connection comes from; the server puts that in.
   std::string version;  ///< Of TEdit: "0.9.1".
   std::string device;   ///< What it computes on, for people.
+  /// A solver of its own kind: solves what asks for a device of this name, and nothing else.
+  std::string own_device;
   std::uint32_t threads = 0;
   std::uint64_t memory_bytes = 0;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, node_facts& x) {
-  return f(caf::meta::type_name("node_facts"), x.name, x.address, x.version, x.device, x.threads,
-           x.memory_bytes);
+  return f(caf::meta::type_name("node_facts"), x.name, x.address, x.version, x.device, x.own_device,
+           x.threads, x.memory_bytes);
 }
 
 /// A worker on another machine that wants to work here. Its role is the certificate's.

@@ -42,7 +42,12 @@ foreach(name IN ITEMS fem_receipt messages protocol client)
   set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tedit_${name} EXPORT TEditClientTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
-# Headers: what docs/plugins.md and docs/protocol.md tell of, and what these include. Nothing else of base/ and mesh/ is
+# What a program links that is a node of a server.
+foreach(name IN ITEMS certs links fem_core network node)
+  set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS tedit_${name} EXPORT TEditNodeTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
+endforeach()
+# Headers: what docs/plugins.md, docs/protocol.md and docs/integrate.md tell of, and what these include. Nothing else of base/ and mesh/ is
 # for others, nor what the operations of this tree share (ops/shapes).
 set(plugin_headers
     ops/sdk/operation.hpp
@@ -50,11 +55,12 @@ set(plugin_headers
     base/parallel.hpp mesh/checks.hpp mesh/features/hole.hpp mesh/features/rims.hpp mesh/quality.hpp
     # For tests of plugins.
     mesh/finish_edit.hpp mesh/io/import.hpp ops/services/host_services.hpp tests/support/meshes.hpp)
+set(node_headers node/node.hpp fem/calculix_deck.hpp)
 file(GLOB client_headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_SOURCE_DIR}" client/*.hpp protocol/*.hpp)
 install(
   CODE "set(tree \"${CMAKE_SOURCE_DIR}\")
   set(prefix_folder include/tedit)
-  set(headers ${plugin_headers} ${client_headers})
+  set(headers ${plugin_headers} ${client_headers} ${node_headers})
   include(\"${CMAKE_SOURCE_DIR}/cmake/install_headers.cmake\")"
   COMPONENT dev)
 install(DIRECTORY protocol/tedit DESTINATION share/tedit/protocol FILES_MATCHING PATTERN "*.proto")
@@ -62,10 +68,11 @@ install(DIRECTORY protocol/tedit DESTINATION share/tedit/protocol FILES_MATCHING
 set(package "${CMAKE_BINARY_DIR}/lib/cmake/TEdit")
 configure_file(cmake/TEditConfig.cmake.in "${package}/TEditConfig.cmake" @ONLY)
 configure_file(cmake/TEditPlugin.cmake "${package}/TEditPlugin.cmake" COPYONLY)
+configure_file(cmake/FindCAF.cmake "${package}/FindCAF.cmake" COPYONLY)
 write_basic_package_version_file("${package}/TEditConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${package}/TEditConfig.cmake" "${package}/TEditConfigVersion.cmake" "${package}/TEditPlugin.cmake"
+install(FILES "${package}/TEditConfig.cmake" "${package}/TEditConfigVersion.cmake" "${package}/TEditPlugin.cmake" "${package}/FindCAF.cmake"
         DESTINATION lib/cmake/TEdit COMPONENT dev)
-foreach(set IN ITEMS TEditTargets TEditClientTargets)
+foreach(set IN ITEMS TEditTargets TEditClientTargets TEditNodeTargets)
   install(EXPORT ${set} NAMESPACE TEdit:: DESTINATION lib/cmake/TEdit COMPONENT dev)
   export(EXPORT ${set} NAMESPACE TEdit:: FILE "${package}/${set}.cmake")
 endforeach()

@@ -56,6 +56,7 @@ ROOMS = {
         ("actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
+    "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
         ("certs", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
          "ops/sdk", "mesh/io", "mesh", "base"),
@@ -63,6 +64,7 @@ ROOMS = {
     ),
     "cli/render": (("cli/number_option.hpp", "base"), ("vtk", "CLI/", "nlohmann/")),
     "examples": (("client", "protocol", *WIRE), ()),
+    "examples/node": (("node", "fem", *WIRE), ()),
     "client-qt/net": (("client", "protocol", *WIRE), ()),
     "client-qt/model": (CLIENT_QT_BELOW, ()),
     "client-qt/view": (("client-qt/model", *CLIENT_QT_BELOW), ("vtk",)),

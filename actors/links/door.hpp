@@ -25,8 +25,8 @@ struct door_options {
   std::filesystem::path revoked;
   std::string address = "127.0.0.1";  ///< Of this machine; "0.0.0.0" and "::" are all.
   std::uint16_t port = 0;             ///< 0: any that is free.
-  std::set<certs::role> roles = {certs::role::modeling, certs::role::optimizer,
-                                 certs::role::solver};
+  std::set<certs::role> roles = {certs::role::modeling, certs::role::optimizer, certs::role::solver,
+                                 certs::role::observer};
 
   /// Gets each new link: `end` is for `serve_link`, closing it ends the connection. Called on the
   /// door's thread, which must not be blocked.

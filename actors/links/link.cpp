@@ -31,8 +31,8 @@ constexpr auto time_to_join = std::chrono::minutes(1);
 /// CAF's connection with a guard before it.
 class guarded_scribe final : public net::scribe_impl {
 public:
-  guarded_scribe(net::default_multiplexer& by, net::native_socket fd, bool serves)
-      : scribe_impl(by, fd), early_(serves) {}
+  guarded_scribe(net::default_multiplexer& by, net::native_socket fd, bool serves, reach within)
+      : scribe_impl(by, fd), guard_(std::move(within)), early_(serves) {}
 
   void configure_read(caf::io::receive_policy::config config) override {
     scribe_impl::configure_read(config);
@@ -67,8 +67,10 @@ net::default_multiplexer& multiplexer_of(caf::actor_system& system) {
   return dynamic_cast<net::default_multiplexer&>(system.middleman().backend());
 }
 
-caf::io::scribe_ptr make_scribe(caf::actor_system& system, unique_fd end, bool serves) {
-  return caf::make_counted<guarded_scribe>(multiplexer_of(system), end.release(), serves);
+caf::io::scribe_ptr make_scribe(caf::actor_system& system, unique_fd end, bool serves,
+                                reach within = {}) {
+  return caf::make_counted<guarded_scribe>(multiplexer_of(system), end.release(), serves,
+                                           std::move(within));
 }
 
 }  // namespace
@@ -80,12 +82,16 @@ expected<link_ends> make_link() {
   return link_ends{unique_fd(ends[0]), unique_fd(ends[1])};
 }
 
-void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enlister) {
+void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enlister,
+                reach others) {
+  const reach within = [own = enlister.id(), others = std::move(others)](std::uint64_t actor) {
+    return actor == own || others(actor);
+  };
   // The broker wants a port for what it publishes. None is opened: the number only names the
   // enlister between here and the greeting that the same message sends, so all links share one.
   constexpr std::uint16_t slot = 1;
   caf::anon_send(broker_of(system), caf::publish_atom::value,
-                 make_scribe(system, std::move(end), true), slot,
+                 make_scribe(system, std::move(end), true, within), slot,
                  caf::actor_cast<caf::strong_actor_ptr>(enlister), std::set<std::string>{});
 }
 

@@ -4,6 +4,7 @@
 #include <caf/actor.hpp>
 #include <caf/actor_system.hpp>
 
+#include "actors/links/open_actors.hpp"
 #include "base/error.hpp"
 #include "base/execution.hpp"
 #include "base/unique_fd.hpp"
@@ -24,8 +25,10 @@ struct link_ends {
 /// Errors: `io_error` with the system's reason.
 [[nodiscard]] expected<link_ends> make_link();
 
-/// Serves `end`: whoever joins at the other end is given `enlister` to talk to. Returns at once.
-void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enlister);
+/// Serves `end`: whoever joins at the other end is given `enlister` to talk to, and may beside it
+/// send to the actors within `others`; a message to another one cuts the link. Returns at once.
+void serve_link(caf::actor_system& system, unique_fd end, const caf::actor& enlister,
+                reach others = reach_of({}));
 
 /// Joins the link that is served at the other end and gives the enlister there.
 /// Errors: `service_unavailable` when nobody answers within five seconds; `cancelled` by `stop`,

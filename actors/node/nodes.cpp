@@ -14,6 +14,7 @@
 
 #include "actors/links/door.hpp"
 #include "actors/links/link.hpp"
+#include "actors/node/observing.hpp"
 #include "actors/node/remote.hpp"
 #include "base/metrics.hpp"
 #include "base/unique_fd.hpp"
@@ -72,24 +73,36 @@ private:
 /// What a connection becomes.
 struct reception {
   caf::actor_system& system;
-  worker_set pools;
+  entrance_parts parts;
   std::string version;
   std::shared_ptr<enlisters> made = std::make_shared<enlisters>();
 
+  /// What a node of this kind may talk to; null for one that is neither worker nor observer.
+  [[nodiscard]] caf::actor host_for(const link_peer& who, std::shared_ptr<lifeline> line) const {
+    if (who.what == certs::role::observer)
+      return caf::actor_cast<caf::actor>(
+        make_observing(system, {parts.hub, parts.pages, who.name, std::move(line)}));
+    if (const auto role = role_named(certs::role_name(who.what)))
+      return make_node_enlister(system, parts.pools,
+                                {who.name, who.address, *role, std::move(line)}, version);
+    return nullptr;
+  }
+
   void take_in(unique_fd end, const link_peer& who) const {
-    const auto role = role_named(certs::role_name(who.what));
     unique_fd watched(::fcntl(end.get(), F_DUPFD_CLOEXEC, 0));
-    if (!role || watched.get() < 0) {
-      spdlog::error("node {} ({}): {}", who.name, who.address,
-                    role ? "no descriptor is left for its connection" : "it is no worker");
+    if (watched.get() < 0) {
+      spdlog::error("node {} ({}): no descriptor is left for its connection", who.name,
+                    who.address);
       return;  // Closing `end` ends the connection.
     }
-    auto line = std::make_shared<node_line>(std::move(watched),
-                                            "node " + who.name + " (" + who.address + ")");
-    const auto enlister =
-      make_node_enlister(system, pools, {who.name, who.address, *role, std::move(line)}, version);
-    made->add(enlister);
-    serve_link(system, std::move(end), enlister);
+    const auto host =
+      host_for(who, std::make_shared<node_line>(std::move(watched),
+                                                "node " + who.name + " (" + who.address + ")"));
+    if (!host)
+      return;  // The door admits no other roles.
+    made->add(host);
+    serve_link(system, std::move(end), host,
+               who.what == certs::role::observer ? reach_of({parts.pages}) : reach_of_workers());
   }
 };
 
@@ -108,13 +121,13 @@ node_entrance::~node_entrance() {
 }
 
 expected<std::unique_ptr<node_entrance>> node_entrance::open(caf::actor_system& system,
-                                                             const worker_set& pools,
+                                                             entrance_parts parts,
                                                              node_options options) {
   door_options wanted;
   wanted.identity = options.certificates;
   wanted.address = options.address;
   wanted.port = options.port;
-  const reception desk{system, pools, options.version};
+  const reception desk{system, std::move(parts), options.version};
   wanted.accept = [desk](unique_fd end, const link_peer& who) {
     desk.take_in(std::move(end), who);
   };

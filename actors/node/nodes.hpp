@@ -20,13 +20,20 @@ struct node_options {
   std::string version;     ///< Of this program.
 };
 
-/// Where workers of other machines come in: behind mutual TLS (actors/links/door.hpp), each as a
-/// worker of the pool of its certificate's role.
+/// To whom nodes come.
+struct entrance_parts {
+  worker_set pools;  ///< Workers.
+  hub_actor hub;     ///< Observers.
+  caf::actor pages;  ///< Observers, for what they hear of.
+};
+
+/// Where other machines come in: behind mutual TLS (actors/links/door.hpp), each as a worker of the
+/// pool of its certificate's role, or as an observer.
 class node_entrance {
 public:
   /// Errors: those of `door::open`.
   [[nodiscard]] static expected<std::unique_ptr<node_entrance>> open(caf::actor_system& system,
-                                                                     const worker_set& pools,
+                                                                     entrance_parts parts,
                                                                      node_options options);
   node_entrance(const node_entrance&) = delete;
   node_entrance& operator=(const node_entrance&) = delete;

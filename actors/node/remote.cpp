@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/node/remote.hpp"
 
-#include <unistd.h>
-
 #include <charconv>
 #include <chrono>
 #include <optional>
-#include <thread>
 
 #include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
@@ -16,8 +13,9 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
-#include "base/text.hpp"
-#include "fem/solver.hpp"
+#include "actors/node/membership.hpp"
+#include "actors/observation.hpp"
+#include "actors/supervisor/solver_choice.hpp"
 
 namespace tedit::actors {
 
@@ -38,14 +36,6 @@ std::optional<std::pair<int, int>> major_and_minor(std::string_view version) {
 /// For a node to say what it is, once its certificate was seen.
 constexpr std::chrono::seconds time_to_enlist{30};
 
-/// Text from another machine goes into logs and status: printable, valid and not endless.
-std::string tidy(std::string text) {
-  constexpr std::size_t longest = 200;
-  std::erase_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
-  text = to_utf8(text);
-  return std::string(cut_text(text, longest));
-}
-
 node_answer refusal(bool later, std::string reason, std::string remedy) {
   return {false, later, std::move(reason), std::move(remedy)};
 }
@@ -63,17 +53,22 @@ std::optional<node_answer> objection(const node_enlistment& who, const node_peer
     return refusal(true,
                    "the worker is TEdit " + tidy(who.node.version) + ", the server " + version,
                    "Install a version on both whose minor numbers are at most one apart");
+  const auto& own = who.node.own_device;
+  if (!own.empty() && (peer.role != worker_role::solver || !can_be_own_device(own)))
+    return refusal(false, "\"" + tidy(own) + "\" cannot be the name of a solver of its own kind",
+                   "Take up to 63 letters, digits, \".\", \"-\" and \"_\", not \"auto\", \"cpu\", "
+                   "\"gpu\" or \"lavapipe\"");
   if (!who.worker)
     return refusal(false, "no worker was named", "Start it with \"tedit worker --join\"");
   return std::nullopt;
 }
 
-/// The devices that a solver finds here, the processor's own last.
-std::string solving_devices() {
-  std::string text;
-  for (const auto& device : fem::list_devices())
-    text += (text.empty() ? "" : ", ") + device.name;
-  return text;
+caf::error no_observer(const node_peer& peer) {
+  return to_caf({ec::invalid_argument,
+                 "the certificate of " + peer.name + " is one of a " + name_of(peer.role) +
+                   " worker, not of an observer",
+                 "Issue it another certificate with \"tedit certs issue --role observer\"",
+                 {}});
 }
 
 caf::actor pool_of(const worker_set& pools, worker_role role) {
@@ -122,8 +117,10 @@ caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const wor
       .then(
         [=](bool accepted) mutable {
           self->state.enlisted = accepted;
-          promise.deliver(accepted ? node_answer{true, false, {}, {}}
-                                   : refusal(true, "the server is stopping", "Try again soon"));
+          promise.deliver(
+            accepted ? node_answer{true, false, {}, {}}
+                     : refusal(true, "the server is stopping, or takes no more kinds of solvers",
+                               "Try again soon"));
         },
         [=](const caf::error& e) mutable {
           promise.deliver(refusal(true, from_caf(e, "the pool").message, "Try again soon"));
@@ -134,6 +131,10 @@ caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const wor
           [=](const retirement& note) {
             if (self->state.worker)
               self->send(pool, note, self->state.worker);
+          },
+          [=](names_atom) -> caf::result<std::vector<std::string>> { return no_observer(peer); },
+          [=](watch_atom, const std::string&, const caf::actor&) -> caf::result<std::string> {
+            return no_observer(peer);
           },
           [=](rest_atom) {
             if (self->state.enlisted)
@@ -158,30 +159,6 @@ caf::actor make_node_enlister(caf::actor_system& system, const worker_set& pools
 
 void end_enlister(const caf::actor& enlister) {
   caf::anon_send_exit(enlister, caf::exit_reason::user_shutdown);
-}
-
-node_facts facts_of_this_machine(worker_role role, const std::string& version) {
-  node_facts result;
-  result.version = version;
-  result.threads = std::thread::hardware_concurrency();
-  result.memory_bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-                        static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  result.device = role == worker_role::solver ? solving_devices() : "processor";
-  return result;
-}
-
-expected<void> enlist_at(caf::scoped_actor& self, const caf::actor& enlister, node_enlistment who) {
-  expected<void> result;
-  self->request(enlister, std::chrono::seconds(10), std::move(who))
-    .receive(
-      [&](const node_answer& answer) {
-        if (!answer.accepted)
-          result =
-            fail(answer.later ? ec::service_unavailable : ec::invalid_argument,
-                 "the server turned this worker away: " + tidy(answer.reason), tidy(answer.remedy));
-      },
-      [&](const caf::error& e) { result = fail(from_caf(e, "joining the server")); });
-  return result;
 }
 
 }  // namespace tedit::actors

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Workers of other machines: how a server takes them in, and how they ask for it.
+// Workers of other machines: how a server takes them in.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include <caf/scoped_actor.hpp>
+#include <caf/actor_system.hpp>
 
 #include "actors/interfaces.hpp"
 #include "actors/supervisor/lifeline.hpp"
@@ -31,14 +31,5 @@ struct node_peer {
 [[nodiscard]] caf::actor make_node_enlister(caf::actor_system& system, const worker_set& pools,
                                             node_peer peer, const std::string& version);
 void end_enlister(const caf::actor& enlister);
-
-/// What this machine says of itself; the name and address are the server's to say.
-[[nodiscard]] node_facts facts_of_this_machine(worker_role role, const std::string& version);
-
-/// Asks the server behind `enlister` to take `worker` in. Errors: `service_unavailable` with the
-/// server's reason, or when it does not answer within ten seconds; `invalid_argument` when asking
-/// again would come to the same.
-[[nodiscard]] expected<void> enlist_at(caf::scoped_actor& self, const caf::actor& enlister,
-                                       node_enlistment who);
 
 }  // namespace tedit::actors

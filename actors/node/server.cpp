@@ -17,6 +17,7 @@
 #include "actors/solver/solver.hpp"
 #include "actors/store/documents_folder.hpp"
 #include "actors/supervisor/pool.hpp"
+#include "actors/supervisor/solver_choice.hpp"
 #include "base/child_process.hpp"
 #include "base/metrics.hpp"
 
@@ -67,12 +68,20 @@ worker_set start_pools(caf::actor_system& system, const server_options& options,
     healths.push_back(result.health);
     return result;
   };
+  const auto own_kind = [options](caf::actor_system& with, const std::string& device) {
+    auto result = options_of(options, worker_role::solver, 0, options.solve_limit);
+    result.device = device;
+    return make_solver_pool(with, std::move(result));
+  };
   return {
     make_modeling_pool(system, of(worker_role::modeling, options.modeling_workers,
                                   std::max(options.import_limit, options.edit_limit))),
     make_optimizer_pool(system,
                         of(worker_role::optimizer, options.optimizer_workers, options.edit_limit)),
-    make_solver_pool(system, of(worker_role::solver, options.solver_workers, options.solve_limit))};
+    make_solver_choice(system,
+                       make_solver_pool(system, of(worker_role::solver, options.solver_workers,
+                                                   options.solve_limit)),
+                       own_kind)};
 }
 
 std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
@@ -102,7 +111,7 @@ void note_memory(const page_cache& pages, const version_memory& versions,
 
 /// Null when no worker of another machine may join.
 expected<std::unique_ptr<node_entrance>> open_to_nodes(caf::actor_system& system,
-                                                       const worker_set& pools,
+                                                       const entrance_parts& parts,
                                                        const server_options& options) {
   if (options.node_certificates.empty())
     return nullptr;
@@ -111,7 +120,7 @@ expected<std::unique_ptr<node_entrance>> open_to_nodes(caf::actor_system& system
                 "workers of other machines cannot join a server whose own run on its threads",
                 "Leave out --in-process, or nodes.certificates in the configuration");
   return node_entrance::open(
-    system, pools,
+    system, parts,
     {options.node_certificates, options.node_address, options.node_port, TEDIT_VERSION});
 }
 
@@ -191,7 +200,7 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   workers.for_each([&](worker_role, const auto& worker) {
     made->to_end.push_back(caf::actor_cast<caf::actor>(worker));
   });
-  auto nodes = open_to_nodes(system, workers, options);
+  auto nodes = open_to_nodes(system, {workers, hub, caf::actor_cast<caf::actor>(pages)}, options);
   if (!nodes) {
     made->stop();
     return fail(nodes.error());

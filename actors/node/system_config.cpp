@@ -4,6 +4,7 @@
 #include <caf/io/middleman.hpp>
 
 #include "actors/interfaces.hpp"
+#include "actors/observation.hpp"
 
 namespace tedit::actors {
 
@@ -37,6 +38,12 @@ system_config::system_config(bool networked) {
   add_message_type<retirement>("retirement");
   add_message_type<worker_status>("worker_status");
   add_message_type<wire_value<operation_catalogue>>("operation_catalogue");
+  add_message_type<std::vector<std::string>>("names");
+  add_message_type<observed_version>("observed_version");
+  add_message_type<observed_load_cases>("observed_load_cases");
+  add_message_type<observed_result>("observed_result");
+  add_message_type<observed_name>("observed_name");
+  add_message_type<observed_end>("observed_end");
   // The default lets idle threads steal work by polling, which each of the pools' ticks wakes: 17 %
   // of a core for a server that does nothing. Sharing also answers sooner (docs/decisions/0020).
   set("scheduler.policy", caf::atom("sharing"));

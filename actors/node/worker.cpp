@@ -6,34 +6,25 @@
 #include <utility>
 
 #include <spdlog/spdlog.h>
-#include <caf/actor_system.hpp>
-#include <caf/scoped_actor.hpp>
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
-#include "actors/links/dial.hpp"
-#include "actors/links/link.hpp"
 #include "actors/modeling/modeling.hpp"
-#include "actors/node/remote.hpp"
-#include "actors/node/system_config.hpp"
 #include "actors/optimizer/optimizer.hpp"
-#include "actors/pages/page_store.hpp"
 #include "actors/solver/solver.hpp"
+#include "fem/solver.hpp"
 
 namespace tedit::actors {
 
 namespace {
 
-/// Pages of recent versions that stay in a worker, so that the next order moves only what is new.
-constexpr std::size_t cache_bytes = std::size_t{768} << 20;
-
-caf::actor spawn_role(caf::actor_system& system, const worker_options& options,
-                      const std::shared_ptr<page_cache>& cache, const page_store_actor& pages) {
+caf::actor spawn_role(membership& node, const worker_options& options) {
+  auto& system = node.system();
   switch (options.role) {
     case worker_role::optimizer:
-      return caf::actor_cast<caf::actor>(system.spawn(make_optimizer, cache, pages));
+      return caf::actor_cast<caf::actor>(system.spawn(make_optimizer, node.cache(), node.pages()));
     case worker_role::solver:
-      return caf::actor_cast<caf::actor>(system.spawn(make_solver, cache, pages));
+      return caf::actor_cast<caf::actor>(system.spawn(make_solver, node.cache(), node.pages()));
     case worker_role::modeling:
       break;
   }
@@ -42,19 +33,29 @@ caf::actor spawn_role(caf::actor_system& system, const worker_options& options,
   for (const auto& refused : plugins->refused())
     spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
   return caf::actor_cast<caf::actor>(
-    system.spawn(make_modeling, cache, pages, plugins, usage_of_this_process()));
+    system.spawn(make_modeling, node.cache(), node.pages(), plugins, usage_of_this_process()));
+}
+
+/// The devices that a solver finds here, the processor's own last.
+std::string solving_devices() {
+  std::string text;
+  for (const auto& device : fem::list_devices())
+    text += (text.empty() ? "" : ", ") + device.name;
+  return text;
 }
 
 /// Says that the worker is there, to the pool that started it or to a server elsewhere.
-expected<void> enlist(caf::scoped_actor& self, const caf::actor& enlister, const caf::actor& worker,
-                      const worker_options& options) {
-  if (options.joins)
+expected<void> enlist(membership& node, const caf::actor& worker, const worker_options& options) {
+  if (options.joins) {
+    const auto device =
+      options.role == worker_role::solver ? solving_devices() : std::string("processor");
     return enlist_at(
-      self, enlister,
-      {name_of(options.role), facts_of_this_machine(options.role, options.joins->version), worker});
+      node.self(), node.entrance(),
+      {name_of(options.role), facts_of_this_machine(device, options.joins->version), worker});
+  }
   expected<void> result;
-  self
-    ->request(enlister, std::chrono::seconds(10),
+  node.self()
+    ->request(node.entrance(), std::chrono::seconds(10),
               enlistment{static_cast<std::int32_t>(getpid()), worker})
     .receive(
       [&](bool accepted) {
@@ -69,53 +70,23 @@ expected<void> enlist(caf::scoped_actor& self, const caf::actor& enlister, const
 }  // namespace
 
 expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
-  std::unique_ptr<dial> connection;  // As long as the system that talks over it.
-  unique_fd link(options.link);
-  if (options.joins) {
-    auto made =
-      dial::connect({options.joins->certificates, options.joins->host, options.joins->port}, stop);
-    if (!made)
-      return fail(made.error());
-    connection = std::move(*made);
-    link = connection->take_link();
-    spdlog::info("joined {} at {}:{}", connection->server().name, options.joins->host,
-                 options.joins->port);
-  }
-  system_config config(true);
-  caf::actor_system system(config);
-  const auto cache = std::make_shared<page_cache>(cache_bytes);
-  const auto pages = system.spawn(make_page_store, cache);
-  const auto worker = spawn_role(system, options, cache, pages);
-  // The system's end waits for all actors.
-  const auto turned_away = [&](const error& why) {
-    caf::anon_send_exit(worker, caf::exit_reason::user_shutdown);
-    caf::anon_send_exit(pages, caf::exit_reason::user_shutdown);
-    return fail(why);
-  };
-  const auto enlister = join_link(system, std::move(link), stop);
-  if (!enlister)
-    return turned_away(enlister.error());
-  caf::scoped_actor self(system);
-  self->monitor(*enlister);
-  // Without one of these the process would refuse all work; its pool starts another instead.
-  self->monitor(worker);
-  self->monitor(pages);
-  if (const auto ok = enlist(self, *enlister, worker, options); !ok)
-    return turned_away(ok.error());
-  bool gone = false;
+  auto joined = options.joins ? membership::join(*options.joins, stop)
+                              : membership::join(unique_fd(options.link), stop);
+  if (!joined)
+    return fail(joined.error());
+  auto& node = **joined;
+  const auto worker = spawn_role(node, options);
+  node.own(worker);
+  if (const auto ok = enlist(node, worker, options); !ok)
+    return fail(ok.error());
   bool leaving = false;
-  while (!gone && !(stop.cancelled() && !options.joins)) {
+  while (!(stop.cancelled() && !options.joins)) {
     if (stop.cancelled() && !std::exchange(leaving, true)) {
       spdlog::info("leaving the server; work that has begun is ended first");
-      self->send(*enlister, retirement{"it is being stopped"});
+      node.self()->send(node.entrance(), retirement{"it is being stopped"});
     }
-    self->receive(
-      [&](const caf::down_msg& down) {
-        gone = true;
-        if (down.source != enlister->address())
-          spdlog::error("an actor of this worker ended: {}", caf::to_string(down.reason));
-      },
-      caf::after(std::chrono::seconds(1)) >> [] {});
+    if (!node.stays(std::chrono::seconds(1)))
+      break;
   }
   // Work that still runs belongs to nobody any more; its threads must not keep the process.
   std::_Exit(0);

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <optional>
-#include <string>
 
+#include "actors/node/membership.hpp"
 #include "actors/worker_roles.hpp"
 #include "base/error.hpp"
 #include "base/execution.hpp"
 
 namespace tedit::actors {
-
-/// A server on another machine.
-struct join_place {
-  std::string host;  ///< Name or IP address; the server's certificate must have it.
-  std::uint16_t port = 0;
-  std::filesystem::path certificates;  ///< What "tedit certs issue" made for this node.
-  std::string version;                 ///< Of this program.
-};
 
 struct worker_options {
   worker_role role = worker_role::modeling;

@@ -7,6 +7,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "actors/links/open_actors.hpp"
 
 namespace tedit::actors {
 
@@ -142,6 +143,7 @@ expected<std::vector<page_ptr>> unpack(const page_batch& batch, const hash_list&
 page_store_actor::behavior_type make_page_store(
   page_store_actor::stateful_pointer<page_store_state> self, std::shared_ptr<page_cache> cache) {
   self->state.cache = std::move(cache);
+  open_to_workers(caf::actor_cast<caf::actor>(self));
   self->set_down_handler([=](caf::down_msg& down) {
     self->state.watched.erase(down.source);
     std::vector<std::uint64_t> lost;

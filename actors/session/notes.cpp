@@ -256,7 +256,8 @@ caf::result<acknowledged> session_state::copy_to(const std::string& name) {
 /// Nobody who was promised an answer may be left without it: only a solve that goes by itself is
 /// ended, whatever else is done with the document keeps it.
 caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
-  const auto others = std::ranges::count_if(subscribers, [&](const auto& s) { return s != asker; });
+  const auto others = std::ranges::count_if(
+    subscribers, [&](const auto& s) { return s != asker && !onlookers.contains(s); });
   if (others > 0)
     return to_caf({ec::conflict,
                    "the document " + parts.document + " is open in other clients (" +
@@ -288,7 +289,7 @@ caf::result<acknowledged> session_state::erase(const caf::actor& asker) {
 }
 
 session_status session_state::status() const {
-  session_status result{subscribers.size(), graph.nodes().size(), {}};
+  session_status result{subscribers.size() - onlookers.size(), graph.nodes().size(), {}};
   if (const auto* head = graph.head())
     result.head = head->info.number;
   return result;

@@ -4,12 +4,31 @@
 #include <atomic>
 
 #include <spdlog/spdlog.h>
+#include <caf/event_based_actor.hpp>
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "actors/links/open_actors.hpp"
 #include "actors/session/numbers.hpp"
 
 namespace tedit::actors {
+
+namespace {
+
+/// What jobs are told as their listener: passes on their notes and nothing else.
+caf::behavior make_ear(caf::event_based_actor* self, const caf::actor_addr& session) {
+  heed_only_own_exits(self);
+  open_to_workers(self);
+  const auto pass_on = [=](const auto& note) {
+    if (const auto to = caf::actor_cast<caf::actor>(session))
+      caf::anon_send(to, note);
+  };
+  return {[=](const job_progress& note) { pass_on(note); },
+          [=](const job_frame& frame) { pass_on(frame); },
+          [=](const job_preview& preview) { pass_on(preview); }};
+}
+
+}  // namespace
 
 session_state::session_state() {
   numbers::open_documents().add(1);
@@ -17,6 +36,7 @@ session_state::session_state() {
 }
 
 session_state::~session_state() {
+  caf::anon_send_exit(ear, caf::exit_reason::user_shutdown);
   end_comparisons();
   numbers::open_documents().add(-1);
   numbers::subscriptions().add(-static_cast<double>(subscribers.size()));
@@ -24,6 +44,7 @@ session_state::~session_state() {
 
 void session_state::start(session_pointer owner, session_parts with, stored_document stored) {
   self = owner;
+  ear = self->spawn(make_ear, caf::actor_cast<caf::actor_addr>(self));
   parts = std::move(with);
   past = change_log(stored.log);
   graph = version_graph(std::move(stored));
@@ -41,6 +62,8 @@ caf::result<session_snapshot> session_state::attach(const attach_request& reques
   if (subscribers.insert(request.subscriber).second) {
     self->monitor(request.subscriber);
     numbers::subscriptions().add(1);
+    if (request.only_looks)
+      onlookers.insert(request.subscriber);
   }
   session_snapshot snapshot;
   snapshot.document = parts.document;
@@ -57,6 +80,7 @@ caf::result<session_snapshot> session_state::attach(const attach_request& reques
 
 void session_state::detach(const caf::actor& subscriber) {
   numbers::subscriptions().add(-static_cast<double>(subscribers.erase(subscriber)));
+  onlookers.erase(subscriber);
   if (!subscribers.empty())
     return;
   last_preview.reset();
@@ -195,8 +219,7 @@ job_id session_state::new_job(std::uint64_t ticket, const caf::actor& client) {
 }
 
 order_base session_state::base_order(const caf::actor& client) const {
-  return {caf::actor_cast<caf::actor>(parts.pages), caf::actor_cast<caf::actor>(self),
-          client ? client.id() : 0};
+  return {caf::actor_cast<caf::actor>(parts.pages), ear, client ? client.id() : 0};
 }
 
 void session_state::on_progress(const job_progress& note) {

@@ -331,10 +331,12 @@ struct session_state {
   ~session_state();
 
   session_pointer self = nullptr;
+  caf::actor ear;  ///< Hears for it what workers tell; they cannot send to the session.
   session_parts parts;
   version_graph graph;
   change_log past;
   std::set<caf::actor> subscribers;
+  std::set<caf::actor> onlookers;  ///< Those of them that keep nobody from deleting the document.
   std::deque<command> waiting;
   std::optional<running_command> running;
   std::map<std::uint64_t, std::shared_ptr<preview_run>> previews;  ///< By ticket.

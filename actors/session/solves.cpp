@@ -3,6 +3,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/session/numbers.hpp"
+#include "actors/session/result_check.hpp"
 #include "actors/session/session.hpp"
 #include "actors/versions.hpp"
 
@@ -247,6 +248,10 @@ void session_state::open_fields(job_id job, const solve_result& result,
         return refuse(f.error());
       fields->push_back(std::move(*f));
     }
+    if (const auto ok =
+          check_solved(**result.outcome.get(), *fields, *active->mesh, active->key.load_cases);
+        !ok)
+      return refuse(ok.error());
     use(std::move(fields));
   };
   pull(result.source, pages_of(result.fields), open, refuse);

@@ -5,9 +5,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "actors/solver/solve_output.hpp"
 #include "base/stopwatch.hpp"
-#include "fem/fields.hpp"
-#include "fem/make_report.hpp"
 
 namespace tedit::actors {
 
@@ -53,31 +52,6 @@ caf::result<solve_result> handle(solver_pointer self, job_id job, const solve_or
     });
 }
 
-/// What a report says beside the numbers.
-struct report_facts {
-  bool interim = false;
-  double total_ms = 0;
-  std::string notice;
-};
-
-/// Fields and reports as others get them; what is interim goes to surfaces only.
-job_output<solve_result> package(const mesh_version& mesh, const fem::case_set& set,
-                                 const fem::solved_cases& solved, report_facts facts) {
-  const auto range = facts.interim ? fem::field_range::shown : fem::field_range::all;
-  auto outcome = make_outcome(mesh, set, solved, facts.interim, facts.total_ms);
-  for (auto& report : outcome.cases)
-    report.notice = facts.notice;
-  job_output<solve_result> output;
-  output.result.outcome = wire_value(std::move(outcome));
-  for (const auto& f : fem::make_fields(mesh, set, solved, range)) {
-    auto& list = fem::is_shown(f) ? output.result.fields : output.result.more;
-    list.push_back(make_ref(f));
-    const auto& pages = f.values.pages();
-    output.pages.insert(output.pages.end(), pages.begin(), pages.end());
-  }
-  return output;
-}
-
 /// One order, as far as it does not depend on the device.
 struct solve_task {
   const solve_order& order;
@@ -100,8 +74,8 @@ expected<job_output<solve_result>> solve_on(const solve_task& task, const std::s
   const auto& chosen = (*device)->info().notice;
   const auto told = notice.empty() ? chosen : chosen.empty() ? notice : notice + "; " + chosen;
   const auto finish = [&](const fem::solved_cases& solved, bool interim) {
-    return package(*task.mesh, task.systems.session.last_set(), solved,
-                   {interim, task.total.milliseconds(), told});
+    return make_solve_output(*task.mesh, task.systems.session.last_set(), solved,
+                             {interim, task.total.milliseconds(), told});
   };
   bool shown = false;
   const auto frame = [&](const fem::cases_frame& now) {

@@ -32,7 +32,8 @@ void pool_state::start(caf::scheduled_actor* owner, pool_options with) {
   options = std::move(with);
   budget.emplace(options.restart_budget, options.restart_window);
   off = quarantine(options.quarantine_after);
-  numbers.emplace(name_of(options.role));
+  numbers.emplace(name_of(options.role) +
+                  (options.device.empty() ? "" : " (" + options.device + ")"));
 }
 
 void pool_state::stop() {
@@ -48,6 +49,11 @@ void pool_state::stop() {
 }
 
 error pool_state::no_worker() const {
+  if (!options.device.empty())
+    return {ec::service_unavailable,
+            "nobody who solves on \"" + options.device + "\" is joined to this server now",
+            "Start that solver again, or choose another device",
+            {}};
   if (options.workers == 0)
     return {ec::service_unavailable,
             "no " + name_of(options.role) + " worker has joined this server",

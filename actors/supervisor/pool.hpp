@@ -52,6 +52,7 @@ private:
 /// How a pool keeps its workers.
 struct pool_options {
   worker_role role = worker_role::modeling;
+  std::string device = {};           ///< Of solvers of their own kind (solver_choice.hpp).
   std::vector<std::string> command;  ///< Starts a worker; it inherits its end of a link.
   unsigned workers = 1;
   std::chrono::milliseconds job_limit{2 * 60 * 1000};  ///< A job that takes longer is ended.

@@ -6,6 +6,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
+#include "actors/links/open_actors.hpp"
 #include "actors/supervisor/pool.hpp"
 
 namespace tedit::actors {
@@ -80,6 +81,7 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
   auto& state = self->state;
   state.start(self, std::move(options));
   const auto own = caf::actor_cast<caf::actor>(self);
+  open_to_workers(own);
   self->set_down_handler([=](caf::down_msg& down) { self->state.on_down(down.source); });
   heed_only_own_exits(self, [=] { self->state.stop(); });
   self->set_default_handler([=](caf::scheduled_actor*,
@@ -88,14 +90,15 @@ void start_pool(pool_pointer<Role> self, pool_options options) {
     caf::message answer;
     message.apply(
       {[&](std::uint64_t number, const enlistment& who) {
-         answer = caf::make_message(self->state.enlist(number, who));
+         answer = caf::make_message(is_asked_from_here(self) && self->state.enlist(number, who));
        },
        [&](const remote_worker& guest) { answer = caf::make_message(self->state.welcome(guest)); },
        [&](const retirement& note) {
          self->state.retire(caf::actor_cast<caf::actor_addr>(self->current_sender()), note.why);
        },
        [&](const retirement& note, const caf::actor_addr& worker) {
-         self->state.retire(worker, note.why);
+         if (is_asked_from_here(self))
+           self->state.retire(worker, note.why);
        },
        [&](tick_atom, std::uint64_t number) { self->state.on_tick(number); }});
     return answer;

@@ -17,7 +17,7 @@ public:
       return fail(link.error());
     const auto pid = spawn_process(command, link->theirs.get());
     if (pid)
-      serve_link(system, std::move(link->ours), enlister);
+      serve_link(system, std::move(link->ours), enlister, reach_of_workers());
     return pid;
   }
 

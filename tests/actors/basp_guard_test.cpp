@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <caf/atom.hpp>
+
 namespace tedit::actors {
 namespace {
 
@@ -98,6 +100,40 @@ TEST(BaspGuard, SizesAreBounded) {
   EXPECT_FALSE(greeted().admits(header(6, 1)));
   EXPECT_FALSE(basp_guard().admits(bytes(31)));
   EXPECT_FALSE(basp_guard().admits(bytes(33)));
+}
+
+/// Whether a message of these types for an actor of this number passes where only 300 is within
+/// reach.
+bool reaches(std::uint64_t actor, const std::string& types, unsigned flags = 0) {
+  basp_guard guard([](std::uint64_t one) { return one == 300; });
+  EXPECT_TRUE(guard.admits(header(1, 10)));
+  EXPECT_TRUE(guard.admits(bytes(10)));
+  const auto text = message(types);
+  auto piece = header(2, static_cast<std::uint32_t>(text.size()));
+  piece[3] = std::byte(flags);
+  for (unsigned i = 0; i < 8; ++i)
+    piece[24 + i] = std::byte(actor >> (56 - 8 * i));
+  return guard.admits(piece) && guard.admits(text);
+}
+
+TEST(BaspGuard, MessagesGoToActorsWithinReachAlone) {
+  EXPECT_TRUE(reaches(300, "@<>+job_progress"));
+  EXPECT_FALSE(reaches(300, "@<>+@exit"));
+  EXPECT_FALSE(reaches(301, "@<>+job_progress"));
+  EXPECT_FALSE(reaches(300 + (std::uint64_t{1} << 56), "@<>+job_progress"));
+  EXPECT_FALSE(reaches(300, "@<>+job_progress", 1)) << "a number is no name";
+}
+
+TEST(BaspGuard, BrokersAskEachOtherWhatTheyAreAndNothingElse) {
+  const auto spawn_server = static_cast<std::uint64_t>(caf::atom("SpawnServ"));
+  const std::string question = "@<>+@atom+@atom+@str";
+  const std::string answer = "@<>+@atom+@str+@strong_actor_ptr+@str";
+  EXPECT_TRUE(reaches(spawn_server, question, 1));
+  EXPECT_FALSE(reaches(spawn_server, question, 0));
+  EXPECT_FALSE(reaches(spawn_server, "@<>+@atom+@str+@message+@strset", 1)) << "to start actors";
+  EXPECT_FALSE(reaches(static_cast<std::uint64_t>(caf::atom("ConfigServ")), question, 1));
+  EXPECT_TRUE(reaches(7, answer)) << "to a helper of the broker that asked";
+  EXPECT_FALSE(reaches(7, answer + "+@str"));
 }
 
 TEST(BaspGuard, MessagesThatEndActorsAreRefused) {

@@ -54,6 +54,12 @@ caf::behavior linked_to(caf::event_based_actor* self, const caf::actor& peer) {
   return {[](int x) { return x; }};
 }
 
+/// Says who else is there.
+caf::behavior tattler(caf::event_based_actor* self, const caf::actor& other) {
+  heed_only_own_exits(self);
+  return {[=](int) { return other; }};
+}
+
 int ask(caf::actor_system& system, const caf::actor& whom, int x) {
   int result = -1;
   caf::scoped_actor self(system);
@@ -72,10 +78,10 @@ protected:
     spdlog::set_level(spdlog::level::info);
   }
 
-  unique_fd served(const caf::actor& whom) {
+  unique_fd served(const caf::actor& whom, reach others = reach_of({})) {
     auto link = make_link();
     EXPECT_TRUE(link.has_value());
-    serve_link(host.system, std::move(link->ours), whom);
+    serve_link(host.system, std::move(link->ours), whom, std::move(others));
     return std::move(link->theirs);
   }
 
@@ -174,6 +180,33 @@ TEST_F(Link, AnExitMessageCutsTheLinkAndEndsNobody) {
   EXPECT_TRUE(cut);
   EXPECT_EQ(ask(host.system, weak, 3), 6);
   caf::anon_send_exit(weak, caf::exit_reason::user_shutdown);
+}
+
+TEST_F(Link, OnlyActorsWithinReachCanBeSentTo) {
+  const auto gossip = host.system.spawn(tattler, enlister);
+  const auto told = [](caf::actor_system& system, const caf::actor& whom) {
+    caf::actor other;
+    caf::scoped_actor self(system);
+    self->request(whom, patience, 0)
+      .receive([&](const caf::actor& found) { other = found; }, [](const caf::error&) {});
+    return other;
+  };
+  {
+    node worker;
+    const auto found = join_link(worker.system, served(gossip, reach_of({enlister})));
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(ask(worker.system, told(worker.system, *found), 21), 42);
+  }
+  {
+    node worker;
+    const auto found = join_link(worker.system, served(gossip));
+    ASSERT_TRUE(found.has_value());
+    const auto other = told(worker.system, *found);
+    EXPECT_EQ(ask(worker.system, other, 21), -1) << "it is not for this node, which is cut off";
+    EXPECT_EQ(ask(worker.system, *found, 1), -1);
+  }
+  expect_others_are_served();
+  caf::anon_send_exit(gossip, caf::exit_reason::user_shutdown);
 }
 
 TEST_F(Link, ANodeThatLinksItselfToAnActorAndDiesTakesNobodyWithIt) {

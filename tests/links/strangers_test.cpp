@@ -222,8 +222,8 @@ TEST_F(Strangers, RevokedOnesAndOtherRolesAreRefused) {
   ++expected_links;
   value(certs::revoke(ca(), {"former", ""}));
   expect_refused({at("former")}, refusal::revoked);
-  issued({role::observer, "observer"});
-  expect_refused({at("observer")}, refusal::wrong_role);
+  issued({role::client, "client"});
+  expect_refused({at("client")}, refusal::wrong_role);
   expect_refused({at("hall")}, refusal::wrong_role);
 }
 

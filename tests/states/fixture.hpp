@@ -96,6 +96,17 @@ protected:
     return result;
   }
 
+  /// Tells an actor something, as another one of this process.
+  template <class... Values>
+  void tell(const caf::actor& whom, Values... values) {
+    stage_.system().spawn(
+      [whom, what = std::make_tuple(std::move(values)...)](caf::event_based_actor* self, int) {
+        std::apply([&](const auto&... one) { self->send(whom, one...); }, what);
+      },
+      0);
+    pass(milliseconds(1));
+  }
+
   /// Has a made-up actor do something.
   void within(const caf::actor& who, std::function<void()> what) {
     caf::anon_send(who, doing{std::move(what)});

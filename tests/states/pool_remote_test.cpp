@@ -152,9 +152,11 @@ TEST_F(RemotePool, OneThatLeavesEndsItsWorkAndGetsNoMore) {
   const auto first = edit(1);
   ASSERT_EQ(of(leaving).tasks.size(), 1u);
 
-  caf::anon_send(caf::actor_cast<caf::actor>(pool_), retirement{"it is being stopped"},
-                 leaving->worker.address());
+  const auto pool = caf::actor_cast<caf::actor>(pool_);
+  caf::anon_send(pool, retirement{"says somebody of another node"}, leaving->worker.address());
   pass(milliseconds(1));
+  EXPECT_EQ(status().nodes.at(0).state, "working");
+  tell(pool, retirement{"it is being stopped"}, leaving->worker.address());
   const auto second = edit(2);
   EXPECT_EQ(of(leaving).tasks.size(), 1u);
   EXPECT_EQ(of(staying).tasks.size(), 1u);

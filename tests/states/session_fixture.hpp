@@ -55,72 +55,79 @@ caf::result<Result> add_task(helper_actor* self, std::string what, job_id job, c
 inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache> cache) {
   auto& state = self->state;
   state.cache = std::move(cache);
-  return {[=](job_id job, const import_order&) {
-            return add_task<import_result>(self, "import", job, {}, [self] {
-              import_result result;
-              result.version = hold(self->state, simulation::imported_part(1));
-              return result;
-            });
-          },
-          [=](job_id job, const edit_order& order) {
-            const auto by = std::get<double>((*order.wanted.get())->parameters.at("by"));
-            const auto base = order.version.id;
-            return add_task<operation_result>(self, "edit", job, base, [=] {
-              operation_result result;
-              result.version =
-                hold(self->state, simulation::nudged(self->state.versions.at(to_hex(base)), 0, by));
-              return result;
-            });
-          },
-          [=](job_id job, const check_order& order) {
-            return add_task<check_result>(self, "check", job, order.before.id, [=] {
-              edit_report report;
-              report.operation = (*order.wanted.get())->operation;
-              check_result result;
-              result.version = order.candidate.version;
-              result.load_cases = order.load_cases;
-              result.report = wire_value(std::move(report));
-              return result;
-            });
-          },
-          [=](job_id job, const export_order& order) {
-            return add_task<export_result>(self, "file", job, order.version.id,
-                                           [] { return export_result{}; });
-          },
-          [=](job_id job, const solve_order& order) {
-            return add_task<solve_result>(self, "solve", job, order.version.id, [] {
-              solve_result result;
-              result.outcome = wire_value(solve_outcome{});
-              return result;
-            });
-          },
-          [=](const job_task& task) {
-            return add_task<acknowledged>(self, "compare", {}, {}, [task] {
-              task.run();
-              return acknowledged{};
-            });
-          },
-          [=](load_atom, const version_query& wanted) {
-            return add_task<stored_version>(self, "load", {}, wanted.id, [=] {
-              return stored_version{self->state.versions.at(to_hex(wanted.id)), 1000};
-            });
-          },
-          [=](const stored_change&) {
-            return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
-          },
-          [=](copy_atom, const std::string&) {
-            return add_task<acknowledged>(self, "copy", {}, {}, [] { return acknowledged{}; });
-          },
-          [=](delete_atom) {
-            return add_task<acknowledged>(self, "delete", {}, {}, [] { return acknowledged{}; });
-          },
-          [=](close_atom) {
-            ++self->state.closed;
-            return acknowledged{};
-          },
-          [](wake_atom) {},
-          [=](cancel_atom, job_id job) { self->state.cancelled.push_back(job.value); },
-          [](const doing& that) { that.what(); }};
+  return {
+    [=](job_id job, const import_order&) {
+      return add_task<import_result>(self, "import", job, {}, [self] {
+        import_result result;
+        result.version = hold(self->state, simulation::imported_part(1));
+        return result;
+      });
+    },
+    [=](job_id job, const edit_order& order) {
+      const auto by = std::get<double>((*order.wanted.get())->parameters.at("by"));
+      const auto base = order.version.id;
+      return add_task<operation_result>(self, "edit", job, base, [=] {
+        operation_result result;
+        result.version =
+          hold(self->state, simulation::nudged(self->state.versions.at(to_hex(base)), 0, by));
+        return result;
+      });
+    },
+    [=](job_id job, const check_order& order) {
+      return add_task<check_result>(self, "check", job, order.before.id, [=] {
+        edit_report report;
+        report.operation = (*order.wanted.get())->operation;
+        check_result result;
+        result.version = order.candidate.version;
+        result.load_cases = order.load_cases;
+        result.report = wire_value(std::move(report));
+        return result;
+      });
+    },
+    [=](job_id job, const export_order& order) {
+      return add_task<export_result>(self, "file", job, order.version.id,
+                                     [] { return export_result{}; });
+    },
+    [=](job_id job, const solve_order& order) {
+      return add_task<solve_result>(self, "solve", job, order.version.id, [=] {
+        solve_outcome outcome;
+        for (const auto& one : **order.load_cases.get())
+          outcome.cases.push_back({.version_id = to_hex(order.version.id), .load_case = one.name});
+        solve_result result;
+        result.outcome = wire_value(std::move(outcome));
+        return result;
+      });
+    },
+    [=](const job_task& task) {
+      return add_task<acknowledged>(self, "compare", {}, {}, [task] {
+        task.run();
+        return acknowledged{};
+      });
+    },
+    [=](load_atom, const version_query& wanted) {
+      return add_task<stored_version>(self, "load", {}, wanted.id, [=] {
+        return stored_version{self->state.versions.at(to_hex(wanted.id)), 1000};
+      });
+    },
+    [=](const stored_change&) {
+      return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
+    },
+    [=](copy_atom, const std::string&) {
+      return add_task<acknowledged>(self, "copy", {}, {}, [] { return acknowledged{}; });
+    },
+    [=](rename_atom, const std::string&) {
+      return add_task<acknowledged>(self, "rename", {}, {}, [] { return acknowledged{}; });
+    },
+    [=](delete_atom) {
+      return add_task<acknowledged>(self, "delete", {}, {}, [] { return acknowledged{}; });
+    },
+    [=](close_atom) {
+      ++self->state.closed;
+      return acknowledged{};
+    },
+    [](wake_atom) {},
+    [=](cancel_atom, job_id job) { self->state.cancelled.push_back(job.value); },
+    [](const doing& that) { that.what(); }};
 }
 
 /// Who hears of a document.
@@ -139,6 +146,7 @@ inline caf::behavior make_listener(listener_actor* self, int /*number*/) {
           [=](const solve_note& e) { self->state.solves.push_back(e); },
           [=](const solved& e) { self->state.results.push_back(e); },
           [](const version_annotated&) {},
+          [](const document_renamed&) {},
           [](const request_progress&) {}};
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "actors/solver/solve_output.hpp"
+
+#include "fem/fields.hpp"
+#include "fem/make_report.hpp"
+
+namespace tedit::actors {
+
+job_output<solve_result> make_solve_output(const mesh_version& mesh, const fem::case_set& set,
+                                           const fem::solved_cases& solved,
+                                           const solve_facts& facts) {
+  const auto range = facts.interim ? fem::field_range::shown : fem::field_range::all;
+  auto outcome = make_outcome(mesh, set, solved, facts.interim, facts.total_ms);
+  for (auto& report : outcome.cases)
+    report.notice = facts.notice;
+  job_output<solve_result> output;
+  output.result.outcome = wire_value(std::move(outcome));
+  for (const auto& f : fem::make_fields(mesh, set, solved, range)) {
+    auto& list = fem::is_shown(f) ? output.result.fields : output.result.more;
+    list.push_back(make_ref(f));
+    const auto& pages = f.values.pages();
+    output.pages.insert(output.pages.end(), pages.begin(), pages.end());
+  }
+  return output;
+}
+
+}  // namespace tedit::actors
