@@ -18,12 +18,15 @@ enum class worker_role : std::uint8_t { modeling, optimizer, solver };
 struct worker_role_facts {
   std::string_view name;      ///< On command lines, in status, configuration and logs.
   bool runs_plugins = false;  ///< Its process has a memory limit and may die of what it runs.
+  /// It reaches no network, no other process and no file of this user (sandbox/sandbox.hpp). Not
+  /// the solver: graphics drivers need devices, and what it runs is this program's own.
+  bool confined = false;
 };
 
 /// By `worker_role`, in the order in which status lists them.
 inline constexpr std::array<worker_role_facts, 3> worker_roles{{
-  {"modeling", true},
-  {"optimizer"},
+  {"modeling", true, true},
+  {"optimizer", false, true},
   {"solver"},
 }};
 

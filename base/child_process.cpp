@@ -11,7 +11,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
+#include "base/misdeed.hpp"
+#include "base/program_line.hpp"
 #include "base/unique_fd.hpp"
 
 namespace tedit {
@@ -46,23 +49,84 @@ constexpr bool limit_addresses = true;
   _exit(127);
 }
 
-/// The child's id; below zero with errno when there is none.
-/// Not fork: to mark gigabytes of pages for copying, and each page's fault afterwards, cost more
-/// than the child's work. No handler of a signal may run in the child, whose memory is ours.
-pid_t start(const std::vector<char*>& arguments, int in, int out, const child_limits& limits) {
-  const pid_t parent = getpid();
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  const pid_t child = vfork();
-  if (child == 0)
-    become(arguments, in, out, parent, limits, before);
-  const int reason = errno;
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  errno = reason;
-  return child;
+/// The other process that starts programs for this one, where this one may not.
+struct starter {
+  unique_fd line;
+  std::filesystem::path program;  ///< The one that it starts.
+};
+
+starter& other_starter() {
+  static starter one;
+  return one;
 }
+
+struct pipe_ends {
+  unique_fd out;
+  unique_fd in;
+};
+
+expected<pipe_ends> make_pipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno),
+                "Close other programs, or raise the limit of open files (ulimit -n)");
+  return pipe_ends{unique_fd(ends[0]), unique_fd(ends[1])};
+}
+
+/// A program that runs for this process, as its child or another's.
+class child_program {
+public:
+  /// Errors: `service_unavailable`.
+  static expected<child_program> start(const std::vector<std::string>& command, int in, int out,
+                                       const child_limits& limits) {
+    const auto name = std::filesystem::path(command.front()).filename().string();
+    child_program made;
+    if (other_starter().line)
+      return ask(command, in, out);
+    made.pid_ = start_program(command, in, out, limits);
+    if (made.pid_ < 0)
+      return fail(ec::service_unavailable, name + " cannot be started: " + std::strerror(errno));
+    return made;
+  }
+
+  void end() {
+    if (pid_ > 0)
+      kill(pid_, SIGKILL);
+    wanted_.reset();
+  }
+
+  /// Its status once it has ended, as `waitpid` gives it. Nothing when nobody can say.
+  std::optional<int> wait() {
+    int status = 0;
+    ssize_t got = -1;
+    do
+      got = pid_ > 0 ? waitpid(pid_, &status, 0) : read(status_.get(), &status, sizeof(status));
+    while (got < 0 && errno == EINTR);
+    return pid_ > 0 || got == sizeof(status) ? std::optional(status) : std::nullopt;
+  }
+
+private:
+  static expected<child_program> ask(const std::vector<std::string>& command, int in, int out) {
+    if (command != std::vector{other_starter().program.string()})
+      return fail(ec::service_unavailable, "this process may not start " + command.front(),
+                  "Operations and files run without other programs");
+    auto status = make_pipe();
+    auto wanted = make_pipe();
+    if (!status || !wanted)
+      return fail((status ? wanted : status).error());
+    if (!send_descriptors(other_starter().line.get(),
+                          {in, out, status->in.get(), wanted->out.get()}))
+      return fail(ec::service_unavailable, "the process that starts programs for this one is gone");
+    child_program made;
+    made.status_ = std::move(status->out);
+    made.wanted_ = std::move(wanted->in);
+    return made;
+  }
+
+  pid_t pid_ = -1;    ///< Of a child of this process; else both others.
+  unique_fd status_;  ///< Where its status comes from.
+  unique_fd wanted_;  ///< Closed: it is ended.
+};
 
 /// Moves bytes both ways until the child closes its output, the time is over or it is cancelled.
 expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
@@ -105,6 +169,36 @@ expected<std::vector<char>> exchange(unique_fd& to_child, unique_fd& from_child,
 
 }  // namespace
 
+/// Not fork: to mark gigabytes of pages for copying, and each page's fault afterwards, cost more
+/// than the child's work. No handler of a signal may run in the child, whose memory is ours.
+pid_t start_program(const std::vector<std::string>& command, int in, int out,
+                    const child_limits& limits) {
+  std::vector<char*> arguments;
+  for (const auto& argument : command)
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+  const pid_t parent = getpid();
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t child = vfork();
+  if (child == 0)
+    become(arguments, in, out, parent, limits, before);
+  const int reason = errno;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = reason;
+  return child;
+}
+
+void start_programs_by(unique_fd line, const std::filesystem::path& program) {
+  other_starter() = {std::move(line), program};
+}
+
+int program_line_fd() {
+  return other_starter().line.get();
+}
+
 std::filesystem::path executable_folder() {
   std::error_code code;
   return std::filesystem::read_symlink("/proc/self/exe", code).parent_path();
@@ -118,41 +212,33 @@ expected<std::vector<char>> run_child(const std::vector<std::string>& command,
   if (access(command.front().c_str(), X_OK) != 0)
     return fail(ec::service_unavailable, "the program " + command.front() + " is not there",
                 "Build or install it beside tedit, or set TEDIT_LIBEXEC to its folder");
-  std::array<int, 2> in{};
-  std::array<int, 2> out{};
-  if (pipe2(in.data(), O_CLOEXEC) != 0)
-    return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno));
-  unique_fd child_in(in[0]);
-  unique_fd to_child(in[1]);
-  if (pipe2(out.data(), O_CLOEXEC) != 0)
-    return fail(ec::service_unavailable, std::string("no pipe: ") + std::strerror(errno));
-  unique_fd from_child(out[0]);
-  unique_fd child_out(out[1]);
-  std::vector<char*> arguments;
-  for (const auto& argument : command)
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  arguments.push_back(nullptr);
-  const pid_t child = start(arguments, child_in.get(), child_out.get(), limits);
-  if (child < 0)
-    return fail(ec::service_unavailable, name + " cannot be started: " + std::strerror(errno));
-  child_in.reset();
-  child_out.reset();
-  fcntl(to_child.get(), F_SETFL, O_NONBLOCK);
-  auto output = exchange(to_child, from_child, input, deadline, run);
+  auto in = make_pipe();
+  auto out = make_pipe();
+  if (!in || !out)
+    return fail((in ? out : in).error());
+  auto child = child_program::start(command, in->out.get(), out->in.get(), limits);
+  if (!child)
+    return fail(child.error());
+  in->out.reset();
+  out->in.reset();
+  fcntl(in->in.get(), F_SETFL, O_NONBLOCK);
+  auto output = exchange(in->in, out->out, input, deadline, run);
   if (!output)
-    kill(child, SIGKILL);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    // Interrupted by a signal of ours: wait on.
-  }
+    child->end();
+  const auto status = child->wait();
   if (!output)
     return output;
-  if (WIFSIGNALED(status))
+  if (!status)
+    return fail(ec::service_unavailable, name + " could not be started by the worker's keeper",
+                "Try again; the server's log may say more");
+  if (const auto deed = misdeed_of(*status))
+    return fail(ec::mesher_failed, name + " " + *deed, misdeed_remedy);
+  if (WIFSIGNALED(*status))
     return fail(ec::mesher_failed,
-                name + " crashed (signal " + std::to_string(WTERMSIG(status)) + ")");
-  if (WEXITSTATUS(status) != 0)
+                name + " crashed (signal " + std::to_string(WTERMSIG(*status)) + ")");
+  if (WEXITSTATUS(*status) != 0)
     return fail(ec::mesher_failed,
-                name + " gave up (exit status " + std::to_string(WEXITSTATUS(status)) + ")");
+                name + " gave up (exit status " + std::to_string(WEXITSTATUS(*status)) + ")");
   return output;
 }
 

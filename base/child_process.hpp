@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -19,10 +21,16 @@ struct child_limits {
   std::size_t memory_bytes = std::size_t{2} << 30;  ///< Address space; 0 for no limit.
 };
 
+/// Starts a program with these stdin and stdout; its stderr goes nowhere. It is killed when this
+/// thread ends. Its id, or -1 with errno.
+[[nodiscard]] pid_t start_program(const std::vector<std::string>& command, int in, int out,
+                                  const child_limits& limits);
+
 /// Runs a program, feeds it `input` on stdin and returns what it wrote on stdout once it has ended
 /// with status 0. Its stderr goes nowhere. It is killed at the time limit, on cancel, and when this
-/// process dies. Errors: `service_unavailable` when it cannot be started, `timeout`, `cancelled`,
-/// `mesher_failed` naming the exit status or signal.
+/// process dies. A process that may start no program has it started by another
+/// (`start_programs_by`). Errors: `service_unavailable` when it cannot be started, `timeout`,
+/// `cancelled`, `mesher_failed` naming the exit status or signal.
 [[nodiscard]] expected<std::vector<char>> run_child(const std::vector<std::string>& command,
                                                     std::span<const char> input,
                                                     const child_limits& limits,

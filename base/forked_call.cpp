@@ -18,10 +18,14 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/misdeed.hpp"
 #include "base/process.hpp"
+#include "base/program_line.hpp"
 #include "base/unique_fd.hpp"
 
 namespace tedit {
@@ -44,6 +48,7 @@ constexpr std::size_t most_in_pipe = 32 * 1024;
 
 constexpr std::uint32_t kind_returned = 0xFFFFFFFF;
 constexpr int status_line_lost = 119;
+constexpr int status_not_confined = 118;
 
 ino_t inode_of(int fd) {
   struct stat info {};
@@ -187,19 +192,24 @@ std::string seconds(std::chrono::milliseconds time) {
   return text.data();
 }
 
-/// Listens until the child returned or died (`child` is its process descriptor); an error when it
-/// must be killed.
+/// Listens until the child returned or died (`child` is its process descriptor), and starts
+/// programs for it; an error when it must be killed.
 expected<void> listen(int line, int child, const forked_limits& limits, const execution& run,
-                      message_reader& reader) {
+                      message_reader& reader, program_host* programs) {
   const auto begin = std::chrono::steady_clock::now();
-  std::array<pollfd, 2> ends{{{line, POLLIN, 0}, {child, POLLIN, 0}}};
+  std::vector<pollfd> ends{{line, POLLIN, 0}, {child, POLLIN, 0}};
   while (true) {
+    ends.resize(2);
+    if (programs)
+      programs->wait_for(ends);
     if (run.cancel.cancelled())
       return fail(ec::cancelled, "the work was cancelled");
     if (limits.time.count() > 0 && std::chrono::steady_clock::now() - begin > limits.time)
       return fail(ec::timeout, "did not end within " + seconds(limits.time));
     // A cancel from another thread wakes nobody: look again after a moment.
     (void)poll(ends.data(), ends.size(), 20);
+    if (programs)
+      programs->look();
     bool dead = ends[1].revents != 0;  // Before the line is read: then all that came is read.
     if (!reader.read_from(line)) {
       ends[0].fd = -1;           // At its end the line would wake at once, again and again.
@@ -212,8 +222,23 @@ expected<void> listen(int line, int child, const forked_limits& limits, const ex
   }
 }
 
+void confine(const forked_limits& limits, const caller_line& caller, unique_fd programs) {
+  std::vector<int> kept{programs.get()};
+  std::ranges::copy(caller.descriptors(), std::back_inserter(kept));
+  close_files_except(std::move(kept));
+  if (programs)
+    start_programs_by(std::move(programs), limits.program);
+  if (const auto done = limits.confine(); !done) {
+    std::fprintf(stderr, "%s\n", render(done.error()).c_str());
+    _exit(status_not_confined);
+  }
+}
+
 [[noreturn]] void do_in_child(const std::function<void(const caller_line&)>& work,
-                              const caller_line& caller) {
+                              const forked_limits& limits, const caller_line& caller,
+                              unique_fd programs) {
+  if (limits.confine)
+    confine(limits, caller, std::move(programs));
   work(caller);
   caller.send(kind_returned, {});
   _exit(0);
@@ -228,6 +253,10 @@ int wait_for_end(pid_t child) {
 }
 
 std::string unasked_end(int status) {
+  if (auto deed = misdeed_of(status))
+    return *deed;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == status_not_confined)
+    return "was not begun: its process could not be confined";
   if (WIFEXITED(status) && WEXITSTATUS(status) == status_line_lost)
     return "closed descriptors that are not its own";
   if (WIFEXITED(status))
@@ -272,6 +301,13 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
                 "Close other programs, or raise the limit of open files (ulimit -n)");
   unique_fd line(ends[0]);
   unique_fd to_caller(ends[1]);
+  line_ends programs;
+  if (limits.confine && !limits.program.empty()) {
+    auto made = make_line();
+    if (!made)
+      return fail(made.error());
+    programs = std::move(*made);
+  }
   fcntl(to_caller.get(), F_SETFL, 0);
   const pid_t parent = getpid();
   std::cout.flush();
@@ -279,7 +315,9 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
   const pid_t child = fork();
   if (child == 0) {
     prepare_child(parent, limits);
-    do_in_child(work, caller_line(to_caller.get(), memory.get()));
+    programs.ours.reset();
+    do_in_child(work, limits, caller_line(to_caller.get(), memory.get()),
+                std::move(programs.theirs));
   }
   if (child < 0)
     return fail(ec::service_unavailable,
@@ -287,10 +325,15 @@ expected<void> call_forked(const std::function<void(const caller_line&)>& work,
                 "Close other programs, or raise the limit of processes (ulimit -u)");
   setpgid(child, child);  // Whoever is first: the group must be there when it is killed.
   to_caller.reset();
+  programs.theirs.reset();
+  std::optional<program_host> host;
+  if (programs.ours)
+    host.emplace(std::move(programs.ours), limits.program, child_limits{});
   // By its number: the header of glibc 2.36 declares it for C alone.
   const unique_fd end_of_child(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   message_reader reader(heard, memory.get());
-  auto listened = listen(line.get(), end_of_child.get(), limits, run, reader);
+  auto listened =
+    listen(line.get(), end_of_child.get(), limits, run, reader, host ? &*host : nullptr);
   // With what the work started and left. One that is dead already keeps the status that it has.
   kill(-child, SIGKILL);
   const int status = wait_for_end(child);

@@ -3,9 +3,11 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <span>
@@ -20,6 +22,11 @@ struct forked_limits {
   std::chrono::milliseconds time{0};  ///< 0 for no limit.
   /// Memory that it may write, beyond what it begins with; 0 for no limit.
   std::size_t memory_bytes = 0;
+  /// Called in the copy before the work, when given; then the copy has no other file open than
+  /// its standard streams and the line to its caller. An error ends it.
+  std::function<expected<void>()> confine;
+  /// The program that the work may have started by `run_child` although it is confined, if any.
+  std::filesystem::path program;
 };
 
 /// The way of a forked call to its caller. Thread-safe.
@@ -32,6 +39,9 @@ public:
 
   /// Sends one message. The process ends here when the line is closed.
   void send(std::uint32_t kind, std::span<const std::byte> bytes) const;
+
+  /// The descriptors that must stay open.
+  [[nodiscard]] std::array<int, 2> descriptors() const { return {pipe_, memory_}; }
 
 private:
   int pipe_;

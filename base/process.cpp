@@ -7,8 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+
+#include "base/misdeed.hpp"
 
 namespace tedit {
 
@@ -60,7 +63,20 @@ expected<pid_t> spawn_process(const std::vector<std::string>& command, int inher
   return child;
 }
 
+void close_files_except(std::vector<int> kept) {
+  std::ranges::sort(kept);
+  int next = STDERR_FILENO + 1;
+  for (const int fd : kept) {
+    if (fd > next)
+      close_range(static_cast<unsigned>(next), static_cast<unsigned>(fd) - 1, 0);
+    next = std::max(next, fd + 1);
+  }
+  close_range(static_cast<unsigned>(next), ~0U, 0);
+}
+
 std::string describe_end(int status) {
+  if (auto deed = misdeed_of(status))
+    return *deed;
   if (WIFSIGNALED(status))
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";

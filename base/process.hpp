@@ -21,8 +21,11 @@ inline constexpr int inherited_fd = 3;
 [[nodiscard]] expected<pid_t> spawn_process(const std::vector<std::string>& command,
                                             int inherited = -1);
 
+/// Closes all files but the standard streams and these; below zero is none.
+void close_files_except(std::vector<int> kept);
+
 /// How a process with this status of `waitpid` ended, for people: "was killed by signal 9 (Killed)"
-/// or "ended with status 1".
+/// or "ended with status 1"; of a confined one also "tried to open a network connection".
 [[nodiscard]] std::string describe_end(int status);
 
 /// How a process that has ended did so, as `describe_end` says it; nothing while it runs. The

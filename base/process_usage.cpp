@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "base/process_usage.hpp"
 
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -30,31 +26,6 @@ std::uint64_t entries_of(const char* folder) {
 std::uint64_t limit_of(__rlimit_resource what) {
   rlimit limit{};
   return getrlimit(what, &limit) == 0 ? limit.rlim_cur : RLIM_INFINITY;
-}
-
-pid_t kept = 0;
-
-void pass_on(int signal) {
-  kill(kept, signal);
-}
-
-/// Waits for the child and ends as it did.
-[[noreturn]] void keep(pid_t child) {
-  kept = child;
-  std::signal(SIGTERM, pass_on);
-  std::signal(SIGINT, SIG_IGN);
-  close_range(3, ~0U, 0);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    // A signal that was passed on.
-  }
-  if (WIFSIGNALED(status)) {
-    const rlimit none{0, 0};
-    setrlimit(RLIMIT_CORE, &none);  // The child has left the core already.
-    std::signal(WTERMSIG(status), SIG_DFL);
-    raise(WTERMSIG(status));
-  }
-  _exit(WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -97,19 +68,6 @@ void limit_memory(std::uint64_t bytes) {
   limit.rlim_cur = bytes;
   setrlimit(RLIMIT_DATA, &limit);
 #endif
-}
-
-void continue_in_child() {
-  const pid_t keeper = getpid();
-  const pid_t child = fork();
-  if (child > 0)
-    keep(child);
-  if (child < 0)
-    return;  // Without a keeper it works as well.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != keeper)
-    _exit(127);
-  setpgid(0, 0);
 }
 
 }  // namespace tedit

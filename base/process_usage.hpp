@@ -29,10 +29,4 @@ struct process_usage {
 /// machine had no more. Not under sanitizers, whose shadow memory counts.
 void limit_memory(std::uint64_t bytes);
 
-/// Goes on in a child of this process, in a group of its own. This process stays as its keeper: it
-/// has no other file open than stderr, ends as the child ends, by the same status or signal, and
-/// the child is killed when it goes. Code in the child that kills its parent or its group so ends
-/// itself and not what started this process. Call it before there are threads.
-void continue_in_child();
-
 }  // namespace tedit

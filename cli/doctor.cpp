@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/child_process.hpp"
+#include "base/forked_call.hpp"
 #include "cli/command.hpp"
 #include "cli/server_checks.hpp"
 #include "fem/solver.hpp"
 #include "ops/loader/catalogue.hpp"
+#include "ops/loader/confinement.hpp"
 
 namespace tedit::cli {
 
@@ -27,8 +29,22 @@ check_row check_program(const std::string& name, const std::string& what) {
   return {name, there, there ? path.string() : "missing: " + what};
 }
 
+/// By doing it, in a copy of this process.
+check_row check_sandbox() {
+  if (!sandbox::is_wanted())
+    return {"sandbox", true, "off (TEDIT_SANDBOX): plugins can do all that this user can"};
+  forked_limits limits;
+  limits.confine = [] { return ops::confine_to(ops::reach_of_plugins({})); };
+  auto done = sandbox::check();
+  if (done)
+    done = call_forked([](const caller_line&) {}, limits, {}, [](std::uint32_t, auto) {});
+  return {"sandbox", done.has_value(),
+          done ? "plugins and readers of files can be confined" : render(done.error())};
+}
+
 std::vector<check_row> check_all(const doctor_options& options) {
   auto rows = check_server(options.config_file);
+  rows.push_back(check_sandbox());
   rows.push_back(check_program("tedit-tetgen", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
   for (const auto& device : fem::list_devices())

@@ -13,6 +13,7 @@
 #include "cli/config.hpp"
 #include "cli/logging.hpp"
 #include "cli/token.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace tedit::cli {
 
@@ -51,6 +52,7 @@ server_options to_server_options(const server_config& config) {
   options.modeling_workers = static_cast<unsigned>(config.modeling_workers);
   options.optimizer_workers = static_cast<unsigned>(config.optimizer_workers);
   options.solver_workers = static_cast<unsigned>(config.solver_workers);
+  options.sandbox = config.sandbox == "on" && sandbox::is_wanted();
   options.modeling_memory_mb = static_cast<unsigned>(config.modeling_memory_mb);
   options.import_limit = limit(config.import_timeout_s);
   options.edit_limit = limit(config.edit_timeout_s);

@@ -45,9 +45,12 @@ expected<edit_candidate> run_operation(const ops::catalogue& plugins, const vers
   ctx.search_s = place.find_most ? ops::refusal_search_s : 0;
   if (place.log)
     ctx.log = ops::operation_log(wanted.operation, place.log);
+  auto limits = place.child.value_or(ops::operation_limits());
+  if (limits.program.empty())
+    limits.program = ops::mesher_program();
   auto made = place.child
                 ? ops::run_operation_in_child(plugins, wanted.operation, base, {wanted.surfaces},
-                                              wanted.parameters, ctx, *place.child)
+                                              wanted.parameters, ctx, limits)
                 : ops::run_operation(plugins, wanted.operation, base, {wanted.surfaces},
                                      wanted.parameters, ctx);
   if (!made)

@@ -16,6 +16,7 @@ CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", *WIRE)
 # owns it.
 ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
+    "sandbox": (("base",), ("seccomp.h",)),
     "certs": (("base",), ("openssl/",)),
     "mesh": (("base",), ("Eigen/",)),
     "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
@@ -35,11 +36,11 @@ ROOMS = {
     "ops/shapes/caps": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/walls": (("ops/sdk", "mesh", "base"), ()),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),
-    "ops/loader": (("ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/loader": (("sandbox", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/services": (("ops/tetgen", "ops/sdk", "mesh", "base"), ("CGAL/",)),
-    "ops/conformance": (("ops/loader", "ops/services", "ops/sdk", "mesh", "base"), ()),
-    "ops/probe": (("ops/loader", "ops/sdk", "mesh", "base"), ()),
-    "ops/tetgen": (("base",), ("tetgen.h",)),
+    "ops/conformance": (("sandbox", "ops/loader", "ops/services", "ops/sdk", "mesh", "base"), ()),
+    "ops/probe": (("sandbox", "ops/loader", "ops/sdk", "mesh", "base"), ()),
+    "ops/tetgen": (("sandbox", "base",), ("tetgen.h",)),
     "ops/": (
         ("ops/shapes/caps", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/sdk", "mesh", "base"), ()),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
@@ -48,17 +49,17 @@ ROOMS = {
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors/links": (("certs", "base"), ("caf/", "spdlog/", "boost/", "openssl/")),
     "actors": (
-        ("actors/links", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
+        ("actors/links", "sandbox", "protocol", "compare", "edit", "fem", "fem/native", "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "sqlite3.h", "zstd.h", "nlohmann/"),
     ),
-    "actors/node/server.cpp": (("actors/gateway", "actors", "base"), ("caf/", "spdlog/")),
+    "actors/node/server.cpp": (("actors/gateway", "actors", "sandbox", "base"), ("caf/", "spdlog/")),
     "actors/gateway": (
         ("actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
-        ("certs", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
+        ("certs", "sandbox", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
          "ops/sdk", "mesh/io", "mesh", "base"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),

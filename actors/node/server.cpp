@@ -20,6 +20,7 @@
 #include "actors/supervisor/solver_choice.hpp"
 #include "base/child_process.hpp"
 #include "base/metrics.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace tedit {
 
@@ -46,6 +47,8 @@ pool_options options_of(const server_options& options, worker_role role, unsigne
   result.health = std::make_shared<role_health>(role);
   result.command = {program.string(), "worker", "--role", name_of(role)};
   const bool plugins = facts_of(role).runs_plugins;
+  if (!options.sandbox)
+    result.command.emplace_back("--no-sandbox");
   if (options.safe_mode && plugins)
     result.command.emplace_back("--safe-mode");
   if (options.modeling_memory_mb > 0 && plugins)
@@ -179,6 +182,11 @@ void server::stop() {
 expected<std::unique_ptr<server>> server::start(const server_options& options) {
   if (options.token.empty())
     return fail(ec::invalid_argument, "a server needs a token");
+  if (options.worker_processes && options.sandbox)
+    if (auto can = sandbox::check(); !can)
+      return fail(can.error());
+  if (options.worker_processes && !options.sandbox)
+    spdlog::warn("workers are not confined: plugins can do all that this user can");
   const auto ready = store::prepare_documents_folder(options.documents);
   if (!ready)
     return fail(ready.error());

@@ -23,8 +23,10 @@ struct server_options {
 
   /// Workers in processes of their own, which may die; else on threads of this process.
   bool worker_processes = true;
-  std::filesystem::path program;    ///< The tedit program; empty: beside this executable.
-  bool safe_mode = false;           ///< Only the plugins that came with the program.
+  std::filesystem::path program;  ///< The tedit program; empty: beside this executable.
+  bool safe_mode = false;         ///< Only the plugins that came with the program.
+  /// Workers that run plugins and read files are confined (sandbox/sandbox.hpp).
+  bool sandbox = true;
   unsigned modeling_memory_mb = 0;  ///< Of one modeling worker; 0: three quarters of the machine's.
   /// An operation that failed so many edits of a document by ending its process is switched off
   /// there, and after so many documents everywhere; 0: never.
@@ -59,7 +61,8 @@ struct server_options {
 /// of its own until `stop`.
 class server {
 public:
-  /// Errors: `invalid_argument`, `io_error` for the folder, `service_unavailable` for the port.
+  /// Errors: `invalid_argument`, `io_error` for the folder, `service_unavailable` for the port, or
+  /// when this machine cannot confine workers.
   [[nodiscard]] static expected<std::unique_ptr<server>> start(const server_options& options);
 
   ~server();  ///< Stops.

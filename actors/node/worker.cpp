@@ -13,6 +13,7 @@
 #include "actors/optimizer/optimizer.hpp"
 #include "actors/solver/solver.hpp"
 #include "fem/solver.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace tedit::actors {
 
@@ -28,8 +29,8 @@ caf::actor spawn_role(membership& node, const worker_options& options) {
     case worker_role::modeling:
       break;
   }
-  const auto which = options.safe_mode ? ops::plugin_source::built_in : ops::plugin_source::all;
-  auto plugins = std::make_shared<const ops::catalogue>(ops::load_default_catalogue(which));
+  auto plugins = std::make_shared<ops::catalogue>();
+  plugins->load(options.plugins);
   for (const auto& refused : plugins->refused())
     spdlog::warn("plugin {}: {}", refused.file.string(), refused.reason);
   return caf::actor_cast<caf::actor>(
@@ -70,11 +71,15 @@ expected<void> enlist(membership& node, const caf::actor& worker, const worker_o
 }  // namespace
 
 expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
-  auto joined = options.joins ? membership::join(*options.joins, stop)
-                              : membership::join(unique_fd(options.link), stop);
+  auto joined = options.joins && options.link < 0
+                  ? membership::join(*options.joins, stop)
+                  : membership::join(unique_fd(options.link), stop);
   if (!joined)
     return fail(joined.error());
   auto& node = **joined;
+  if (options.confined)
+    if (const auto ok = sandbox::confine_calls(); !ok)
+      return ok;
   const auto worker = spawn_role(node, options);
   node.own(worker);
   if (const auto ok = enlist(node, worker, options); !ok)

@@ -7,6 +7,7 @@
 #include <caf/send.hpp>
 
 #include "actors/errors.hpp"
+#include "base/misdeed.hpp"
 
 namespace tedit::actors {
 
@@ -307,13 +308,16 @@ void pool_state::try_again(job work, const std::string& how) {
   if (work.cancelled)
     return work.refuse({ec::cancelled, "the work was cancelled", {}, {}});
   // Nobody waits long for a preview: the next one is as good.
-  if (work.deaths <= (is_preview(work) ? 1 : options.retries)) {
+  const bool misdeed = is_misdeed(how);
+  if (!misdeed && work.deaths <= (is_preview(work) ? 1 : options.retries)) {
     work.place.again = true;
     return waiting.push_front(std::move(work));
   }
   blame(work, how);
   if (const auto why = off.refusal(work.edit))
     return work.refuse(*why);
+  if (misdeed)
+    return work.refuse(refusal_of_misdeed(work.edit, how, catalogue.get()));
   work.refuse({ec::internal,
                "the " + name_of(options.role) + " worker " + how + " while it worked on this" +
                  (work.edit.operation.empty() ? "" : " (operation " + work.edit.operation + ")") +

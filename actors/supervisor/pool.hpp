@@ -200,7 +200,8 @@ struct pool_state {
   void forgive(const job& work);
   /// Counts an edit that failed for good against its operation; previews do not count.
   void blame(const job& work, const std::string& how);
-  /// A job whose worker died: given to another, or refused when that has been tried often enough.
+  /// A job whose worker died: given to another, or refused when that has been tried often enough
+  /// or the worker did what it may not.
   void try_again(job work, const std::string& how);
   void dismiss_retired(clock::time_point at);
   [[nodiscard]] std::size_t active() const;  ///< Processes of ours that have not retired.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/misdeed.hpp"
+
 namespace tedit::actors {
 
 bool quarantine::note(const edit_origin& edit, const std::string& how) {
@@ -49,6 +51,21 @@ std::optional<error> quarantine::refusal(const edit_origin& edit) const {
   if (here == all.end() || !is_off(here->second))
     return std::nullopt;
   return error{ec::plugin_refused, reason(edit.operation, {*here}), remedy, {}};
+}
+
+error refusal_of_misdeed(const edit_origin& work, const std::string& how,
+                         const operation_catalogue* known) {
+  const auto& id = work.operation;
+  if (id.empty())
+    return {ec::internal, "what read or wrote the file " + how, misdeed_remedy, {}};
+  if (known)
+    for (const auto& one : known->operations)
+      if (one.about.id == id)
+        return {ec::internal,
+                "the operation " + id + " of the plugin " + one.plugin + " " + how,
+                misdeed_remedy,
+                {}};
+  return {ec::internal, "the plugin of the operation " + id + " " + how, misdeed_remedy, {}};
 }
 
 operation_catalogue quarantine::apply_to(const operation_catalogue& all) const {

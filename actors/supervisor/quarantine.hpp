@@ -57,4 +57,9 @@ private:
   std::map<std::string, rows> operations_;
 };
 
+/// Why work is refused whose worker did what it may not (base/misdeed.hpp): `how`, and whose doing
+/// it was. `known` names the plugin of the operation and may be null.
+[[nodiscard]] error refusal_of_misdeed(const edit_origin& work, const std::string& how,
+                                       const operation_catalogue* known);
+
 }  // namespace tedit::actors

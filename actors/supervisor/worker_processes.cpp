@@ -2,6 +2,7 @@
 #include "actors/supervisor/worker_processes.hpp"
 
 #include "actors/links/link.hpp"
+#include "base/keeper.hpp"
 #include "base/process.hpp"
 
 namespace tedit::actors {
@@ -21,9 +22,17 @@ public:
     return pid;
   }
 
-  std::optional<std::string> reap(pid_t pid) override { return reap_process(pid); }
+  std::optional<std::string> reap(pid_t pid) override {
+    auto how = reap_process(pid);
+    if (how)
+      remove_temporary_folder(pid);
+    return how;
+  }
 
-  void kill(pid_t pid) override { kill_process(pid); }
+  void kill(pid_t pid) override {
+    kill_process(pid);
+    remove_temporary_folder(pid);
+  }
 };
 
 }  // namespace

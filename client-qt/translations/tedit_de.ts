@@ -4947,6 +4947,62 @@
         <source>the server turned this worker away: %1</source>
         <translation>der Server hat diesen Arbeiter abgewiesen: %1</translation>
     </message>
+    <message>
+        <source>Close other programs, or raise the limit of open files (ulimit -n)</source>
+        <translation>Schließen Sie andere Programme, oder heben Sie die Grenze für offene Dateien an (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>Operations and files run without network, other programs and other people&apos;s files (docs/operating.md, What workers may do). The part is unchanged; report this to the plugin&apos;s author</source>
+        <translation>Operationen und Dateien laufen ohne Netz, ohne andere Programme und ohne fremde Dateien (docs/operating.md, What workers may do). Das Bauteil ist unverändert; melden Sie dies dem Autor des Plugins</translation>
+    </message>
+    <message>
+        <source>filled its folder for temporary files</source>
+        <translation>hat seinen Ordner für vorübergehende Dateien gefüllt</translation>
+    </message>
+    <message>
+        <source>no line to a child process: %1</source>
+        <translation>keine Verbindung zu einem Kindprozess: %1</translation>
+    </message>
+    <message>
+        <source>tried to gain other rights</source>
+        <translation>hat versucht, andere Rechte zu erlangen</translation>
+    </message>
+    <message>
+        <source>tried to open a network connection</source>
+        <translation>hat versucht, eine Netzverbindung zu öffnen</translation>
+    </message>
+    <message>
+        <source>tried to reach into another process</source>
+        <translation>hat versucht, in einen anderen Prozess einzugreifen</translation>
+    </message>
+    <message>
+        <source>tried to start a process</source>
+        <translation>hat versucht, einen Prozess zu starten</translation>
+    </message>
+    <message>
+        <source>tried to start a program</source>
+        <translation>hat versucht, ein Programm zu starten</translation>
+    </message>
+    <message>
+        <source>tried to start a program, or something else that it may not do</source>
+        <translation>hat versucht, ein Programm zu starten oder etwas anderes zu tun, was ihm nicht erlaubt ist</translation>
+    </message>
+    <message>
+        <source>tried to use a part of the system that is closed to it</source>
+        <translation>hat versucht, einen Teil des Systems zu benutzen, der ihm verschlossen ist</translation>
+    </message>
+    <message>
+        <source>the operation %1 of the plugin %2 %3</source>
+        <translation>die Operation %1 des Plugins %2 %3</translation>
+    </message>
+    <message>
+        <source>the plugin of the operation %1 %2</source>
+        <translation>das Plugin der Operation %1 %2</translation>
+    </message>
+    <message>
+        <source>what read or wrote the file %1</source>
+        <translation>was die Datei las oder schrieb, %1</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

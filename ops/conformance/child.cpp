@@ -14,14 +14,20 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <thread>
+
+#include "base/misdeed.hpp"
+#include "base/program_line.hpp"
 
 namespace tedit::ops {
 
 namespace {
 
 using clock = std::chrono::steady_clock;
+
+constexpr int status_not_confined = 118;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 /// Sanitizers reserve terabytes of addresses for their shadow memory.
@@ -66,7 +72,7 @@ private:
 
 [[noreturn]] void become_child(const std::function<void(const child_reporter&)>& work,
                                const std::filesystem::path& folder, const sandbox_limits& limits,
-                               int report, int out, int err) {
+                               unique_fd programs, int report, int out, int err) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGABRT})
@@ -82,15 +88,37 @@ private:
   // What a plugin leaves behind shall lie where it is found.
   for (const char* name : {"HOME", "TMPDIR", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
     setenv(name, folder.c_str(), 1);
-  if (chdir(folder.c_str()) == 0)
+  if (programs)
+    start_programs_by(std::move(programs), limits.program);
+  if (chdir(folder.c_str()) == 0) {
+    if (limits.confine)
+      if (const auto done = limits.confine(); !done) {
+        std::cerr << render(done.error()) << std::endl;
+        _exit(status_not_confined);
+      }
     work(child_reporter(report));
+  }
   std::cout.flush();
   std::fflush(nullptr);
   _exit(0);
 }
 
+std::string describe_death(int status) {
+  if (auto deed = misdeed_of(status))
+    return *deed;
+  if (WIFSIGNALED(status))
+    return "crashed with signal " + std::to_string(WTERMSIG(status)) + " (" +
+           strsignal(WTERMSIG(status)) + ")";
+  if (WEXITSTATUS(status) == status_not_confined)
+    return "could not be confined";
+  if (WEXITSTATUS(status) != 0)
+    return "ended the process with status " + std::to_string(WEXITSTATUS(status));
+  return {};
+}
+
 /// Waits for the end of the child; kills it when its file has not grown for a step's time.
-std::string wait_for(pid_t child, const shared_file& report, const sandbox_limits& limits) {
+std::string wait_for(pid_t child, const shared_file& report, const sandbox_limits& limits,
+                     program_host* programs) {
   const auto step = limits.step;
   auto size = report.size();
   auto deadline = clock::now() + step;
@@ -108,15 +136,12 @@ std::string wait_for(pid_t child, const shared_file& report, const sandbox_limit
       return cancelled ? "was cancelled"
                        : "did not end within " + std::to_string(step.count()) + " ms";
     }
+    if (programs)
+      programs->look();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   kill(-child, SIGKILL);  // What the plugin started and left.
-  if (WIFSIGNALED(status))
-    return "crashed with signal " + std::to_string(WTERMSIG(status)) + " (" +
-           strsignal(WTERMSIG(status)) + ")";
-  if (WEXITSTATUS(status) != 0)
-    return "ended the process with status " + std::to_string(WEXITSTATUS(status));
-  return {};
+  return describe_death(status);
 }
 
 std::vector<std::string> last_lines(const std::string& text) {
@@ -151,14 +176,24 @@ child_outcome run_forked(const std::function<void(const child_reporter&)>& work,
   child_outcome result;
   std::cout.flush();
   std::fflush(nullptr);  // Else the child would print it a second time.
+  line_ends programs;
+  if (limits.confine && !limits.program.empty())
+    programs = make_line().value_or(line_ends{});
   const pid_t child = fork();
-  if (child == 0)
-    become_child(work, folder, limits, report.get(), out.get(), err.get());
+  if (child == 0) {
+    programs.ours.reset();
+    become_child(work, folder, limits, std::move(programs.theirs), report.get(), out.get(),
+                 err.get());
+  }
+  programs.theirs.reset();
   if (child < 0) {
     result.death = std::string("could not be started: ") + std::strerror(errno);
     return result;
   }
-  result.death = wait_for(child, report, limits);
+  std::optional<program_host> host;
+  if (programs.ours)
+    host.emplace(std::move(programs.ours), limits.program, child_limits{});
+  result.death = wait_for(child, report, limits, host ? &*host : nullptr);
   std::istringstream lines(report.content(std::size_t{64} << 20));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with('>'))

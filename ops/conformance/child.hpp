@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/execution.hpp"
 
 namespace tedit::ops {
@@ -15,6 +16,9 @@ struct sandbox_limits {
   std::chrono::milliseconds step{10000};  ///< From one `mark` of the child to the next.
   std::size_t memory_bytes = 0;           ///< Address space; 0 for no limit.
   cancel_token cancel;                    ///< Ends the child at once.
+  /// Called in the child before the work, in its folder; an error is a death.
+  std::function<expected<void>()> confine;
+  std::filesystem::path program;  ///< The one that the child may have started.
 };
 
 /// The child's way to its parent.

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "ops/conformance/kit.hpp"
+#include "ops/loader/confinement.hpp"
+#include "ops/services/host_services.hpp"
 
 namespace tedit::ops {
 
@@ -80,9 +82,15 @@ void judge_death(const child_outcome& child, conformance_row& row) {
 conformance_row perform(const check& c, const plan& p, std::vector<std::string>& other_lines) {
   auto row = row_of(c);
   const scratch_folder folder;
-  auto child =
-    run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); }, folder.path(),
-               {p.settings->limit, p.settings->memory_bytes, p.settings->cancel});
+  sandbox_limits limits{p.settings->limit, p.settings->memory_bytes, p.settings->cancel, {}, {}};
+  if (sandbox::is_wanted()) {
+    auto reach = reach_of_plugins({p.settings->file});
+    reach.own_folder = folder.path();
+    limits.confine = [reach] { return confine_to(reach); };
+    limits.program = mesher_program();
+  }
+  auto child = run_forked([&](const child_reporter& reporter) { run_check(c, p, reporter); },
+                          folder.path(), limits);
   for (const auto& line : child.lines) {
     if (line.starts_with(tag_pass))
       row.outcome = verdict::pass, row.seen = line.substr(tag_pass.size());

@@ -14,6 +14,31 @@ namespace {
 
 using query_function = const plugin_descriptor* (*)();
 
+/// Why a file must not be loaded, by a process that tried; nothing when it may.
+std::optional<refused_plugin> refusal_of(const std::filesystem::path& file) {
+  const auto fault = probe_plugin(file);
+  if (fault.empty())
+    return std::nullopt;
+  // A verdict that is kept is one on a file that crashed or hung.
+  std::error_code code;
+  const auto kept = probe_cache(file);
+  const bool crashed = !kept.empty() && std::filesystem::exists(kept, code);
+  return refused_plugin{file, fault, crashed ? 1U : 0U,
+                        crashed ? "remove " + kept.string() + " to have it tried again" : ""};
+}
+
+void find_in(const std::filesystem::path& folder, load_care care,
+             std::vector<found_plugin>& found) {
+  std::error_code code;
+  std::vector<std::filesystem::path> files;
+  for (const auto& item : std::filesystem::directory_iterator(folder, code))
+    if (item.path().extension() == ".so")
+      files.push_back(item.path());
+  std::ranges::sort(files);
+  for (const auto& file : files)
+    found.push_back({file, care == load_care::probe ? refusal_of(file) : std::nullopt});
+}
+
 }  // namespace
 
 expected<void> catalogue::load_file(const std::filesystem::path& file) {
@@ -55,25 +80,18 @@ expected<void> catalogue::load_file(const std::filesystem::path& file) {
   return {};
 }
 
+void catalogue::load(const std::vector<found_plugin>& found) {
+  for (const auto& one : found)
+    if (one.refusal)
+      refused_.push_back(*one.refusal);
+    else
+      (void)load_file(one.file);  // A refusal is noted in refused().
+}
+
 void catalogue::load_directory(const std::filesystem::path& folder, load_care care) {
-  std::error_code code;
-  std::vector<std::filesystem::path> files;
-  for (const auto& item : std::filesystem::directory_iterator(folder, code))
-    if (item.path().extension() == ".so")
-      files.push_back(item.path());
-  std::ranges::sort(files);
-  for (const auto& file : files) {
-    if (care == load_care::probe)
-      if (const auto fault = probe_plugin(file); !fault.empty()) {
-        // A verdict that is kept is one on a file that crashed or hung.
-        const auto kept = probe_cache(file);
-        const bool crashed = !kept.empty() && std::filesystem::exists(kept, code);
-        refused_.push_back({file, fault, crashed ? 1U : 0U,
-                            crashed ? "remove " + kept.string() + " to have it tried again" : ""});
-        continue;
-      }
-    (void)load_file(file);  // A refusal is noted in refused().
-  }
+  std::vector<found_plugin> found;
+  find_in(folder, care, found);
+  load(found);
 }
 
 expected<const catalogue::entry*> catalogue::find(const std::string& id) const {
@@ -95,10 +113,10 @@ error unknown_operation(const std::string& id, const std::vector<std::string>& k
           {}};
 }
 
-catalogue load_default_catalogue(plugin_source which) {
-  catalogue result;
+std::vector<found_plugin> find_plugins(plugin_source which) {
+  std::vector<found_plugin> result;
   // First, so that no other plugin takes the id of a built-in one.
-  result.load_directory(executable_folder() / "../lib/tedit/plugins");
+  find_in(executable_folder() / "../lib/tedit/plugins", load_care::direct, result);
   if (which == plugin_source::built_in)
     return result;
   if (const char* path = std::getenv("TEDIT_PLUGIN_PATH")) {
@@ -106,15 +124,20 @@ catalogue load_default_catalogue(plugin_source which) {
     while (!left.empty()) {
       const auto end = std::min(left.find(':'), left.size());
       if (end > 0)
-        result.load_directory(left.substr(0, end), load_care::probe);
+        find_in(left.substr(0, end), load_care::probe, result);
       left.remove_prefix(std::min(end + 1, left.size()));
     }
   }
   if (const char* data = std::getenv("XDG_DATA_HOME"))
-    result.load_directory(std::filesystem::path(data) / "tedit/plugins", load_care::probe);
+    find_in(std::filesystem::path(data) / "tedit/plugins", load_care::probe, result);
   else if (const char* home = std::getenv("HOME"))
-    result.load_directory(std::filesystem::path(home) / ".local/share/tedit/plugins",
-                          load_care::probe);
+    find_in(std::filesystem::path(home) / ".local/share/tedit/plugins", load_care::probe, result);
+  return result;
+}
+
+catalogue load_default_catalogue(plugin_source which) {
+  catalogue result;
+  result.load(find_plugins(which));
   return result;
 }
 

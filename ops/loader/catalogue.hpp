@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,12 @@ enum class plugin_source {
   built_in,  ///< Safe mode: only those that came with the program.
 };
 
+/// A plugin's file, found and, where others made it, tried out.
+struct found_plugin {
+  std::filesystem::path file;
+  std::optional<refused_plugin> refusal;  ///< It must not be loaded.
+};
+
 /// The operations that are there. Plugin libraries stay loaded until the program ends: code of
 /// theirs may still be on some thread's stack.
 class catalogue {
@@ -46,8 +53,10 @@ public:
   /// Loads one plugin. Errors: `plugin_refused` naming the file and what is wrong with it.
   [[nodiscard]] expected<void> load_file(const std::filesystem::path& file);
 
-  /// Loads every .so in a folder, by name; a refusal is noted and the rest goes on. A folder that
-  /// is not there holds none.
+  /// Loads what was found; a refusal is noted and the rest goes on.
+  void load(const std::vector<found_plugin>& found);
+
+  /// Both for every .so in a folder, by name. A folder that is not there holds none.
   void load_directory(const std::filesystem::path& folder, load_care care = load_care::direct);
 
   [[nodiscard]] const std::vector<entry>& entries() const { return entries_; }
@@ -64,7 +73,11 @@ private:
 
 /// The plugins of the installation, lib/tedit/plugins beside the executable's folder, then those of
 /// others: the folders in $TEDIT_PLUGIN_PATH (colon-separated) and $XDG_DATA_HOME/tedit/plugins
-/// (without the variable ~/.local/share/tedit/plugins). What others made is probed first.
+/// (without the variable ~/.local/share/tedit/plugins). What others made is probed, which a
+/// confined process cannot do.
+[[nodiscard]] std::vector<found_plugin> find_plugins(plugin_source which = plugin_source::all);
+
+/// Finds and loads them.
 [[nodiscard]] catalogue load_default_catalogue(plugin_source which = plugin_source::all);
 
 // -- loading what may be broken ------------------------------------------------------------------

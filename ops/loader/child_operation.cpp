@@ -6,7 +6,9 @@
 #include "base/byte_stream.hpp"
 #include "base/forked_call.hpp"
 #include "base/memory.hpp"
+#include "base/misdeed.hpp"
 #include "base/stopwatch.hpp"
+#include "ops/loader/confinement.hpp"
 #include "ops/loader/edit_answer.hpp"
 
 namespace tedit::ops {
@@ -56,12 +58,29 @@ void take(std::uint32_t kind, std::span<const std::byte> bytes, const context& c
 error named(error e, const catalogue::entry& entry) {
   if (e.code == ec::service_unavailable || e.code == ec::cancelled)
     return e;
+  const bool misdeed = is_misdeed(e.message);
   e.message = "the operation \"" + entry.description.id + "\" of the plugin " + entry.plugin + " " +
               e.message;
   e.remedy = "The part is unchanged. \"tedit plugin test " +
              entry.file.lexically_normal().string() +
              "\" looks for such faults; report this to the plugin's author";
+  if (misdeed)
+    e.remedy = misdeed_remedy;
   return e;
+}
+
+/// The copy needs what its plugin needs; its answer goes through a file in memory.
+forked_limits limits_of(const operation_limits& given, const catalogue::entry& entry) {
+  forked_limits limits;
+  limits.time = given.time;
+  limits.memory_bytes = available_memory().bytes;
+  if (!sandbox::is_wanted())
+    return limits;
+  auto reach = reach_of_plugins({entry.file});
+  reach.file_bytes = limits.memory_bytes;
+  limits.confine = [reach] { return confine_to(reach); };
+  limits.program = given.program;
+  return limits;
 }
 
 }  // namespace
@@ -73,6 +92,9 @@ expected<edit_result> run_operation_in_child(const catalogue& plugins, const std
   const auto found = plugins.find(id);
   if (!found)
     return fail(found.error());
+  if (sandbox::is_wanted())
+    if (auto can = sandbox::check(); !can)
+      return fail(can.error());
   std::vector<std::byte> bytes;
   const auto done = call_forked(
     [&](const caller_line& line) {
@@ -80,7 +102,7 @@ expected<edit_result> run_operation_in_child(const catalogue& plugins, const std
       line.send(answer_message,
                 to_bytes(run_operation(plugins, id, mesh, picked, given, in_child), *mesh));
     },
-    {limits.time, available_memory().bytes}, ctx.run,
+    limits_of(limits, **found), ctx.run,
     [&](std::uint32_t kind, std::span<const std::byte> message) {
       take(kind, message, ctx, bytes);
     });

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ops/loader/catalogue.hpp"
+#include "ops/loader/confinement.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2)
@@ -15,7 +16,10 @@ int main(int argc, char** argv) {
   const int verdict = dup(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   std::string text = "ok";
-  {
+  if (const auto confined = tedit::ops::confine_to(tedit::ops::reach_of_plugins({argv[1]}));
+      !confined) {
+    text = "it was not tried out: " + confined.error().message;
+  } else {
     tedit::ops::catalogue plugins;
     if (!plugins.load_file(argv[1]))
       text = plugins.refused().front().reason;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "ops/sdk/operation.hpp"
@@ -10,6 +11,9 @@ namespace tedit::ops {
 /// The host's services: CGAL for planar triangulation, the program `tedit-tetgen` for tets. It is
 /// looked for in $TEDIT_LIBEXEC, else beside the running executable.
 [[nodiscard]] std::unique_ptr<services> make_host_services();
+
+/// That program.
+[[nodiscard]] std::filesystem::path mesher_program();
 
 // -- the two, apart (each in its own .cpp) ---------------------------------------------
 

@@ -14,12 +14,6 @@ namespace tedit::ops {
 
 namespace {
 
-std::filesystem::path mesher_program() {
-  if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
-    return std::filesystem::path(folder) / "tedit-tetgen";
-  return executable_folder() / "tedit-tetgen";
-}
-
 template <class T>
 void append(std::vector<char>& bytes, const T* first, std::size_t count) {
   const auto* raw = reinterpret_cast<const char*>(first);
@@ -103,6 +97,12 @@ expected<void> verify(const closed_surface& shell, tet_filling& filling) {
 }
 
 }  // namespace
+
+std::filesystem::path mesher_program() {
+  if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
+    return std::filesystem::path(folder) / "tedit-tetgen";
+  return executable_folder() / "tedit-tetgen";
+}
 
 expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run) {
   if (shell.points.size() < 4 || shell.triangles.size() < 4)

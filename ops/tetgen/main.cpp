@@ -8,6 +8,7 @@
 #include <tetgen.h>
 
 #include "ops/tetgen/exchange.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace {
 
@@ -69,9 +70,18 @@ int run() {
   return ok ? 0 : 4;
 }
 
+/// It needs what it has open, and no file besides.
+bool confine() {
+  using namespace tedit;
+  return !sandbox::is_wanted() ||
+         (sandbox::confine_files({}) && sandbox::confine_calls(sandbox::calls::of_filters));
+}
+
 }  // namespace
 
 int main() {
+  if (!confine())
+    return 5;
   try {
     return run();
   } catch (...) {

@@ -66,10 +66,28 @@ TEST(PluginEdit, AHangEndsAtTheLimit) {
 
 TEST(PluginEdit, AProcessThatItLeavesIsEnded) {
   const Misdeed misdeed("leaves_a_child");
+  setenv("TEDIT_SANDBOX", "off", 1);
 
   const auto result = run(misdeed.arguments);  // Would wait for the end of what holds its pipe.
 
+  unsetenv("TEDIT_SANDBOX");
   EXPECT_EQ(result.status, 0);
+}
+
+TEST(PluginEdit, ItStartsNoProcessAndIsNamed) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need processes";
+#endif
+  const Misdeed misdeed("leaves_a_child");
+
+  const auto result = run(misdeed.arguments);
+
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.parsed()["error"].value("message", ""),
+            "the operation \"rule_breaker\" of the plugin rule_breaker 1.0.0 tried to start a "
+            "process");
+  EXPECT_THAT(result.parsed()["error"].value("remedy", ""),
+              HasSubstr("docs/operating.md, What workers may do"));
 }
 
 TEST(PluginEdit, AnInterruptEndsAHangAtOnce) {
