@@ -10,6 +10,7 @@
 #include "base/child_process.hpp"
 #include "base/forked_call.hpp"
 #include "cli/command.hpp"
+#include "cli/config.hpp"
 #include "cli/server_checks.hpp"
 #include "fem/solver.hpp"
 #include "ops/loader/catalogue.hpp"
@@ -30,9 +31,12 @@ check_row check_program(const std::string& name, const std::string& what) {
 }
 
 /// By doing it, in a copy of this process.
-check_row check_sandbox() {
-  if (!sandbox::is_wanted())
-    return {"sandbox", true, "off (TEDIT_SANDBOX): plugins can do all that this user can"};
+check_row check_sandbox(const doctor_options& options) {
+  const auto config = load_config(options.config_file);
+  if (!sandbox::is_wanted() || (config && config->sandbox == "off"))
+    return {"sandbox", true,
+            std::string("off (") + (sandbox::is_wanted() ? "work.sandbox" : "TEDIT_SANDBOX") +
+              "): plugins can do all that this user can"};
   forked_limits limits;
   limits.confine = [] { return ops::confine_to(ops::reach_of_plugins({})); };
   auto done = sandbox::check();
@@ -44,7 +48,7 @@ check_row check_sandbox() {
 
 std::vector<check_row> check_all(const doctor_options& options) {
   auto rows = check_server(options.config_file);
-  rows.push_back(check_sandbox());
+  rows.push_back(check_sandbox(options));
   rows.push_back(check_program("tedit-tetgen", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
   for (const auto& device : fem::list_devices())

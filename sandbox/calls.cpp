@@ -2,12 +2,14 @@
 // Which system calls a confined process has left: seccomp.
 #include <fcntl.h>
 #include <linux/sched.h>
+#include <netinet/tcp.h>
 #include <seccomp.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -76,26 +78,25 @@ constexpr std::array of_threads{SCMP_SYS(set_robust_list),
                                 SCMP_SYS(timer_getoverrun),
                                 SCMP_SYS(timer_delete)};
 
-constexpr std::array of_facts{SCMP_SYS(getppid),   SCMP_SYS(getuid),    SCMP_SYS(geteuid),
-                              SCMP_SYS(getgid),    SCMP_SYS(getegid),   SCMP_SYS(getresuid),
-                              SCMP_SYS(getresgid), SCMP_SYS(getgroups), SCMP_SYS(getpgrp),
-                              SCMP_SYS(getpgid),   SCMP_SYS(getsid),    SCMP_SYS(uname),
-                              SCMP_SYS(sysinfo),   SCMP_SYS(getrusage), SCMP_SYS(times),
-                              SCMP_SYS(getrlimit), SCMP_SYS(mincore),   SCMP_SYS(msync),
-                              SCMP_SYS(mlock),     SCMP_SYS(munlock),   SCMP_SYS(umask)};
+constexpr std::array of_facts{
+  SCMP_SYS(getppid), SCMP_SYS(getuid),    SCMP_SYS(geteuid),   SCMP_SYS(getgid),
+  SCMP_SYS(getegid), SCMP_SYS(getresuid), SCMP_SYS(getresgid), SCMP_SYS(getgroups),
+  SCMP_SYS(getpgrp), SCMP_SYS(getpgid),   SCMP_SYS(getsid),    SCMP_SYS(uname),
+  SCMP_SYS(sysinfo), SCMP_SYS(getrusage), SCMP_SYS(times),     SCMP_SYS(getrlimit),
+  SCMP_SYS(mincore), SCMP_SYS(msync),     SCMP_SYS(mlock),     SCMP_SYS(munlock)};
 
 /// Landlock says which.
 constexpr std::array of_files{
-  SCMP_SYS(stat),      SCMP_SYS(lstat),      SCMP_SYS(statx),     SCMP_SYS(statfs),
-  SCMP_SYS(fstatfs),   SCMP_SYS(access),     SCMP_SYS(faccessat), SCMP_SYS(faccessat2),
-  SCMP_SYS(readlink),  SCMP_SYS(readlinkat), SCMP_SYS(getdents),  SCMP_SYS(getdents64),
-  SCMP_SYS(getcwd),    SCMP_SYS(chdir),      SCMP_SYS(fchdir),    SCMP_SYS(creat),
-  SCMP_SYS(mkdir),     SCMP_SYS(mkdirat),    SCMP_SYS(rmdir),     SCMP_SYS(unlink),
-  SCMP_SYS(unlinkat),  SCMP_SYS(rename),     SCMP_SYS(renameat),  SCMP_SYS(renameat2),
-  SCMP_SYS(ftruncate), SCMP_SYS(fallocate),  SCMP_SYS(fsync),     SCMP_SYS(fdatasync),
-  SCMP_SYS(flock),     SCMP_SYS(fadvise64),  SCMP_SYS(readahead), SCMP_SYS(copy_file_range),
-  SCMP_SYS(sendfile),  SCMP_SYS(pread64),    SCMP_SYS(pwrite64),  SCMP_SYS(preadv),
-  SCMP_SYS(pwritev),   SCMP_SYS(preadv2),    SCMP_SYS(pwritev2)};
+  SCMP_SYS(stat),      SCMP_SYS(lstat),           SCMP_SYS(statx),     SCMP_SYS(statfs),
+  SCMP_SYS(fstatfs),   SCMP_SYS(access),          SCMP_SYS(faccessat), SCMP_SYS(faccessat2),
+  SCMP_SYS(readlink),  SCMP_SYS(readlinkat),      SCMP_SYS(getdents),  SCMP_SYS(getdents64),
+  SCMP_SYS(getcwd),    SCMP_SYS(chdir),           SCMP_SYS(fchdir),    SCMP_SYS(creat),
+  SCMP_SYS(rmdir),     SCMP_SYS(unlink),          SCMP_SYS(unlinkat),  SCMP_SYS(rename),
+  SCMP_SYS(renameat),  SCMP_SYS(renameat2),       SCMP_SYS(ftruncate), SCMP_SYS(fallocate),
+  SCMP_SYS(fsync),     SCMP_SYS(fdatasync),       SCMP_SYS(flock),     SCMP_SYS(fadvise64),
+  SCMP_SYS(readahead), SCMP_SYS(copy_file_range), SCMP_SYS(sendfile),  SCMP_SYS(pread64),
+  SCMP_SYS(pwrite64),  SCMP_SYS(preadv),          SCMP_SYS(pwritev),   SCMP_SYS(preadv2),
+  SCMP_SYS(pwritev2)};
 
 /// Of lines that are open: there are no others.
 constexpr std::array of_lines{SCMP_SYS(close_range),
@@ -125,34 +126,27 @@ constexpr std::array of_lines{SCMP_SYS(close_range),
                               SCMP_SYS(sendmsg),
                               SCMP_SYS(recvmsg),
                               SCMP_SYS(getsockopt),
-                              SCMP_SYS(setsockopt),
                               SCMP_SYS(getsockname),
                               SCMP_SYS(getpeername),
                               SCMP_SYS(shutdown)};
 
 /// What is refused: libraries try some of it, and go on without.
-constexpr std::array harmless{SCMP_SYS(chmod),          SCMP_SYS(fchmod),
-                              SCMP_SYS(fchmodat),       SCMP_SYS(chown),
-                              SCMP_SYS(fchown),         SCMP_SYS(lchown),
-                              SCMP_SYS(fchownat),       SCMP_SYS(truncate),
-                              SCMP_SYS(utime),          SCMP_SYS(utimes),
-                              SCMP_SYS(utimensat),      SCMP_SYS(futimesat),
-                              SCMP_SYS(setxattr),       SCMP_SYS(lsetxattr),
-                              SCMP_SYS(fsetxattr),      SCMP_SYS(removexattr),
-                              SCMP_SYS(lremovexattr),   SCMP_SYS(fremovexattr),
-                              SCMP_SYS(link),           SCMP_SYS(linkat),
-                              SCMP_SYS(symlink),        SCMP_SYS(symlinkat),
-                              SCMP_SYS(mknod),          SCMP_SYS(mknodat),
-                              SCMP_SYS(memfd_create),   SCMP_SYS(socketpair),
-                              SCMP_SYS(setpgid),        SCMP_SYS(setsid),
-                              SCMP_SYS(setrlimit),      SCMP_SYS(setpriority),
-                              SCMP_SYS(ioprio_set),     SCMP_SYS(sched_setscheduler),
-                              SCMP_SYS(sched_setparam), SCMP_SYS(sched_setattr),
-                              SCMP_SYS(personality),    SCMP_SYS(seccomp),
-                              SCMP_SYS(shmget),         SCMP_SYS(shmat),
-                              SCMP_SYS(msgget),         SCMP_SYS(semget),
-                              SCMP_SYS(mq_open),        SCMP_SYS(migrate_pages),
-                              SCMP_SYS(move_pages)};
+constexpr std::array harmless{
+  SCMP_SYS(chmod),          SCMP_SYS(fchmod),        SCMP_SYS(fchmodat),
+  SCMP_SYS(chown),          SCMP_SYS(fchown),        SCMP_SYS(lchown),
+  SCMP_SYS(fchownat),       SCMP_SYS(truncate),      SCMP_SYS(utime),
+  SCMP_SYS(utimes),         SCMP_SYS(utimensat),     SCMP_SYS(futimesat),
+  SCMP_SYS(setxattr),       SCMP_SYS(lsetxattr),     SCMP_SYS(fsetxattr),
+  SCMP_SYS(removexattr),    SCMP_SYS(lremovexattr),  SCMP_SYS(fremovexattr),
+  SCMP_SYS(link),           SCMP_SYS(linkat),        SCMP_SYS(symlink),
+  SCMP_SYS(symlinkat),      SCMP_SYS(mknod),         SCMP_SYS(mknodat),
+  SCMP_SYS(memfd_create),   SCMP_SYS(socketpair),    SCMP_SYS(setpgid),
+  SCMP_SYS(setsid),         SCMP_SYS(umask),         SCMP_SYS(setrlimit),
+  SCMP_SYS(setpriority),    SCMP_SYS(ioprio_set),    SCMP_SYS(sched_setscheduler),
+  SCMP_SYS(sched_setparam), SCMP_SYS(sched_setattr), SCMP_SYS(personality),
+  SCMP_SYS(seccomp),        SCMP_SYS(shmget),        SCMP_SYS(shmat),
+  SCMP_SYS(msgget),         SCMP_SYS(semget),        SCMP_SYS(mq_open),
+  SCMP_SYS(migrate_pages),  SCMP_SYS(move_pages)};
 
 struct deed {
   int call;
@@ -336,8 +330,11 @@ void add_files(filter& to) {
   add(SCMP_SYS(openat), [](scmp_compare how, std::uint64_t mask, std::uint64_t value) {
     return SCMP_A2(how, mask, value);
   });
+  // One that nobody may enter could not be removed with the rest.
+  to.allow_if(SCMP_SYS(mkdir), SCMP_A1(SCMP_CMP_MASKED_EQ, S_IRWXU, S_IRWXU));
+  to.allow_if(SCMP_SYS(mkdirat), SCMP_A2(SCMP_CMP_MASKED_EQ, S_IRWXU, S_IRWXU));
   for (const int what : {F_DUPFD, F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_GETLK, F_SETLK, F_SETLKW,
-                         F_DUPFD_CLOEXEC, F_GETPIPE_SZ, F_SETPIPE_SZ, F_GET_SEALS})
+                         F_DUPFD_CLOEXEC, F_GETPIPE_SZ, F_GET_SEALS})
     to.allow_if(SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(what)));
   for (const auto what : std::initializer_list<std::uint64_t>{FIONREAD, FIONBIO, FIOCLEX, FIONCLEX,
                                                               TCGETS, TIOCGWINSZ})
@@ -346,6 +343,9 @@ void add_files(filter& to) {
 
 /// Of this process and its threads alone.
 void add_own(filter& to) {
+  // Of lines: their room and waits, and no programs for the kernel (SO_ATTACH_FILTER).
+  for (const int what : {TCP_NODELAY, SO_SNDBUF, SO_RCVBUF, SO_KEEPALIVE, SO_RCVTIMEO, SO_SNDTIMEO})
+    to.allow_if(SCMP_SYS(setsockopt), SCMP_A2(SCMP_CMP_EQ, static_cast<scmp_datum_t>(what)));
   to.add(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), {SCMP_A0(SCMP_CMP_EQ, 0), SCMP_A2(SCMP_CMP_EQ, 0)});
   to.allow_if(SCMP_SYS(sched_setaffinity), SCMP_A0(SCMP_CMP_EQ, 0));
   constexpr int name_of_memory = 0x53564d41;  // PR_SET_VMA, newer than Debian 12's header.
@@ -404,7 +404,7 @@ expected<void> confine_calls(calls left) {
   else
     all.allow(std::array{SCMP_SYS(rt_sigaction), SCMP_SYS(prctl), SCMP_SYS(personality),
                          SCMP_SYS(sched_getaffinity), SCMP_SYS(wait4)});
-  if (left == calls::of_plugins) {
+  if (left == calls::of_plugins || sanitized) {
     all.refuse(harmless);
     all.allow(of_threads);
     all.allow(of_facts);

@@ -106,6 +106,7 @@ device = "H200"
 modeling_workers = 2
 optimizer_workers = 3
 solver_workers = 64
+sandbox = "off"
 [limits]
 edit_timeout_s = 0.5
 import_timeout_s = 60
@@ -133,6 +134,7 @@ level = "debug"
   EXPECT_EQ(config->modeling_workers, 2);
   EXPECT_EQ(config->optimizer_workers, 3);
   EXPECT_EQ(config->solver_workers, 64);
+  EXPECT_EQ(config->sandbox, "off");
   EXPECT_EQ(config->edit_timeout_s, 0.5);
   EXPECT_EQ(config->import_timeout_s, 60);
   EXPECT_EQ(config->solve_timeout_s, 604800);
@@ -210,6 +212,8 @@ TEST_F(Config, AValueOutOfRangeIsNamed) {
   EXPECT_THAT(message("work", "device = \"\""), HasSubstr("work.device must be"));
   EXPECT_EQ(message("work", "modeling_workers = 65"),
             "work.modeling_workers must be 0 to 64, not 65");
+  EXPECT_EQ(message("work", "sandbox = \"maybe\""),
+            "work.sandbox must be \"on\" or \"off\", not \"maybe\"");
   EXPECT_EQ(message("limits", "solve_timeout_s = 0"),
             "limits.solve_timeout_s must be 0.1 to 604800 seconds, not 0");
   EXPECT_THAT(message("limits", "all_upload_bytes = 1000"), HasSubstr("must be 1048576 to"));

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What stands in the way of a server: `tedit doctor` finds it, `tedit serve` refuses to start.
 #include <linux/capability.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <netinet/in.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <thread>
 #include <utility>
@@ -169,6 +174,59 @@ TEST_F(ServerProgram, AServerDoesNotStartWithAFolderThatItMayNotWrite) {
               HasSubstr("Permission denied"));
   expect_fault("documents", "Permission denied");
   fs::permissions(documents(), fs::perms::owner_all);
+}
+
+/// As on a kernel, or in a container, that has no Landlock.
+outcome run_without_landlock(const fs::path& folder, const std::string& arguments) {
+  const auto answer = folder / "answer";
+  const pid_t child = fork();
+  if (child == 0) {
+    std::array<sock_filter, 4> steps{
+      {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, 0),
+       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_landlock_create_ruleset, 0, 1),
+       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
+    const sock_fprog rules{steps.size(), steps.data()};
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &rules);
+    const auto result = run(arguments);
+    std::ofstream(answer) << result.out;
+    _exit(result.status);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::ifstream in(answer);
+  return {WEXITSTATUS(status), {std::istreambuf_iterator<char>(in), {}}};
+}
+
+TEST_F(ServerProgram, WhereWorkersCannotBeConfinedAPersonDecides) {
+  const auto with_config = " --json --config " + config().string();
+  const auto refused = run_without_landlock(folder, "serve" + with_config);
+  EXPECT_EQ(refused.status, 69);
+  const auto e = refused.parsed()["error"];
+  EXPECT_THAT(e.value("message", ""), HasSubstr("workers cannot be confined here: this kernel, or "
+                                                "the container, has no Landlock"));
+  EXPECT_THAT(e.value("remedy", ""), HasSubstr("sandbox = \"off\" under [work]"));
+  const auto doctor = run_without_landlock(folder, "doctor" + with_config);
+  EXPECT_FALSE(row(doctor, "sandbox").value("ok", true)) << doctor.out;
+  EXPECT_TRUE(row(run("doctor" + with_config), "sandbox").value("ok", false));
+
+  write_config("[work]\nsandbox = \"off\"\n");
+  const auto off = run_without_landlock(folder, "doctor" + with_config);
+  EXPECT_TRUE(row(off, "sandbox").value("ok", false)) << off.out;
+  EXPECT_THAT(row(off, "sandbox").value("text", ""), HasSubstr("off (work.sandbox)"));
+}
+
+TEST_F(ServerProgram, AnEditThatCannotBeConfinedIsNotBegun) {
+  const std::string edit = "edit --json " TEDIT_EXAMPLES
+                           "/ctc01_plate/ctc01_plate.coarse.msh --op fill_hole --surfaces 1,2";
+  const auto refused = run_without_landlock(folder, edit);
+  EXPECT_EQ(refused.status, 69);
+  EXPECT_THAT(refused.parsed()["error"].value("message", ""), HasSubstr("cannot be confined"));
+
+  setenv("TEDIT_SANDBOX", "off", 1);
+  EXPECT_EQ(run_without_landlock(folder, edit).status, 0);
+  unsetenv("TEDIT_SANDBOX");
 }
 
 /// A server of that configuration, ready.

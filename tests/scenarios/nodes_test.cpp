@@ -10,6 +10,8 @@ namespace tedit::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 TEST_F(Nodes, AllWorkIsDoneElsewhereAndComesToTheSame) {
   serve(1, 1, 1);
@@ -45,6 +47,33 @@ TEST_F(Nodes, AllWorkIsDoneElsewhereAndComesToTheSame) {
     EXPECT_GT(one.memory_bytes, 0U);
     EXPECT_FALSE(one.version.empty());
   }
+}
+
+// Its keeper holds key and connection.
+TEST_F(Nodes, APluginThereReachesNeitherKeyNorNetwork) {
+  setenv("TEDIT_PLUGIN_PATH", TEDIT_ESCAPE, 1);
+  serve(0, 1, 1);
+  const auto modeling = join("modeling", "rack-1");
+  unsetenv("TEDIT_PLUGIN_PATH");
+  open_plate();
+  const auto attempt = [&](const std::string& way, const std::filesystem::path& path) {
+    const auto done = user->edit("escape", {1}, {{"way", way}, {"path", path.string()}}, {});
+    return done ? "an edit" : done.error().message;
+  };
+
+  std::size_t files = 0;
+  for (const auto& item : std::filesystem::directory_iterator(identity("rack-1"))) {
+    EXPECT_THAT(attempt("read", item.path()), StartsWith("refused: ")) << item.path();
+    ++files;
+  }
+  EXPECT_GE(files, 3U);
+#ifndef TEDIT_SANITIZED
+  EXPECT_THAT(attempt("read_environment", {}), StartsWith("refused: "));
+  EXPECT_THAT(attempt("inet", {}), Not(HasSubstr("GOT OUT")));
+  wait_until("rack-1", "idle");
+#endif
+  const auto honest = user->edit("fill_hole", {1, 2}, {}, {});
+  EXPECT_TRUE(honest.has_value()) << render(honest.error());
 }
 
 TEST_F(Nodes, TheWorkOfAKilledOneIsDoneByAnotherAndItComesBack) {
