@@ -121,8 +121,10 @@ std::string device_fault(const std::string& text) {
   return text.empty() ? "must be \"auto\", \"cpu\" or part of a device's name" : "";
 }
 
-std::string on_off_fault(const std::string& text) {
-  return text == "on" || text == "off" ? "" : R"(must be "on" or "off", not ")" + text + "\"";
+std::string sandbox_fault(const std::string& text) {
+  return text == "auto" || text == "on" || text == "off"
+           ? ""
+           : R"(must be "auto", "on" or "off", not ")" + text + "\"";
 }
 
 std::string level_fault(const std::string& text) {
@@ -182,7 +184,7 @@ const std::vector<option>& options() {
     {"work", "modeling_workers", whole(&c::modeling_workers, 0, 64)},
     {"work", "optimizer_workers", whole(&c::optimizer_workers, 0, 64)},
     {"work", "solver_workers", whole(&c::solver_workers, 0, 64)},
-    {"work", "sandbox", text(&c::sandbox, on_off_fault)},
+    {"work", "sandbox", text(&c::sandbox, sandbox_fault)},
     {"plugins", "safe_mode", yes_no(&c::safe_mode)},
     {"plugins", "quarantine_after", whole(&c::quarantine_after, 0, 1000)},
     {"limits", "edit_timeout_s", seconds(&c::edit_timeout_s)},

@@ -27,7 +27,7 @@ struct server_config {
   int modeling_workers = 1;
   int optimizer_workers = 1;
   int solver_workers = 1;
-  std::string sandbox = "on";
+  std::string sandbox = "auto";
   // [plugins]
   bool safe_mode = false;
   int quarantine_after = 3;

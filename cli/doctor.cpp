@@ -33,17 +33,22 @@ check_row check_program(const std::string& name, const std::string& what) {
 /// By doing it, in a copy of this process.
 check_row check_sandbox(const doctor_options& options) {
   const auto config = load_config(options.config_file);
-  if (!sandbox::is_wanted() || (config && config->sandbox == "off"))
+  const bool off = sandbox::is_switched_off();
+  if (off || (config && config->sandbox == "off"))
     return {"sandbox", true,
-            std::string("off (") + (sandbox::is_wanted() ? "work.sandbox" : "TEDIT_SANDBOX") +
+            std::string("off (") + (off ? "TEDIT_SANDBOX" : "work.sandbox") +
               "): plugins can do all that this user can"};
   forked_limits limits;
   limits.confine = [] { return ops::confine_to(ops::reach_of_plugins({})); };
   auto done = sandbox::check();
   if (done)
     done = call_forked([](const caller_line&) {}, limits, {}, [](std::uint32_t, auto) {});
-  return {"sandbox", done.has_value(),
-          done ? "plugins and readers of files can be confined" : render(done.error())};
+  if (done)
+    return {"sandbox", true, "plugins and readers of files can be confined"};
+  const bool demanded = config && config->sandbox == "on";
+  return {"sandbox", !demanded,
+          (demanded ? "" : "the server starts with plugins that are not confined: ") +
+            render(done.error())};
 }
 
 std::vector<check_row> check_all(const doctor_options& options) {

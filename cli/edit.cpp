@@ -14,6 +14,7 @@
 #include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
 #include "protocol/convert.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace tedit::cli {
 
@@ -80,6 +81,8 @@ int run_edit(const edit_options& options, session& s) {
   for (const auto& warning : imported->warnings)
     notice(s, "note: " + warning);
   const double import_ms = clock.restart();
+  if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
+    notice(s, "note: " + render(can.error()));
   const auto plugins = ops::load_default_catalogue();
   const auto outcome = make_edit(plugins, imported->version, request, load_cases,
                                  place_of(options, s), make_execution(s));

@@ -52,7 +52,11 @@ server_options to_server_options(const server_config& config) {
   options.modeling_workers = static_cast<unsigned>(config.modeling_workers);
   options.optimizer_workers = static_cast<unsigned>(config.optimizer_workers);
   options.solver_workers = static_cast<unsigned>(config.solver_workers);
-  options.sandbox = config.sandbox == "on" && sandbox::is_wanted();
+  options.sandbox = config.sandbox == "on" ? !sandbox::is_switched_off()
+                                           : config.sandbox == "auto" && sandbox::is_wanted();
+  if (config.sandbox == "auto" && !options.sandbox && !sandbox::is_switched_off())
+    if (const auto can = sandbox::check(); !can)
+      spdlog::warn("{}", render(can.error()));
   options.modeling_memory_mb = static_cast<unsigned>(config.modeling_memory_mb);
   options.import_limit = limit(config.import_timeout_s);
   options.edit_limit = limit(config.edit_timeout_s);

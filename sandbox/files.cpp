@@ -188,9 +188,18 @@ std::vector<std::filesystem::path> system_files() {
   return list;
 }
 
+bool is_switched_off() {
+  const char* given = std::getenv("TEDIT_SANDBOX");
+  return given != nullptr && std::string_view(given) == "off";
+}
+
 bool is_wanted() {
   const char* given = std::getenv("TEDIT_SANDBOX");
-  return given == nullptr || std::string_view(given) != "off";
+  if (given != nullptr && std::string_view(given) == "on")
+    return true;
+  // Asked once: a process that is confined cannot ask any more.
+  static const bool can = check().has_value();
+  return !is_switched_off() && can;
 }
 
 expected<void> check() {

@@ -25,7 +25,11 @@ struct reach {
 /// facts of the machine and of the process itself, and the folders of LD_LIBRARY_PATH.
 [[nodiscard]] std::vector<std::filesystem::path> system_files();
 
-/// Whether processes shall be confined: unless TEDIT_SANDBOX is "off".
+/// Whether a person said TEDIT_SANDBOX=off.
+[[nodiscard]] bool is_switched_off();
+
+/// Whether processes shall be confined: with TEDIT_SANDBOX=on, whatever comes of it, and else where
+/// this machine can, unless it is switched off.
 [[nodiscard]] bool is_wanted();
 
 /// Whether this machine can. Errors: `service_unavailable` with what is missing and the ways out.

@@ -213,7 +213,7 @@ TEST_F(Config, AValueOutOfRangeIsNamed) {
   EXPECT_EQ(message("work", "modeling_workers = 65"),
             "work.modeling_workers must be 0 to 64, not 65");
   EXPECT_EQ(message("work", "sandbox = \"maybe\""),
-            "work.sandbox must be \"on\" or \"off\", not \"maybe\"");
+            "work.sandbox must be \"auto\", \"on\" or \"off\", not \"maybe\"");
   EXPECT_EQ(message("limits", "solve_timeout_s = 0"),
             "limits.solve_timeout_s must be 0.1 to 604800 seconds, not 0");
   EXPECT_THAT(message("limits", "all_upload_bytes = 1000"), HasSubstr("must be 1048576 to"));

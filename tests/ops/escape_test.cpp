@@ -34,6 +34,8 @@ protected:
   std::unique_ptr<client::client> user;
 
   void SetUp() override {
+    if (const auto can = sandbox::check(); !can)
+      GTEST_SKIP() << render(can.error());
     setenv("TEDIT_PLUGIN_PATH", TEDIT_ESCAPE, 1);
     setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
     host = start(options_for(folder, true));

@@ -9,6 +9,7 @@
 #include "actors/node/server.hpp"
 #include "client/client.hpp"
 #include "protocol/convert.hpp"
+#include "sandbox/sandbox.hpp"
 #include "tests/support/raw_client.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -47,6 +48,7 @@ inline server_options options_for(const scratch_folder& folder, bool processes) 
   options.device = "cpu";
   options.worker_processes = processes;
   options.program = TEDIT_BIN "/tedit";
+  options.sandbox = sandbox::is_wanted();
   return options;
 }
 
