@@ -75,7 +75,7 @@ void pool_state::refuse_waiting(const error& why) {
 }
 
 bool pool_state::nobody_comes() const {
-  return children.empty() && (degraded || options.workers == 0);
+  return children.empty() && (degraded || (options.workers == 0 && now() >= expected_back));
 }
 
 void pool_state::ask(question q) {
@@ -85,6 +85,7 @@ void pool_state::ask(question q) {
   if (nobody_comes())
     return q.refuse(no_worker());
   asked.push_back(std::move(q));
+  wake();
 }
 
 // -- jobs --------------------------------------------------------------------------------------
@@ -95,6 +96,7 @@ void pool_state::add(job j) {
   if (nobody_comes())
     return j.refuse(no_worker());
   waiting.push_back(std::move(j));
+  wake();
   dispatch();
   make_way();
 }
@@ -331,6 +333,8 @@ void pool_state::bury(std::list<child>::iterator dead, const std::string& how) {
   spdlog::warn("{} worker: {}", name_of(options.role), last_failure);
   numbers->deaths.add();
   auto work = std::move(dead->work);
+  if (dead->is_remote() && !dead->retired)
+    expected_back = now() + options.comeback;
   caf::anon_send_exit(dead->enlister, caf::exit_reason::user_shutdown);
   children.erase(dead);
   wake();
@@ -392,7 +396,7 @@ void pool_state::on_down(const caf::actor_addr& source) {
 }
 
 bool pool_state::at_rest() const {
-  return waiting.empty() && active() == options.workers &&
+  return waiting.empty() && asked.empty() && active() == options.workers &&
          std::ranges::all_of(children, [](const child& c) { return c.is_there() && !c.work; });
 }
 
@@ -449,6 +453,8 @@ void pool_state::tick() {
   dismiss_retired(at);
   if (active() < options.workers)
     spawn_missing();
+  else if (nobody_comes())
+    refuse_waiting(no_worker());
 }
 
 const char* to_string(role_state state) {

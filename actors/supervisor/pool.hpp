@@ -66,7 +66,10 @@ struct pool_options {
   /// For a process to end whose link is down: a large one goes slowly. A frozen one is ended.
   std::chrono::milliseconds last_moments{1000};
   std::chrono::milliseconds retired_stay{30000};  ///< For others to fetch its last result.
-  std::shared_ptr<role_health> health;            ///< May be null.
+  /// For a worker of another machine to join again whose connection was lost: work waits for it
+  /// where there is no other.
+  std::chrono::milliseconds comeback{10000};
+  std::shared_ptr<role_health> health;  ///< May be null.
   std::shared_ptr<worker_processes> processes = system_processes();
 };
 
@@ -240,6 +243,7 @@ struct pool_state {
   bool started_once = false;
   bool degraded = false;
   bool stopped = false;
+  clock::time_point expected_back{};  ///< Until then one that was lost may join again.
   std::string last_failure;
 
   static inline const char* name = "pool";

@@ -116,6 +116,46 @@ TEST_F(RemotePool, TheJobOfALostConnectionIsDoneOnceByAnother) {
   EXPECT_EQ(status().nodes.size(), 1u);
 }
 
+TEST_F(RemotePool, TheJobOfTheOnlyOneWaitsForItToJoinAgain) {
+  start_with(0);
+  const auto first = join("a");
+  const auto done = edit(1);
+  first->end("lost its connection");
+  pass(seconds(5));
+  EXPECT_FALSE(done.is_there());
+  const auto later = edit(2);
+  EXPECT_FALSE(later.is_there()) << "it waits, too";
+
+  const auto again = join("a");
+  ASSERT_EQ(of(again).tasks.size(), 1u);
+  finish(again);
+  finish(again);
+  EXPECT_TRUE(done.is_success());
+  EXPECT_TRUE(later.is_success());
+}
+
+TEST_F(RemotePool, WhoDoesNotComeBackWithinTenSecondsIsWaitedForNoLonger) {
+  start_with(0);
+  const auto only = join("a");
+  const auto waits = edit(1);
+  only->end("lost its connection");
+  pass(milliseconds(9900));
+  EXPECT_FALSE(waits.is_there());
+  pass(milliseconds(300));
+  EXPECT_EQ(waits.refusal().code, ec::service_unavailable);
+  EXPECT_THAT(waits.refusal().message, HasSubstr("no modeling worker has joined this server"));
+  EXPECT_EQ(edit(2).refusal().code, ec::service_unavailable) << "at once";
+}
+
+TEST_F(RemotePool, OneThatLeftIsNotWaitedFor) {
+  start_with(0);
+  const auto only = join("a");
+  tell(caf::actor_cast<caf::actor>(pool_), retirement{"it is being stopped"},
+       only->worker.address());
+  pass(seconds(31));
+  EXPECT_EQ(edit(1).refusal().code, ec::service_unavailable);
+}
+
 TEST_F(RemotePool, ProcessesOfItsOwnAreStartedAsIfNobodyHadJoined) {
   start_with(1);
   const auto node = join("a");
