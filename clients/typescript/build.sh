@@ -14,7 +14,7 @@ same() { cmp -s "$here/package-lock.json" package-lock.json && [ -e node_modules
 same || rm -rf node_modules
 cp -r "$here"/{package.json,package-lock.json,.npmrc,tsconfig.json,generate.mjs,README.md,src,tests} .
 rm -rf src/gen
-if [ ! -d node_modules ] && ! npm ci --loglevel=error >npm.log 2>&1; then
+if [ ! -d node_modules ] && ! timeout 180 npm ci --loglevel=error >npm.log 2>&1; then
   tail -n 5 npm.log >&2
   echo "The TypeScript client is left out: npm could not install what it needs ($folder/npm.log)." >&2
   rm -rf node_modules package-lock.json
