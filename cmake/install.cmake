@@ -64,6 +64,13 @@ install(
   include(\"${CMAKE_SOURCE_DIR}/cmake/install_headers.cmake\")"
   COMPONENT dev)
 install(DIRECTORY protocol/tedit DESTINATION share/tedit/protocol FILES_MATCHING PATTERN "*.proto")
+# The packages for other languages.
+set(python_package "${CMAKE_BINARY_DIR}/clients/python/tedit")
+install(DIRECTORY "${python_package}" DESTINATION lib/python3/dist-packages COMPONENT dev OPTIONAL PATTERN "__pycache__" EXCLUDE)
+tedit_say_left_out("${python_package}/__init__.py" "The Python client" python_client)
+set(npm_package "${CMAKE_BINARY_DIR}/clients/typescript/tedit-client.tgz")
+install(FILES "${npm_package}" DESTINATION share/tedit COMPONENT dev OPTIONAL)
+tedit_say_left_out("${npm_package}" "The TypeScript client" typescript_client)
 
 set(package "${CMAKE_BINARY_DIR}/lib/cmake/TEdit")
 configure_file(cmake/TEditConfig.cmake.in "${package}/TEditConfig.cmake" @ONLY)

@@ -9,7 +9,7 @@ if(NOT TEDIT_PYTHON OR failed)
 endif()
 
 set(folder "${CMAKE_BINARY_DIR}/share/doc/tedit/html")
-file(GLOB documents CONFIGURE_DEPENDS docs/*.md docs/*.png docs/*.svg docs/pictures/* ops/*/README.md)
+file(GLOB documents CONFIGURE_DEPENDS docs/*.md docs/*.png docs/*.svg docs/pictures/* ops/*/README.md clients/*/README.md)
 add_custom_command(
   OUTPUT "${folder}/index.html"
   COMMAND "${TEDIT_PYTHON}" "${CMAKE_SOURCE_DIR}/scripts/manual.py" "${folder}"

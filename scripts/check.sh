@@ -27,7 +27,7 @@ else
   clang-format --dry-run --Werror "${sources[@]}"
 fi
 
-long=$(git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' '*.comp' '*.glsl' '*.h' '*.py' '*.sh' '*.cmake' '*.proto' |
+long=$(git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' '*.comp' '*.glsl' '*.h' '*.py' '*.sh' '*.cmake' '*.proto' 'clients/*.ts' '*.mjs' |
   xargs wc -l | awk '$1 > 500 && $2 != "total"')
 if [ -n "$long" ]; then
   echo "files over 500 lines:" >&2

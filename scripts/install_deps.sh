@@ -1,7 +1,17 @@
 #!/usr/bin/env bash
 # Installs what TEdit is built with, from Debian 12's own packages. Does nothing when all is there.
-# usage: scripts/install_deps.sh [--check-only]
+# usage: scripts/install_deps.sh [--check-only] [--no-web]
+#   --no-web  without what only the client in TypeScript and its tests need (some 400 packages)
 set -euo pipefail
+check_only=no
+web=yes
+for option in "$@"; do
+  case "$option" in
+    --check-only) check_only=yes ;;
+    --no-web) web=no ;;
+    *) echo "unknown option $option" >&2; exit 2 ;;
+  esac
+done
 
 packages=(
   # toolchain
@@ -22,10 +32,16 @@ packages=(
   dpkg-dev file
   # translations of the window and the HTML manual (the build works without)
   qt6-l10n-tools python3-markdown
-  # tests (the last two for the example of a client in Python)
-  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx poppler-utils python3-protobuf
-  python3-websockets
+  # the client in Python
+  python3-protobuf python3-websockets python3-numpy
+  # tests
+  libgtest-dev libgmock-dev librapidcheck-dev calculix-ccx poppler-utils
 )
+if [ "$web" = yes ]; then
+  packages+=(chromium)
+  # Node of another source brings npm along and does not suffer Debian's.
+  command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
@@ -36,7 +52,7 @@ done
 if [ ${#missing[@]} -eq 0 ]; then
   exit 0
 fi
-if [ "${1:-}" = --check-only ]; then
+if [ "$check_only" = yes ]; then
   echo "missing Debian packages: ${missing[*]}" >&2
   exit 1
 fi

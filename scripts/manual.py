@@ -31,6 +31,8 @@ PAGES = [
     ("operating", "Watching over a server", "Health, metrics, alarms, copies.", ["docs/operating.md"]),
     ("machines", "Workers on other machines", "Certificates, joining, what happens when one dies.", ["docs/machines.md"]),
     ("integrate", "From a program", "From an installation to a program that drives the server.", ["docs/integrate.md"]),
+    ("python", "From Python", "The package tedit: a beginning, and what it has.", ["clients/python/README.md"]),
+    ("typescript", "From TypeScript", "The package for Node and browsers: the same.", ["clients/typescript/README.md"]),
     ("protocol", "Protocol", "How a program speaks with the server.", ["docs/protocol.md"]),
     ("protocol_reference", "Protocol reference", "Every message, event and error code.", ["docs/protocol_reference.md"]),
     ("architecture", "Architecture", "The rooms of the sources, and where each promise is kept.", ["docs/architecture.md"]),

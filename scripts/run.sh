@@ -37,7 +37,7 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-[ "$install" = yes ] && scripts/install_deps.sh
+[ "$install" = yes ] && scripts/install_deps.sh --no-web
 scripts/build.sh release tedit
 
 # A server of its own, on a free port, whose documents and token go with it.

@@ -31,6 +31,7 @@ test -s "$work/root/usr/lib/cmake/TEdit/TEditConfig.cmake"
 test -s "$work/root/usr/lib/cmake/TEdit/TEditClientTargets.cmake"
 test -s "$work/root/usr/lib/tedit/libtedit_client.a"
 test -s "$work/root/usr/share/tedit/protocol/tedit/v1/envelope.proto"
+test -s "$work/root/usr/lib/python3/dist-packages/tedit/v1/envelope_pb2.py"
 if [ -x "$bin/tedit-qt" ]; then
   "$bin/tedit-qt" --version
   test -s "$work/root/usr/share/applications/org.tedit.TEdit.desktop"

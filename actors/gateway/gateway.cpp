@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/metrics.hpp"
+#include "protocol/descriptor_set.hpp"
 
 namespace tedit::gateway {
 
@@ -95,6 +96,9 @@ expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
   options.pages["/readyz"] = [=](const page_request&) { return health(true); };
   options.pages["/metrics"] = [parts](const page_request& asked) {
     return metrics_for(asked, parts);
+  };
+  options.pages["/protocol.desc"] = [](const page_request&) {
+    return page_answer{200, std::string(protocol::descriptor_set()), "application/x-protobuf"};
   };
   options.accept = [&system, parts, open](std::shared_ptr<connection> to) {
     static auto& total =

@@ -11,7 +11,8 @@ namespace tedit::gateway {
 [[nodiscard]] page_answer metrics_for(const page_request& asked, const gateway_parts& parts);
 
 /// Listens for clients and gives each its own actor. `options.accept`, `options.pages` (/healthz,
-/// /readyz, /metrics) and `parts.connections` are set here. Errors: those of `transport::start`.
+/// /readyz, /metrics, /protocol.desc) and `parts.connections` are set here. Errors: those of
+/// `transport::start`.
 [[nodiscard]] expected<std::unique_ptr<transport>> start_gateway(caf::actor_system& system,
                                                                  transport_options options,
                                                                  gateway_parts parts);

@@ -128,10 +128,12 @@ void http_session::respond(http::status status, std::string body, const char* ty
   response_.prepare_payload();
   if (parser_.get().method() == http::verb::head)
     response_.body().clear();
-  stream_.expires_after(hub_->options.limits.close_timeout);
+  // A page of many bytes takes its time on a slow line.
+  stream_.expires_after(hub_->options.limits.handshake_timeout);
   http::async_write(stream_, response_, [self = shared_from_this()](error_code e, std::size_t) {
     if (e)
       return;
+    self->stream_.expires_after(self->hub_->options.limits.close_timeout);
     error_code ignored;
     self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
     self->drain();

@@ -63,6 +63,24 @@ TEST_F(transport_http, an_endless_header_is_refused) {
               HasSubstr("HTTP/1.1 431 "));
 }
 
+TEST_F(transport_http, a_page_arrives_whole_on_a_slow_line) {
+  options.limits.close_timeout = 50ms;
+  const std::string page = noise(8 * mib);
+  options.pages["/page"] = [&](const page_request&) { return page_answer{200, page, "x/y"}; };
+  start();
+  net::io_context io;
+  tcp::socket slow(io, tcp::v4());
+  slow.set_option(net::socket_base::receive_buffer_size(64 << 10));
+  slow.connect({net::ip::address_v4::loopback(), server->port()});
+  net::write(slow, net::buffer("GET /page HTTP/1.1\r\nHost: " + host + "\r\n\r\n"));
+  std::this_thread::sleep_for(200ms);  // Longer than a close may take.
+  std::string answer;
+  error_code end;
+  net::read(slow, net::dynamic_buffer(answer), end);
+  EXPECT_EQ(end, net::error::eof);
+  EXPECT_TRUE(answer.ends_with(page));
+}
+
 TEST_F(transport_ws, echo_small_and_large) {
   start();
   const auto c = connect_known();

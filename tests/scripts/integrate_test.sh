@@ -54,6 +54,17 @@ test -x "$shared/examples/integrate/hole_study.py"
 area=$(sed -n 's/.*area \([0-9.]*\) cm2.*/\1/p' "$work/area")
 test -n "$area" && grep -q "says $area)" "$work/area"
 
+# The Python package, where an installation has it.
+if [ -d "$work/prefix/lib/python3/dist-packages/tedit" ]; then
+  PYTHONPATH=$work/prefix/lib/python3/dist-packages "$python" - "$url" "$work/state/tedit/token" <<'PROGRAM' | tee "$work/package"
+import sys
+import tedit
+with tedit.connect(sys.argv[1], tedit.read_token(sys.argv[2])) as server:
+    print(tedit.__file__, server.welcome.server)
+PROGRAM
+  grep -q "^$work/prefix/.* tedit [0-9]" "$work/package"
+fi
+
 # Refusals are words, not traces.
 "$python" "$shared/examples/integrate/hole_study.py" "$url" "$plate/load_case.json" "${arguments[@]:2}" 2>"$work/refused" &&
   exit 1

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Answers that bring arrays."""
+from __future__ import annotations
+
+import dataclasses
+
+from .streams import Arrays
+from .surface import Surface
+from .v1 import comparison_pb2 as comparison
+from .v1 import report_pb2
+from .v1 import session_pb2 as session
+
+
+@dataclasses.dataclass(frozen=True)
+class Preview:
+    """What an edit would make."""
+
+    message: session.EditPreview
+    arrays: Arrays  #: The difference to the head's surface.
+
+    @property
+    def report(self) -> report_pb2.EditReport:
+        """As `Committed.report` would be."""
+        return self.message.report
+
+    def surface(self, head: Surface) -> Surface:
+        """The surface that the edit would make of the head's; `ProtocolError` when it is of another version."""
+        return head.apply(self.message.surface, self.arrays)
+
+
+@dataclasses.dataclass(frozen=True)
+class Section:
+    """A plane through the part."""
+
+    message: session.SectionReady
+    arrays: Arrays  #: positions (m) and triangles; of a solved version von_mises_pa, displacement_m, ...
+
+
+@dataclasses.dataclass(frozen=True)
+class Comparison:
+    """What two versions differ in."""
+
+    message: comparison.VersionsCompared
+    arrays: Arrays  #: vertices, difference_mark, von_mises_pa_difference, ...; none without a load case.

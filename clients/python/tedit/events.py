@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What a document tells by itself: messages of the protocol, and these."""
+from __future__ import annotations
+
+import dataclasses
+import typing
+
+from .errors import TeditError
+from .surface import Field, Surface
+from .v1 import session_pb2 as session
+
+
+@dataclasses.dataclass(frozen=True)
+class SurfaceChanged:
+    surface: Surface  #: What the document holds now.
+
+
+@dataclasses.dataclass(frozen=True)
+class FieldArrived:
+    field: Field  #: Of one load case or of an envelope; maybe a first one (`field.interim`).
+
+
+@dataclasses.dataclass(frozen=True)
+class Lost:
+    reason: TeditError
+    for_good: bool  #: False: the connection is being made anew.
+
+
+@dataclasses.dataclass(frozen=True)
+class Reconnected:
+    """The connection is there again. What was said meanwhile was missed; `head` and the like are those of now."""
+
+    document: str
+
+
+Event = typing.Union[
+    session.Committed,
+    session.Solved,
+    session.SolveStatus,
+    session.LoadCasesChanged,
+    session.VersionAnnotated,
+    session.DocumentRenamed,
+    SurfaceChanged,
+    FieldArrived,
+    Lost,
+    Reconnected,
+]

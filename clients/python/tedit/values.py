@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Plain Python values as the protocol's messages."""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import typing
+import uuid
+
+from google.protobuf import json_format
+
+from .v1 import load_case_pb2, operation_pb2, report_pb2
+
+Value = typing.Union[bool, int, float, str]
+#: A message, its JSON as a dictionary, or the path of a file (docs/load_cases.md).
+LoadCaseLike = typing.Union[load_case_pb2.LoadCase, typing.Mapping[str, typing.Any], str, "os.PathLike[str]"]
+#: What becomes of loads whose surface an edit takes away: "drop", "move", "refuse", or a message.
+PolicyLike = typing.Union[str, report_pb2.LoadPolicy]
+#: A file's path, or its bytes.
+FileLike = typing.Union[str, "os.PathLike[str]", bytes]
+
+
+def make_edit_id() -> str:
+    """An id with which a change is made once, however often it is asked for."""
+    return str(uuid.uuid4())
+
+
+def parameter(value: Value) -> operation_pb2.ParameterValue:
+    """Lengths and the like are in the SI unit that the catalogue states."""
+    if isinstance(value, bool):  # Which is an int, too.
+        return operation_pb2.ParameterValue(boolean=value)
+    if isinstance(value, int):
+        return operation_pb2.ParameterValue(integer=value)
+    if isinstance(value, str):
+        return operation_pb2.ParameterValue(text=value)
+    return operation_pb2.ParameterValue(real=value)
+
+
+def load_case(given: LoadCaseLike) -> load_case_pb2.LoadCase:
+    if isinstance(given, load_case_pb2.LoadCase):
+        return given
+    if not isinstance(given, typing.Mapping):
+        given = json.loads(pathlib.Path(given).read_text(encoding="utf-8"))
+    return json_format.ParseDict(given, load_case_pb2.LoadCase())
+
+
+def policy(given: PolicyLike) -> report_pb2.LoadPolicy:
+    """Raises `ValueError` for a name that is none."""
+    if isinstance(given, report_pb2.LoadPolicy):
+        return given
+    return report_pb2.LoadPolicy(kind=report_pb2.LoadPolicy.Kind.Value(given.upper()))
+
+
+def contents(given: FileLike) -> tuple[bytes, str]:
+    """A file's bytes, and its name for messages."""
+    if isinstance(given, bytes):
+        return given, ""
+    path = pathlib.Path(given)
+    return path.read_bytes(), path.name

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Lines that break and servers that die."""
+import threading
+import unittest
+
+from serving import LOADS, MESH, Line, Server
+
+import tedit
+from tedit import errors, events
+from tedit.v1 import session_pb2 as session
+
+
+class Reconnecting(unittest.TestCase):
+    def setUp(self):
+        self.server = Server()
+        self.addCleanup(self.server.stop)
+        self.line = Line(self.server.port)
+        self.addCleanup(self.line.close)
+
+    def connect(self, **options):
+        client = tedit.connect(self.line.url, self.server.token, **options)
+        self.addCleanup(client.close)
+        return client
+
+    def watcher(self):
+        """Hears of the document over a line that does not break."""
+        other = self.server.connect()
+        self.addCleanup(other.close)
+        return other.open("part").events(timeout=60)
+
+    def test_an_edit_whose_answer_was_lost_is_made_once(self):
+        part = self.connect().open("part")
+        part.import_mesh(MESH)
+        seen = self.watcher()
+        self.line.mute = True
+        answers = []
+        editor = threading.Thread(target=lambda: answers.append(part.edit("fill_hole", [1, 2])))
+        editor.start()
+        next(one for one in seen if isinstance(one, session.Committed))  # It was made; its answer was lost.
+        self.line.cut()
+        editor.join()
+        self.assertTrue(answers[0].repeated)
+        self.assertEqual(answers[0].head.number, 1)
+        self.assertEqual(len(part.history().versions), 2)
+        surface = part.wait_surface()
+        self.assertEqual((part.head.number, len(surface.mesh.triangles)), (1, answers[0].head.boundary_facets))
+
+    def test_what_others_did_meanwhile_is_seen(self):
+        part = self.connect().open("part", fields=False)
+        part.import_mesh(MESH)
+        heard = part.events(timeout=60)
+        self.line.mute = True
+        with self.server.connect() as other:
+            other.open("part").edit("fill_hole", [92, 93])
+        self.line.cut()
+        self.assertFalse(next(one for one in heard if isinstance(one, events.Lost)).for_good)
+        next(one for one in heard if isinstance(one, events.Reconnected))
+        self.assertEqual((part.head.number, part.can_undo), (1, True))
+        self.assertEqual(part.wait_surface().version_id, part.head.version_id)
+
+    def test_a_document_that_was_deleted_meanwhile_is_no_new_one(self):
+        client = self.connect(reconnect_s=120)
+        part, other_part = client.open("part"), client.open("other")
+        part.import_mesh(MESH)
+        heard, heard_of_other = part.events(timeout=60), other_part.events(timeout=60)
+        self.line.shut = True
+        self.line.cut()
+        with self.server.connect() as other:
+            while "part" in [one.name for one in other.documents()]:
+                try:
+                    other.delete_document("part")
+                except errors.Conflict:  # The server has not seen yet that the line is cut.
+                    pass
+        self.line.shut = False
+        last = [one for one in heard if isinstance(one, events.Lost)][-1]
+        self.assertIsInstance(last.reason, errors.NotFound)
+        with self.assertRaises(errors.NotFound):
+            part.undo()
+        next(one for one in heard_of_other if isinstance(one, events.Reconnected))
+        # It was opened to see that, and is gone when the server closes what nobody has open; there is no file.
+        self.assertEqual([(one.clients, one.bytes, one.versions) for one in client.documents() if one.name == "part"], [(0, 0, 0)])
+
+    def test_a_killed_server_that_comes_back(self):
+        part = self.connect(reconnect_s=60).open("part")
+        part.import_mesh(MESH)
+        part.set_load_case(LOADS)
+        part.edit("fill_hole", [1, 2])
+        self.server.kill()
+        self.line.cut()
+        starter = threading.Thread(target=self.server.start, args=(self.server.port,))
+        starter.start()
+        self.assertEqual(len(part.history().versions), 2)  # Waits for the server.
+        starter.join()
+        self.assertEqual([one.name for one in part.load_cases], ["ctc01_plate static"])
+        self.assertEqual(part.undo().head.number, 0)
+
+    def test_what_would_be_done_twice_is_not_asked_again(self):
+        client = self.connect()
+        part = client.open("part")
+        part.import_mesh(MESH)
+        self.line.mute = True
+        with self.server.connect() as other:
+            cutter = threading.Thread(target=self.cut_when_copied, args=(other,))
+            cutter.start()
+            with self.assertRaises(errors.ConnectionLost):
+                client.copy_document("part", "copy")
+            cutter.join()
+        self.assertEqual([one.name for one in client.documents()], ["copy", "part"])
+
+    def cut_when_copied(self, other):
+        while "copy" not in [one.name for one in other.documents()]:
+            pass
+        self.line.cut()
+
+    def test_without_reconnecting_the_loss_is_told(self):
+        part = self.connect(reconnect_s=0).open("part")
+        heard = part.events(timeout=60)
+        self.line.cut()
+        self.assertTrue(next(one for one in heard if isinstance(one, events.Lost)).for_good)
+        self.assertEqual(list(heard), [])
+        with self.assertRaises(errors.ConnectionLost):
+            part.undo()
+
+
+if __name__ == "__main__":
+    unittest.main()
