@@ -71,9 +71,8 @@ expected<void> enlist(membership& node, const caf::actor& worker, const worker_o
 }  // namespace
 
 expected<void> run_worker(const worker_options& options, const cancel_token& stop) {
-  auto joined = options.joins && options.link < 0
-                  ? membership::join(*options.joins, stop)
-                  : membership::join(unique_fd(options.link), stop);
+  auto joined = options.joins && options.link < 0 ? membership::join(*options.joins, stop)
+                                                  : membership::join(unique_fd(options.link), stop);
   if (!joined)
     return fail(joined.error());
   auto& node = **joined;
