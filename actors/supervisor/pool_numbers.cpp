@@ -34,4 +34,20 @@ void pool_state::measure() const {
   numbers->restarts.set(restarts);
 }
 
+worker_status pool_state::status() const {
+  worker_status result;
+  result.role = name_of(options.role);
+  result.restarts = restarts;
+  result.jobs = static_cast<std::uint32_t>(waiting.size());
+  result.state = to_string(state());
+  for (const auto& c : children) {
+    if (c.worker)
+      result.pid = c.worker_pid;
+    result.jobs += c.work.has_value();
+  }
+  result.detail = last_failure;
+  result.nodes = nodes();
+  return result;
+}
+
 }  // namespace tedit::actors
