@@ -164,11 +164,11 @@ TEST_P(FileWay, IsRefusedForEachFileOfTheServer) {
       continue;
     ++files;
     const auto size = item.file_size();
-    const auto rights = item.status().permissions();
+    const auto mode = item.status().permissions();
     EXPECT_THAT(attempt(GetParam(), item.path()), StartsWith("refused: ")) << item.path();
     ASSERT_TRUE(std::filesystem::exists(item.path()));
     EXPECT_GE(std::filesystem::file_size(item.path()), size);
-    EXPECT_EQ(std::filesystem::status(item.path()).permissions(), rights);
+    EXPECT_EQ(std::filesystem::status(item.path()).permissions(), mode);
     EXPECT_FALSE(std::filesystem::exists(item.path().string() + ".new"));
   }
   EXPECT_GE(files, 2U) << "a document and a token";
