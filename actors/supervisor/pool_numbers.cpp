@@ -41,7 +41,7 @@ worker_status pool_state::status() const {
   result.jobs = static_cast<std::uint32_t>(waiting.size());
   result.state = to_string(state());
   for (const auto& c : children) {
-    if (c.worker)
+    if (c.worker && !c.is_remote())
       result.pid = c.worker_pid;
     result.jobs += c.work.has_value();
   }

@@ -160,6 +160,7 @@ TEST_F(RemotePool, ProcessesOfItsOwnAreStartedAsIfNobodyHadJoined) {
   start_with(1);
   const auto node = join("a");
   EXPECT_EQ(processes_->all.size(), 1u);
+  EXPECT_EQ(status().pid, 1) << "of its own one";
 
   crash();
   EXPECT_EQ(processes_->all.size(), 2u) << "its own is started anew";
