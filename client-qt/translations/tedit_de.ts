@@ -5788,10 +5788,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Werte mit Vorzeichen haben keinen Logarithmus</translation>
     </message>
     <message>
-        <source>Choose the range &quot;As typed&quot; to type it</source>
-        <translation>Zum Eintippen den Bereich „Wie eingegeben“ wählen</translation>
-    </message>
-    <message>
         <source>The envelope of all load cases has no deformation: choose one of them</source>
         <translation>Die Einhüllende aller Lastfälle hat keine Verformung: einen davon wählen</translation>
     </message>
@@ -6427,10 +6423,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source> copy</source>
         <translation> (Kopie)</translation>
-    </message>
-    <message>
-        <source>Steel</source>
-        <translation>Stahl</translation>
     </message>
 </context>
 <context>
