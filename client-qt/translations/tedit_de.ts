@@ -396,10 +396,6 @@
         <translation>Muss eine Zahl sein, nicht negativ; 0, wenn sie nicht bekannt ist</translation>
     </message>
     <message>
-        <source>Pick surfaces and use the selection</source>
-        <translation>Flächen auswählen und die Auswahl übernehmen</translation>
-    </message>
-    <message>
         <source>Tick at least one component</source>
         <translation>Mindestens eine Komponente ankreuzen</translation>
     </message>
@@ -426,6 +422,10 @@
     <message>
         <source>Give three numbers, alone or with a unit of their kind</source>
         <translation>Drei Zahlen, allein oder mit einer passenden Einheit</translation>
+    </message>
+    <message>
+        <source>Pick at least one surface of the part</source>
+        <translation>Mindestens eine Fläche des Bauteils anklicken</translation>
     </message>
 </context>
 <context>
@@ -5031,7 +5031,7 @@
     </message>
     <message>
         <source>Files that are sent to it</source>
-        <translation>Dateien, die es erhält</translation>
+        <translation>Dateien, die er erhält</translation>
     </message>
     <message>
         <source>Edits</source>
