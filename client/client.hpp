@@ -186,6 +186,9 @@ public:
   /// to.
   [[nodiscard]] std::vector<offered_format> formats() const;
 
+  /// The server's program and version, for people, as it said when it was connected to.
+  [[nodiscard]] std::string server_program() const;
+
   /// A version as a file's bytes; `format` is the name of one that the server writes, `version_id`
   /// empty: the head; `unit` as for import. With `document_format` the whole document, both must be
   /// empty then. Errors: also `invalid_argument` for the format, naming those that there are.

@@ -71,6 +71,7 @@ public:
   [[nodiscard]] std::uint64_t max_message() const noexcept { return max_message_; }
   /// Those of mesh files that the server reads and writes.
   [[nodiscard]] const std::vector<offered_format>& formats() const noexcept { return formats_; }
+  [[nodiscard]] const std::string& server() const noexcept { return server_; }
 
 private:
   using clock = std::chrono::steady_clock;
@@ -119,6 +120,7 @@ private:
   std::atomic<std::uint64_t> next_id_{1};
   std::atomic<std::uint64_t> max_message_{std::uint64_t{1} << 20};
   std::vector<offered_format> formats_;  ///< Not changed once `start` is done.
+  std::string server_;                   ///< The same.
 
   std::mutex mutex_;  ///< Guards the three below and all `pending`.
   std::condition_variable changed_;

@@ -136,6 +136,10 @@ std::vector<offered_format> client::formats() const {
   return impl_->link.formats();
 }
 
+std::string client::server_program() const {
+  return impl_->link.server();
+}
+
 expected<std::vector<char>> client::export_file(const std::string& format,
                                                 const std::string& version_id,
                                                 const std::string& unit, const execution& run) {

@@ -24,10 +24,15 @@ public:
   void raise(const QString& name) const;
   /// Whether what is typed goes to it.
   [[nodiscard]] bool has_focus(const QString& name) const;
+  /// Whether nobody is about to share their room out anew: what pictures of the window wait for.
+  [[nodiscard]] bool are_settled() const noexcept { return to_settle_ == 0; }
+  void begin_settling() noexcept { ++to_settle_; }
+  void end_settling() noexcept { --to_settle_; }
 
 private:
   QMainWindow& window_;
   std::map<QString, QDockWidget*> all_;
+  int to_settle_ = 0;
 };
 
 }  // namespace tedit::desktop

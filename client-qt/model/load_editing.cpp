@@ -66,7 +66,7 @@ struct checker {
 
   void operator()(const fem::constraint& c) {
     expect(!c.surfaces.empty(), "surfaces",
-           QT_TRANSLATE_NOOP("load_editing", "Pick surfaces and use the selection"));
+           QT_TRANSLATE_NOOP("load_editing", "Pick at least one surface of the part"));
     if (const auto* d = std::get_if<fem::prescribed_displacement>(&c.kind)) {
       expect(d->x_m || d->y_m || d->z_m, "components",
              QT_TRANSLATE_NOOP("load_editing", "Tick at least one component"));
@@ -78,7 +78,7 @@ struct checker {
 
   void operator()(const fem::load& l) {
     expect(std::holds_alternative<fem::gravity>(l.kind) || !l.surfaces.empty(), "surfaces",
-           QT_TRANSLATE_NOOP("load_editing", "Pick surfaces and use the selection"));
+           QT_TRANSLATE_NOOP("load_editing", "Pick at least one surface of the part"));
     std::visit(*this, l.kind);
   }
 

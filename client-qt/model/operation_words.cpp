@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 #include "client-qt/model/quantities.hpp"
 
@@ -33,6 +34,13 @@ QString figure_title(const std::string& english) {
   if (!words.isEmpty())
     words[0] = words[0].toUpper();
   return words;
+}
+
+QString figure_value(const ops::figure& one) {
+  if (one.value == 0 && one.unit.empty())
+    return {};
+  const QString sign = one.value < 0 ? QString::fromUtf8("−") : QString();
+  return (sign + number(std::abs(one.value)) + " " + words_of(one.unit)).trimmed();
 }
 
 QString device_words(const std::string& device) {

@@ -19,6 +19,9 @@ namespace tedit::desktop {
 /// The same as the first words of a row.
 [[nodiscard]] QString figure_title(const std::string& english);
 
+/// Its value and unit; nothing of a count of what there is none of, as of "hinges repaired".
+[[nodiscard]] QString figure_value(const ops::figure& one);
+
 /// What computed: "cpu" is a word of command lines.
 [[nodiscard]] QString device_words(const std::string& device);
 

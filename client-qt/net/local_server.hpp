@@ -30,6 +30,8 @@ public:
 
   [[nodiscard]] const QString& folder() const noexcept { return folder_; }
   [[nodiscard]] qint64 pid() const { return process_.processId(); }
+  /// Whether `ready` or `failed` is still to come: an address that was told before leads nowhere.
+  [[nodiscard]] bool is_starting() const { return poll_.isActive(); }
 
 signals:
   void ready(const tedit::desktop::server_address& address);

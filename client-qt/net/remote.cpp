@@ -188,6 +188,10 @@ ticket remote::start(std::function<void(client::client&, const execution&)> call
   return result;
 }
 
+QString remote::program() const {
+  return client_ ? QString::fromStdString(client_->server_program()) : QString();
+}
+
 std::vector<client::offered_format> remote::formats() const {
   return client_ ? client_->formats() : client::usual_formats();
 }

@@ -64,6 +64,8 @@ public:
   [[nodiscard]] const client::server_status& server() const noexcept { return server_; }
   /// How long the last status request has been without its answer, ms; 0 when it has it.
   [[nodiscard]] double silence_ms() const;
+  /// The server's program and version, as it names them; empty without a connection.
+  [[nodiscard]] QString program() const;
   /// What kinds of mesh files it reads and writes; offline those that are usual.
   [[nodiscard]] std::vector<client::offered_format> formats() const;
   /// The surface of the open document as it is held now. Cheap.

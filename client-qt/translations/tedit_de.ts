@@ -396,10 +396,6 @@
         <translation>Muss eine Zahl sein, nicht negativ; 0, wenn sie nicht bekannt ist</translation>
     </message>
     <message>
-        <source>Pick surfaces and use the selection</source>
-        <translation>Flächen auswählen und die Auswahl übernehmen</translation>
-    </message>
-    <message>
         <source>Tick at least one component</source>
         <translation>Mindestens eine Komponente ankreuzen</translation>
     </message>
@@ -426,6 +422,10 @@
     <message>
         <source>Give three numbers, alone or with a unit of their kind</source>
         <translation>Drei Zahlen, allein oder mit einer passenden Einheit</translation>
+    </message>
+    <message>
+        <source>Pick at least one surface of the part</source>
+        <translation>Mindestens eine Fläche des Bauteils anklicken</translation>
     </message>
 </context>
 <context>
@@ -5012,6 +5012,161 @@
     </message>
 </context>
 <context>
+    <name>server_tables</name>
+    <message>
+        <source>Open documents</source>
+        <translation>Offene Dokumente</translation>
+    </message>
+    <message>
+        <source>Pages that were used last</source>
+        <translation>Zuletzt benutzte Seiten</translation>
+    </message>
+    <message>
+        <source>Versions that were read</source>
+        <translation>Gelesene Versionen</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Files that are sent to it</source>
+        <translation>Dateien, die er erhält</translation>
+    </message>
+    <message>
+        <source>Edits</source>
+        <translation>Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Mesh improvement</source>
+        <translation>Netzverbesserung</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>startet</translation>
+    </message>
+    <message>
+        <source>out of order</source>
+        <translation>außer Betrieb</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>working</source>
+        <translation>arbeitet</translation>
+    </message>
+    <message>
+        <source>leaving</source>
+        <translation>geht</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Belegt</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>was offen ist</translation>
+    </message>
+    <message>
+        <source>Workers</source>
+        <translation>Arbeitsprozesse</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Running and waiting</source>
+        <translation>In Arbeit und wartend</translation>
+    </message>
+    <message>
+        <source>Started again</source>
+        <translation>Neu gestartet</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Other machines</source>
+        <translation>Andere Rechner</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Jobs done</source>
+        <translation>Aufträge erledigt</translation>
+    </message>
+    <message>
+        <source>There for</source>
+        <translation>Dabei seit</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>TEdit</source>
+        <translation>TEdit</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+</context>
+<context>
     <name>tedit::desktop::about_dialog</name>
     <message>
         <source>About TEdit</source>
@@ -5633,10 +5788,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Werte mit Vorzeichen haben keinen Logarithmus</translation>
     </message>
     <message>
-        <source>Choose the range &quot;As typed&quot; to type it</source>
-        <translation>Zum Eintippen den Bereich „Wie eingegeben“ wählen</translation>
-    </message>
-    <message>
         <source>The envelope of all load cases has no deformation: choose one of them</source>
         <translation>Die Einhüllende aller Lastfälle hat keine Verformung: einen davon wählen</translation>
     </message>
@@ -5880,30 +6031,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>, neu gestartet: %1</translation>
     </message>
     <message>
-        <source>Edits</source>
-        <translation>Bearbeitungen</translation>
-    </message>
-    <message>
-        <source>Mesh improvement</source>
-        <translation>Netzverbesserung</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Spannung</translation>
-    </message>
-    <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
-        <source>starting</source>
-        <translation>startet</translation>
-    </message>
-    <message>
-        <source>out of order</source>
-        <translation>außer Betrieb</translation>
-    </message>
-    <message>
         <source>Nothing of yours runs.</source>
         <translation>Von Ihnen läuft nichts.</translation>
     </message>
@@ -5925,6 +6052,14 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>Jobs with their progress, and the server&apos;s workers</source>
         <translation>Aufträge mit ihrem Fortschritt und die Arbeitsprozesse des Servers</translation>
+    </message>
+    <message>
+        <source>Server and workers</source>
+        <translation>Server und Arbeitsprozesse</translation>
+    </message>
+    <message>
+        <source>What the server is, its memory, and the machines that work for it</source>
+        <translation>Was der Server ist, sein Speicher und die Rechner, die für ihn arbeiten</translation>
     </message>
 </context>
 <context>
@@ -6288,10 +6423,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source> copy</source>
         <translation> (Kopie)</translation>
-    </message>
-    <message>
-        <source>Steel</source>
-        <translation>Stahl</translation>
     </message>
 </context>
 <context>
@@ -7059,6 +7190,45 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Hidden surfaces: %1 - show all</source>
         <translation>Ausgeblendete Flächen: %1 - alle zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::server_dialog</name>
+    <message>
+        <source>Server and workers</source>
+        <translation>Server und Arbeitsprozesse</translation>
+    </message>
+    <message>
+        <source>All work is done on the server&apos;s own machine. How workers on others join it stands in the manual, &quot;Workers on other machines&quot;.</source>
+        <translation>Alles wird auf dem Rechner des Servers selbst gerechnet. Wie andere Rechner dazukommen, steht im Handbuch unter „Workers on other machines“.</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
+    </message>
+    <message>
+        <source>All that stands here, for a mail or a spreadsheet</source>
+        <translation>Alles, was hier steht, für eine E-Mail oder eine Tabelle</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>There is no connection to a server. It is started when a part is opened.</source>
+        <translation>Es gibt keine Verbindung zu einem Server. Er wird gestartet, wenn ein Bauteil geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+    <message>
+        <source>Answers in %1</source>
+        <translation>Antwortet in %1</translation>
+    </message>
+    <message>
+        <source>Open documents: %1, connections: %2</source>
+        <translation>Offene Dokumente: %1, Verbindungen: %2</translation>
     </message>
 </context>
 <context>

@@ -146,8 +146,17 @@ void overlay::show_extremes(bool on) {
 
 void overlay::show_legend(bool on) {
   legend_ = on;
-  view_.framing().set_left_margin(on ? qRound(legend_width + margin) : 0);
+  keep_legend_room();
   update();
+}
+
+void overlay::expect_legend(bool on) {
+  if (std::exchange(expected_, on) != on)
+    keep_legend_room();
+}
+
+void overlay::keep_legend_room() {
+  view_.framing().set_left_margin(legend_ && expected_ ? qRound(legend_width + margin) : 0);
 }
 
 void overlay::show_orientation(bool on) {
@@ -172,6 +181,22 @@ QRectF clear_of(const QRectF& other, QRectF box, double gap) {
   if (box.top() < 0)
     box.moveTop(other.bottom() + gap);
   return box;
+}
+
+QRectF kept_within(const QSizeF& room, const QPointF& place, QRectF box, double gap) {
+  if (box.right() > room.width())
+    box.moveRight(place.x() - gap);
+  if (box.bottom() > room.height())
+    box.moveBottom(place.y() - gap);
+  else if (box.top() < 0)
+    box.moveTop(place.y() + gap);
+  return box;
+}
+
+QRectF clear_of_mark(const QPointF& ring, const QRectF& words, const QRectF& box, double gap) {
+  constexpr double reach = 6;  // With its line.
+  const QRectF around(ring - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach));
+  return clear_of(around, clear_of(words, box, gap), gap);
 }
 
 QRectF right_of(const QRectF& other, QRectF box, double gap, double end) {
@@ -209,13 +234,15 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
     const QPointF place = scale * view_.to_frame(at);
     QRectF box(place + scale * QPointF(12, below ? 10 : -30),
                QSizeF(metrics.horizontalAdvance(text) + 12 * scale, 20 * scale));
-    if (box.right() > scale * view_.width())  // Else the words were cut off.
-      box.moveRight(place.x() - 12 * scale);
+    box = kept_within(scale * QSizeF(view_.size()), place, box, 12 * scale);
     if (legend_) {
       const QRectF scales = scale_box();
       box = right_of({scale * scales.topLeft(), scale * scales.size()}, box, 4 * scale,
                      scale * view_.width());
     }
+    for (const auto& part : {triad_box(), bar_box()})
+      box =
+        clear_of({scale * QPointF(part.topLeft()), scale * QSizeF(part.size())}, box, 4 * scale);
     result.push_back({place, box, below, text});
   };
   const bool none = std::abs(ends->low) < 1e-4 * std::abs(ends->high - ends->low);
@@ -226,7 +253,7 @@ std::vector<overlay::tag> overlay::tags(double scale) const {
           .arg(field_value(by.field, ends->high)),
         false);
   if (result.size() == 2)
-    result[1].box = clear_of(result[0].box, result[1].box, 4 * scale);
+    result[1].box = clear_of_mark(result[0].place, result[0].box, result[1].box, 4 * scale);
   return result;
 }
 
@@ -279,6 +306,19 @@ QRect overlay::orientation_box() const {
   const int width = qRound(bar_room + 2 * triad_room + margin);
   const int height = qRound(2 * triad_room);
   return {view_.width() - width, view_.height() - below_ - height, width, height};
+}
+
+QRect overlay::triad_box() const {
+  QRect box = orientation_box();
+  box.setLeft(box.right() + 1 - qRound(2 * triad_room));
+  return orientation_box().isEmpty() ? QRect() : box;
+}
+
+QRect overlay::bar_box() const {
+  constexpr int bar_height = 40;  // With its words.
+  QRect box = orientation_box();
+  box.setTop(box.bottom() + 1 - bar_height);
+  return orientation_box().isEmpty() ? QRect() : box;
 }
 
 void overlay::paint_orientation(QPainter& painter, double scale) {

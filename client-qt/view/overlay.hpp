@@ -22,6 +22,13 @@ void paint_legend(QPainter& painter, const QRectF& where, const legend& by, cons
 /// Where a box goes so that it does not cover another: above it, or below where there is no room.
 [[nodiscard]] QRectF clear_of(const QRectF& other, QRectF box, double gap);
 
+/// Where the words of a mark at a place go so that none is cut off: to its other side.
+[[nodiscard]] QRectF kept_within(const QSizeF& room, const QPointF& place, QRectF box, double gap);
+
+/// Where the words of a mark go so that they cover neither the words nor the ring of another.
+[[nodiscard]] QRectF clear_of_mark(const QPointF& ring, const QRectF& words, const QRectF& box,
+                                   double gap);
+
 /// Where a box goes so that it does not cover another: to its right, where there is room up to
 /// `end`; else it stays.
 [[nodiscard]] QRectF right_of(const QRectF& other, QRectF box, double gap, double end);
@@ -45,6 +52,8 @@ public:
   void show_extremes(bool on);
   /// The legend's room is kept free when something is made to fit.
   void show_legend(bool on);
+  /// Whether there is a field to come: a part without one stands in the middle.
+  void expect_legend(bool on);
   [[nodiscard]] bool shows_extremes() const noexcept { return extremes_; }
   /// Axes and a length at the lower right.
   void show_orientation(bool on);
@@ -76,14 +85,18 @@ private:
   void paint_scale(QPainter& painter, double scale);
   void paint_note(QPainter& painter, double scale);
   [[nodiscard]] QRect orientation_box() const;
+  [[nodiscard]] QRect triad_box() const;
+  [[nodiscard]] QRect bar_box() const;
   void paint_orientation(QPainter& painter, double scale);
   void paint_tag(QPainter& painter, const tag& what, double scale) const;
+  void keep_legend_room();
 
   viewport& view_;
   QString note_;
   QColor ink_{32, 38, 48};
   bool extremes_ = true;
   bool legend_ = true;
+  bool expected_ = true;
   bool orientation_ = true;
   int below_ = 0;  ///< Pixels at the lower edge that are not free,
   int above_ = 0;  ///< and at the upper one, of those where the legend is.

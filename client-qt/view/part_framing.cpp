@@ -33,6 +33,8 @@ void part_framing::fit(const std::vector<surface_id>& around) {
       some->GetCellsBounds(bounds.data());
   }
   fitted_ = true;
+  fitted_left_ = left_margin_;
+  eye_.set_left_margin(static_cast<double>(left_margin_) / std::max(1, size_.width()));
   eye_.set_lower_margin(static_cast<double>(lower_margin_) / std::max(1, size_.height()));
   fit_beside_corner(bounds);
   whole_ = around.empty() ? std::optional(eye_.get()) : std::nullopt;
@@ -96,8 +98,8 @@ void part_framing::set_corner(const QRect& covered) {
 }
 
 void part_framing::set_left_margin(int pixels) {
-  left_margin_ = pixels;
-  eye_.set_left_margin(static_cast<double>(pixels) / std::max(1, size_.width()));
+  if (std::exchange(left_margin_, pixels) != pixels)
+    fit_again();
 }
 
 void part_framing::set_lower_margin(int pixels) {
@@ -113,12 +115,13 @@ double part_framing::free_aspect(const QSize& size) const {
 
 void part_framing::set_size(const QSize& size) {
   size_ = size;
-  set_left_margin(left_margin_);
+  eye_.set_left_margin(static_cast<double>(fitted_left_) / std::max(1, size_.width()));
   fit_again();
 }
 
+/// Nor while the part that is drawn is about to be another one.
 void part_framing::fit_again() {
-  if (keeps_fitted_ && whole_ == eye_.get())
+  if (fitted_ && keeps_fitted_ && whole_ == eye_.get())
     fit();
 }
 

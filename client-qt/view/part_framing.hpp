@@ -34,10 +34,10 @@ public:
   /// changes.
   void keep_fitted(bool on) { keeps_fitted_ = on; }
   [[nodiscard]] bool keeps_fitted() const noexcept { return keeps_fitted_; }
-  /// Pixels at the left that something else covers: what is made to fit stays beside them.
+  /// Pixels at the left that something else covers: what is made to fit stays beside them, from the
+  /// next time on that something is; what a person has moved stays where it is.
   void set_left_margin(int pixels);
-  /// The same at the lower edge, from the next time on that something is made to fit: what a person
-  /// has moved stays where it is.
+  /// The same at the lower edge.
   void set_lower_margin(int pixels);
   /// What else covers the upper right corner: what is made to fit keeps clear of it, moved or
   /// smaller by no more than that takes.
@@ -67,6 +67,7 @@ private:
   bool keeps_fitted_ = false;
   std::optional<camera::pose> whole_;  ///< As the last fit of the whole part left it.
   int left_margin_ = 0;
+  int fitted_left_ = 0;  ///< As the last fit had it.
   int lower_margin_ = 0;
   QRect corner_;
 };

@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "client-qt/context/window_context.hpp"
+#include "client-qt/tools/loads/load_editor.hpp"
 #include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/toolbox.hpp"
 
 namespace tedit::desktop {
@@ -60,25 +62,45 @@ dock_room::dock_room(window_context& in, toolbox& tools)
 void dock_room::wire() {
   const auto& panel = tools_.operations.panel();
   // Once the form has taken it up and its layout with it.
-  connect(&panel, &context_panel::form_opened, this,
-          [this] { QTimer::singleShot(0, this, &dock_room::make_room_for_operation); });
-  connect(&panel, &context_panel::form_closed, this,
-          [this] { QTimer::singleShot(0, this, &dock_room::settle); });
+  connect(&panel, &context_panel::form_opened, this, [this] {
+    if (!tools_.loads.panel().editor()->isHidden())
+      tools_.loads.panel().close_editor();  // One form at a time: what is clicked is meant for it.
+    later(0, [this] { make_room_for_operation(); });
+  });
+  connect(&panel, &context_panel::form_closed, this, [this] { later(0, [this] { settle(); }); });
   connect(&tools_.loads.panel(), &loads_panel::form_opened, this, [this] {
-    QTimer::singleShot(0, this, [this] { make_room_for_load(true); });
-    QTimer::singleShot(settled_ms, this, [this] {
-      if (!before_form_.isEmpty())  // Neither closed again nor moved by hand.
-        make_room_for_load();
+    if (before_form_.isEmpty())
+      before_form_ = heights();
+    auto& operations = tools_.operations.panel();
+    if (!operations.chosen().isEmpty())
+      operations.choose({});
+    operations.offer(false);
+    later(0, [this] { make_room_for_load(true); });
+    later(settled_ms, [this] { make_room_for_load(); });
+    later(2 * settled_ms, [this] {
+      if (!before_form_.isEmpty())
+        lend(of("context"), of("field"));
     });
   });
-  connect(&tools_.loads.panel(), &loads_panel::form_closed, this, &dock_room::give_room_back);
+  connect(&tools_.results.panel(), &field_panel::height_changed, this,
+          [this] { later(settled_ms, [this] { settle(); }); });
+  connect(&tools_.loads.panel(), &loads_panel::form_closed, this, [this] {
+    tools_.operations.panel().offer(true);
+    give_room_back();
+  });
   connect(&in_.picked, &selection::changed, this, &dock_room::selection_changed);
   // Once its text stands there and the selection is done with.
-  connect(&in_.part, &document::edited, this,
-          [this] { QTimer::singleShot(settled_ms, this, &dock_room::edited); });
+  connect(&in_.part, &document::edited, this, [this] { later(settled_ms, [this] { edited(); }); });
   for (auto signal : {&document::opened, &document::surface_changed})
-    connect(&in_.part, signal, this,
-            [this] { QTimer::singleShot(settled_ms, this, &dock_room::settle); });
+    connect(&in_.part, signal, this, [this] { later(settled_ms, [this] { settle(); }); });
+}
+
+void dock_room::later(int ms, const std::function<void()>& then) {
+  in_.panels.begin_settling();
+  QTimer::singleShot(ms, this, [this, then] {
+    in_.panels.end_settling();
+    then();
+  });
 }
 
 QDockWidget& dock_room::of(const char* name) const {
@@ -184,6 +206,12 @@ void dock_room::make_room_for_operation() {
     make_room([&] { return panel.sizeHint().height(); }, of("context"), lower(), of("field"));
 }
 
+/// What is offered for a selection may know its height only once it was shown.
+void dock_room::settle_twice() {
+  for (const int after : {0, 2 * settled_ms})
+    later(after, [this] { settle(); });
+}
+
 /// What an edit did is read before the next surface is picked: the form gives it and the field the
 /// room that it does not need until then.
 void dock_room::edited() {
@@ -193,18 +221,27 @@ void dock_room::edited() {
 
 void dock_room::selection_changed() {
   if (tools_.operations.panel().chosen().isEmpty())
-    // Twice: what was offered for the selection may know its height only once it was shown.
-    for (const int after : {0, 2 * settled_ms})
-      QTimer::singleShot(after, this, &dock_room::settle);
+    settle_twice();
   else if (!in_.picked.surfaces().empty() && std::exchange(lent_, false))
-    QTimer::singleShot(0, this, &dock_room::make_room_for_operation);
+    later(0, [this] { make_room_for_operation(); });
 }
 
+/// Not where it was closed again or the docks were moved by hand meanwhile.
 void dock_room::make_room_for_load(bool to_spare_only) {
   if (before_form_.isEmpty())
-    before_form_ = heights();
+    return;
   make_room([this] { return tools_.loads.panel().wanted_height(); }, of("loads"), of("field"),
             of("context"), to_spare_only);
+}
+
+/// What one has to spare, since nothing is offered in it any more, goes to another that lacks it.
+void dock_room::lend(QDockWidget& from, QDockWidget& to) {
+  lay_out_all();
+  const int spare = from.height() - std::max(least_height(from), whole_height(from));
+  const int moved = std::min(spare, whole_height(to) - to.height());
+  if (moved > 0 && !from.isFloating() && !to.isFloating())
+    resize({&from, &to, &of("loads")},
+           {from.height() - moved, to.height() + moved, of("loads").height()});
 }
 
 /// What the docks were before a load's form took their room; not where a person has moved them.
@@ -212,6 +249,7 @@ void dock_room::give_room_back() {
   const auto before = std::exchange(before_form_, {});
   if (!before.isEmpty())
     resize({&of("loads"), &of("field"), &of("context")}, before);
+  settle_twice();
 }
 
 bool dock_room::eventFilter(QObject* watched, QEvent* event) {
@@ -221,7 +259,7 @@ bool dock_room::eventFilter(QObject* watched, QEvent* event) {
     else if (event->type() == QEvent::MouseButtonRelease)
       dragging_ = false;
     else if (event->type() == QEvent::Resize)
-      QTimer::singleShot(settled_ms, this, &dock_room::settle);
+      later(settled_ms, [this] { settle(); });
   } else if (event->type() == QEvent::Resize && dragging_) {
     by_hand_ = true;
     before_form_.clear();

@@ -34,12 +34,16 @@ protected:
 
 private:
   void wire();
+  /// Until then the docks are not settled.
+  void later(int ms, const std::function<void()>& then);
   void make_room(const std::function<int()>& form_height, QDockWidget& dock, QDockWidget& gives,
                  QDockWidget& keeps, bool to_spare_only = false);
   void make_room_for_operation();
   void make_room_for_load(bool to_spare_only = false);
+  void lend(QDockWidget& from, QDockWidget& to);
   void give_room_back();
   void selection_changed();
+  void settle_twice();
   void edited();
   [[nodiscard]] QDockWidget& of(const char* name) const;
   /// Loads or the receipt, whichever is in front.

@@ -133,6 +133,27 @@ TEST(Tags, ABoxThatWouldCoverAnotherGoesAboveItOrBelow) {
   EXPECT_EQ(clear_of(at_the_top, {30, 10, 60, 20}, 4), QRectF(30, 29, 60, 20));
 }
 
+TEST(Overlay, WordsOfAMarkAreNotCutOff) {
+  const QSizeF room(800, 400);
+  const QRectF box(500, 200, 100, 20);
+  EXPECT_EQ(kept_within(room, {490, 190}, box, 10), box);
+  EXPECT_EQ(kept_within(room, {750, 190}, {760, 200, 100, 20}, 10), QRectF(640, 200, 100, 20));
+  EXPECT_EQ(kept_within(room, {490, 390}, {500, 400, 100, 20}, 10), QRectF(500, 360, 100, 20));
+  EXPECT_EQ(kept_within(room, {490, 10}, {500, -20, 100, 20}, 10), QRectF(500, 20, 100, 20));
+}
+
+TEST(Overlay, WordsOfAMarkCoverNeitherTheRingNorTheWordsOfAnother) {
+  const QPointF ring(639, 332);
+  const QRectF words(651, 342, 120, 20);
+  const QRectF box = clear_of_mark(ring, words, {461, 358, 204, 20}, 4);
+
+  EXPECT_FALSE(box.intersects(words));
+  EXPECT_FALSE(box.contains(ring));
+  EXPECT_EQ(box, QRectF(461, 302, 204, 20));
+  const QRectF apart(10, 10, 50, 20);
+  EXPECT_EQ(clear_of_mark(ring, words, apart, 4), apart);
+}
+
 /// Light and dark: Qt's own frame is nearly the window's colour in the dark.
 TEST(Theme, ATickedBoxIsSeenInBothLooks) {
   for (const bool dark : {false, true}) {

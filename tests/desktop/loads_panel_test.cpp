@@ -57,11 +57,12 @@ TEST_F(LoadsPanel, ANewItemIsForTheSurfacesThatArePicked) {
 }
 
 TEST_F(LoadsPanel, ACompleteLoadCaseStaysMarkedUntilTheServerHasTakenIt) {
-  picked_.set({3});
   for (const auto kind : {item_kind::material, item_kind::support, item_kind::load}) {
+    picked_.set({3});
     panel_.add_item(kind);
     panel_.editor()->findChild<QLineEdit*>("component_z")->setText("-10");
     apply();
+    EXPECT_EQ(picked_.surfaces().empty(), kind != item_kind::material) << "its field is to be seen";
   }
 
   EXPECT_EQ(load_case()->childCount(), 3);

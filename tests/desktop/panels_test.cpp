@@ -203,6 +203,18 @@ TEST(Receipt, TheVolumeIsThatOfTheChange) {
     EXPECT_TRUE(html.contains("+2500 mm³")) << html.toStdString();
 }
 
+TEST(Receipt, CountsNothingThatIsNotThereAndHasAProperMinus) {
+  client::edit_preview made;
+  made.report.figures = {{"hinges", 0, "", "hinges repaired"},
+                         {"share", -0.0181, "%", "of the part's volume"},
+                         {"off_mm", 0, "mm", "thickness taken off"}};
+  for (const auto& html : {receipt_html(made.report), preview_details(made)}) {
+    EXPECT_FALSE(html.contains("inges")) << html.toStdString();
+    EXPECT_TRUE(html.contains("−0.0181 %")) << html.toStdString();
+    EXPECT_TRUE(html.contains("0 mm")) << html.toStdString();
+  }
+}
+
 TEST(Receipt, ShowsWhatShouldBeLookedAtInBold) {
   client::edit_preview made;
   fem::receipt_line line;

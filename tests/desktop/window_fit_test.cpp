@@ -249,6 +249,15 @@ TEST_P(Fit, TheHelpBeginsWithTheOperationThatItWasAskedFor) {
     << top().toStdString();
 }
 
+TEST_P(Fit, TheHelpBeginsWithWhatCanBeDone) {
+  open_plate(false);
+  run("help.manual");
+
+  const auto* page = window->findChild<QTextBrowser*>("help_page");
+  const auto top = [&] { return page->cursorForPosition(QPoint(20, 4)).block().text(); };
+  EXPECT_TRUE(settles([&] { return top() == "The flow"; })) << top().toStdString();
+}
+
 TEST_P(Fit, ADifferenceShowsAllOfThePart) {
   open_plate();
   part().edits().apply({"fill_hole", {1, 2}, {}});

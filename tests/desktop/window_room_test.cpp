@@ -5,12 +5,15 @@
 
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTranslator>
 #include <QTreeWidget>
 
 #include "client-qt/model/language.hpp"
+#include "client-qt/tools/loads/load_editor.hpp"
+#include "client-qt/tools/loads/loads_panel.hpp"
 #include "client-qt/view/view_cube.hpp"
 #include "client-qt/widgets/tall_scroll.hpp"
 
@@ -120,15 +123,68 @@ TEST_P(Room, TheFieldDoesNotScrollBesideWhatIsNotFilled) {
   EXPECT_TRUE(settles([&] { return !scrolls("context"); })) << "what is selected" << heights();
 }
 
-TEST_P(Room, TheFieldDoesNotScrollAfterAnEditWhereTheWindowHasRoom) {
+TEST_P(Room, TheFieldDoesNotScrollAfterAnEdit) {
   open_plate();
   fill_a_bore();
-  if (GetParam().size.height() >= 900) {
-    EXPECT_TRUE(settles([&] { return !scrolls("field"); })) << heights();
-  }
+  EXPECT_TRUE(settles([&] { return !scrolls("field"); })) << heights();
 
   panel().choose({});
   EXPECT_TRUE(settles([&] { return !scrolls("field"); })) << "without a form" << heights();
+}
+
+TEST_P(Room, OneFormIsOpenAtATimeAndWhatWasTypedStays) {
+  open_plate();
+  panel().choose("fill_hole");
+  auto& loads = window->tools().loads.panel();
+  loads.add_item(item_kind::load);
+  EXPECT_TRUE(panel().chosen().isEmpty());
+  auto* z = loads.editor()->findChild<QLineEdit*>("component_z");
+  z->setText("-5 kN");
+
+  panel().choose("thicken");
+  EXPECT_FALSE(loads.editor()->isVisible());
+  loads.add_item(item_kind::load);
+  EXPECT_TRUE(loads.editor()->isVisible());
+  EXPECT_TRUE(panel().chosen().isEmpty());
+  EXPECT_EQ(z->text(), "-5 kN");
+
+  (void)loads.cancel();
+  EXPECT_TRUE(settles([&] { return !scrolls("field") && !scrolls("context"); })) << heights();
+}
+
+TEST_P(Room, ALoadsFormShowsAllOfItself) {
+  open_plate(false);
+  window->context().picked.set({7});
+  auto& loads = window->tools().loads.panel();
+  loads.add_item(item_kind::load);
+  EXPECT_TRUE(settles([&] { return !scrolls("loads"); })) << heights();
+  EXPECT_TRUE(settles([&] { return !scrolls("field"); })) << "the field" << heights();
+  (void)loads.cancel();
+  EXPECT_TRUE(settles([&] { return !scrolls("context"); })) << "with what is offered" << heights();
+}
+
+TEST_P(Room, WhereThereAreNoLoadsTheHintStandsAtTheButtonsThatItSpeaksOf) {
+  open_plate(false);
+  const auto* hint = window->findChild<QLabel*>("draft_hint");
+  const auto* button = window->findChild<QPushButton*>("add_support");
+  const auto top = [&](const QWidget* one) { return one->mapTo(window.get(), QPoint()).y(); };
+  constexpr int near = 20;
+  EXPECT_TRUE(settles([&] { return top(hint) - (top(button) + button->height()) < near; }))
+    << top(hint) << " below " << top(button);
+}
+
+TEST_P(Room, APartWithoutLoadsStandsInTheMiddle) {
+  open_plate(false);
+  const auto& box = view().geometry()->bounds;
+  double left = view().width();
+  double right = 0;
+  for (int i = 0; i < 8; ++i) {
+    const auto at = view().to_widget({box[i & 1], box[2 + (i >> 1 & 1)], box[4 + (i >> 2 & 1)]});
+    left = std::min(left, at.x());
+    right = std::max(right, at.x());
+  }
+  const double off = (left + right - view().width()) / 2;
+  EXPECT_LT(std::abs(off), 0.05 * view().width()) << off << " of " << view().width();
 }
 
 TEST_P(Room, ResultsShowWholeRows) {

@@ -34,7 +34,8 @@ bool connection_tool::is_local() const {
 }
 
 void connection_tool::when_connected(std::function<void()> then) {
-  if (in_.link.current() == remote::state::connected) {
+  const bool starts_anew = is_local() && in_.server.is_starting();
+  if (in_.link.current() == remote::state::connected && !starts_anew) {
     then();
     return;
   }

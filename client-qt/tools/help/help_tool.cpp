@@ -80,7 +80,7 @@ std::pair<QString, QString> help_tool::topic() const {
       return {"results", {}};
   if (in_.panels.has_focus("results"))
     return {"desktop", "Results and report"};
-  return {"desktop", {}};
+  return {"desktop", "The flow"};  // How it is got is behind who reads it here.
 }
 
 }  // namespace tedit::desktop

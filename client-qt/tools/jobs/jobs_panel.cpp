@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/server_tables.hpp"
 #include "client-qt/model/solve_requests.hpp"
 
 namespace tedit::desktop {
@@ -31,27 +32,6 @@ QString for_how_long(double ms) {
   const auto seconds = static_cast<long long>(ms / 1000);
   return seconds < 60 ? QString("%1 s").arg(seconds)
                       : QString("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
-}
-
-/// What a role of workers does, for people; another server may have others.
-QString role_words(const std::string& role) {
-  if (role == "modeling")
-    return jobs_panel::tr("Edits");
-  if (role == "optimizer")
-    return jobs_panel::tr("Mesh improvement");
-  if (role == "solver")
-    return jobs_panel::tr("Stress");
-  return QString::fromStdString(role);
-}
-
-QString state_words(const std::string& state) {
-  if (state == "ready")
-    return jobs_panel::tr("ready");
-  if (state == "starting")
-    return jobs_panel::tr("starting");
-  if (state == "degraded")
-    return jobs_panel::tr("out of order");
-  return QString::fromStdString(state);
 }
 
 }  // namespace
@@ -135,7 +115,7 @@ QString jobs_panel::server() const {
     return tr("not connected");
   QStringList lines;
   for (const auto& worker : link_.server().workers) {
-    QString text = QString("%1: %2").arg(role_words(worker.role), state_words(worker.state));
+    QString text = QString("%1: %2").arg(role_words(worker.role), worker_state_words(worker.state));
     if (worker.jobs > 0)
       text += tr(", running and waiting: %1").arg(worker.jobs);
     if (worker.restarts > 0)

@@ -41,6 +41,14 @@ protected:
 
 }  // namespace
 
+load_item first_item(item_kind kind, const std::vector<surface_id>& picked) {
+  if (kind == item_kind::material)
+    return fem::material{"Steel S235", 210e9, 0.3, 7850, 235e6, {}};  // The library's first.
+  if (kind == item_kind::support)
+    return fem::constraint{picked, fem::fixed{}};
+  return fem::load{picked, fem::force{}};
+}
+
 load_editor::load_editor(std::vector<fem::material> library, QWidget* parent)
     : QWidget(parent), library_(std::move(library)) {
   auto* content = new QWidget;

@@ -30,6 +30,9 @@ struct typed_item {
   std::vector<surface_id> surfaces;
 };
 
+/// What a form for a new item begins with.
+[[nodiscard]] load_item first_item(item_kind kind, const std::vector<surface_id>& picked);
+
 /// One material, support or load as a form, in mm, N and MPa or
 /// any unit that is typed. It is a panel, no dialog: the view
 /// stays free to pick surfaces. What is wrong stands in words below its field.

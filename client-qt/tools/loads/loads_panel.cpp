@@ -26,14 +26,6 @@ enum role { surfaces_role = Qt::UserRole, case_role, kind_role, at_role };
 constexpr int roomy_window = 850;  // Pixels: below, the editor takes the place of the tree.
 constexpr const char* drawings[] = {"material", "support", "load"};
 
-load_item first_item(item_kind kind, const std::vector<surface_id>& picked) {
-  if (kind == item_kind::material)
-    return fem::material{loads_panel::tr("Steel").toStdString(), 210e9, 0.3, 7850, 235e6, {}};
-  if (kind == item_kind::support)
-    return fem::constraint{picked, fem::fixed{}};
-  return fem::load{picked, fem::force{}};
-}
-
 }  // namespace
 
 loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
@@ -61,6 +53,7 @@ loads_panel::loads_panel(document& part, selection& picked, QWidget* parent)
     editor_->findChild<QComboBox*>("library")->setToolTip(one_line(library.error()));
   editor_->hide();
   column->addWidget(editor_);
+  column->addStretch();
   wire();
   refresh();
 }
@@ -185,7 +178,7 @@ void loads_panel::refresh() {
   if (cases.empty() && lines.isEmpty())
     lines << tr("No loads yet. Pick surfaces of the part, then add a support and a load.");
   hint_->setText(lines.join("\n"));
-  hint_->setVisible(!lines.isEmpty());
+  show_parts();
   buttons_->setEnabled(head != nullptr);
   for (QTreeWidgetItemIterator at(tree_); before && *at; ++at)
     if ((*at)->data(0, case_role).toString().toStdString() == before->load_case &&
@@ -350,9 +343,9 @@ void loads_panel::open_editor(const QString& title, const load_item& item) {
   editor_->set_selection(picked_.surfaces());
   editor_->edit(title, item);
   unfinished_.take_up(*editor_, picked_, part_);
-  tree_->setVisible(window()->height() >= roomy_window);
   tree_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // The form comes first.
   editor_->show();
+  show_parts();
   emit form_opened();
 }
 
@@ -379,6 +372,8 @@ void loads_panel::apply_editor() {
     at = place_for(changed, *material);
   put(changed, *item, at);
   cancel();
+  if (!material)  // What was selected was meant, and its field is to be seen.
+    picked_.clear();
   change(changed);
 }
 
@@ -388,7 +383,15 @@ void loads_panel::close_editor() {
   editor_->hide();
   tree_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   emit form_closed();
-  tree_->show();
+  show_parts();
+}
+
+/// An empty list would keep the hint away from its buttons; a form says itself what it lacks.
+void loads_panel::show_parts() {
+  const bool form = !editor_->isHidden();
+  const bool any = tree_->topLevelItemCount() > 0;
+  tree_->setVisible(any && (!form || window()->height() >= roomy_window));
+  hint_->setVisible(!hint_->text().isEmpty() && (any || !form));
 }
 
 bool loads_panel::cancel() {

@@ -35,6 +35,8 @@ public:
   [[nodiscard]] bool can_remove() const { return current().has_value(); }
   /// Closes the editor and forgets what was typed in it; false when it is not open.
   bool cancel();
+  /// Closes it; what was typed is there again when it is opened for the same.
+  void close_editor();
   [[nodiscard]] load_editor* editor() const { return editor_; }
   [[nodiscard]] QTreeWidget* tree() const { return tree_; }
   /// What the form and a few rows of the list need, pixels.
@@ -66,6 +68,7 @@ private:
   void build_buttons();
   void wire();
   void refresh();
+  void show_parts();
   void add_case(const fem::load_case& loads);
   void add_row(QTreeWidgetItem* parent, const load_item& item, const row_place& place,
                const std::vector<item_mark>& changed);
@@ -74,7 +77,6 @@ private:
   void edit_row(const row_place& place);
   void open_editor(const QString& title, const load_item& item);
   void apply_editor();
-  void close_editor();
   void duplicate(const row_place& place);
   void drop(const row_place& place);
   void remove_case(const row_place& place);

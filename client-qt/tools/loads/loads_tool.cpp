@@ -26,6 +26,10 @@ loads_tool::loads_tool(window_context& in, field_panel& fields, selection_tool& 
   connect(panel_, &loads_panel::chosen_changed, &in_.buttons, &command_actions::refresh);
   connect(&in_.part, &document::begun, this, [this] { looks_for_drafts_ = in_.part.is_open(); });
   connect(&in_.part, &document::opened, this, &loads_tool::find_drafts);
+  connect(&in_.part, &document::opened, this, [this] {
+    if (const auto* head = in_.part.head(); head && head->info.load_cases.empty())
+      in_.panels.raise("loads");  // What comes next stands there.
+  });
   in_.esc.add(ends::load_form, [this] { return panel_->cancel(); });
   add_commands();
 }

@@ -139,8 +139,10 @@ QString context_panel::details() const {
   return (lines << tr("Area %1").arg(quantity(picked_.area(), "m2"))).join("\n");
 }
 
-/// How to select is no news beside a form, which says what to select; what runs has its room.
+/// How to select, and that nothing is, is no news beside a form, which says what to select; what
+/// runs has its room.
 void context_panel::show_details() {
+  title_->setVisible(operation_.isEmpty() || !picked_.surfaces().empty());
   const bool idle = operation_.isEmpty() && !part_.foreground().current();
   details_->setVisible(idle || !picked_.surfaces().empty());
 }
@@ -271,11 +273,19 @@ void context_panel::changeEvent(QEvent* event) {
     show_offers();
 }
 
+void context_panel::offer(bool on) {
+  offers_ = on;
+  if (operation_.isEmpty())
+    show_offers();
+}
+
 void context_panel::show_offers() {
   clear(body_layout_);
   clear(foot_->layout());
   foot_->hide();
-  if (picked_.surfaces().empty())
+  const bool any = offers_ && !picked_.surfaces().empty();
+  body_->setVisible(any);  // It has a margin.
+  if (!any)
     return;
   constexpr std::size_t most_offers = 4;  // All are in the bar at the left.
   for (const auto* one : offers()) {
@@ -309,6 +319,7 @@ void context_panel::show_form() {
     return;
   clear(body_layout_);
   clear(foot_->layout());
+  body_->show();
   auto* name = make_label("section");
   name->setText(QString::fromStdString(offered->about.name));
   auto* summary = make_label("faint");

@@ -27,6 +27,8 @@ public:
 
   /// Shows the form of an operation; an empty id goes back to the list.
   void choose(const QString& operation);
+  /// Whether operations are offered for what is selected; not while it is meant for something else.
+  void offer(bool on);
   [[nodiscard]] const QString& chosen() const noexcept { return operation_; }
   [[nodiscard]] operation_form* form() const { return form_; }
   [[nodiscard]] live_preview& preview() noexcept { return preview_; }
@@ -77,6 +79,7 @@ private:
   live_preview preview_;
   QString operation_;
   fem::load_policy policy_ = fem::load_policy::drop;
+  bool offers_ = true;
   bool follows_later_ = false;  ///< A preview is wanted once nothing runs.
   bool applies_ = false;        ///< Ours is on its way.
   bool waits_ = false;          ///< To be applied once its preview is there.

@@ -50,7 +50,12 @@ public:
   }
 
   /// What is no number yet may become one; what is out of range is put right when it is left.
+  /// Behind a unit that is typed the field's own does not stand.
   [[nodiscard]] QValidator::State validate(QString& typed, int&) const override {
+    static const QRegularExpression unit(QString::fromUtf8(R"([\p{L}µ°%"](?<![eE]))"));
+    if (!suffix().isEmpty() && typed.endsWith(suffix()) &&
+        typed.chopped(suffix().size()).contains(unit))
+      typed.chop(suffix().size());
     const auto number = shown(typed);
     if (number)
       return *number >= minimum() && *number <= maximum() ? QValidator::Acceptable

@@ -33,6 +33,10 @@ operations_tool::operations_tool(window_context& in)
     : in_(in), panel_(new context_panel(in.part, in.picked)) {
   in_.panels.add("context", tr("Selection"), panel_);
   connect(&in_.part, &document::operations_changed, this, &operations_tool::offer);
+  connect(&in_.part, &document::begun, panel_, [this] {  // A form is for the part it was opened on.
+    if (!panel_->chosen().isEmpty())
+      panel_->choose({});
+  });
   connect(panel_, &context_panel::place_wanted, &in_.view.framing(), &part_framing::fit);
   add_commands();
 }

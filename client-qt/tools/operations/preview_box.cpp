@@ -74,8 +74,8 @@ QString preview_details(const client::edit_preview& made) {
   const auto& report = made.report;
   QString html;
   for (const auto& figure : report.figures)
-    html += table_row(figure_title(figure.help).toHtmlEscaped(),
-                      number(figure.value) + " " + escaped(figure.unit));
+    if (const auto value = figure_value(figure); !value.isEmpty())
+      html += table_row(figure_title(figure.help).toHtmlEscaped(), value.toHtmlEscaped());
   if (!html.isEmpty())
     html = "<table>" + html + "</table>";
   const int changed = changed_loads(report);

@@ -94,8 +94,8 @@ QString receipt_html(const edit_report& report) {
                       receipt_panel_phrases::tr("%1 before, %2 now")
                         .arg(number(ratios->min_before), number(ratios->min_after)));
   for (const auto& figure : report.figures)
-    html += table_row(figure_title(figure.help).toHtmlEscaped(),
-                      number(figure.value) + " " + words_of(figure.unit));
+    if (const auto value = figure_value(figure); !value.isEmpty())
+      html += table_row(figure_title(figure.help).toHtmlEscaped(), value.toHtmlEscaped());
   html +=
     table_row(receipt_panel_phrases::tr("Time"),
               (was_previewed(report)
@@ -122,6 +122,8 @@ receipt_panel::receipt_panel(desktop::document& part, QWidget* parent)
   setOpenLinks(false);
   setFrameShape(QFrame::NoFrame);
   setAccessibleName(tr("What this edit did"));
+  constexpr double indent = 14;  // Of lists: the column is narrow.
+  document()->setIndentWidth(indent);
   connect(this, &QTextBrowser::anchorClicked, this,
           [this](const QUrl& link) { emit surface_wanted(link.path().toLongLong()); });
   connect(&part_, &desktop::document::head_changed, this, &receipt_panel::refresh);

@@ -8,6 +8,7 @@
 
 #include "client-qt/tools/operations/context_panel.hpp"
 #include "client-qt/tools/recipes/window_steps.hpp"
+#include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/toolbox.hpp"
 #include "client-qt/view/viewport.hpp"
 
@@ -137,18 +138,20 @@ bool window_player::is_part_ready() const {
 bool window_player::is_view_ready() const {
   const auto& preview = tools_.operations.panel().preview();
   const auto wanted = preview.shown() ? preview.shown()->surface : in_.part.head()->surface;
-  if (!in_.view.is_settled() || preview.is_busy() || in_.view.current().surface != wanted)
+  if (!in_.panels.are_settled() || !in_.view.is_settled() || preview.is_busy() ||
+      in_.view.current().surface != wanted)
     return false;
   return std::ranges::all_of(in_.window.findChildren<viewport*>(), [](const viewport* one) {
     return !one->isVisible() || (one->is_settled() && one->is_seen());
   });
 }
 
-/// Whether the field has converged and is drawn.
+/// Whether the field has converged and is drawn, with the quantity that was chosen.
 bool window_player::is_final() const {
   const auto& part = in_.part;
   const auto field = in_.view.current().field;
   return part.solver().progress() == field_state::converged && part.head()->outcome &&
+         !tools_.results.panel().is_on_its_way() &&
          (tools_.operations.panel().preview().shown() ||
           (field && field->version_id() == part.head()->info.version_id));
 }

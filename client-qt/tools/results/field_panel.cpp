@@ -114,6 +114,7 @@ field_panel::field_panel(document& part, QWidget* parent) : QWidget(parent), par
     if (locks_)
       mode_->setCurrentIndex(static_cast<int>(range_mode::automatic));
   });
+  show_row(*case_, false);
   field_chosen();
 }
 
@@ -169,7 +170,6 @@ bool field_panel::lacks_yield() const {
                          : now->report.min_safety_factor.has_value());
 }
 
-/// Whether the field is there, but came before this quantity was asked for.
 bool field_panel::is_on_its_way() const {
   const auto now = field();
   return now && !has(*now, legend_.field) && !lacks_yield();
@@ -200,11 +200,20 @@ void field_panel::list_cases() {
     const int same = case_->findText(before);
     const bool any = in_envelope(legend_.field);
     case_->setCurrentIndex(same >= 0 ? same : any ? case_->count() - 1 : 0);
-    case_->setEnabled(case_->count() > 1);
   }
+  show_row(*case_, case_->count() > 1);
   enable_what_counts();
   say_what_is_missing();
   emit changed();
+}
+
+/// Of one load case there is nothing to choose, and the legend says a range that is not typed.
+void field_panel::show_row(QWidget& field, bool on) {
+  auto* form = static_cast<QFormLayout*>(layout());
+  if (form->isRowVisible(&field) == on)
+    return;
+  form->setRowVisible(&field, on);
+  emit height_changed();
 }
 
 shared_field field_panel::field() const {
@@ -301,10 +310,10 @@ void field_panel::enable_what_counts() {
   enable(*log_, steps.isEmpty() && kind_of(legend_.field) == field_kind::has_sign
                   ? tr("Values with a sign have no logarithm")
                   : steps);
+  const bool typed = steps.isEmpty() && legend_.mode == range_mode::manual;
   for (auto* edit : {low_, high_})
-    enable(*edit, steps.isEmpty() && legend_.mode != range_mode::manual
-                    ? tr("Choose the range \"As typed\" to type it")
-                    : steps);
+    edit->setEnabled(typed);
+  show_row(*low_->parentWidget(), typed);
   const auto now = field();
   enable(*deform_, now && now->envelope
                      ? tr("The envelope of all load cases has no deformation: choose one of them")

@@ -27,6 +27,8 @@ public:
   [[nodiscard]] const legend& wanted() const noexcept { return legend_; }
   /// The field of the chosen load case of the head; null when there is none yet.
   [[nodiscard]] shared_field field() const;
+  /// Whether the field is there, but came before the chosen quantity was asked for.
+  [[nodiscard]] bool is_on_its_way() const;
   /// Factor on the displacement; 0: not deformed.
   [[nodiscard]] double deform() const;
   [[nodiscard]] deformation_row& deformation() { return *deform_; }
@@ -47,16 +49,17 @@ public:
 
 signals:
   void changed();
+  void height_changed();  ///< It has another row, or one less.
 
 private:
   void list_fields();
   void list_cases();
+  void show_row(QWidget& field, bool on);
   void field_chosen();
   void case_chosen();
   void map_chosen();
   void say_what_is_missing();
   [[nodiscard]] bool lacks_yield() const;
-  [[nodiscard]] bool is_on_its_way() const;
   /// Whether the range is that of the values.
   [[nodiscard]] bool follows_values() const;
   void read_form();

@@ -82,6 +82,7 @@ void results_tool::show() {
   const auto* head = in_.part.head();
   if (!head || !head->surface)
     return;
+  in_.over.expect_legend(!head->info.load_cases.empty() || panel_->field());
   in_.part.solver().watch(needs(panel_->wanted().field));
   in_.truth.set_candidate(preview_.shown() != nullptr);
   const auto& refused = preview_.refusal();
