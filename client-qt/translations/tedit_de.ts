@@ -5003,6 +5003,94 @@
         <source>what read or wrote the file %1</source>
         <translation>was die Datei las oder schrieb, %1</translation>
     </message>
+    <message>
+        <source>%1 results for %2 load cases</source>
+        <translation>%1 Ergebnisse für %2 Lastfälle</translation>
+    </message>
+    <message>
+        <source>Ask for the names of those that there are</source>
+        <translation>Fragen Sie nach den Namen derer, die es gibt</translation>
+    </message>
+    <message>
+        <source>Issue it another certificate with &quot;tedit certs issue --role observer&quot;</source>
+        <translation>Stellen Sie ihm ein anderes Zertifikat aus: „tedit certs issue --role observer“</translation>
+    </message>
+    <message>
+        <source>Name one actor of the node that asks, each time the same</source>
+        <translation>Nennen Sie einen Aktor des Knotens, der fragt, jedes Mal denselben</translation>
+    </message>
+    <message>
+        <source>Solve on another device, and tell whoever made that solver</source>
+        <translation>Rechnen Sie auf einem anderen Gerät, und sagen Sie es dem, der diesen Löser gemacht hat</translation>
+    </message>
+    <message>
+        <source>Start that solver again, or choose another device</source>
+        <translation>Starten Sie diesen Löser wieder, oder wählen Sie ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>Tell whoever made that solver, or choose another device</source>
+        <translation>Sagen Sie es dem, der diesen Löser gemacht hat, oder wählen Sie ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>Watch others over a second connection</source>
+        <translation>Beobachten Sie weitere über eine zweite Verbindung</translation>
+    </message>
+    <message>
+        <source>a report with numbers that are not finite</source>
+        <translation>einen Bericht mit Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>a result of another version or load case</source>
+        <translation>ein Ergebnis einer anderen Version oder eines anderen Lastfalls</translation>
+    </message>
+    <message>
+        <source>a solver sent %1</source>
+        <translation>ein Löser hat etwas Falsches geschickt: %1</translation>
+    </message>
+    <message>
+        <source>an array %1 that does not fit the mesh</source>
+        <translation>ein Feld %1, das nicht zum Netz passt</translation>
+    </message>
+    <message>
+        <source>an array %1 with numbers that are not finite</source>
+        <translation>ein Feld %1 mit Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>an array that nobody knows</source>
+        <translation>ein Feld, das niemand kennt</translation>
+    </message>
+    <message>
+        <source>an envelope of another version, or with numbers that are not finite</source>
+        <translation>eine Einhüllende einer anderen Version oder mit Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>it named an observer that is not its own, or a second one</source>
+        <translation>er hat einen Beobachter genannt, der nicht sein eigener ist, oder einen zweiten</translation>
+    </message>
+    <message>
+        <source>leaves a relative residual of %1, and loads and stiffness do different work (%2 apart)</source>
+        <translation>lässt ein relatives Residuum von %1, und Lasten und Steifigkeit leisten verschiedene Arbeit (um %2)</translation>
+    </message>
+    <message>
+        <source>nobody who solves on &quot;%1&quot; is joined to this server now</source>
+        <translation>niemand, der auf „%1“ rechnet, ist jetzt mit diesem Server verbunden</translation>
+    </message>
+    <message>
+        <source>one connection watches %1 documents at most</source>
+        <translation>eine Verbindung beobachtet höchstens %1 Dokumente</translation>
+    </message>
+    <message>
+        <source>the certificate of %1 is one of a %2 worker, not of an observer</source>
+        <translation>das Zertifikat von %1 ist das eines Arbeiters (%2), nicht das eines Beobachters</translation>
+    </message>
+    <message>
+        <source>the solver %1 did not give a finite displacement for each of %2 nodes</source>
+        <translation>der Löser %1 hat nicht für jeden von %2 Knoten eine endliche Verschiebung gegeben</translation>
+    </message>
+    <message>
+        <source>what the solver %1 gave is no solution: it %2</source>
+        <translation>was der Löser %1 gegeben hat, ist keine Lösung: es %2</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
