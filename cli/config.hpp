@@ -16,6 +16,9 @@ struct server_config {
   std::string address = "127.0.0.1";
   int port = 7464;
   std::vector<std::string> allowed_origins;
+  std::vector<std::string> allowed_hosts;
+  std::string certificates;  ///< Empty: without TLS.
+  bool unencrypted_behind_proxy = false;
   std::string token_file;  ///< Empty: see `token_path`.
   std::string documents;   ///< Empty: see `documents_folder`.
   // [nodes]

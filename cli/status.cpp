@@ -16,7 +16,7 @@ namespace {
 
 struct status_options {
   std::string server = "ws://127.0.0.1:" + std::to_string(server_config().port) + "/v1";
-  std::string token_file;
+  server_access access;
 };
 
 nlohmann::ordered_json to_json(const client::server_status& status) {
@@ -78,7 +78,7 @@ std::string describe(const client::server_status& status) {
 }
 
 int run_status(const status_options& options, session& s) {
-  auto how = reach_server(options.server, options.token_file);
+  auto how = reach_server(options.server, options.access);
   if (!how)
     return print_error(s, how.error());
   how->client_name = "tedit status " TEDIT_VERSION;
@@ -100,10 +100,9 @@ void add_status(CLI::App& app, action& chosen) {
   auto options = std::make_shared<status_options>();
   auto* command = app.add_subcommand(
     "status", "Say how a running server and its workers are, and what takes up its memory");
-  command->add_option("--server", options->server, "The server (ws://HOST:PORT/v1)")
+  command->add_option("--server", options->server, "The server (ws[s]://HOST:PORT/v1)")
     ->capture_default_str();
-  command->add_option("--token-file", options->token_file,
-                      "The server's token; default: where \"tedit serve\" puts it");
+  add_access_options(*command, options->access);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_status(*options, s); }; });
 }

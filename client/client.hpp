@@ -34,8 +34,8 @@ namespace tedit::client {
 class client {
 public:
   /// Connects and introduces itself. Errors: `invalid_argument` for the URL, `service_unavailable`
-  /// when no server can be reached there, `protocol_error` when it speaks another major version,
-  /// what it says when it refuses the token.
+  /// when no server can be reached there, `untrusted_server` for its certificate (`server_trust`),
+  /// `protocol_error` when it speaks another major version, what it says when it refuses the token.
   [[nodiscard]] static expected<std::unique_ptr<client>> connect(const connect_options& options,
                                                                  events handlers);
 

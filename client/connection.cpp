@@ -33,7 +33,7 @@ connection::~connection() {
 }
 
 expected<void> connection::start(const connect_options& options) {
-  if (auto ok = socket_.connect(options.url, options.timeout); !ok)
+  if (auto ok = socket_.connect(options.url, options.timeout, options.trust); !ok)
     return ok;
   return hello(options);
 }

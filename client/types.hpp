@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <set>
@@ -13,12 +14,29 @@
 #include "fem/load_case.hpp"
 #include "mesh/formats.hpp"
 #include "protocol/report.hpp"
+#include "tls/shown_certificate.hpp"
 
 /// What the client hands to its caller: the protocol's messages as plain data.
 namespace tedit::client {
 
+using server_certificate = tls::shown_certificate;
+
+/// Which certificate of a server of wss:// is good. Without any of these: one that the system's
+/// authorities vouch for.
+struct server_trust {
+  /// Only the one of this SHA-256, whatever name and authority it has. Colons and case do not
+  /// matter.
+  std::string fingerprint;
+  /// Those that the authorities of this PEM file vouch for.
+  std::filesystem::path authority;
+  /// Told what the server showed, trusted or not, on the thread of the connection and before
+  /// `connect` returns.
+  std::function<void(const server_certificate&)> on_certificate;
+};
+
 struct connect_options {
-  std::string url;                          ///< "ws://HOST:PORT/PATH".
+  std::string url;                          ///< "wss://HOST:PORT/PATH", or "ws://..." without TLS.
+  server_trust trust;                       ///< Of wss://.
   std::string token;                        ///< Proves that the client may use the server.
   std::string client_name;                  ///< Program and version, for the server's log.
   std::chrono::milliseconds timeout{5000};  ///< For connecting, and again for Welcome.

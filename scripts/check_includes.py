@@ -17,6 +17,7 @@ CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", *WIRE)
 ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
     "certs": (("base",), ("openssl/",)),
+    "tls": (("certs", "base"), ("boost/", "openssl/")),
     "mesh": (("base",), ("Eigen/",)),
     "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
     "mesh/io": (("mesh", "base"), ()),
@@ -44,7 +45,7 @@ ROOMS = {
         ("ops/shapes/caps", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/sdk", "mesh", "base"), ()),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
-    "client": (("protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
+    "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors/links": (("certs", "base"), ("caf/", "spdlog/", "boost/", "openssl/")),
     "actors": (
@@ -53,11 +54,11 @@ ROOMS = {
     ),
     "actors/node/server.cpp": (("actors/gateway", "actors", "base"), ("caf/", "spdlog/")),
     "actors/gateway": (
-        ("actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
+        ("tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "cli": (
-        ("certs", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
+        ("certs", "tls", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
          "ops/sdk", "mesh/io", "mesh", "base"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
