@@ -196,6 +196,7 @@ const std::vector<option>& options() {
     {"server", "certificates", text(&c::certificates, path_fault)},
     {"server", "unencrypted_behind_proxy", yes_no(&c::unencrypted_behind_proxy)},
     {"server", "token_file", text(&c::token_file, path_fault)},
+    {"server", "users_file", text(&c::users_file, path_fault)},
     {"server", "documents", text(&c::documents, path_fault)},
     {"nodes", "certificates", text(&c::node_certificates, path_fault)},
     {"nodes", "address", text(&c::node_address, address_fault)},
@@ -390,6 +391,13 @@ expected<std::filesystem::path> documents_folder(const server_config& config) {
 
 expected<std::filesystem::path> token_path(const server_config& config) {
   return state_path(config.token_file, "token_file", "token");
+}
+
+expected<std::filesystem::path> users_path(const server_config& config) {
+  if (!config.users_file.empty())
+    return std::filesystem::path(config.users_file);
+  return token_path(config).map(
+    [](const std::filesystem::path& token) { return token.parent_path() / "users.sqlite"; });
 }
 
 }  // namespace tedit::cli

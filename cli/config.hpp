@@ -20,6 +20,7 @@ struct server_config {
   std::string certificates;  ///< Empty: without TLS.
   bool unencrypted_behind_proxy = false;
   std::string token_file;  ///< Empty: see `token_path`.
+  std::string users_file;  ///< Empty: see `users_path`.
   std::string documents;   ///< Empty: see `documents_folder`.
   // [nodes]
   std::string node_certificates;  ///< In the file: certificates. Empty: no other machine joins.
@@ -73,5 +74,8 @@ struct server_config {
 
 /// `token_file`, or tedit/token in the same place. Errors: as above.
 [[nodiscard]] expected<std::filesystem::path> token_path(const server_config& config);
+
+/// `users_file`, or users.sqlite beside the token. Errors: as above.
+[[nodiscard]] expected<std::filesystem::path> users_path(const server_config& config);
 
 }  // namespace tedit::cli

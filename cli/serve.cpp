@@ -124,6 +124,7 @@ int run_serve(const serve_options& given, session& s) {
   if (!token)
     return print_error(s, token.error());
   options.token = *token;
+  options.users = *users_path(*config);  // Beside a token that was found.
   auto started = server::start(options);
   if (!started)
     return print_error(s, started.error());

@@ -41,14 +41,19 @@ nlohmann::ordered_json to_json(const client::server_status& status) {
                      {"memory_bytes", n.memory_bytes},
                      {"connected_s", n.connected_s},
                      {"jobs_done", n.jobs_done}});
+  json clients = json::array();
+  for (const auto& c : status.clients)
+    clients.push_back({{"user", c.user},
+                       {"role", c.role},
+                       {"client", c.client},
+                       {"address", c.address},
+                       {"connected_s", c.connected_s}});
   json memory = json::array();
   for (const auto& m : status.memory)
     memory.push_back({{"what", m.what}, {"bytes", m.bytes}, {"budget_bytes", m.budget_bytes}});
-  return {{"documents", status.documents},
-          {"connections", status.connections},
-          {"workers", std::move(workers)},
-          {"nodes", std::move(nodes)},
-          {"memory", std::move(memory)}};
+  return {{"documents", status.documents}, {"connections", status.connections},
+          {"workers", std::move(workers)}, {"nodes", std::move(nodes)},
+          {"clients", std::move(clients)}, {"memory", std::move(memory)}};
 }
 
 std::string mebibytes(std::uint64_t bytes) {
@@ -70,6 +75,10 @@ std::string describe(const client::server_status& status) {
       fmt::format("  {:<15} {}, {} at {}: {}, TEdit {}, {} threads, {:.0f} GiB, {} jobs done\n",
                   "node " + n.name, n.state, n.role, n.address, n.device, n.version, n.threads,
                   static_cast<double>(n.memory_bytes) / (1 << 30), n.jobs_done);
+  for (const auto& c : status.clients)
+    text += fmt::format("  {:<15} {}, {} at {}, for {:.0f} s\n",
+                        "client " + (c.user.empty() ? "(server's token)" : c.user), c.role,
+                        c.client, c.address, c.connected_s);
   text += "  memory\n";
   for (const auto& m : status.memory)
     text += fmt::format("    {:<13} {}{}\n", m.what, mebibytes(m.bytes),

@@ -182,6 +182,9 @@ public:
   /// The same, for the report of the first load case or the only one.
   [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
 
+  /// Whom the token names and what it allows, as the server said when it was connected to.
+  [[nodiscard]] own_access access() const;
+
   /// The formats of mesh files that the server reads and writes, as it said when it was connected
   /// to.
   [[nodiscard]] std::vector<offered_format> formats() const;

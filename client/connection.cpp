@@ -51,6 +51,7 @@ expected<void> connection::hello(const connect_options& options) {
   const auto& welcome = got->message.welcome();
   if (welcome.max_message_bytes() != 0)
     max_message_ = welcome.max_message_bytes();
+  access_ = {welcome.user(), welcome.role()};
   for (const auto& format : welcome.formats())
     formats_.push_back(from_message(format));
   return {};

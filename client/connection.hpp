@@ -72,6 +72,9 @@ public:
   /// Those of mesh files that the server reads and writes.
   [[nodiscard]] const std::vector<offered_format>& formats() const noexcept { return formats_; }
 
+  /// Whom the token names, and what it allows.
+  [[nodiscard]] const own_access& access() const noexcept { return access_; }
+
 private:
   using clock = std::chrono::steady_clock;
 
@@ -118,6 +121,7 @@ private:
   inbox inbox_;
   std::atomic<std::uint64_t> next_id_{1};
   std::atomic<std::uint64_t> max_message_{std::uint64_t{1} << 20};
+  own_access access_;                    ///< As `formats_`.
   std::vector<offered_format> formats_;  ///< Not changed once `start` is done.
 
   std::mutex mutex_;  ///< Guards the three below and all `pending`.

@@ -201,6 +201,21 @@ struct node_status {
   std::uint64_t jobs_done = 0;
 };
 
+/// A client that is connected (message `tedit.v1.ClientStatus`).
+struct client_status {
+  std::string user;  ///< Empty: who has the server's own token.
+  std::string role;  ///< "view", "edit", "admin".
+  std::string client;
+  std::string address;
+  double connected_s = 0;
+};
+
+/// Who this client is to the server.
+struct own_access {
+  std::string user;  ///< Empty: who has the server's own token.
+  std::string role;  ///< What it may do: "view", "edit", "admin".
+};
+
 /// Bytes of one kind that the server's process keeps.
 struct memory_use {
   std::string what;
@@ -211,7 +226,8 @@ struct memory_use {
 struct server_status {
   std::vector<worker_status> workers;
   std::vector<memory_use> memory;
-  std::vector<node_status> nodes;
+  std::vector<node_status> nodes;      ///< To others than admins without name and address.
+  std::vector<client_status> clients;  ///< For admins only.
   std::uint32_t documents = 0;
   std::uint32_t connections = 0;
 };

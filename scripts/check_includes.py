@@ -59,7 +59,7 @@ ROOMS = {
     ),
     "cli": (
         ("certs", "tls", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
-         "ops/sdk", "mesh/io", "mesh", "base"),
+         "ops/sdk", "mesh/io", "mesh", "base", "actors/gateway/users.hpp"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
     "cli/render": (("cli/number_option.hpp", "base"), ("vtk", "CLI/", "nlohmann/")),

@@ -23,7 +23,7 @@ LEFT_OUT = re.compile(r"""
   | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)
   | client/(recipes/|recipe_) | protocol/(forms|json)
   | actors/(links|pages|exits|session/numbers|supervisor/pool_numbers|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder|removal|cleaning|check\.|document_view)
-  | actors/gateway/(http_session|ws_session|transport|gateway\.)
+  | actors/gateway/(http_session|ws_session|transport|gateway\.|users)
 """, re.X)
 
 # Where pieces of sentences are put together by helpers: all words count, not only those behind a code.

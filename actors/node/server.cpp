@@ -200,6 +200,13 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
     return fail(ec::invalid_argument, "a server needs a token");
   if (auto ok = check_exposure(options); !ok)
     return fail(ok.error());
+  std::shared_ptr<gateway::user_book> users;
+  if (!options.users.empty()) {
+    auto opened = gateway::user_book::open(options.users);
+    if (!opened)
+      return fail(opened.error());
+    users = *std::move(opened);
+  }
   const auto ready = store::prepare_documents_folder(options.documents);
   if (!ready)
     return fail(ready.error());
@@ -237,7 +244,8 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   door.certificates = options.certificates;
   gateway::gateway_parts parts;
   parts.hub = hub;
-  parts.guard = std::make_shared<gateway::token_guard>(options.token);
+  parts.guard = std::make_shared<gateway::token_guard>(options.token, std::move(users));
+  parts.access_every = options.access_every;
   parts.server_name = "tedit " TEDIT_VERSION;
   parts.upload_bytes = options.upload_bytes;
   parts.all_uploads = std::make_shared<gateway::upload_account>(options.all_upload_bytes);

@@ -25,8 +25,13 @@ struct server_options {
   /// The same for any address: what lies between it and the clients is somebody else's business.
   bool unencrypted_behind_proxy = false;
   std::filesystem::path documents;  ///< The folder of the document files; made 0700.
-  std::string token;                ///< What clients must prove to know; not empty.
-  std::string device = "auto";      ///< For solves that name none.
+  std::string token;                ///< Who knows it may do everything; not empty.
+  /// Others and their tokens (actors/gateway/users.hpp), in a file that may come later. Empty:
+  /// none.
+  std::filesystem::path users;
+  /// So often it is looked whether the token of each who is connected still holds.
+  std::chrono::milliseconds access_every{30'000};
+  std::string device = "auto";  ///< For solves that name none.
 
   /// Workers in processes of their own, which may die; else on threads of this process.
   bool worker_processes = true;

@@ -4979,6 +4979,26 @@
         <source>the server at %1 shows another certificate (SHA-256 %2) than the one that is trusted (%3)</source>
         <translation>der Server bei %1 zeigt ein anderes Zertifikat (SHA-256 %2) als das, dem vertraut wird (%3)</translation>
     </message>
+    <message>
+        <source>Ask who keeps the server for another (tedit users token)</source>
+        <translation>Bitten Sie den Betreiber des Servers um ein neues (tedit users token)</translation>
+    </message>
+    <message>
+        <source>Ask who keeps the server for another role (tedit users role)</source>
+        <translation>Bitten Sie den Betreiber des Servers um eine andere Rolle (tedit users role)</translation>
+    </message>
+    <message>
+        <source>the token of %1 ended at %2</source>
+        <translation>das Token von %1 ist am %2 abgelaufen</translation>
+    </message>
+    <message>
+        <source>the token of %1 was withdrawn</source>
+        <translation>das Token von %1 wurde zurückgezogen</translation>
+    </message>
+    <message>
+        <source>this needs the role %1, and your token has %2</source>
+        <translation>dafür ist die Rolle %1 nötig, und Ihr Token hat %2</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A server that is reached by TLS, as people and scripts use it.
+// A server that is reached by TLS, and its users, as people and scripts use them.
 #include <sys/stat.h>
 
 #include <chrono>
@@ -54,6 +54,12 @@ protected:
     return run("status --json --server " + url() + " --token-file " + at(token) + " " + more);
   }
 
+  json users(const std::string& arguments) const {
+    const auto result = run("users " + arguments + " --json --users-file " + at("users.sqlite"));
+    EXPECT_EQ(result.status, 0) << arguments << ": " << result.out;
+    return result.parsed();
+  }
+
 private:
   scratch_folder folder_;
   pid_t pid_ = 0;
@@ -87,6 +93,51 @@ TEST_F(AccessProgram, AServerIsTrustedOnceAndKnownFromThenOn) {
               ::testing::AllOf(HasSubstr("shows another certificate"), HasSubstr(fingerprint())));
   EXPECT_THAT(changed.parsed()["error"]["remedy"].get<std::string>(), HasSubstr("operator"));
   EXPECT_EQ(ask("--server-ca " + at("ca/ca.crt")).status, 0);
+}
+
+TEST_F(AccessProgram, AUserIsMadeGivenATokenAndForgotten) {
+  const std::string trusted = "--server-ca " + at("ca/ca.crt");
+  const auto made = users("add anna --role view --expires 30d -o " + at("anna"));
+  EXPECT_EQ(made["user"], "anna");
+  EXPECT_FALSE(made.contains("token"));
+  struct stat about {};
+  ASSERT_EQ(::stat(at("anna").c_str(), &about), 0);
+  EXPECT_EQ(about.st_mode & 0777, 0600u);
+  EXPECT_EQ(ask(trusted, "anna").status, 0);
+  EXPECT_TRUE(ask(trusted, "anna").parsed()["clients"].empty());
+  const auto seen = ask(trusted).parsed()["clients"];
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0]["role"], "admin");
+
+  const auto shown = users("token anna --expires never");
+  EXPECT_EQ(shown["token"].get<std::string>().size(), 64u);
+  EXPECT_TRUE(shown["until"].is_null());
+  users("role anna --role edit");
+  const auto all = users("list")["users"];
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0]["role"], "edit");
+  EXPECT_EQ(all[0]["tokens"].size(), 2u);
+
+  users("withdraw " + std::to_string(made["number"].get<int>()));
+  EXPECT_EQ(ask(trusted, "anna").status, 1);
+  std::ofstream(at("anna")) << shown["token"].get<std::string>();
+  EXPECT_EQ(ask(trusted, "anna").status, 0);
+  users("remove anna");
+  EXPECT_EQ(ask(trusted, "anna").status, 1);
+  EXPECT_TRUE(users("list")["users"].empty());
+}
+
+TEST_F(AccessProgram, UsersRefuseWhatCannotBe) {
+  const std::string file = " --users-file " + at("users.sqlite");
+  EXPECT_EQ(run("users").status, 2);
+  EXPECT_EQ(run("users add anna --role owner" + file).status, 2);
+  EXPECT_EQ(run("users add anna" + file).status, 2);
+  for (const char* expires : {"0d", "d", "90", "90w", "-1d", "99999d", "1e3d", ""})
+    EXPECT_EQ(
+      run("users add anna --role view --expires '" + std::string(expires) + "'" + file).status, 2)
+      << expires;
+  EXPECT_EQ(run("users remove anna --json" + file).parsed()["error"]["code"], "not_found");
+  EXPECT_EQ(run("users list" + file).out, "there are no users\n");
 }
 
 }  // namespace

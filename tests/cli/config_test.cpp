@@ -99,6 +99,7 @@ allowed_hosts = ["mesh.example.org", "10.0.0.7:8443", "[fd00::7]", "[fd00::7]:1"
 certificates = "/etc/tedit/hall"
 unencrypted_behind_proxy = true
 token_file = "/run/tedit/token"
+users_file = "/run/tedit/users"
 documents = "/srv/tedit"
 [nodes]
 certificates = "/etc/tedit/hall"
@@ -132,6 +133,7 @@ level = "debug"
   EXPECT_EQ(config->certificates, "/etc/tedit/hall");
   EXPECT_TRUE(config->unencrypted_behind_proxy);
   EXPECT_EQ(config->token_file, "/run/tedit/token");
+  EXPECT_EQ(users_path(*config), std::filesystem::path("/run/tedit/users"));
   EXPECT_EQ(config->documents, "/srv/tedit");
   EXPECT_EQ(config->node_certificates, "/etc/tedit/hall");
   EXPECT_EQ(config->node_address, "0.0.0.0");
