@@ -4932,6 +4932,14 @@
         <translation>Fragen Sie den Betreiber, ob es ausgetauscht wurde: wenn ja, vertrauen Sie dem neuen; wenn nicht, steht jemand zwischen Ihnen und dem Server.</translation>
     </message>
     <message>
+        <source>Ask who keeps the server for another (tedit users token)</source>
+        <translation>Bitten Sie den Betreiber des Servers um ein neues (tedit users token)</translation>
+    </message>
+    <message>
+        <source>Ask who keeps the server for another role (tedit users role)</source>
+        <translation>Bitten Sie den Betreiber des Servers um eine andere Rolle (tedit users role)</translation>
+    </message>
+    <message>
         <source>Compare that with the fingerprint that &quot;tedit serve&quot; prints, and trust it (--trust FINGERPRINT), or give the certificate of its authority (--server-ca FILE).</source>
         <translation>Vergleichen Sie ihn mit dem Fingerabdruck, den „tedit serve“ ausgibt, und vertrauen Sie ihm (--trust FINGERABDRUCK), oder nennen Sie das Zertifikat seiner Zertifizierungsstelle (--server-ca DATEI).</translation>
     </message>
@@ -4978,14 +4986,6 @@
     <message>
         <source>the server at %1 shows another certificate (SHA-256 %2) than the one that is trusted (%3)</source>
         <translation>der Server bei %1 zeigt ein anderes Zertifikat (SHA-256 %2) als das, dem vertraut wird (%3)</translation>
-    </message>
-    <message>
-        <source>Ask who keeps the server for another (tedit users token)</source>
-        <translation>Bitten Sie den Betreiber des Servers um ein neues (tedit users token)</translation>
-    </message>
-    <message>
-        <source>Ask who keeps the server for another role (tedit users role)</source>
-        <translation>Bitten Sie den Betreiber des Servers um eine andere Rolle (tedit users role)</translation>
     </message>
     <message>
         <source>the token of %1 ended at %2</source>
@@ -7491,6 +7491,33 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>The shipped parts are not there: the tour needs the plate.</source>
         <translation>Die mitgelieferten Teile sind nicht da: Der Rundgang braucht die Platte.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::trust_dialog</name>
+    <message>
+        <source>Is this the right server?</source>
+        <translation>Ist das der richtige Server?</translation>
+    </message>
+    <message>
+        <source>The server at %1 is not known here, and no authority that this computer trusts vouches for it. Its certificate ends on %2 and has the fingerprint (SHA-256):</source>
+        <translation>Der Server bei %1 ist hier nicht bekannt, und keine Zertifizierungsstelle, der dieser Rechner vertraut, steht für ihn ein. Sein Zertifikat endet am %2 und hat den Fingerabdruck (SHA-256):</translation>
+    </message>
+    <message>
+        <source>The server at %1 shows another certificate than the one that you trust. Either it was exchanged, or somebody stands between you and the server. You trust:</source>
+        <translation>Der Server bei %1 zeigt ein anderes Zertifikat als das, dem Sie vertrauen. Entweder wurde es ausgetauscht, oder jemand steht zwischen Ihnen und dem Server. Sie vertrauen:</translation>
+    </message>
+    <message>
+        <source>It shows one that ends on %1:</source>
+        <translation>Er zeigt eines, das am %1 endet:</translation>
+    </message>
+    <message>
+        <source>Trust it only if the operator of the server says the same one; &quot;tedit serve&quot; prints it. It is then known on this computer.</source>
+        <translation>Vertrauen Sie ihm nur, wenn der Betreiber des Servers denselben nennt; „tedit serve“ gibt ihn aus. Er ist dann auf diesem Rechner bekannt.</translation>
+    </message>
+    <message>
+        <source>Trust this server</source>
+        <translation>Diesem Server vertrauen</translation>
     </message>
 </context>
 <context>
