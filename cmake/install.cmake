@@ -38,7 +38,7 @@ foreach(name IN ITEMS options base mesh io sdk services)
   install(TARGETS tedit_${name} EXPORT TEditTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
 # What an integrator links: a set of its own, so that plugins need no protobuf.
-foreach(name IN ITEMS fem_receipt messages protocol client)
+foreach(name IN ITEMS fem_receipt messages protocol certs tls client)
   set_target_properties(tedit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tedit_${name} EXPORT TEditClientTargets ARCHIVE DESTINATION lib/tedit COMPONENT dev)
 endforeach()
