@@ -5143,6 +5143,26 @@
         <source>what the solver %1 gave is no solution: it %2</source>
         <translation>was der Löser %1 gegeben hat, ist keine Lösung: es %2</translation>
     </message>
+    <message>
+        <source>does not begin with ws:// or wss://</source>
+        <translation>beginnt weder mit ws:// noch mit wss://</translation>
+    </message>
+    <message>
+        <source>has a space or control character</source>
+        <translation>enthält ein Leer- oder Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>has no closing bracket</source>
+        <translation>hat keine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>has something after the bracket that is no port</source>
+        <translation>hat hinter der Klammer etwas, das kein Port ist</translation>
+    </message>
+    <message>
+        <source>names no host or no valid port</source>
+        <translation>nennt keinen Rechner oder keinen gültigen Port</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
