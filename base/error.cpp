@@ -51,6 +51,8 @@ constexpr std::array code_rows{
   code_row{ec::protocol_error, "protocol_error"},
   code_row{ec::storage_error, "storage_error"},
   code_row{ec::internal, "internal"},
+  code_row{ec::permission_denied, "permission_denied"},
+  code_row{ec::untrusted_server, "untrusted_server"},
 };
 
 }  // namespace
@@ -79,6 +81,7 @@ int exit_status(ec code) noexcept {
       return 65;
     case ec::service_unavailable:
     case ec::device_unavailable:
+    case ec::untrusted_server:
       return 69;
     case ec::cancelled:
       return 130;

@@ -57,6 +57,9 @@ enum class ec {
   protocol_error,       ///< A message could not be understood.
   storage_error,        ///< The document's storage failed.
   internal,             ///< A defect of the program itself.
+  // -- access, last: plugins were built with the numbers of those above ------
+  permission_denied,  ///< The caller's role is too low; the message names the least one.
+  untrusted_server,   ///< A server's certificate is not one that the client trusts.
 };
 
 /// The stable lower-case name of a code, for example "under_constrained".

@@ -88,22 +88,6 @@ std::string address_text(const ASN1_OCTET_STRING& bytes) {
   return text;
 }
 
-std::vector<std::string> hosts_of(X509& one) {
-  using names_ptr = std::unique_ptr<GENERAL_NAMES, openssl_end<GENERAL_NAMES_free>>;
-  std::vector<std::string> hosts;
-  const names_ptr names(
-    static_cast<GENERAL_NAMES*>(X509_get_ext_d2i(&one, NID_subject_alt_name, nullptr, nullptr)));
-  for (int i = 0; names && i < sk_GENERAL_NAME_num(names.get()); ++i) {
-    const auto* name = sk_GENERAL_NAME_value(names.get(), i);
-    if (name->type == GEN_DNS)
-      hosts.emplace_back(reinterpret_cast<const char*>(ASN1_STRING_get0_data(name->d.dNSName)),
-                         static_cast<std::size_t>(ASN1_STRING_length(name->d.dNSName)));
-    else if (name->type == GEN_IPADD)
-      hosts.push_back(address_text(*name->d.iPAddress));
-  }
-  return hosts;
-}
-
 }  // namespace
 
 std::string openssl_complaint() {
@@ -141,6 +125,23 @@ expected<x509_ptr> read_certificate(const fs::path& file) {
       return PEM_read_bio_X509(bio, nullptr, no_passphrase, nullptr);
     });
   });
+}
+
+expected<std::vector<x509_ptr>> read_chain(const fs::path& file) {
+  return read_small_file(file).and_then(
+    [&](const std::string& text) -> expected<std::vector<x509_ptr>> {
+      std::vector<x509_ptr> chain;
+      const bio_ptr bio(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
+      while (x509_ptr one{PEM_read_bio_X509(bio.get(), nullptr, no_passphrase, nullptr)})
+        chain.push_back(std::move(one));
+      const bool at_end = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
+      ERR_clear_error();
+      if (chain.empty() || !at_end)
+        return fail(
+          ec::bad_input, file.string() + " is no list of certificates, or has something else in it",
+          "Give the certificate and those of its authorities in PEM, one after the other");
+      return chain;
+    });
 }
 
 expected<crl_ptr> read_revoked(const fs::path& file) {
@@ -187,6 +188,22 @@ std::string to_pem(EVP_PKEY& one) {
 
 std::string common_name(X509& one) {
   return only_entry(one, NID_commonName);
+}
+
+std::vector<std::string> hosts_of(X509& one) {
+  using names_ptr = std::unique_ptr<GENERAL_NAMES, openssl_end<GENERAL_NAMES_free>>;
+  std::vector<std::string> hosts;
+  const names_ptr names(
+    static_cast<GENERAL_NAMES*>(X509_get_ext_d2i(&one, NID_subject_alt_name, nullptr, nullptr)));
+  for (int i = 0; names && i < sk_GENERAL_NAME_num(names.get()); ++i) {
+    const auto* name = sk_GENERAL_NAME_value(names.get(), i);
+    if (name->type == GEN_DNS)
+      hosts.emplace_back(reinterpret_cast<const char*>(ASN1_STRING_get0_data(name->d.dNSName)),
+                         static_cast<std::size_t>(ASN1_STRING_length(name->d.dNSName)));
+    else if (name->type == GEN_IPADD)
+      hosts.push_back(address_text(*name->d.iPAddress));
+  }
+  return hosts;
 }
 
 std::int64_t time_of(const ASN1_TIME* when) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "certs/authority.hpp"
@@ -15,10 +16,12 @@ namespace tedit::certs {
 /// The bytes of a file of at most a MiB. Errors: `io_error`; `bad_input` for a larger one.
 [[nodiscard]] expected<std::string> read_small_file(const std::filesystem::path& file);
 
-/// Errors of all three: those of `read_small_file`; `bad_input` for what is none, cut off or
+/// Errors of all four: those of `read_small_file`; `bad_input` for what is none, cut off or
 /// followed by something else.
 [[nodiscard]] expected<x509_ptr> read_certificate(const std::filesystem::path& file);
 [[nodiscard]] expected<crl_ptr> read_revoked(const std::filesystem::path& file);
+/// A certificate and those that lead from it to an authority, at least one.
+[[nodiscard]] expected<std::vector<x509_ptr>> read_chain(const std::filesystem::path& file);
 /// Also: `invalid_argument` when others may read the file, or a passphrase guards it.
 [[nodiscard]] expected<key_ptr> read_key(const std::filesystem::path& file);
 
@@ -32,6 +35,9 @@ namespace tedit::certs {
 
 /// The one CN of a subject; empty when there is none or more than one.
 [[nodiscard]] std::string common_name(X509& one);
+
+/// Names and addresses that it holds for.
+[[nodiscard]] std::vector<std::string> hosts_of(X509& one);
 
 /// Seconds since 1970.
 [[nodiscard]] std::int64_t time_of(const ASN1_TIME* when);

@@ -37,7 +37,7 @@ struct compare_options {
   std::string output;
   std::string length_unit = "mm";
   std::string server;
-  std::string token_file;
+  server_access access;
   solver_options solver;
 };
 
@@ -268,7 +268,7 @@ expected<void> check_for_server(const compare_options& options) {
 expected<client::comparison> ask_server(const compare_options& options, session& s) {
   if (auto ok = check_for_server(options); !ok)
     return fail(ok.error());
-  auto how = reach_server(options.server, options.token_file);
+  auto how = reach_server(options.server, options.access);
   if (!how)
     return fail(how.error());
   how->client_name = "tedit compare " TEDIT_VERSION;
@@ -352,9 +352,8 @@ void add_compare(CLI::App& app, action& chosen) {
   command->add_option("--length-unit", options->length_unit, "Unit of the files' coordinates")
     ->capture_default_str();
   command->add_option("--server", options->server,
-                      "Ask this server (ws://HOST:PORT/v1), with the fields that it has solved");
-  command->add_option("--token-file", options->token_file,
-                      "The server's token; default: where \"tedit serve\" puts it");
+                      "Ask this server (ws[s]://HOST:PORT/v1), with the fields that it has solved");
+  add_access_options(*command, options->access);
   add_solver_options(*command, options->solver);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_compare(*options, s); }; });

@@ -149,23 +149,42 @@ bool is_origin(const std::string& text) {
   return !host.empty() && host.find_first_of("/?#@* \t") == std::string::npos;
 }
 
-std::string set_origins(const toml::node& given, server_config& config) {
-  const auto* list = given.as_array();
-  if (!list)
-    return "must be a list of texts";
-  std::vector<std::string> origins;
-  for (const auto& item : *list) {
-    const auto origin = item.value_exact<std::string>();
-    if (!origin)
-      return "must list texts only";
-    if (!is_origin(*origin))
-      return "must list origins such as \"http://localhost:5173\" (scheme, host and port, no "
-             "path), not \"" +
-             *origin + "\"";
-    origins.push_back(*origin);
-  }
-  config.allowed_origins = std::move(origins);
-  return {};
+/// A name or an address (IPv6 in brackets), and a port when it is another than the server's.
+bool is_host(const std::string& text) {
+  in6_addr scratch{};
+  const auto close = text.find(']');
+  const bool v6 = text.starts_with('[') && close != std::string::npos &&
+                  inet_pton(AF_INET6, text.substr(1, close - 1).c_str(), &scratch) == 1;
+  const auto end = v6 ? close + 1
+                      : text.find_first_not_of(
+                          "abcdefghijklmnopqrstuvwxyz"
+                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._");
+  if (end == std::string::npos || end == text.size())
+    return !text.empty();
+  const auto port = text.substr(end + 1);
+  return end > 0 && text[end] == ':' && !port.empty() && port.size() <= 5 &&
+         port.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// A list of texts that keep a rule; `wanted` says it: "must list ... such as ...".
+setter texts(std::vector<std::string> server_config::*member, bool (*fits)(const std::string&),
+             std::string wanted) {
+  return [=](const toml::node& given, server_config& config) -> std::string {
+    const auto* list = given.as_array();
+    if (!list)
+      return "must be a list of texts";
+    std::vector<std::string> found;
+    for (const auto& item : *list) {
+      const auto one = item.value_exact<std::string>();
+      if (!one)
+        return "must list texts only";
+      if (!fits(*one))
+        return wanted + ", not \"" + *one + "\"";
+      found.push_back(*one);
+    }
+    config.*member = std::move(found);
+    return {};
+  };
 }
 
 /// All that a file may hold, in the order of config/tedit.toml.
@@ -174,8 +193,16 @@ const std::vector<option>& options() {
   static const std::vector<option> list{
     {"server", "address", text(&c::address, address_fault)},
     {"server", "port", whole(&c::port, 0, 65535)},
-    {"server", "allowed_origins", set_origins},
+    {"server", "allowed_origins",
+     texts(&c::allowed_origins, is_origin,
+           "must list origins such as \"http://localhost:5173\" (scheme, host and port, no path)")},
+    {"server", "allowed_hosts",
+     texts(&c::allowed_hosts, is_host,
+           "must list hosts such as \"mesh.example.org\" or \"mesh.example.org:8443\"")},
+    {"server", "certificates", text(&c::certificates, path_fault)},
+    {"server", "unencrypted_behind_proxy", yes_no(&c::unencrypted_behind_proxy)},
     {"server", "token_file", text(&c::token_file, path_fault)},
+    {"server", "users_file", text(&c::users_file, path_fault)},
     {"server", "documents", text(&c::documents, path_fault)},
     {"nodes", "certificates", text(&c::node_certificates, path_fault)},
     {"nodes", "address", text(&c::node_address, address_fault)},
@@ -371,6 +398,13 @@ expected<std::filesystem::path> documents_folder(const server_config& config) {
 
 expected<std::filesystem::path> token_path(const server_config& config) {
   return state_path(config.token_file, "token_file", "token");
+}
+
+expected<std::filesystem::path> users_path(const server_config& config) {
+  if (!config.users_file.empty())
+    return std::filesystem::path(config.users_file);
+  return token_path(config).map(
+    [](const std::filesystem::path& token) { return token.parent_path() / "users.sqlite"; });
 }
 
 }  // namespace tedit::cli

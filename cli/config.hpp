@@ -16,7 +16,11 @@ struct server_config {
   std::string address = "127.0.0.1";
   int port = 7464;
   std::vector<std::string> allowed_origins;
+  std::vector<std::string> allowed_hosts;
+  std::string certificates;  ///< Empty: without TLS.
+  bool unencrypted_behind_proxy = false;
   std::string token_file;  ///< Empty: see `token_path`.
+  std::string users_file;  ///< Empty: see `users_path`.
   std::string documents;   ///< Empty: see `documents_folder`.
   // [nodes]
   std::string node_certificates;  ///< In the file: certificates. Empty: no other machine joins.
@@ -71,5 +75,8 @@ struct server_config {
 
 /// `token_file`, or tedit/token in the same place. Errors: as above.
 [[nodiscard]] expected<std::filesystem::path> token_path(const server_config& config);
+
+/// `users_file`, or users.sqlite beside the token. Errors: as above.
+[[nodiscard]] expected<std::filesystem::path> users_path(const server_config& config);
 
 }  // namespace tedit::cli

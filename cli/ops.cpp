@@ -102,12 +102,12 @@ std::string describe(const refused_operation& one) {
 struct ops_options {
   std::string only;
   std::string server;
-  std::string token_file;
+  server_access access;
 };
 
 /// What a running server offers, and what it has switched off since it started.
 int run_on_server(const ops_options& options, session& s) {
-  auto how = reach_server(options.server, options.token_file);
+  auto how = reach_server(options.server, options.access);
   if (!how)
     return print_error(s, how.error());
   how->client_name = "tedit ops " TEDIT_VERSION;
@@ -173,9 +173,8 @@ void add_ops(CLI::App& app, action& chosen) {
   command->add_option("operation", options->only, "Only this one");
   command->add_option(
     "--server", options->server,
-    "List those of this server (ws://HOST:PORT/v1), and what it put in quarantine");
-  command->add_option("--token-file", options->token_file,
-                      "The server's token; default: where \"tedit serve\" puts it");
+    "List those of this server (ws[s]://HOST:PORT/v1), and what it put in quarantine");
+  add_access_options(*command, options->access);
   command->callback([options, &chosen] {
     chosen = [options](session& s) {
       return options->server.empty() ? run_ops(options->only, s) : run_on_server(*options, s);

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "actors/node/server.hpp"
+#include "base/random_token.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/logging.hpp"
 #include "cli/recipe_runner.hpp"
@@ -24,7 +25,7 @@ struct run_options {
   std::string out = "out";
   std::string device;
   std::string server;
-  std::string token_file;
+  server_access access;
 };
 
 /// A server inside this program, with worker processes of its own (plugins may crash) and a folder
@@ -123,8 +124,7 @@ int run_recipe(const run_options& options, session& s) {
   if (!steps)
     return print_error(s, steps.error());
   embedded_server own;
-  auto how =
-    options.server.empty() ? own.start() : reach_server(options.server, options.token_file);
+  auto how = options.server.empty() ? own.start() : reach_server(options.server, options.access);
   if (!how)
     return print_error(s, how.error());
   how->client_name = "tedit run " TEDIT_VERSION;
@@ -164,10 +164,10 @@ void add_run(CLI::App& app, action& chosen) {
     ->capture_default_str();
   command->add_option("--out", options->out, "Folder for exported files")->capture_default_str();
   command->add_option("--device", options->device, "Device instead of the recipe's");
-  command->add_option("--server", options->server,
-                      "Work on this server (ws://HOST:PORT/v1) instead of one inside this program");
-  command->add_option("--token-file", options->token_file,
-                      "The server's token; default: where \"tedit serve\" puts it");
+  command->add_option(
+    "--server", options->server,
+    "Work on this server (ws[s]://HOST:PORT/v1) instead of one inside this program");
+  add_access_options(*command, options->access);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_recipe(*options, s); }; });
 }

@@ -26,6 +26,7 @@ struct serve_options {
   std::optional<int> port;
   std::optional<std::string> documents;
   std::optional<std::string> token_file;
+  std::optional<std::string> certificates;
   std::optional<std::string> node_certificates;
   std::optional<std::string> node_address;
   std::optional<int> node_port;
@@ -43,6 +44,9 @@ server_options to_server_options(const server_config& config) {
   options.address = config.address;
   options.port = static_cast<std::uint16_t>(config.port);
   options.allowed_origins = config.allowed_origins;
+  options.allowed_hosts = config.allowed_hosts;
+  options.certificates = config.certificates;
+  options.unencrypted_behind_proxy = config.unencrypted_behind_proxy;
   if (!config.node_certificates.empty())
     options.node_certificates = config.node_certificates;
   options.node_address = config.node_address;
@@ -83,6 +87,8 @@ expected<server_config> effective_config(const serve_options& given) {
     config->documents = *given.documents;
   if (given.token_file)
     config->token_file = *given.token_file;
+  if (given.certificates)
+    config->certificates = *given.certificates;
   if (given.node_certificates)
     config->node_certificates = *given.node_certificates;
   if (given.node_address)
@@ -125,6 +131,7 @@ int run_serve(const serve_options& given, session& s) {
   if (!token)
     return print_error(s, token.error());
   options.token = *token;
+  options.users = *users_path(*config);  // Beside a token that was found.
   auto started = server::start(options);
   if (!started)
     return print_error(s, started.error());
@@ -134,12 +141,16 @@ int run_serve(const serve_options& given, session& s) {
                                {"pid", getpid()}};
   if (const auto port = (*started)->node_port())
     state["node_port"] = *port;
+  const auto shown = (*started)->fingerprint();
+  if (!shown.empty())
+    state["certificate_sha256"] = shown;
   if (!given.ready_file.empty())
     if (auto written = write_ready_file(given.ready_file, state); !written)
       return print_error(s, written.error());
   print_result(s, state,
-               "listening on " + (*started)->url() + "\n  token     " + token_file->string() +
-                 "\n  documents " + options.documents.string() +
+               "listening on " + (*started)->url() + "\n" +
+                 (shown.empty() ? "" : "  SHA-256   " + shown + "\n") + "  token     " +
+                 token_file->string() + "\n  documents " + options.documents.string() +
                  "\n  end with Ctrl-C; clients: tedit run RECIPE.json --server " +
                  (*started)->url() + "\n" +
                  ((*started)->node_port() ? "  workers of other machines join at port " +
@@ -167,6 +178,9 @@ void add_serve(CLI::App& app, action& chosen) {
   command->add_option("--documents", options->documents, "Folder of the documents");
   command->add_option("--token-file", options->token_file,
                       "File with the secret that clients must give; it is made when missing");
+  command->add_option("--certificates", options->certificates,
+                      "Folder of \"tedit certs issue --role server\", or with fullchain.pem and "
+                      "privkey.pem: clients connect by wss://");
   command->add_option("--node-certificates", options->node_certificates,
                       "Folder of \"tedit certs issue --role server\": workers of other machines "
                       "may join");

@@ -13,8 +13,10 @@
 #include "actors/store/documents_folder.hpp"
 #include "base/system_failure.hpp"
 #include "base/unique_fd.hpp"
+#include "base/utc.hpp"
 #include "cli/config.hpp"
 #include "cli/token.hpp"
+#include "tls/server_identity.hpp"
 
 namespace tedit::cli {
 
@@ -61,6 +63,18 @@ check_row check_token(const server_config& config) {
   if (auto ok = store::check_writable(file->parent_path()); !ok)
     return failed("token", ok.error());
   return {"token", true, file->string() + " (made when the server starts)"};
+}
+
+/// Whether clients of other machines may be let in, and until when the certificate for it holds.
+check_row check_certificate(const server_config& config) {
+  if (config.certificates.empty())
+    return {"certificate", true, "none: clients connect by ws://"};
+  const auto identity = tls::server_identity::load(config.certificates);
+  if (!identity)
+    return failed("certificate", identity.error());
+  return {"certificate", true,
+          config.certificates + " holds until " + utc_text(identity->until()) + ", SHA-256 " +
+            identity->fingerprint()};
 }
 
 unique_fd tcp_socket(int family) {
@@ -141,6 +155,7 @@ std::vector<check_row> check_server(const std::optional<fs::path>& config_file) 
   return {{"configuration", true, configuration_in_use(config_file)},
           check_documents(*config),
           check_token(*config),
+          check_certificate(*config),
           check_port(*config)};
 }
 

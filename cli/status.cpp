@@ -16,7 +16,7 @@ namespace {
 
 struct status_options {
   std::string server = "ws://127.0.0.1:" + std::to_string(server_config().port) + "/v1";
-  std::string token_file;
+  server_access access;
 };
 
 nlohmann::ordered_json to_json(const client::server_status& status) {
@@ -41,14 +41,19 @@ nlohmann::ordered_json to_json(const client::server_status& status) {
                      {"memory_bytes", n.memory_bytes},
                      {"connected_s", n.connected_s},
                      {"jobs_done", n.jobs_done}});
+  json clients = json::array();
+  for (const auto& c : status.clients)
+    clients.push_back({{"user", c.user},
+                       {"role", c.role},
+                       {"client", c.client},
+                       {"address", c.address},
+                       {"connected_s", c.connected_s}});
   json memory = json::array();
   for (const auto& m : status.memory)
     memory.push_back({{"what", m.what}, {"bytes", m.bytes}, {"budget_bytes", m.budget_bytes}});
-  return {{"documents", status.documents},
-          {"connections", status.connections},
-          {"workers", std::move(workers)},
-          {"nodes", std::move(nodes)},
-          {"memory", std::move(memory)}};
+  return {{"documents", status.documents}, {"connections", status.connections},
+          {"workers", std::move(workers)}, {"nodes", std::move(nodes)},
+          {"clients", std::move(clients)}, {"memory", std::move(memory)}};
 }
 
 std::string mebibytes(std::uint64_t bytes) {
@@ -70,6 +75,10 @@ std::string describe(const client::server_status& status) {
       fmt::format("  {:<15} {}, {} at {}: {}, TEdit {}, {} threads, {:.0f} GiB, {} jobs done\n",
                   "node " + n.name, n.state, n.role, n.address, n.device, n.version, n.threads,
                   static_cast<double>(n.memory_bytes) / (1 << 30), n.jobs_done);
+  for (const auto& c : status.clients)
+    text += fmt::format("  {:<15} {}, {} at {}, for {:.0f} s\n",
+                        "client " + (c.user.empty() ? "(server's token)" : c.user), c.role,
+                        c.client, c.address, c.connected_s);
   text += "  memory\n";
   for (const auto& m : status.memory)
     text += fmt::format("    {:<13} {}{}\n", m.what, mebibytes(m.bytes),
@@ -78,7 +87,7 @@ std::string describe(const client::server_status& status) {
 }
 
 int run_status(const status_options& options, session& s) {
-  auto how = reach_server(options.server, options.token_file);
+  auto how = reach_server(options.server, options.access);
   if (!how)
     return print_error(s, how.error());
   how->client_name = "tedit status " TEDIT_VERSION;
@@ -100,10 +109,9 @@ void add_status(CLI::App& app, action& chosen) {
   auto options = std::make_shared<status_options>();
   auto* command = app.add_subcommand(
     "status", "Say how a running server and its workers are, and what takes up its memory");
-  command->add_option("--server", options->server, "The server (ws://HOST:PORT/v1)")
+  command->add_option("--server", options->server, "The server (ws[s]://HOST:PORT/v1)")
     ->capture_default_str();
-  command->add_option("--token-file", options->token_file,
-                      "The server's token; default: where \"tedit serve\" puts it");
+  add_access_options(*command, options->access);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_status(*options, s); }; });
 }

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <fstream>
 
-#include "actors/node/server.hpp"
+#include "base/random_token.hpp"
 #include "base/system_failure.hpp"
 
 namespace tedit::cli {

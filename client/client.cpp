@@ -45,6 +45,10 @@ bool client::connected() const noexcept {
   return impl_->link.connected();
 }
 
+own_access client::access() const {
+  return impl_->link.access();
+}
+
 std::string make_edit_id() {
   std::random_device source;
   std::string id;

@@ -34,8 +34,8 @@ namespace tedit::client {
 class client {
 public:
   /// Connects and introduces itself. Errors: `invalid_argument` for the URL, `service_unavailable`
-  /// when no server can be reached there, `protocol_error` when it speaks another major version,
-  /// what it says when it refuses the token.
+  /// when no server can be reached there, `untrusted_server` for its certificate (`server_trust`),
+  /// `protocol_error` when it speaks another major version, what it says when it refuses the token.
   [[nodiscard]] static expected<std::unique_ptr<client>> connect(const connect_options& options,
                                                                  events handlers);
 
@@ -181,6 +181,9 @@ public:
 
   /// The same, for the report of the first load case or the only one.
   [[nodiscard]] expected<solve_report> solve(const solve_settings& settings, const execution& run);
+
+  /// Whom the token names and what it allows, as the server said when it was connected to.
+  [[nodiscard]] own_access access() const;
 
   /// The formats of mesh files that the server reads and writes, as it said when it was connected
   /// to.

@@ -33,7 +33,7 @@ connection::~connection() {
 }
 
 expected<void> connection::start(const connect_options& options) {
-  if (auto ok = socket_.connect(options.url, options.timeout); !ok)
+  if (auto ok = socket_.connect(options.url, options.timeout, options.trust); !ok)
     return ok;
   return hello(options);
 }
@@ -52,6 +52,7 @@ expected<void> connection::hello(const connect_options& options) {
   if (welcome.max_message_bytes() != 0)
     max_message_ = welcome.max_message_bytes();
   server_ = welcome.server();
+  access_ = {welcome.user(), welcome.role()};
   for (const auto& format : welcome.formats())
     formats_.push_back(from_message(format));
   return {};

@@ -73,6 +73,9 @@ public:
   [[nodiscard]] const std::vector<offered_format>& formats() const noexcept { return formats_; }
   [[nodiscard]] const std::string& server() const noexcept { return server_; }
 
+  /// Whom the token names, and what it allows.
+  [[nodiscard]] const own_access& access() const noexcept { return access_; }
+
 private:
   using clock = std::chrono::steady_clock;
 
@@ -119,6 +122,7 @@ private:
   inbox inbox_;
   std::atomic<std::uint64_t> next_id_{1};
   std::atomic<std::uint64_t> max_message_{std::uint64_t{1} << 20};
+  own_access access_;                    ///< As `formats_`.
   std::vector<offered_format> formats_;  ///< Not changed once `start` is done.
   std::string server_;                   ///< The same.
 

@@ -180,6 +180,8 @@ server_status from_message(const v1::ServerStatus& message) {
   for (const auto& n : message.nodes())
     result.nodes.push_back({n.name(), n.address(), n.role(), n.state(), n.device(), n.version(),
                             n.threads(), n.memory_bytes(), n.connected_s(), n.jobs_done()});
+  for (const auto& c : message.clients())
+    result.clients.push_back({c.user(), c.role(), c.client(), c.address(), c.connected_s()});
   result.documents = message.documents();
   result.connections = message.connections();
   return result;

@@ -24,6 +24,9 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include "client/server_url.hpp"
+#include "tls/stream.hpp"
+
 namespace tedit::client {
 
 namespace {
@@ -37,56 +40,6 @@ using boost::system::error_code;
 constexpr const char* start_remedy = "Start a server with tedit serve.";
 constexpr std::chrono::seconds idle_limit{60};
 constexpr std::chrono::seconds close_limit{2};
-
-struct address {
-  std::string host;       ///< Without brackets.
-  std::string port;       ///< A number.
-  std::string authority;  ///< As it stands in the URL, for the Host header.
-  std::string target;     ///< Path and query, begins with '/'.
-};
-
-tl::unexpected<error> bad_url(const std::string& url, const std::string& what) {
-  return fail(ec::invalid_argument, "the address \"" + url + "\" " + what,
-              "Give a server's address such as ws://127.0.0.1:7400/v1.");
-}
-
-bool is_port(const std::string& text) {
-  if (text.empty() || text.size() > 5 || text.find_first_not_of("0123456789") != std::string::npos)
-    return false;
-  const int number = std::stoi(text);
-  return number > 0 && number < 65536;
-}
-
-expected<address> parse_url(const std::string& url) {
-  constexpr std::string_view scheme = "ws://";
-  if (url.rfind("wss://", 0) == 0)
-    return bad_url(url, "asks for TLS, which this client does not speak");
-  if (url.rfind(scheme, 0) != 0)
-    return bad_url(url, "does not begin with ws://");
-  // A control character or a space would break the HTTP request that the URL becomes a part of.
-  for (const char c : url)
-    if (static_cast<unsigned char>(c) <= ' ' || c == 0x7f)
-      return bad_url(url, "has a space or control character");
-  const std::string rest = url.substr(scheme.size());
-  const auto slash = std::min(rest.find('/'), rest.find('?'));
-  address result{{}, "80", rest.substr(0, slash), "/"};
-  if (slash != std::string::npos)
-    result.target = rest[slash] == '/' ? rest.substr(slash) : "/" + rest.substr(slash);
-  const bool bracketed = !result.authority.empty() && result.authority[0] == '[';
-  const auto host_end = bracketed ? result.authority.find(']') : result.authority.find(':');
-  if (bracketed && host_end == std::string::npos)
-    return bad_url(url, "has no closing bracket");
-  result.host = result.authority.substr(bracketed ? 1 : 0, host_end - (bracketed ? 1 : 0));
-  const auto colon = bracketed ? host_end + 1 : host_end;
-  if (colon < result.authority.size()) {
-    if (result.authority[colon] != ':')
-      return bad_url(url, "has something after the bracket that is no port");
-    result.port = result.authority.substr(colon + 1);
-  }
-  if (result.host.empty() || !is_port(result.port))
-    return bad_url(url, "names no host or no valid port");
-  return result;
-}
 
 error lost(const error_code& code, const websocket::close_reason& reason) {
   if (code == websocket::error::closed) {
@@ -114,9 +67,13 @@ error lost(const error_code& code, const websocket::close_reason& reason) {
 class socket::impl {
 public:
   explicit impl(socket_callbacks callbacks)
-      : callbacks_(std::move(callbacks)), resolver_(context_), timer_(context_), ws_(context_) {}
+      : callbacks_(std::move(callbacks)),
+        resolver_(context_),
+        timer_(context_),
+        ws_(beast::tcp_stream(context_)) {}
 
-  expected<void> connect(const std::string& url, std::chrono::milliseconds timeout);
+  expected<void> connect(const std::string& url, std::chrono::milliseconds timeout,
+                         const server_trust& trust);
   bool send(std::string message);
   std::size_t queued_bytes() const;
   bool wait_queue(std::size_t limit, std::chrono::milliseconds patience) const;
@@ -127,13 +84,19 @@ public:
   bool on_io_thread() const noexcept { return io_thread_.load() == std::this_thread::get_id(); }
 
 private:
+  expected<void> prepare_tls();
+
   // All below run on the I/O thread.
   void run();
   void resolve();
   void connect_tcp(const tcp::resolver::results_type& found);
+  void prepare();
+  void shake_hands();
+  std::optional<error> check_certificate();
   void handshake();
   void opened();
   void not_opened(const std::string& what);
+  void not_opened(error why);
   void read();
   void write();
   void written(const error_code& code);
@@ -144,11 +107,13 @@ private:
   asio::io_context context_{1};
   tcp::resolver resolver_;
   asio::steady_timer timer_;
-  websocket::stream<beast::tcp_stream> ws_;
+  websocket::stream<tls::stream<beast::tcp_stream>> ws_;
   websocket::response_type response_;
   beast::flat_buffer incoming_;
   std::string url_;
-  address address_;
+  server_url address_;
+  server_trust trust_;
+  std::shared_ptr<const tls::context> tls_;  ///< Null: without TLS.
   std::promise<std::optional<error>> opening_;
   bool opening_answered_ = false;
   bool closing_ = false;        ///< `close` was called.
@@ -166,14 +131,18 @@ private:
 
 // -- connecting ----------------------------------------------------------------------
 
-expected<void> socket::impl::connect(const std::string& url, std::chrono::milliseconds timeout) {
+expected<void> socket::impl::connect(const std::string& url, std::chrono::milliseconds timeout,
+                                     const server_trust& trust) {
   if (thread_.joinable())
     return fail(ec::internal, "a socket connects only once");
-  auto parsed = parse_url(url);
+  auto parsed = parse_server_url(url);
   if (!parsed)
     return fail(std::move(parsed.error()));
   url_ = url;
   address_ = std::move(*parsed);
+  trust_ = trust;
+  if (auto ok = prepare_tls(); !ok)
+    return ok;
   auto answer = opening_.get_future();
   asio::post(context_, [this] { resolve(); });
   thread_ = std::thread([this] { run(); });
@@ -185,6 +154,23 @@ expected<void> socket::impl::connect(const std::string& url, std::chrono::millis
     thread_.join();
     return fail(std::move(*failure));
   }
+  return {};
+}
+
+/// Errors: `invalid_argument` for a fingerprint that is none, those of the authorities' file.
+expected<void> socket::impl::prepare_tls() {
+  if (!address_.secure)
+    return {};
+  if (!trust_.fingerprint.empty()) {
+    const auto given = std::exchange(trust_.fingerprint, tls::read_fingerprint(trust_.fingerprint));
+    if (trust_.fingerprint.empty())
+      return fail(ec::invalid_argument, "\"" + given + "\" is no SHA-256 of a certificate",
+                  "Give 64 hexadecimal digits, with or without colons.");
+  }
+  auto made = tls::context::of_client(trust_.authority);
+  if (!made)
+    return fail(made.error());
+  tls_ = *std::move(made);
   return {};
 }
 
@@ -219,17 +205,69 @@ void socket::impl::connect_tcp(const tcp::resolver::results_type& found) {
                                              [this](const error_code& code, const tcp::endpoint&) {
                                                if (code)
                                                  return not_opened(code.message());
-                                               handshake();
+                                               prepare();
                                              });
 }
 
-void socket::impl::handshake() {
+void socket::impl::prepare() {
   if (opening_answered_)
     return;
   auto& stream = beast::get_lowest_layer(ws_);
   stream.expires_never();
   error_code ignored;
   stream.socket().set_option(tcp::no_delay(true), ignored);
+  if (tls_)
+    shake_hands();
+  else
+    handshake();
+}
+
+void socket::impl::shake_hands() {
+  auto& stream = ws_.next_layer();
+  stream.secure(*tls_);
+  if (!tls::expect_host(stream.tls(), address_.host))
+    return not_opened("\"" + address_.host + "\" is no name of a host");
+  stream.async_handshake(asio::ssl::stream_base::client, [this](const error_code& code) {
+    if (opening_answered_)
+      return;
+    if (code.category() == asio::error::get_ssl_category())
+      return not_opened(tls::why_refused(static_cast<unsigned>(code.value())));
+    if (code)
+      return not_opened(code.message());
+    if (auto fault = check_certificate())
+      return not_opened(std::move(*fault));
+    handshake();
+  });
+}
+
+/// Nothing was said to the server before this.
+std::optional<error> socket::impl::check_certificate() {
+  const auto shown = tls::certificate_of(ws_.next_layer().tls());
+  if (trust_.on_certificate)
+    trust_.on_certificate(shown);
+  if (!trust_.fingerprint.empty()) {
+    if (shown.fingerprint == trust_.fingerprint)
+      return std::nullopt;
+    return error{ec::untrusted_server,
+                 "the server at " + address_.place() + " shows another certificate (SHA-256 " +
+                   shown.fingerprint + ") than the one that is trusted (" + trust_.fingerprint +
+                   ")",
+                 "Ask its operator whether it was exchanged: if so, trust the new one; if not, "
+                 "somebody stands between you and the server.",
+                 {}};
+  }
+  if (shown.fault.empty())
+    return std::nullopt;
+  return error{
+    ec::untrusted_server,
+    "the certificate of the server at " + address_.place() +
+      " is not trusted here: " + shown.fault + "; its SHA-256 is " + shown.fingerprint,
+    "Compare that with the fingerprint that \"tedit serve\" prints, and trust it "
+    "(--trust FINGERPRINT), or give the certificate of its authority (--server-ca FILE).",
+    {}};
+}
+
+void socket::impl::handshake() {
   websocket::stream_base::timeout limits = {websocket::stream_base::none(), idle_limit, true};
   ws_.set_option(limits);
   ws_.read_message_max(max_incoming_message);
@@ -257,13 +295,17 @@ void socket::impl::opened() {
 }
 
 void socket::impl::not_opened(const std::string& what) {
+  not_opened(error{ec::service_unavailable,
+                   "no server can be reached at " + url_ + ": " + what,
+                   start_remedy,
+                   {}});
+}
+
+void socket::impl::not_opened(error why) {
   if (opening_answered_)
     return;
   opening_answered_ = true;
-  opening_.set_value(error{ec::service_unavailable,
-                           "no server can be reached at " + url_ + ": " + what,
-                           start_remedy,
-                           {}});
+  opening_.set_value(std::move(why));
   resolver_.cancel();
   beast::get_lowest_layer(ws_).close();
   finished_ = true;
@@ -397,8 +439,9 @@ socket::~socket() {
   impl_->close();
 }
 
-expected<void> socket::connect(const std::string& url, std::chrono::milliseconds timeout) {
-  return impl_->connect(url, timeout);
+expected<void> socket::connect(const std::string& url, std::chrono::milliseconds timeout,
+                               const server_trust& trust) {
+  return impl_->connect(url, timeout, trust);
 }
 
 bool socket::send(std::string message) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "client/types.hpp"
 
 namespace tedit::client {
 
@@ -31,10 +32,13 @@ public:
   socket(const socket&) = delete;
   socket& operator=(const socket&) = delete;
 
-  /// Connects; at most once for each socket. `url` is "ws://HOST[:PORT][/PATH]".
-  /// Errors: `invalid_argument` for the URL, `service_unavailable` when the server is not there,
-  /// does not answer within `timeout` or speaks no WebSocket.
-  [[nodiscard]] expected<void> connect(const std::string& url, std::chrono::milliseconds timeout);
+  /// Connects; at most once for each socket. `url` is "ws://HOST[:PORT][/PATH]" or "wss://...";
+  /// `trust` is for the latter.
+  /// Errors: `invalid_argument` for the URL or a fingerprint that is none, `io_error` for the file
+  /// of authorities, `service_unavailable` when the server is not there, does not answer within
+  /// `timeout` or speaks no WebSocket, `untrusted_server` for its certificate.
+  [[nodiscard]] expected<void> connect(const std::string& url, std::chrono::milliseconds timeout,
+                                       const server_trust& trust = {});
 
   /// Puts a message into the write queue; thread-safe, never blocks. False when not connected.
   bool send(std::string message);

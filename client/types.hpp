@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <set>
@@ -13,12 +14,29 @@
 #include "fem/load_case.hpp"
 #include "mesh/formats.hpp"
 #include "protocol/report.hpp"
+#include "tls/shown_certificate.hpp"
 
 /// What the client hands to its caller: the protocol's messages as plain data.
 namespace tedit::client {
 
+using server_certificate = tls::shown_certificate;
+
+/// Which certificate of a server of wss:// is good. Without any of these: one that the system's
+/// authorities vouch for.
+struct server_trust {
+  /// Only the one of this SHA-256, whatever name and authority it has. Colons and case do not
+  /// matter.
+  std::string fingerprint;
+  /// Those that the authorities of this PEM file vouch for.
+  std::filesystem::path authority;
+  /// Told what the server showed, trusted or not, on the thread of the connection and before
+  /// `connect` returns.
+  std::function<void(const server_certificate&)> on_certificate;
+};
+
 struct connect_options {
-  std::string url;                          ///< "ws://HOST:PORT/PATH".
+  std::string url;                          ///< "wss://HOST:PORT/PATH", or "ws://..." without TLS.
+  server_trust trust;                       ///< Of wss://.
   std::string token;                        ///< Proves that the client may use the server.
   std::string client_name;                  ///< Program and version, for the server's log.
   std::chrono::milliseconds timeout{5000};  ///< For connecting, and again for Welcome.
@@ -183,6 +201,21 @@ struct node_status {
   std::uint64_t jobs_done = 0;
 };
 
+/// A client that is connected (message `tedit.v1.ClientStatus`).
+struct client_status {
+  std::string user;  ///< Empty: who has the server's own token.
+  std::string role;  ///< "view", "edit", "admin".
+  std::string client;
+  std::string address;
+  double connected_s = 0;
+};
+
+/// Who this client is to the server.
+struct own_access {
+  std::string user;  ///< Empty: who has the server's own token.
+  std::string role;  ///< What it may do: "view", "edit", "admin".
+};
+
 /// Bytes of one kind that the server's process keeps.
 struct memory_use {
   std::string what;
@@ -193,7 +226,8 @@ struct memory_use {
 struct server_status {
   std::vector<worker_status> workers;
   std::vector<memory_use> memory;
-  std::vector<node_status> nodes;
+  std::vector<node_status> nodes;      ///< To others than admins without name and address.
+  std::vector<client_status> clients;  ///< For admins only.
   std::uint32_t documents = 0;
   std::uint32_t connections = 0;
 };

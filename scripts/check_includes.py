@@ -18,6 +18,7 @@ ROOMS = {
     "base": ((), ("tl/", "xxhash.h")),
     "sandbox": (("base",), ("seccomp.h",)),
     "certs": (("base",), ("openssl/",)),
+    "tls": (("certs", "base"), ("boost/", "openssl/")),
     "mesh": (("base",), ("Eigen/",)),
     "mesh/predicates.cpp": (("mesh", "base"), ("CGAL/",)),
     "mesh/io": (("mesh", "base"), ()),
@@ -45,7 +46,7 @@ ROOMS = {
         ("ops/shapes/caps", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/sdk", "mesh", "base"), ()),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
-    "client": (("protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
+    "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
     "actors/links": (("certs", "base"), ("caf/", "spdlog/", "boost/", "openssl/")),
     "actors": (
@@ -54,13 +55,13 @@ ROOMS = {
     ),
     "actors/node/server.cpp": (("actors/gateway", "actors", "sandbox", "base"), ("caf/", "spdlog/")),
     "actors/gateway": (
-        ("actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
+        ("tls", "actors", "protocol", "compare", "fem", "ops/sdk", "mesh", "base"),
         ("caf/", "spdlog/", "fmt/", "boost/", "google/", "tedit/v1/", "openssl/", "nlohmann/"),
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
-        ("certs", "sandbox", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance", "ops/loader", "ops/services",
-         "ops/sdk", "mesh/io", "mesh", "base"),
+        ("certs", "tls", "sandbox", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
+         "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base", "actors/gateway/users.hpp"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),
     "cli/render": (("cli/number_option.hpp", "base"), ("vtk", "CLI/", "nlohmann/")),

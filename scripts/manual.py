@@ -29,7 +29,7 @@ PAGES = [
     ("verification", "Verification", "What the numbers were compared with.", ["docs/verification.md"]),
     ("plugins", "Plugins", "An operation of your own, from its first line to its test.", ["docs/plugins.md"]),
     ("operating", "Watching over a server", "Health, metrics, alarms, copies.", ["docs/operating.md"]),
-    ("machines", "Workers on other machines", "Certificates, joining, what happens when one dies.", ["docs/machines.md"]),
+    ("machines", "Other machines", "Clients by TLS and their users; workers: certificates, joining, what happens when one dies.", ["docs/machines.md"]),
     ("integrate", "From a program", "From an installation to a program that drives the server.", ["docs/integrate.md"]),
     ("python", "From Python", "The package tedit: a beginning, and what it has.", ["clients/python/README.md"]),
     ("typescript", "From TypeScript", "The package for Node and browsers: the same.", ["clients/typescript/README.md"]),

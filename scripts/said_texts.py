@@ -20,14 +20,14 @@ LEFT_OUT = re.compile(r"""
     ops/(conformance|probe|sdk|tetgen)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
   | ops/[a-z_]+/operation\. | ops/services/tetrahedralise
   | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/(vtu|obj|stl)_writer
-  | base/(error|metrics|virtual_display|process_usage|forked_call|units|child_process)
+  | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)
   | client/(recipes/|recipe_) | protocol/(forms|json)
   | actors/(links|pages|exits|session/numbers|supervisor/pool_numbers|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder|removal|cleaning|check\.|document_view)
-  | actors/gateway/(http_session|ws_session|transport|gateway\.)
+  | actors/gateway/(http_session|ws_session|transport|gateway\.|users)
 """, re.X)
 
 # Where pieces of sentences are put together by helpers: all words count, not only those behind a code.
-PIECES = re.compile(r"(base|mesh|fem|ops)/|client/(socket|streams|inbox|messages)|actors/(supervisor/pool|session/|store/document_lock|solver/|errors)")
+PIECES = re.compile(r"(base|mesh|fem|ops)/|client/(server_url|socket|streams|inbox|messages)|actors/(supervisor/pool|session/|store/document_lock|solver/|errors)")
 
 TOKEN = re.compile(r"""
     (?P<comment>//[^\n]*|/\*.*?\*/)

@@ -62,7 +62,7 @@ void client_state::on_message(const std::string& bytes) {
     refuse(id, {ec::protocol_error, "the first message must be Hello", {}, {}});
     return to->close(1008, "no Hello");
   }
-  if (auto ok = check(message); !ok)
+  if (auto ok = check(message).and_then([&] { return may(message); }); !ok)
     return reject(id, ok.error());
   dispatch(id, message);
 }
@@ -325,6 +325,7 @@ caf::behavior make_client(client_pointer self, std::shared_ptr<connection> to,
     },
     [&state](closed_atom) { state.on_closed(); },
     [&state](refused_atom, std::uint64_t id) { state.refuse_token(id); },
+    [&state](access_atom) { state.look_at_access(); },
     [&state](const actors::head_moved& event) { on_head(state, event); },
     [&state](const actors::solved& event) { on_solved(state, event); },
     [&state](const actors::load_cases_changed& event) { on_load_cases(state, event); },

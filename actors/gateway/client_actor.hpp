@@ -11,6 +11,7 @@
 
 #include "actors/errors.hpp"
 #include "actors/gateway/bulk.hpp"
+#include "actors/gateway/client_list.hpp"
 #include "actors/gateway/field_updates.hpp"
 #include "actors/gateway/surface_stream.hpp"
 #include "actors/gateway/token_guard.hpp"
@@ -26,6 +27,8 @@ using drained_atom = caf::atom_constant<caf::atom("drained")>;
 using closed_atom = caf::atom_constant<caf::atom("closed")>;
 /// The answer to a wrong token has waited long enough.
 using refused_atom = caf::atom_constant<caf::atom("refused")>;
+/// Time to look whether a user's token still holds.
+using access_atom = caf::atom_constant<caf::atom("access")>;
 
 /// A section that was made aside, or why it was not.
 struct section_cut {
@@ -46,6 +49,9 @@ struct gateway_parts {
   std::shared_ptr<upload_account> all_uploads;  ///< Of all connections.
   std::shared_ptr<field_updates> fields = std::make_shared<field_updates>();
   std::function<std::size_t()> connections;  ///< Set by `start_gateway`.
+  std::shared_ptr<client_list> clients = std::make_shared<client_list>();
+  /// So often it is looked whether the token of each user still holds.
+  std::chrono::milliseconds access_every{30'000};
   /// Each role of workers and its state ("ready", "starting", "degraded"); called from any thread.
   std::function<std::vector<std::pair<std::string, std::string>>()> roles;
   /// Brings what is only looked at, as the use of memory, into the process's metrics; called from
@@ -106,6 +112,16 @@ struct client_state {
   void hello(std::uint64_t id, const v1::Hello& body);
   void turn_away(std::uint64_t id);
   void refuse_token(std::uint64_t id);
+  // -- whom its token lets in (access.cpp) ------------------------------------------------------
+
+  /// Lets it in.
+  void admit(const grant& who, const std::string& client);
+  /// Looks whether its token still holds, and ends the connection when it does not.
+  void look_at_access();
+  /// Errors: `permission_denied` for a token that has ended and for what its role may not do.
+  [[nodiscard]] expected<void> may(const v1::ClientMessage& message) const;
+  void look_later();
+
   void dispatch(std::uint64_t id, const v1::ClientMessage& message);
 
   // -- files that go (exports.cpp) -----------------------------------------------------------
@@ -163,7 +179,10 @@ struct client_state {
   std::optional<outbox> bulk_out;
   bool known = false;        ///< Has said hello and proved its right.
   bool turned_away = false;  ///< Gave a wrong token: nothing else of it is heard.
-  std::string client_name;   ///< As it introduced itself.
+  grant access;
+  std::string client_name;  ///< As it introduced itself, and whose token it gave.
+  present_client here;      ///< As it is listed.
+  std::shared_ptr<const void> listed;
   documents_by_name documents;
   std::map<std::uint64_t, upload> uploads;
   std::shared_ptr<upload_account> upload_bytes;  ///< Of this connection.
@@ -203,6 +222,9 @@ using request_rows = std::vector<request_row>;
 [[nodiscard]] request_rows note_requests();      ///< notes.cpp
 [[nodiscard]] request_rows section_requests();   ///< section.cpp
 [[nodiscard]] request_rows upload_requests();    ///< uploads.cpp
+
+/// Why a token lets nobody in any more; access.cpp.
+[[nodiscard]] error token_ended(const grant& access);
 
 /// What the actor handles beside the messages of its client.
 [[nodiscard]] caf::message_handler note_events(client_state& client);     ///< notes.cpp

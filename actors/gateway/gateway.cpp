@@ -68,8 +68,9 @@ page_answer health_of(const std::string& server,
 }  // namespace
 
 page_answer metrics_for(const page_request& asked, const gateway_parts& parts) {
-  if (!asked.local && !parts.guard->admits(asked.bearer))
-    return {401, "Give the server's token: Authorization: Bearer TOKEN\n", "text/plain"};
+  const auto who = asked.local ? grant{} : parts.guard->admits(asked.bearer);
+  if (!who || who->has_ended(seconds_now()))
+    return {401, "Give a token of the server: Authorization: Bearer TOKEN\n", "text/plain"};
   metrics::note_process();
   metrics::level_of("tedit_connections", "Clients that are connected.")
     .set(static_cast<double>(parts.connections()));

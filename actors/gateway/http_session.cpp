@@ -4,7 +4,11 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <optional>
 
+#include <openssl/err.h>
+#include <openssl/ssl.h>
+
 #include "actors/gateway/origin.hpp"
+#include "base/metrics.hpp"
 
 namespace tedit::gateway {
 namespace {
@@ -13,10 +17,10 @@ namespace websocket = beast::websocket;
 
 class http_session : public std::enable_shared_from_this<http_session> {
 public:
-  http_session(std::shared_ptr<hub> owner, tcp_socket socket, std::unique_ptr<slot> place,
+  http_session(std::shared_ptr<hub> owner, net_stream stream, std::unique_ptr<slot> place,
                bool refused)
       : hub_(std::move(owner)),
-        stream_(std::move(socket)),
+        stream_(std::move(stream)),
         slot_(std::move(place)),
         refused_(refused) {
     parser_.header_limit(static_cast<std::uint32_t>(hub_->options.limits.max_header));
@@ -25,30 +29,74 @@ public:
   void run() {
     slot_->end = [weak = weak_from_this()](ending) {
       if (const auto self = weak.lock())
-        self->stream_.close();
+        self->line().close();
     };
-    stream_.expires_after(hub_->options.limits.handshake_timeout);
-    http::async_read_header(
-      stream_, buffer_, parser_,
-      [self = shared_from_this()](error_code e, std::size_t) { self->on_header(e); });
+    line().expires_after(hub_->options.limits.handshake_timeout);
+    if (stream_.tls() == nullptr)
+      return read_header();
+    stream_.async_handshake(net::ssl::stream_base::server,
+                            [self = shared_from_this()](error_code e) { self->on_shaken(e); });
   }
 
 private:
+  [[nodiscard]] tcp_stream& line() { return stream_.next_layer(); }
+  void on_shaken(error_code problem);
+  void read_header();
   void on_header(error_code problem);
   bool trusted(const upgrade_request& r) const;
   page_request asked_by(const upgrade_request& r);
   void route(const upgrade_request& r);
   void respond(http::status status, std::string body, const char* type = "text/plain");
+  template <class Stream>
+  void write_response(Stream& to);
+  void end_sending();
   void drain();
 
   std::shared_ptr<hub> hub_;
-  tcp_stream stream_;
+  net_stream stream_;
+  bool plain_on_tls_ = false;  ///< It speaks HTTP where TLS is spoken: so it is answered.
   std::unique_ptr<slot> slot_;
   bool refused_;
   beast::flat_buffer buffer_;
   http::request_parser<http::empty_body> parser_;
   http::response<http::string_body> response_;
 };
+
+/// What a failed handshake is counted as. Many words would let strangers fill the memory.
+const char* refusal_of(error_code problem) {
+  if (problem.category() != net::error::get_ssl_category())
+    return problem == beast::error::timeout ? "silent" : "gone";
+  switch (ERR_GET_REASON(static_cast<unsigned>(problem.value()))) {
+    case SSL_R_UNSUPPORTED_PROTOCOL:
+    case SSL_R_VERSION_TOO_LOW:
+      return "old_tls";
+    case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
+    case SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN:
+    case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
+      return "not_trusted";
+    default:
+      return "not_tls";
+  }
+}
+
+void http_session::on_shaken(error_code problem) {
+  if (!problem)
+    return read_header();
+  const bool tls = problem.category() == net::error::get_ssl_category();
+  metrics::count_of("tedit_tls_refused_total", "TLS handshakes of clients that failed.",
+                    {{"reason", refusal_of(problem)}})
+    .add();
+  plain_on_tls_ =
+    tls && ERR_GET_REASON(static_cast<unsigned>(problem.value())) == SSL_R_HTTP_REQUEST;
+  if (plain_on_tls_)
+    respond(http::status::bad_request, "This port speaks TLS: use wss:// or https://.\n");
+}
+
+void http_session::read_header() {
+  http::async_read_header(
+    stream_, buffer_, parser_,
+    [self = shared_from_this()](error_code e, std::size_t) { self->on_header(e); });
+}
 
 void http_session::on_header(error_code problem) {
   if (problem == http::error::header_limit)
@@ -69,14 +117,16 @@ bool http_session::trusted(const upgrade_request& r) const {
   std::optional<std::string_view> origin;
   if (r.count(http::field::origin) == 1)
     origin = view(http::field::origin);
-  return host_allowed(view(http::field::host), hub_->port, hub_->hosts) &&
-         origin_allowed(origin, hub_->port, hub_->options.allowed_origins);
+  const auto host = view(http::field::host);
+  const bool known = host_allowed(host, hub_->port, hub_->hosts) ||
+                     (hub_->identity && host_allowed(host, hub_->port, hub_->identity->hosts()));
+  return known && origin_allowed(origin, hub_->port, hub_->options.allowed_origins);
 }
 
 page_request http_session::asked_by(const upgrade_request& r) {
   page_request result;
   error_code problem;
-  const auto peer = stream_.socket().remote_endpoint(problem);
+  const auto peer = line().socket().remote_endpoint(problem);
   result.local = !problem && peer.address().is_loopback();
   constexpr std::string_view scheme = "Bearer ";
   const auto given = r[http::field::authorization];
@@ -129,33 +179,55 @@ void http_session::respond(http::status status, std::string body, const char* ty
   if (parser_.get().method() == http::verb::head)
     response_.body().clear();
   // A page of many bytes takes its time on a slow line.
-  stream_.expires_after(hub_->options.limits.handshake_timeout);
-  http::async_write(stream_, response_, [self = shared_from_this()](error_code e, std::size_t) {
-    if (e)
-      return;
-    self->stream_.expires_after(self->hub_->options.limits.close_timeout);
-    error_code ignored;
-    self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-    self->drain();
+  line().expires_after(hub_->options.limits.handshake_timeout);
+  if (status >= http::status::bad_request)
+    metrics::count_of("tedit_http_refused_total", "HTTP requests that were refused, by status.",
+                      {{"status", std::to_string(response_.result_int())}})
+      .add();
+  if (plain_on_tls_)
+    write_response(line());
+  else
+    write_response(stream_);
+}
+
+template <class Stream>
+void http_session::write_response(Stream& to) {
+  http::async_write(to, response_, [self = shared_from_this()](error_code e, std::size_t) {
+    if (!e)
+      self->end_sending();
   });
+}
+
+/// By TLS's own end, too: without it the other side could not tell that nothing was cut off.
+void http_session::end_sending() {
+  line().expires_after(hub_->options.limits.close_timeout);
+  const auto then = [self = shared_from_this()](error_code) {
+    error_code ignored;
+    self->line().socket().shutdown(tcp::socket::shutdown_send, ignored);
+    self->drain();
+  };
+  if (stream_.tls() != nullptr && !plain_on_tls_)
+    stream_.async_shutdown(then);
+  else
+    then({});
 }
 
 /// Reads until the client closes: closing over unread bytes would reset the connection and could
 /// take the response away from the client.
 void http_session::drain() {
   buffer_.clear();
-  stream_.async_read_some(buffer_.prepare(4096),
-                          [self = shared_from_this()](error_code e, std::size_t) {
-                            if (!e)
-                              self->drain();
-                          });
+  line().async_read_some(buffer_.prepare(4096),
+                         [self = shared_from_this()](error_code e, std::size_t) {
+                           if (!e)
+                             self->drain();
+                         });
 }
 
 }  // namespace
 
-void serve_http(std::shared_ptr<hub> owner, tcp_socket socket, std::unique_ptr<slot> place,
+void serve_http(std::shared_ptr<hub> owner, net_stream stream, std::unique_ptr<slot> place,
                 bool refused) {
-  std::make_shared<http_session>(std::move(owner), std::move(socket), std::move(place), refused)
+  std::make_shared<http_session>(std::move(owner), std::move(stream), std::move(place), refused)
     ->run();
 }
 

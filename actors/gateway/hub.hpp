@@ -22,6 +22,8 @@
 #include <vector>
 
 #include "actors/gateway/transport.hpp"
+#include "tls/server_identity.hpp"
+#include "tls/stream.hpp"
 
 /// What the parts of the transport share; for its own .cpp files only.
 namespace tedit::gateway {
@@ -36,6 +38,7 @@ using io_executor = net::io_context::executor_type;
 using strand = net::strand<io_executor>;
 using tcp_socket = net::basic_stream_socket<tcp, strand>;
 using tcp_stream = beast::basic_stream<tcp, strand>;
+using net_stream = tls::stream<tcp_stream>;
 using upgrade_request = http::request<http::empty_body>;
 using acceptor = net::basic_socket_acceptor<tcp, io_executor>;
 
@@ -52,10 +55,14 @@ struct hub : std::enable_shared_from_this<hub> {
   /// Whether another client of this address may be let in.
   [[nodiscard]] bool has_place(const std::string& address) const;
   void make_room();
+  /// Reads the certificate's files again where they changed.
+  void look_at_certificate();
 
   net::io_context io{1};
   transport_options options;
-  std::vector<std::string> hosts;  ///< Names besides the loopback ones.
+  std::vector<std::string> hosts;  ///< Names besides the loopback ones and the certificate's.
+  std::optional<tls::server_identity> identity;  ///< None: without TLS.
+  std::string fingerprint;                       ///< Of the certificate that was shown first.
   std::uint16_t port = 0;
   bool stopping = false;
   acceptor listener{io};
@@ -133,11 +140,11 @@ private:
 [[nodiscard]] std::string address_text(const tcp::endpoint& e);
 
 /// Answers one request on a fresh socket; `refused`: with a 503, whatever it is.
-void serve_http(std::shared_ptr<hub> owner, tcp_socket socket, std::unique_ptr<slot> place,
+void serve_http(std::shared_ptr<hub> owner, net_stream stream, std::unique_ptr<slot> place,
                 bool refused);
 
 /// Completes the handshake of a request that was found good and serves the connection.
-void serve_websocket(std::shared_ptr<hub> owner, tcp_stream stream, std::unique_ptr<slot> place,
+void serve_websocket(std::shared_ptr<hub> owner, net_stream stream, std::unique_ptr<slot> place,
                      upgrade_request request);
 
 }  // namespace tedit::gateway

@@ -57,6 +57,26 @@ void list_operations(client_state& client, std::uint64_t id, const v1::ListOpera
       [=, &client](const caf::error& e) { client.refuse(id, e, "listing the operations"); });
 }
 
+/// Who works here, and where, is for those who keep the server.
+void show_names(const client_state& client, v1::ServerStatus* status) {
+  if (client.access.role != access_role::admin) {
+    for (auto& node : *status->mutable_nodes()) {
+      node.clear_name();
+      node.clear_address();
+    }
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  for (const auto& one : client.parts.clients->all()) {
+    auto* out = status->add_clients();
+    out->set_user(one.user);
+    out->set_role(one.role);
+    out->set_client(one.client);
+    out->set_address(one.address);
+    out->set_connected_s(std::chrono::duration<double>(now - one.since).count());
+  }
+}
+
 void get_status(client_state& client, std::uint64_t id, const v1::GetStatus&) {
   client.begin(id, {});
   client.self->request(client.parts.hub, short_limit, status_atom::value)
@@ -70,6 +90,7 @@ void get_status(client_state& client, std::uint64_t id, const v1::GetStatus&) {
         message.mutable_server_status()->set_connections(
           static_cast<std::uint32_t>(client.parts.connections()));
         message.mutable_server_status()->set_wrong_tokens(client.parts.guard->turned_away());
+        show_names(client, message.mutable_server_status());
         client.answer(id, std::move(message));
       },
       [=, &client](const caf::error& e) { client.refuse(id, e, "asking for the status"); });
@@ -103,18 +124,22 @@ void client_state::hello(std::uint64_t id, const v1::Hello& body) {
                 {}});
     return to->close(1008, "protocol version");
   }
-  if (!parts.guard->admits(body.token()))
+  const auto who = parts.guard->admits(body.token());
+  if (!who)
     return turn_away(id);
-  known = true;
-  to->authenticated();
-  client_name = cut_text(body.client(), longest_client_name);
-  spdlog::info("client {}: {}", to->peer(), client_name);
+  if (who->has_ended(seconds_now())) {
+    refuse(id, token_ended(*who));
+    return to->close(1008, "the token has ended");
+  }
+  admit(*who, std::string(cut_text(body.client(), longest_client_name)));
   v1::ServerMessage message;
   auto* welcome = message.mutable_welcome();
   welcome->set_protocol_major(protocol::major_version);
   welcome->set_protocol_minor(protocol::minor_version);
   welcome->set_server(parts.server_name);
   welcome->set_max_message_bytes(max_client_message);
+  welcome->set_user(access.user);
+  welcome->set_role(std::string(name_of(access.role)));
   for (const auto& format : file_formats)
     to_message(format, welcome->add_formats());
   for (const auto& array : fem::result_arrays)

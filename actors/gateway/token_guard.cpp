@@ -24,11 +24,17 @@ std::array<unsigned char, SHA256_DIGEST_LENGTH> digest(const std::string& text) 
 
 }  // namespace
 
-bool token_guard::admits(const std::string& token) const {
+std::optional<grant> token_guard::admits(const std::string& token) const {
   // Of equal length whatever was given, so that the comparison does not tell the token's.
   const auto given = digest(token);
   const auto known = digest(token_);
-  return token_.empty() || CRYPTO_memcmp(given.data(), known.data(), given.size()) == 0;
+  if (token_.empty() || CRYPTO_memcmp(given.data(), known.data(), given.size()) == 0)
+    return grant{};
+  return users_ ? users_->find(token) : std::nullopt;
+}
+
+std::optional<grant> token_guard::admits(std::int64_t number) const {
+  return users_ ? users_->find(number) : std::nullopt;
 }
 
 void token_guard::forget_old(clock::time_point now) {

@@ -9,11 +9,13 @@
 #include <optional>
 #include <string>
 
+#include "actors/gateway/users.hpp"
+
 namespace tedit::gateway {
 
-/// Knows the token of a server and makes guessing it slow. Who knows it is let in at once, whatever
-/// others of the same address do: only answers to wrong tokens wait, longer with each of them, and
-/// those of one address one after the other. Thread-safe.
+/// Knows the token of a server and those of its users, and makes guessing one slow. Who knows it is
+/// let in at once, whatever others of the same address do: only answers to wrong tokens wait,
+/// longer with each of them, and those of one address one after the other. Thread-safe.
 class token_guard {
 public:
   using clock = std::chrono::steady_clock;
@@ -25,11 +27,16 @@ public:
   /// Without a wrong token for so long an address is as good as new.
   static constexpr std::chrono::seconds forgotten_after{60};
 
-  /// An empty token: nobody is asked for one.
-  explicit token_guard(std::string token) : token_(std::move(token)) {}
+  /// An empty token: nobody is asked for one. `users` null: there are none.
+  explicit token_guard(std::string token, std::shared_ptr<user_book> users = nullptr)
+      : token_(std::move(token)), users_(std::move(users)) {}
 
-  /// Whether this is the token. Takes as long for any text of the same length.
-  [[nodiscard]] bool admits(const std::string& token) const;
+  /// Whom this token lets in; a user's may have ended (`grant::has_ended`). None: it is wrong.
+  /// Takes as long for any text of the same length.
+  [[nodiscard]] std::optional<grant> admits(const std::string& token) const;
+
+  /// What a user's token of this number says by now; none when it was withdrawn.
+  [[nodiscard]] std::optional<grant> admits(std::int64_t number) const;
 
   /// Notes a wrong token from an address ("127.0.0.1"); how long its answer waits, nothing when it
   /// gets none.
@@ -49,6 +56,7 @@ private:
   void forget_old(clock::time_point now);
 
   const std::string token_;
+  const std::shared_ptr<user_book> users_;
   std::atomic<std::uint64_t> turned_away_{0};
   std::mutex mutex_;  ///< Guards what follows.
   std::map<std::string, guesser> guessers_;

@@ -11,6 +11,10 @@
 #include <mutex>
 #include <thread>
 
+#include <spdlog/spdlog.h>
+
+#include "base/metrics.hpp"
+
 namespace tedit::gateway {
 namespace {
 
@@ -82,8 +86,22 @@ void hub::take(tcp_socket socket) {
   socket.set_option(tcp::no_delay(true), problem);
   const bool refused = !has_place(address);
   auto place = std::make_unique<slot>(shared_from_this(), address);
-  serve_http(shared_from_this(), std::move(socket), std::move(place), refused);
+  net_stream stream{tcp_stream(std::move(socket))};
+  if (identity) {
+    look_at_certificate();
+    stream.secure(*identity->how());
+  }
+  serve_http(shared_from_this(), std::move(stream), std::move(place), refused);
   make_room();
+}
+
+void hub::look_at_certificate() {
+  if (const auto ok = identity->look(); !ok)
+    spdlog::error("clients' port: goes on with the certificate that it read before: {}",
+                  render(ok.error()));
+  metrics::level_of("tedit_certificate_end_seconds",
+                    "When the certificate of the clients' port ends, as seconds since 1970.")
+    .set(static_cast<double>(identity->until()));
 }
 
 bool hub::has_place(const std::string& address) const {
@@ -147,6 +165,13 @@ expected<std::unique_ptr<transport>> transport::start(transport_options options)
                 "Give one of this machine's addresses, for example 127.0.0.1.");
   const tcp::endpoint where(ip, options.port);
   auto shared = std::make_shared<hub>(std::move(options));
+  if (!shared->options.certificates.empty()) {
+    auto identity = tls::server_identity::load(shared->options.certificates);
+    if (!identity)
+      return fail(identity.error());
+    shared->fingerprint = identity->fingerprint();
+    shared->identity = *std::move(identity);
+  }
   shared->hosts = shared->options.allowed_hosts;
   if (!ip.is_unspecified())
     shared->hosts.push_back(ip.is_v6() ? "[" + ip.to_string() + "]" : ip.to_string());
@@ -162,6 +187,10 @@ expected<std::unique_ptr<transport>> transport::start(transport_options options)
 
 std::uint16_t transport::port() const {
   return impl_->shared->port;
+}
+
+std::string transport::fingerprint() const {
+  return impl_->shared->fingerprint;
 }
 
 std::size_t transport::connections() const {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -85,13 +86,14 @@ struct transport_limits {
   /// Sockets of all others, HTTP included. Above it the oldest of the address that has most of them
   /// gives way to the newcomer: an honest client needs its place for moments only.
   std::size_t max_strangers = 128;
-  std::size_t max_header = std::size_t{8} << 10;       ///< HTTP request header; else 431.
-  std::chrono::milliseconds handshake_timeout{5'000};  ///< From TCP accept to HTTP reply.
-  std::chrono::milliseconds hello_timeout{5'000};      ///< Until `authenticated`, else 1008.
-  std::chrono::milliseconds slow_client{10'000};       ///< Time above `max_queue`; then 1013.
-  std::chrono::milliseconds ping_after{15'000};        ///< Silence before a ping.
-  std::chrono::milliseconds idle_timeout{45'000};      ///< Silence before the client is dropped.
-  std::chrono::milliseconds close_timeout{1'000};      ///< Wait for the client's side of a close.
+  std::size_t max_header = std::size_t{8} << 10;  ///< HTTP request header; else 431.
+  std::chrono::milliseconds handshake_timeout{
+    5'000};                                        ///< From TCP accept to HTTP reply, TLS included.
+  std::chrono::milliseconds hello_timeout{5'000};  ///< Until `authenticated`, else 1008.
+  std::chrono::milliseconds slow_client{10'000};   ///< Time above `max_queue`; then 1013.
+  std::chrono::milliseconds ping_after{15'000};    ///< Silence before a ping.
+  std::chrono::milliseconds idle_timeout{45'000};  ///< Silence before the client is dropped.
+  std::chrono::milliseconds close_timeout{1'000};  ///< Wait for the client's side of a close.
 };
 
 /// Who asks for a page.
@@ -111,6 +113,8 @@ struct transport_options {
   std::uint16_t port = 0;                    ///< 0: any free port.
   std::vector<std::string> allowed_origins;  ///< See `origin_allowed`.
   std::vector<std::string> allowed_hosts;    ///< See `host_allowed`; `address` need not be named.
+  /// Folder of `tls::server_identity`, whose hosts are allowed, too. Empty: without TLS.
+  std::filesystem::path certificates;
   transport_limits limits;
 
   /// What GET answers, by path: "/healthz". Called from the I/O thread; must not block.
@@ -121,14 +125,16 @@ struct transport_options {
   std::function<std::unique_ptr<connection_handler>(std::shared_ptr<connection>)> accept;
 };
 
-/// Listens on one address and port with one I/O thread. WebSocket is at /v1, without compression,
-/// binary messages only (text is closed with 1003); GET of a page what that says; other paths
-/// 404, other methods 405, a foreign Origin or Host 403, too many connections 503. Connections that
-/// are not `authenticated` have places of their own, so that they take none from clients.
+/// Listens on one address and port with one I/O thread, with TLS 1.3 or without. WebSocket is at
+/// /v1, without compression, binary messages only (text is closed with 1003); GET of a page what
+/// that says; other paths 404, other methods 405, a foreign Origin or Host 403, too many
+/// connections 503. Connections that are not `authenticated` have places of their own, so that they
+/// take none from clients.
 class transport {
 public:
   /// Binds, listens and starts the thread. Errors: `invalid_argument` for an address that is none
-  /// or a missing `accept`, `service_unavailable` when the port cannot be had.
+  /// or a missing `accept`, `service_unavailable` when the port cannot be had; those of
+  /// `tls::server_identity::load`.
   [[nodiscard]] static expected<std::unique_ptr<transport>> start(transport_options options);
 
   transport(const transport&) = delete;
@@ -137,6 +143,9 @@ public:
 
   /// The port listened on, also when 0 was asked for.
   [[nodiscard]] std::uint16_t port() const;
+
+  /// SHA-256 of the certificate that it showed first; empty without TLS.
+  [[nodiscard]] std::string fingerprint() const;
 
   /// WebSocket connections that are open now.
   [[nodiscard]] std::size_t connections() const;

@@ -18,7 +18,7 @@ namespace {
 namespace websocket = beast::websocket;
 
 using steady = std::chrono::steady_clock;
-using ws_stream = websocket::stream<tcp_stream, false>;  // false: no permessage-deflate
+using ws_stream = websocket::stream<net_stream, false>;  // false: no permessage-deflate
 
 /// Messages go out in pieces of this size, so that progress shows and a ping gets in between.
 constexpr std::size_t write_piece = std::size_t{256} << 10;
@@ -31,7 +31,7 @@ constexpr std::size_t longest_reason = 123;
 
 class ws_session final : public connection, public std::enable_shared_from_this<ws_session> {
 public:
-  ws_session(std::shared_ptr<hub> owner, tcp_stream stream, std::unique_ptr<slot> place,
+  ws_session(std::shared_ptr<hub> owner, net_stream stream, std::unique_ptr<slot> place,
              upgrade_request request)
       : hub_(std::move(owner)),
         ws_(std::move(stream)),
@@ -451,7 +451,7 @@ std::string ws_session::describe(error_code problem) const {
 
 }  // namespace
 
-void serve_websocket(std::shared_ptr<hub> owner, tcp_stream stream, std::unique_ptr<slot> place,
+void serve_websocket(std::shared_ptr<hub> owner, net_stream stream, std::unique_ptr<slot> place,
                      upgrade_request request) {
   std::make_shared<ws_session>(std::move(owner), std::move(stream), std::move(place),
                                std::move(request))

@@ -2,7 +2,6 @@
 #include "actors/links/tls_identity.hpp"
 
 #include <arpa/inet.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <utility>
@@ -235,12 +234,7 @@ tls_identity::stamps tls_identity::look_at_files() const {
   const std::array files{folder_ / certs::node_certificate_file, folder_ / certs::node_key_file,
                          folder_ / certs::authority_certificate_file, revoked_};
   stamps found{};
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    struct stat about {};
-    if (::stat(files[i].c_str(), &about) == 0)
-      found[i] = {about.st_mtim.tv_sec * std::int64_t{1'000'000'000} + about.st_mtim.tv_nsec,
-                  about.st_size, static_cast<std::int64_t>(about.st_ino)};
-  }
+  std::ranges::transform(files, found.begin(), stamp_of);
   return found;
 }
 

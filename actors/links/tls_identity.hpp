@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -10,6 +9,7 @@
 
 #include "actors/links/refusal.hpp"
 #include "base/error.hpp"
+#include "base/file_stamp.hpp"
 #include "certs/authority.hpp"
 
 struct ssl_ctx_st;
@@ -78,9 +78,7 @@ public:
   [[nodiscard]] const std::shared_ptr<const tls_context>& context() const { return context_; }
 
 private:
-  /// Time, size and inode of a file.
-  using stamp = std::array<std::int64_t, 3>;
-  using stamps = std::array<stamp, 4>;
+  using stamps = std::array<file_stamp, 4>;
 
   tls_identity() = default;
   [[nodiscard]] stamps look_at_files() const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/node/server.hpp"
 
-#include <sys/random.h>
+#include <arpa/inet.h>
+#include <netinet/in.h>
 
 #include <spdlog/spdlog.h>
 #include <caf/actor_system.hpp>
@@ -112,6 +113,28 @@ void note_memory(const page_cache& pages, const version_memory& versions,
   note("uploads", uploads.used(), uploads.limit());
 }
 
+/// Whether only this machine reaches an address.
+bool is_loopback(const std::string& address) {
+  in_addr v4{};
+  in6_addr v6{};
+  if (inet_pton(AF_INET, address.c_str(), &v4) == 1)
+    return (ntohl(v4.s_addr) >> 24) == IN_LOOPBACKNET;
+  return address == "localhost" ||
+         (inet_pton(AF_INET6, address.c_str(), &v6) == 1 && IN6_IS_ADDR_LOOPBACK(&v6));
+}
+
+/// Tokens and documents do not cross a network for everybody to read. Errors: `invalid_argument`.
+expected<void> check_exposure(const server_options& options) {
+  if (!options.certificates.empty() || options.unencrypted_behind_proxy ||
+      is_loopback(options.address))
+    return {};
+  return fail(ec::invalid_argument,
+              "clients of other machines would reach " + options.address +
+                " without TLS, and whoever is in between could read their tokens",
+              "Give a certificate (server.certificates in the configuration; \"tedit certs issue "
+              "--role server\" makes one), or listen on 127.0.0.1");
+}
+
 /// Null when no worker of another machine may join.
 expected<std::unique_ptr<node_entrance>> open_to_nodes(caf::actor_system& system,
                                                        const entrance_parts& parts,
@@ -152,6 +175,7 @@ struct server::impl {
   std::unique_ptr<node_entrance> nodes;
   std::vector<caf::actor> to_end;
   std::string address;
+  bool secure = false;
   bool stopped = false;
 };
 
@@ -171,8 +195,12 @@ std::optional<std::uint16_t> server::node_port() const {
 
 std::string server::url() const {
   const bool v6 = impl_->address.find(':') != std::string::npos;
-  return "ws://" + (v6 ? "[" + impl_->address + "]" : impl_->address) + ":" +
-         std::to_string(port()) + "/v1";
+  return std::string(impl_->secure ? "wss://" : "ws://") +
+         (v6 ? "[" + impl_->address + "]" : impl_->address) + ":" + std::to_string(port()) + "/v1";
+}
+
+std::string server::fingerprint() const {
+  return impl_->door->fingerprint();
 }
 
 void server::stop() {
@@ -187,6 +215,15 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
       return fail(can.error());
   if (options.worker_processes && !options.sandbox)
     spdlog::warn("workers are not confined: plugins can do all that this user can");
+  if (auto ok = check_exposure(options); !ok)
+    return fail(ok.error());
+  std::shared_ptr<gateway::user_book> users;
+  if (!options.users.empty()) {
+    auto opened = gateway::user_book::open(options.users);
+    if (!opened)
+      return fail(opened.error());
+    users = *std::move(opened);
+  }
   const auto ready = store::prepare_documents_folder(options.documents);
   if (!ready)
     return fail(ready.error());
@@ -215,13 +252,17 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   }
   made->nodes = std::move(*nodes);
   made->address = options.address;
+  made->secure = !options.certificates.empty();
   gateway::transport_options door;
   door.address = options.address;
   door.port = options.port;
   door.allowed_origins = options.allowed_origins;
+  door.allowed_hosts = options.allowed_hosts;
+  door.certificates = options.certificates;
   gateway::gateway_parts parts;
   parts.hub = hub;
-  parts.guard = std::make_shared<gateway::token_guard>(options.token);
+  parts.guard = std::make_shared<gateway::token_guard>(options.token, std::move(users));
+  parts.access_every = options.access_every;
   parts.server_name = "tedit " TEDIT_VERSION;
   parts.upload_bytes = options.upload_bytes;
   parts.all_uploads = std::make_shared<gateway::upload_account>(options.all_upload_bytes);
@@ -241,19 +282,6 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   }
   made->door = std::move(*opened);
   return std::unique_ptr<server>(new server(std::move(made)));
-}
-
-expected<std::string> make_token() {
-  std::array<unsigned char, 32> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return fail(ec::io_error, "the system gives no random numbers");
-  constexpr auto digits = "0123456789abcdef";
-  std::string text;
-  for (const auto b : bytes) {
-    text += digits[b >> 4];
-    text += digits[b & 15];
-  }
-  return text;
 }
 
 }  // namespace tedit

@@ -17,9 +17,21 @@ struct server_options {
   std::string address = "127.0.0.1";
   std::uint16_t port = 0;                    ///< 0: any free one.
   std::vector<std::string> allowed_origins;  ///< Web pages that may connect.
-  std::filesystem::path documents;           ///< The folder of the document files; made 0700.
-  std::string token;                         ///< What clients must prove to know; not empty.
-  std::string device = "auto";               ///< For solves that name none.
+  /// Names under which clients reach it, beside its address and those of its certificate.
+  std::vector<std::string> allowed_hosts;
+  /// A folder with the certificate that clients are shown (tls/server_identity.hpp). Empty: without
+  /// TLS, which only an address of this machine alone may be.
+  std::filesystem::path certificates;
+  /// The same for any address: what lies between it and the clients is somebody else's business.
+  bool unencrypted_behind_proxy = false;
+  std::filesystem::path documents;  ///< The folder of the document files; made 0700.
+  std::string token;                ///< Who knows it may do everything; not empty.
+  /// Others and their tokens (actors/gateway/users.hpp), in a file that may come later. Empty:
+  /// none.
+  std::filesystem::path users;
+  /// So often it is looked whether the token of each who is connected still holds.
+  std::chrono::milliseconds access_every{30'000};
+  std::string device = "auto";  ///< For solves that name none.
 
   /// Workers in processes of their own, which may die; else on threads of this process.
   bool worker_processes = true;
@@ -61,8 +73,9 @@ struct server_options {
 /// of its own until `stop`.
 class server {
 public:
-  /// Errors: `invalid_argument`, `io_error` for the folder, `service_unavailable` for the port, or
-  /// when this machine cannot confine workers.
+  /// Errors: `invalid_argument`, also for an address of other machines without TLS; `io_error` for
+  /// a folder; `bad_input` for a certificate; `service_unavailable` for the port, or when this
+  /// machine cannot confine workers.
   [[nodiscard]] static expected<std::unique_ptr<server>> start(const server_options& options);
 
   ~server();  ///< Stops.
@@ -71,8 +84,12 @@ public:
 
   [[nodiscard]] std::uint16_t port() const;
 
-  /// "ws://ADDRESS:PORT/v1".
+  /// "ws://ADDRESS:PORT/v1", or "wss://..." with TLS.
   [[nodiscard]] std::string url() const;
+
+  /// SHA-256 of the certificate that clients are shown, as they know a server by it; empty without
+  /// TLS.
+  [[nodiscard]] std::string fingerprint() const;
 
   /// Where workers of other machines join; nothing when none can.
   [[nodiscard]] std::optional<std::uint16_t> node_port() const;
@@ -86,8 +103,5 @@ private:
 
   std::unique_ptr<impl> impl_;
 };
-
-/// 64 random hexadecimal digits. Errors: `io_error` when the system has no randomness.
-[[nodiscard]] expected<std::string> make_token();
 
 }  // namespace tedit

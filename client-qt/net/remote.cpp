@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "client/known_servers.hpp"
+#include "client/server_url.hpp"
+
 namespace tedit::desktop {
 
 namespace {
@@ -18,6 +21,15 @@ constexpr double noticeable_ms = 1000;
 constexpr int first_retry_ms = 500;
 constexpr int longest_retry_ms = 8000;
 constexpr int most_requests = 16;  // Threads that wait for answers; more wait in the pool.
+
+/// Empty for a server that is not known by its certificate.
+std::string known_fingerprint(const std::string& url) {
+  const auto where = client::parse_server_url(url);
+  const auto known = client::known_servers::of_user();
+  if (!where || !where->secure || !known)
+    return {};
+  return known->find(where->place()).value_or(std::string());
+}
 
 }  // namespace
 
@@ -65,6 +77,7 @@ client::connect_options remote::options() const {
   result.token = address_.token.toStdString();
   result.client_name = "tedit-qt " TEDIT_VERSION;
   result.timeout = address_.patience;
+  result.trust.fingerprint = known_fingerprint(result.url);
   return result;
 }
 
@@ -73,17 +86,23 @@ void remote::try_connect() {
     set_state(state::connecting);
   const int generation = ++generation_;
   auto handlers = make_events();
-  pool_.start([this, options = options(), generation, handlers = std::move(handlers)] {
+  pool_.start([this, options = options(), generation, handlers = std::move(handlers)]() mutable {
+    client::server_certificate shown;
+    options.trust.on_certificate = [&](const client::server_certificate& one) { shown = one; };
     auto made = client::client::connect(options, handlers);
     auto shared = made ? expected<shared_client>(shared_client(std::move(*made)))
                        : expected<shared_client>(fail(std::move(made.error())));
     QMetaObject::invokeMethod(
-      this, [this, shared = std::move(shared), generation] { connection_made(shared, generation); },
+      this,
+      [this, shared = std::move(shared), generation, shown] {
+        connection_made(shared, generation, shown);
+      },
       Qt::QueuedConnection);
   });
 }
 
-void remote::connection_made(expected<shared_client> made, int generation) {
+void remote::connection_made(expected<shared_client> made, int generation,
+                             const client::server_certificate& shown) {
   if (generation != generation_)
     return;
   if (made) {
@@ -95,13 +114,21 @@ void remote::connection_made(expected<shared_client> made, int generation) {
     measure_latency();
     return;
   }
-  if (state_ != state::lost) {
-    set_state(state::offline);
-    emit refused(made.error());
+  not_connected_because(made.error(), shown);
+}
+
+/// One that shows another certificate by now is not asked again and again.
+void remote::not_connected_because(const error& reason, const client::server_certificate& shown) {
+  if (state_ == state::lost && reason.code != ec::untrusted_server) {
+    retry_ms_ = std::clamp(2 * retry_ms_, first_retry_ms, longest_retry_ms);
+    retry_.start(retry_ms_);
     return;
   }
-  retry_ms_ = std::clamp(2 * retry_ms_, first_retry_ms, longest_retry_ms);
-  retry_.start(retry_ms_);
+  set_state(state::offline);
+  emit refused(reason);
+  const auto where = client::parse_server_url(address_.url.toStdString());
+  if (reason.code == ec::untrusted_server && where)
+    emit untrusted({where->place(), shown, known_fingerprint(address_.url.toStdString())});
 }
 
 void remote::watch() {

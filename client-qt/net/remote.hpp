@@ -18,10 +18,17 @@ namespace tedit::desktop {
 
 /// Where a server is reached.
 struct server_address {
-  QString url;    ///< "ws://HOST:PORT/v1".
+  QString url;    ///< "ws://HOST:PORT/v1", or "wss://..." with TLS.
   QString token;  ///< Proves that we may use it.
   /// How long it may take to answer when it is connected to.
   std::chrono::milliseconds patience{5000};
+};
+
+/// A server of wss:// whose certificate is not trusted.
+struct untrusted_server {
+  std::string place;  ///< "HOST:PORT".
+  client::server_certificate certificate;
+  std::string known;  ///< Fingerprint of the one that is trusted; empty: none is.
 };
 
 /// A request that runs; copies share it.
@@ -54,7 +61,8 @@ public:
 
   [[nodiscard]] state current() const noexcept { return state_; }
   [[nodiscard]] const server_address& address() const noexcept { return address_; }
-  /// For a connection of one's own to the same server.
+  /// For a connection of one's own to the same server. One that is known by its certificate
+  /// (client/known_servers.hpp) must show that one.
   [[nodiscard]] client::connect_options options() const;
   /// Requests that have no answer yet.
   [[nodiscard]] int running() const noexcept { return running_; }
@@ -92,6 +100,8 @@ signals:
   void state_changed();  ///< Also while the server is silent.
   void connected();      ///< Also again after the connection was lost.
   void refused(const tedit::error& reason);
+  /// After `refused`, when the server's certificate was the reason.
+  void untrusted(const tedit::desktop::untrusted_server& what);
   void surface_arrived(const tedit::client::surface_event& event);
   void field_arrived(std::shared_ptr<const tedit::client::field_event> field);
   void committed(const tedit::client::committed& what);
@@ -109,7 +119,9 @@ private:
   [[nodiscard]] static error not_connected();
   [[nodiscard]] client::events make_events();
   void try_connect();
-  void connection_made(expected<shared_client> made, int generation);
+  void connection_made(expected<shared_client> made, int generation,
+                       const client::server_certificate& shown);
+  void not_connected_because(const error& reason, const client::server_certificate& shown);
   void watch();
   void measure_latency();
   void set_state(state next);

@@ -4592,10 +4592,6 @@
         <translation>Version %2: %1 nicht innerhalb von %3 ms angekommen</translation>
     </message>
     <message>
-        <source>Give a server&apos;s address such as ws://127.0.0.1:7400/v1.</source>
-        <translation>Die Adresse eines Servers angeben, etwa ws://127.0.0.1:7400/v1.</translation>
-    </message>
-    <message>
         <source>Give the token that the server wrote when it started (tedit serve --help)</source>
         <translation>Das Token angeben, das der Server beim Start geschrieben hat (tedit serve --help)</translation>
     </message>
@@ -4712,10 +4708,6 @@
         <translation>kündigt %1 Bytes an, seine Felder enden aber bei %2</translation>
     </message>
     <message>
-        <source>asks for TLS, which this client does not speak</source>
-        <translation>verlangt TLS, das dieser Client nicht spricht</translation>
-    </message>
-    <message>
         <source>brings more than the announced %1 bytes</source>
         <translation>bringt mehr als die angekündigten %1 Bytes</translation>
     </message>
@@ -4724,20 +4716,12 @@
         <translation>der Ordner %1 lässt sich nicht anlegen</translation>
     </message>
     <message>
-        <source>does not begin with ws://</source>
-        <translation>beginnt nicht mit ws://</translation>
-    </message>
-    <message>
         <source>facet %1 of a surface update names vertex %2, which this client was never sent</source>
         <translation>Facette %1 einer Flächenänderung nennt Knoten %2, den dieser Client nie bekam</translation>
     </message>
     <message>
         <source>goes on at byte %1 after %2 bytes</source>
         <translation>geht nach %2 Bytes bei Byte %1 weiter</translation>
-    </message>
-    <message>
-        <source>has a space or control character</source>
-        <translation>enthält ein Leer- oder Steuerzeichen</translation>
     </message>
     <message>
         <source>has array &quot;%1&quot; in another form</source>
@@ -4752,24 +4736,12 @@
         <translation>hat das Feld „%1“ unbekannten Typs</translation>
     </message>
     <message>
-        <source>has no closing bracket</source>
-        <translation>hat keine schließende Klammer</translation>
-    </message>
-    <message>
-        <source>has something after the bracket that is no port</source>
-        <translation>hat nach der Klammer etwas, das kein Port ist</translation>
-    </message>
-    <message>
         <source>is larger than %1 bytes</source>
         <translation>ist größer als %1 Bytes</translation>
     </message>
     <message>
         <source>is not complete</source>
         <translation>ist nicht vollständig</translation>
-    </message>
-    <message>
-        <source>names no host or no valid port</source>
-        <translation>nennt keinen Rechner oder keinen gültigen Port</translation>
     </message>
     <message>
         <source>no answer within %1 ms</source>
@@ -5004,6 +4976,86 @@
         <translation>was die Datei las oder schrieb, %1</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is no SHA-256 of a certificate</source>
+        <translation>„%1“ ist kein SHA-256 eines Zertifikats</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a host</source>
+        <translation>„%1“ ist kein Name eines Rechners</translation>
+    </message>
+    <message>
+        <source>Ask its operator whether it was exchanged: if so, trust the new one; if not, somebody stands between you and the server.</source>
+        <translation>Fragen Sie den Betreiber, ob es ausgetauscht wurde: wenn ja, vertrauen Sie dem neuen; wenn nicht, steht jemand zwischen Ihnen und dem Server.</translation>
+    </message>
+    <message>
+        <source>Ask who keeps the server for another (tedit users token)</source>
+        <translation>Bitten Sie den Betreiber des Servers um ein neues (tedit users token)</translation>
+    </message>
+    <message>
+        <source>Ask who keeps the server for another role (tedit users role)</source>
+        <translation>Bitten Sie den Betreiber des Servers um eine andere Rolle (tedit users role)</translation>
+    </message>
+    <message>
+        <source>Compare that with the fingerprint that &quot;tedit serve&quot; prints, and trust it (--trust FINGERPRINT), or give the certificate of its authority (--server-ca FILE).</source>
+        <translation>Vergleichen Sie ihn mit dem Fingerabdruck, den „tedit serve“ ausgibt, und vertrauen Sie ihm (--trust FINGERABDRUCK), oder nennen Sie das Zertifikat seiner Zertifizierungsstelle (--server-ca DATEI).</translation>
+    </message>
+    <message>
+        <source>Give 64 hexadecimal digits, with or without colons.</source>
+        <translation>Geben Sie 64 hexadezimale Ziffern an, mit oder ohne Doppelpunkte.</translation>
+    </message>
+    <message>
+        <source>Give a server&apos;s address such as ws://127.0.0.1:7464/v1.</source>
+        <translation>Geben Sie die Adresse eines Servers an, zum Beispiel ws://127.0.0.1:7464/v1.</translation>
+    </message>
+    <message>
+        <source>Mend the line, or take it out</source>
+        <translation>Berichtigen Sie die Zeile, oder nehmen Sie sie heraus</translation>
+    </message>
+    <message>
+        <source>Set one of them: the servers that you know are kept below it</source>
+        <translation>Setzen Sie eines davon: darunter stehen die Server, die Sie kennen</translation>
+    </message>
+    <message>
+        <source>a line of the known servers is no &quot;HOST:PORT SHA256&quot;</source>
+        <translation>eine Zeile der bekannten Server ist kein „RECHNER:PORT SHA256“</translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation>%1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>chmod 600 %1, and look whether it says what you know</source>
+        <translation>chmod 600 %1, und prüfen Sie, ob darin steht, was Sie kennen</translation>
+    </message>
+    <message>
+        <source>neither XDG_STATE_HOME nor HOME is set</source>
+        <translation>weder XDG_STATE_HOME noch HOME ist gesetzt</translation>
+    </message>
+    <message>
+        <source>others may write to %1</source>
+        <translation>andere dürfen %1 ändern</translation>
+    </message>
+    <message>
+        <source>the certificate of the server at %1 is not trusted here: %2; its SHA-256 is %3</source>
+        <translation>dem Zertifikat des Servers bei %1 wird hier nicht vertraut: %2; sein SHA-256 ist %3</translation>
+    </message>
+    <message>
+        <source>the server at %1 shows another certificate (SHA-256 %2) than the one that is trusted (%3)</source>
+        <translation>der Server bei %1 zeigt ein anderes Zertifikat (SHA-256 %2) als das, dem vertraut wird (%3)</translation>
+    </message>
+    <message>
+        <source>the token of %1 ended at %2</source>
+        <translation>das Token von %1 ist am %2 abgelaufen</translation>
+    </message>
+    <message>
+        <source>the token of %1 was withdrawn</source>
+        <translation>das Token von %1 wurde zurückgezogen</translation>
+    </message>
+    <message>
+        <source>this needs the role %1, and your token has %2</source>
+        <translation>dafür ist die Rolle %1 nötig, und Ihr Token hat %2</translation>
+    </message>
+    <message>
         <source>%1 results for %2 load cases</source>
         <translation>%1 Ergebnisse für %2 Lastfälle</translation>
     </message>
@@ -5090,6 +5142,26 @@
     <message>
         <source>what the solver %1 gave is no solution: it %2</source>
         <translation>was der Löser %1 gegeben hat, ist keine Lösung: es %2</translation>
+    </message>
+    <message>
+        <source>does not begin with ws:// or wss://</source>
+        <translation>beginnt weder mit ws:// noch mit wss://</translation>
+    </message>
+    <message>
+        <source>has a space or control character</source>
+        <translation>enthält ein Leer- oder Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>has no closing bracket</source>
+        <translation>hat keine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>has something after the bracket that is no port</source>
+        <translation>hat hinter der Klammer etwas, das kein Port ist</translation>
+    </message>
+    <message>
+        <source>names no host or no valid port</source>
+        <translation>nennt keinen Rechner oder keinen gültigen Port</translation>
     </message>
 </context>
 <context>
@@ -7753,6 +7825,33 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>The shipped parts are not there: the tour needs the plate.</source>
         <translation>Die mitgelieferten Teile sind nicht da: Der Rundgang braucht die Platte.</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::trust_dialog</name>
+    <message>
+        <source>Is this the right server?</source>
+        <translation>Ist das der richtige Server?</translation>
+    </message>
+    <message>
+        <source>The server at %1 is not known here, and no authority that this computer trusts vouches for it. Its certificate ends on %2 and has the fingerprint (SHA-256):</source>
+        <translation>Der Server bei %1 ist hier nicht bekannt, und keine Zertifizierungsstelle, der dieser Rechner vertraut, steht für ihn ein. Sein Zertifikat endet am %2 und hat den Fingerabdruck (SHA-256):</translation>
+    </message>
+    <message>
+        <source>The server at %1 shows another certificate than the one that you trust. Either it was exchanged, or somebody stands between you and the server. You trust:</source>
+        <translation>Der Server bei %1 zeigt ein anderes Zertifikat als das, dem Sie vertrauen. Entweder wurde es ausgetauscht, oder jemand steht zwischen Ihnen und dem Server. Sie vertrauen:</translation>
+    </message>
+    <message>
+        <source>It shows one that ends on %1:</source>
+        <translation>Er zeigt eines, das am %1 endet:</translation>
+    </message>
+    <message>
+        <source>Trust it only if the operator of the server says the same one; &quot;tedit serve&quot; prints it. It is then known on this computer.</source>
+        <translation>Vertrauen Sie ihm nur, wenn der Betreiber des Servers denselben nennt; „tedit serve“ gibt ihn aus. Er ist dann auf diesem Rechner bekannt.</translation>
+    </message>
+    <message>
+        <source>Trust this server</source>
+        <translation>Diesem Server vertrauen</translation>
     </message>
 </context>
 <context>

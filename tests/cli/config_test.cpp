@@ -95,7 +95,11 @@ TEST_F(Config, EveryOptionIsRead) {
 address = "::1"
 port = 0
 allowed_origins = ["http://localhost:5173", "https://cad.example"]
+allowed_hosts = ["mesh.example.org", "10.0.0.7:8443", "[fd00::7]", "[fd00::7]:1"]
+certificates = "/etc/tedit/hall"
+unencrypted_behind_proxy = true
 token_file = "/run/tedit/token"
+users_file = "/run/tedit/users"
 documents = "/srv/tedit"
 [nodes]
 certificates = "/etc/tedit/hall"
@@ -125,7 +129,12 @@ level = "debug"
   EXPECT_EQ(config->address, "::1");
   EXPECT_EQ(config->port, 0);
   EXPECT_THAT(config->allowed_origins, ElementsAre("http://localhost:5173", "https://cad.example"));
+  EXPECT_THAT(config->allowed_hosts,
+              ElementsAre("mesh.example.org", "10.0.0.7:8443", "[fd00::7]", "[fd00::7]:1"));
+  EXPECT_EQ(config->certificates, "/etc/tedit/hall");
+  EXPECT_TRUE(config->unencrypted_behind_proxy);
   EXPECT_EQ(config->token_file, "/run/tedit/token");
+  EXPECT_EQ(users_path(*config), std::filesystem::path("/run/tedit/users"));
   EXPECT_EQ(config->documents, "/srv/tedit");
   EXPECT_EQ(config->node_certificates, "/etc/tedit/hall");
   EXPECT_EQ(config->node_address, "0.0.0.0");
@@ -206,6 +215,13 @@ TEST_F(Config, AValueOutOfRangeIsNamed) {
   EXPECT_THAT(message("server", "token_file = \"token\""), HasSubstr("absolute path"));
   EXPECT_THAT(message("server", "allowed_origins = [\"*\"]"), HasSubstr("origins"));
   EXPECT_THAT(message("server", "allowed_origins = [\"http://a/\"]"), HasSubstr("no path"));
+  for (const auto* host : {"", "*.example.org", "https://a", "a/", "a:", "a:b", ":1", "[fd00::g]"})
+    EXPECT_THAT(message("server", "allowed_hosts = [\"" + std::string(host) + "\"]"),
+                HasSubstr("must list hosts"))
+      << host;
+  EXPECT_THAT(message("server", "certificates = \"hall\""), HasSubstr("absolute path"));
+  EXPECT_EQ(message("server", "unencrypted_behind_proxy = 1"),
+            "server.unencrypted_behind_proxy must be true or false");
   EXPECT_EQ(message("nodes", "port = 70000"), "nodes.port must be 0 to 65535, not 70000");
   EXPECT_THAT(message("nodes", "address = \"rack\""), HasSubstr("IPv4 or IPv6"));
   EXPECT_THAT(message("nodes", "certificates = \"hall\""), HasSubstr("absolute path"));

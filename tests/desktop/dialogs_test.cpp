@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include "client-qt/tools/connection/trust_dialog.hpp"
 #include "client-qt/tools/help/about_dialog.hpp"
 #include "client-qt/tools/help/shortcuts_dialog.hpp"
 #include "client-qt/tools/operations/operation_form.hpp"
@@ -42,6 +43,26 @@ TEST(SettingsDialog, SearchLeavesWhatFits) {
 
   EXPECT_TRUE(dialog.findChild<QComboBox*>("device")->isVisibleTo(&dialog));
   EXPECT_FALSE(dialog.findChild<QComboBox*>("look")->isVisibleTo(&dialog));
+}
+
+TEST(TrustDialog, ShowsTheFingerprintAndTrustsNobodyByItself) {
+  untrusted_server what{"hall.example.org:7464", {}, {}};
+  for (int i = 0; i < 32; ++i)
+    what.certificate.fingerprint += i == 0 ? "AB" : ":0C";
+  trust_dialog dialog(what);
+  const auto shown = dialog.findChild<QLabel*>("fingerprint")->text();
+  EXPECT_EQ(shown.count('\n'), 1);
+  EXPECT_TRUE(shown.startsWith("AB:0C:0C:0C  0C:"));
+  EXPECT_EQ(dialog.findChild<QLabel*>("known_fingerprint"), nullptr);
+  auto* trust = dialog.findChild<QPushButton*>("trust");
+  EXPECT_FALSE(trust->isDefault());
+  int accepted = 0;
+  QObject::connect(&dialog, &QDialog::accepted, [&] { ++accepted; });
+  trust->click();
+  EXPECT_EQ(accepted, 1);
+
+  what.known = what.certificate.fingerprint;
+  EXPECT_NE(trust_dialog(what).findChild<QLabel*>("known_fingerprint"), nullptr);
 }
 
 struct two_commands : commands {

@@ -111,8 +111,8 @@ TEST_F(Language, WhatTheClientSaysOfAConnectionIsInTheWindowsLanguage) {
 
   EXPECT_EQ(shown_words("no server can be reached at ws://127.0.0.1:9/v1: Connection refused"),
             "unter ws://127.0.0.1:9/v1 ist kein Server zu erreichen: Verbindung abgelehnt");
-  EXPECT_EQ(shown_words("the address \"http://here\" does not begin with ws://"),
-            "die Adresse „http://here“ beginnt nicht mit ws://");
+  EXPECT_EQ(shown_words("the address \"http://here\" does not begin with ws:// or wss://"),
+            "die Adresse „http://here“ beginnt weder mit ws:// noch mit wss://");
   EXPECT_EQ(shown_words("the server closed the connection: wrong token"),
             "der Server hat die Verbindung geschlossen: wrong token");
   EXPECT_EQ(shown_words("there is no connection to a server"),
@@ -129,7 +129,7 @@ TEST_F(Language, AnAddressThatIsNoneIsRefusedInTheWindowsLanguage) {
   if (!languages().contains("de"))
     GTEST_SKIP() << "built without qt6-l10n-tools";
   speak(*qApp, "de");
-  for (const auto* url : {"http://here", "wss://here", "ws://[::1", "ws://", "ws://a b"}) {
+  for (const auto* url : {"http://here", "wss://", "ws://[::1", "ws://", "ws://a b"}) {
     client::connect_options options;
     options.url = url;
     const auto made = client::client::connect(options, {});
@@ -137,7 +137,7 @@ TEST_F(Language, AnAddressThatIsNoneIsRefusedInTheWindowsLanguage) {
     ASSERT_FALSE(made) << url;
     EXPECT_TRUE(shown_words(made.error().message).starts_with("die Adresse „")) << url;
     EXPECT_EQ(shown_words(made.error().remedy),
-              "Die Adresse eines Servers angeben, etwa ws://127.0.0.1:7400/v1.");
+              "Geben Sie die Adresse eines Servers an, zum Beispiel ws://127.0.0.1:7464/v1.");
   }
 }
 

@@ -8,7 +8,7 @@
 namespace tedit::gateway::test {
 namespace {
 
-using transport_strangers = transport_fixture;
+class transport_strangers : public transport_fixture {};
 
 /// Whether the server has ended this connection, which the other side only looks at.
 bool is_over(client& c) {
@@ -18,7 +18,7 @@ bool is_over(client& c) {
   return got == 0 || (got < 0 && errno != EAGAIN && errno != EWOULDBLOCK);
 }
 
-TEST_F(transport_strangers, unfinished_handshakes_take_no_clients_place) {
+TEST_P(transport_strangers, unfinished_handshakes_take_no_clients_place) {
   options.limits.max_strangers = 6;
   options.limits.max_per_address = 4;
   options.limits.handshake_timeout = options.limits.hello_timeout = patience;
@@ -26,11 +26,11 @@ TEST_F(transport_strangers, unfinished_handshakes_take_no_clients_place) {
   const auto good = connect_known();
   std::vector<std::unique_ptr<client>> halves;
   for (int i = 0; i < 30; ++i) {
-    auto half = std::make_unique<client>(server->port());
+    auto half = std::make_unique<client>(server->port(), 0, trusted());
     if (i % 3 == 1)
       half->run([&](auto done) {
-        net::async_write(beast::get_lowest_layer(half->stream()),
-                         net::buffer("GET /v1 HTTP/1.1\r\nHost: ", 24), std::move(done));
+        net::async_write(half->stream().next_layer(), net::buffer("GET /v1 HTTP/1.1\r\nHost: ", 24),
+                         std::move(done));
       });
     if (i % 3 == 2)
       half->upgrade(host);  // And no hello.
@@ -45,7 +45,7 @@ TEST_F(transport_strangers, unfinished_handshakes_take_no_clients_place) {
   EXPECT_FALSE(is_over(*halves.back()));
 }
 
-TEST_F(transport_strangers, who_proves_himself_when_all_places_are_taken_is_told) {
+TEST_P(transport_strangers, who_proves_himself_when_all_places_are_taken_is_told) {
   options.limits.max_connections = 2;
   start();
   const auto first = connect();
@@ -57,6 +57,8 @@ TEST_F(transport_strangers, who_proves_himself_when_all_places_are_taken_is_told
   EXPECT_EQ(third->close_code(), 1013);
   EXPECT_EQ(first->round_trip("still here"), "still here");
 }
+
+INSTANTIATE_TEST_SUITE_P(with, transport_strangers, ::testing::Bool(), with_or_without);
 
 }  // namespace
 }  // namespace tedit::gateway::test

@@ -19,6 +19,9 @@
 #include <thread>
 
 #include "actors/gateway/transport.hpp"
+#include "certs/authority.hpp"
+#include "tests/support/scratch.hpp"
+#include "tls/stream.hpp"
 
 /// A transport with clients whose calls block.
 namespace tedit::gateway::test {
@@ -106,10 +109,36 @@ template <class Condition>
   return std::chrono::steady_clock::now() < end;
 }
 
+/// An authority and a server's certificate for this machine, made once for a test program.
+class server_certificates {
+public:
+  static const server_certificates& get() {
+    static const server_certificates made;
+    return made;
+  }
+
+  [[nodiscard]] std::filesystem::path authority() const { return folder_.path() / "ca"; }
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path() / "hall"; }
+  [[nodiscard]] const tls::context& trusted() const { return *context_; }
+
+private:
+  server_certificates() {
+    tedit::test::value(certs::init(authority()));
+    tedit::test::value(certs::issue(
+      authority(), {certs::role::server, "hall", {"127.0.0.1", "localhost"}}, folder()));
+    context_ =
+      tedit::test::value(tls::context::of_client(authority() / certs::authority_certificate_file));
+  }
+
+  tedit::test::scratch_folder folder_;
+  std::shared_ptr<const tls::context> context_;
+};
+
 /// One client with blocking calls, each of which ends after `patience`.
 class client {
 public:
-  explicit client(std::uint16_t port, int receive_buffer = 0) {
+  /// With TLS when `how` says how.
+  explicit client(std::uint16_t port, int receive_buffer = 0, const tls::context* how = nullptr) {
     auto& socket = beast::get_lowest_layer(ws_).socket();
     socket.open(tcp::v4());
     if (receive_buffer > 0)
@@ -117,7 +146,20 @@ public:
     socket.connect({net::ip::address_v4::loopback(), port});
     ws_.read_message_max(64 * mib);
     ws_.binary(true);
+    if (how == nullptr)
+      return;
+    ws_.next_layer().secure(*how);
+    EXPECT_TRUE(tls::expect_host(ws_.next_layer().tls(), "127.0.0.1"));
+    shaken_ = run([&](auto done) {
+      ws_.next_layer().async_handshake(net::ssl::stream_base::client, std::move(done));
+    });
+    if (!shaken_) {
+      EXPECT_EQ(tls::certificate_of(ws_.next_layer().tls()).fault, "");
+    }
   }
+
+  /// What became of the TLS handshake.
+  [[nodiscard]] error_code shaken() const { return shaken_; }
 
   /// The HTTP status of the answer.
   int upgrade(const std::string& host, const std::string& origin = {},
@@ -156,14 +198,14 @@ public:
 
   /// Sends bytes as they are and reads until the server closes.
   std::string raw(const std::string& bytes) {
-    auto& stream = beast::get_lowest_layer(ws_);
+    auto& stream = ws_.next_layer();
     run([&](auto done) { net::async_write(stream, net::buffer(bytes), std::move(done)); });
     std::string answer;
     run([&](auto done) { net::async_read(stream, net::dynamic_buffer(answer), std::move(done)); });
     return answer;
   }
 
-  websocket::stream<beast::tcp_stream>& stream() { return ws_; }
+  websocket::stream<tls::stream<beast::tcp_stream>>& stream() { return ws_; }
 
   template <class Start>
   error_code run(Start start) {
@@ -181,13 +223,21 @@ public:
 
 private:
   net::io_context io_{1};
-  websocket::stream<beast::tcp_stream> ws_{io_};
+  websocket::stream<tls::stream<beast::tcp_stream>> ws_{beast::tcp_stream(io_)};
   error_code problem_;
+  error_code shaken_;
 };
 
-class transport_fixture : public ::testing::Test {
+/// With TLS or without, as the parameter says.
+class transport_fixture : public ::testing::TestWithParam<bool> {
 protected:
   void start() {
+    if (GetParam())
+      options.certificates = server_certificates::get().folder();
+    start_with_options();
+  }
+
+  void start_with_options() {
     options.pages["/healthz"] = [this](const page_request& asked) {
       last_asked = asked;
       return page_answer{well ? 200U : 503U, R"({"ok":true})"};
@@ -203,7 +253,7 @@ protected:
   }
 
   std::unique_ptr<client> connect(int receive_buffer = 0) {
-    auto c = std::make_unique<client>(server->port(), receive_buffer);
+    auto c = std::make_unique<client>(server->port(), receive_buffer, trusted());
     EXPECT_EQ(c->upgrade(host), 101);
     return c;
   }
@@ -216,8 +266,13 @@ protected:
   }
 
   std::string ask(const std::string& first_line, const std::string& more = {}) {
-    return client(server->port())
-      .raw(first_line + " HTTP/1.1\r\nHost: " + host + "\r\n" + more + "\r\n");
+    return fresh().raw(first_line + " HTTP/1.1\r\nHost: " + host + "\r\n" + more + "\r\n");
+  }
+
+  /// A client that has said nothing yet, but for TLS's own words.
+  [[nodiscard]] client fresh() const { return client(server->port(), 0, trusted()); }
+  [[nodiscard]] static const tls::context* trusted() {
+    return GetParam() ? &server_certificates::get().trusted() : nullptr;
   }
 
   transport_options options;
@@ -227,5 +282,9 @@ protected:
   std::atomic<bool> well = true;
   page_request last_asked;  ///< Read after its answer.
 };
+
+inline std::string with_or_without(const ::testing::TestParamInfo<bool>& which) {
+  return which.param ? "tls" : "plain";
+}
 
 }  // namespace tedit::gateway::test

@@ -64,6 +64,28 @@ with tedit.connect(sys.argv[1], tedit.read_token(sys.argv[2])) as server:
 PROGRAM
   grep -q "^$work/prefix/.* tedit [0-9]" "$work/package"
 fi
+# Both over TLS, to a server of an authority of one's own.
+tedit=$work/prefix/bin/tedit
+"$tedit" certs init "$work/ca" >>"$work/log"
+"$tedit" certs issue "$work/ca" --role server --name hall --host 127.0.0.1 -o "$work/hall" >>"$work/log"
+kill "$server"
+wait "$server" || true
+"$tedit" serve --port 0 --documents "$work/documents" --certificates "$work/hall" >"$work/secure" 2>&1 &
+server=$!
+for _ in $(seq 600); do
+  grep -q '^listening on ' "$work/secure" && break
+  kill -0 "$server" || { cat "$work/secure" >&2; exit 1; }
+  sleep 0.1
+done
+secure=$(sed -n 's/^listening on //p' "$work/secure")
+SSL_CERT_FILE=$work/hall/ca.crt "$work/made/hole_study" "$secure" "${arguments[@]:1}" >"$work/cpp_secure"
+test "$(wc -l <"$work/cpp_secure")" = "$(wc -l <"$work/cpp")"
+SSL_CERT_FILE=$work/hall/ca.crt "$python" "$shared/examples/integrate/surface_area.py" "$secure" \
+  "$work/state/tedit/token" "$plate/ctc01_plate.coarse.msh" | cmp - "$work/area"
+"$work/made/hole_study" "$secure" "${arguments[@]:1}" 2>"$work/refused" && exit 1
+grep -q "is not trusted here" "$work/refused"
+url=$secure
+export SSL_CERT_FILE=$work/hall/ca.crt
 
 # Refusals are words, not traces.
 "$python" "$shared/examples/integrate/hole_study.py" "$url" "$plate/load_case.json" "${arguments[@]:2}" 2>"$work/refused" &&

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/tools/connection/trust_dialog.hpp"
+#include "client/known_servers.hpp"
 
 namespace tedit::desktop {
 
@@ -26,6 +28,7 @@ connection_tool::connection_tool(window_context& in) : in_(in) {
   });
   connect(&in_.link, &remote::refused, this,
           [this](const error& reason) { emit in_.part.failed(tr("Connect"), reason); });
+  connect(&in_.link, &remote::untrusted, this, &connection_tool::ask_for_trust);
   connect(&in_.link, &remote::state_changed, this, &connection_tool::show_state);
 }
 
@@ -62,6 +65,22 @@ void connection_tool::show_state() {
         .arg(duration(1000 * std::floor(link.silence_ms() / 1000))));
   else if (link.current() == remote::state::connected)
     in_.messages.clear_standing();
+}
+
+void connection_tool::ask_for_trust(const untrusted_server& what) {
+  auto* dialog = new trust_dialog(what, &in_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, what] {
+    const auto kept =
+      client::known_servers::of_user().and_then([&](const client::known_servers& known) {
+        return known.remember(what.place, what.certificate.fingerprint);
+      });
+    if (!kept)
+      emit in_.part.failed(tr("Connect"), kept.error());
+    else
+      in_.link.connect_to(in_.link.address());
+  });
+  dialog->open();
 }
 
 void connection_tool::ask() {

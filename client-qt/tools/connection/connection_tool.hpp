@@ -27,6 +27,7 @@ public:
 
 private:
   void show_state();
+  void ask_for_trust(const untrusted_server& what);
 
   window_context& in_;
   std::function<void()> once_connected_;

@@ -229,6 +229,14 @@ class Internal(TeditError):
     """A defect of the program itself."""
 
 
+class PermissionDenied(TeditError):
+    """The caller's role is too low; the message names the least one."""
+
+
+class UntrustedServer(TeditError):
+    """A server's certificate is not one that the client trusts."""
+
+
 def _code_of(name: str) -> str:
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 

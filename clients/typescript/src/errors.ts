@@ -327,6 +327,20 @@ export class Internal extends TeditError {
   }
 }
 
+/** The caller's role is too low; the message names the least one. */
+export class PermissionDenied extends TeditError {
+  constructor(details: ErrorDetails | string) {
+    super("permission_denied", details);
+  }
+}
+
+/** A server's certificate is not one that the client trusts. */
+export class UntrustedServer extends TeditError {
+  constructor(details: ErrorDetails | string) {
+    super("untrusted_server", details);
+  }
+}
+
 /** The connection to the server broke, or none could be made. What was asked may have been done. */
 export class ConnectionLost extends ServiceUnavailable {}
 
@@ -370,6 +384,8 @@ export const byCode: ReadonlyMap<string, new (details: ErrorDetails) => TeditErr
   ["protocol_error", ProtocolError],
   ["storage_error", StorageError],
   ["internal", Internal],
+  ["permission_denied", PermissionDenied],
+  ["untrusted_server", UntrustedServer],
 ] as [string, new (details: ErrorDetails) => TeditError][]);
 
 /** The exception for a `tedit.v1.Error`. */
