@@ -5,19 +5,15 @@
 
 #include <array>
 
+#include "base/hex.hpp"
+
 namespace tedit {
 
 expected<std::string> make_token() {
   std::array<unsigned char, 32> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
     return fail(ec::io_error, "the system gives no random numbers");
-  constexpr auto digits = "0123456789abcdef";
-  std::string text;
-  for (const auto b : bytes) {
-    text += digits[b >> 4];
-    text += digits[b & 15];
-  }
-  return text;
+  return to_hex(bytes);
 }
 
 }  // namespace tedit

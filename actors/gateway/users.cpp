@@ -12,6 +12,7 @@
 #include <openssl/sha.h>
 #include <spdlog/spdlog.h>
 
+#include "base/hex.hpp"
 #include "base/random_token.hpp"
 #include "base/system_failure.hpp"
 #include "base/unique_fd.hpp"
@@ -48,13 +49,7 @@ std::optional<std::int64_t> until_of(std::int64_t stored) {
 std::string hash_of(const std::string& token) {
   std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
   SHA256(reinterpret_cast<const unsigned char*>(token.data()), token.size(), digest.data());
-  constexpr auto digits = "0123456789abcdef";
-  std::string text;
-  for (const auto b : digest) {
-    text += digits[b >> 4];
-    text += digits[b & 15];
-  }
-  return text;
+  return to_hex(digest);
 }
 
 tl::unexpected<error> failure_of(sqlite3* db, const fs::path& file) {

@@ -30,6 +30,7 @@ struct observing_state {
   observing_parts parts;
   caf::actor_addr observer;  ///< Once it was named; the connection has no other.
   std::map<std::string, session_actor> watched;
+  std::size_t beginning = 0;  ///< Of which it is not known yet whether they can be watched.
   std::size_t unanswered = 0;
 
   static inline const char* name = "observing";
@@ -115,6 +116,11 @@ void take_new_name(observing_pointer self, const document_renamed& renamed) {
 
 using watch_promise = std::shared_ptr<caf::typed_response_promise<std::string>>;
 
+void refuse_watch(observing_pointer self, const watch_promise& promise, const error& why) {
+  --self->state.beginning;
+  promise->deliver(to_caf(why));
+}
+
 /// What the document is now, as if it had just become that.
 void tell_present(observing_pointer self, const session_actor& session,
                   const session_snapshot& now) {
@@ -139,18 +145,19 @@ void attach_to(observing_pointer self, const opened_document& opened,
     .then(
       [=](const session_snapshot& now) {
         self->monitor(session);
+        --self->state.beginning;
         self->state.watched.insert_or_assign(now.document, session);
         promise->deliver(now.document);
         tell_present(self, session, now);
       },
-      [=](const caf::error& e) { promise->deliver(to_caf(from_caf(e, "watching"))); });
+      [=](const caf::error& e) { refuse_watch(self, promise, from_caf(e, "watching")); });
 }
 
 /// Only documents that are there: opening another one would make it.
 void open_to_watch(observing_pointer self, const std::string& document,
                    const watch_promise& promise) {
   const auto refuse = [=](const caf::error& e) {
-    promise->deliver(to_caf(from_caf(e, "watching " + document)));
+    refuse_watch(self, promise, from_caf(e, "watching " + document));
   };
   const auto open = [=] {
     self->request(self->state.parts.hub, std::chrono::minutes(10), document)
@@ -161,10 +168,11 @@ void open_to_watch(observing_pointer self, const std::string& document,
       [=](const document_list& all) {
         if (std::ranges::count(all.documents, document, &document_row::name) > 0)
           return open();
-        promise->deliver(to_caf({ec::not_found,
-                                 "there is no document " + document,
-                                 "Ask for the names of those that there are",
-                                 {}}));
+        refuse_watch(self, promise,
+                     {ec::not_found,
+                      "there is no document " + document,
+                      "Ask for the names of those that there are",
+                      {}});
       },
       refuse);
 }
@@ -179,7 +187,7 @@ caf::result<std::string> watch(observing_pointer self, const std::string& docume
                    "it named an observer that is not its own, or a second one",
                    "Name one actor of the node that asks, each time the same",
                    {}});
-  if (state.watched.size() >= most_watched)
+  if (state.watched.size() + state.beginning >= most_watched)
     return to_caf({ec::invalid_argument,
                    "one connection watches " + std::to_string(most_watched) + " documents at most",
                    "Watch others over a second connection",
@@ -190,6 +198,7 @@ caf::result<std::string> watch(observing_pointer self, const std::string& docume
   }
   const auto promise = std::make_shared<caf::typed_response_promise<std::string>>(
     self->make_response_promise<std::string>());
+  ++state.beginning;
   open_to_watch(self, document, promise);
   return *promise;
 }

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/forked_call.hpp"
+#include "tests/support/said.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace tedit {
@@ -33,18 +34,9 @@ std::string said(const std::filesystem::path& program, const std::function<std::
   forked_limits limits;
   limits.confine = []() -> expected<void> { return {}; };
   limits.program = program;
-  std::string heard;
-  const auto end = call_forked(
-    [&](const caller_line& line) {
-      const auto text = work();
-      line.send(1, std::as_bytes(std::span(text)));
-    },
-    limits, {},
-    [&](std::uint32_t, std::span<const std::byte> bytes) {
-      heard.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    });
-  EXPECT_TRUE(end.has_value()) << render(end.error());
-  return heard;
+  const auto heard = test::said_in_copy(limits, work);
+  EXPECT_TRUE(heard.has_value()) << render(heard.error());
+  return heard.value_or("");
 }
 
 std::string run(const std::filesystem::path& program, const std::string& input,

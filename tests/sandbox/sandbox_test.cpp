@@ -15,7 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/forked_call.hpp"
+#include "tests/support/said.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace tedit {
@@ -31,17 +31,8 @@ std::string said_confined(const sandbox::reach& reach, const std::function<std::
       return ok;
     return sandbox::confine_calls();
   };
-  std::string heard;
-  const auto end = call_forked(
-    [&](const caller_line& line) {
-      const auto text = work();
-      line.send(1, std::as_bytes(std::span(text)));
-    },
-    limits, {},
-    [&](std::uint32_t, std::span<const std::byte> bytes) {
-      heard.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    });
-  return end ? heard : end.error().message;
+  const auto heard = test::said_in_copy(limits, work);
+  return heard ? *heard : heard.error().message;
 }
 
 std::string could(bool done) {

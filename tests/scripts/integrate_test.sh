@@ -7,20 +7,9 @@ build=$1
 work=$(mktemp -d)
 server=""
 trap '[ -z "$server" ] || kill "$server" 2>/dev/null; wait; rm -rf "$work"' EXIT
-unset TEDIT_LIBEXEC TEDIT_PLUGIN_PATH XDG_DATA_HOME XDG_CONFIG_HOME
-export HOME=$work/home XDG_CACHE_HOME=$work/cache XDG_STATE_HOME=$work/state
-
-cmake --install "$build" --prefix "$work/first" >"$work/log" || { tail -20 "$work/log" >&2; exit 1; }
-mv "$work/first" "$work/prefix"
-shared=$work/prefix/share/tedit
-{
-  cmake -S "$shared/examples/integrate" -B "$work/made" -DTEdit_DIR="$work/prefix/lib/cmake/TEdit"
-  cmake --build "$work/made"
-} >"$work/log" 2>&1 || { tail -40 "$work/log" >&2; exit 1; }
-if grep -rq "$build" "$work/made/CMakeFiles/hole_study.dir"; then
-  echo "the example was built against the build tree, not the installation" >&2
-  exit 1
-fi
+. "$(dirname "$0")/installed.sh"
+use_home "$work"
+build_example "$build" integrate hole_study
 
 "$work/prefix/bin/tedit" serve --port 0 --documents "$work/documents" >"$work/server" 2>&1 &
 server=$!

@@ -8,20 +8,9 @@ command -v ccx >/dev/null || { echo "calculix-ccx is not installed"; exit 77; }
 work=$(mktemp -d)
 pids=()
 trap 'for one in "${pids[@]}"; do kill "$one" 2>/dev/null || true; done; wait; rm -rf "$work"' EXIT
-unset TEDIT_LIBEXEC TEDIT_PLUGIN_PATH XDG_DATA_HOME XDG_CONFIG_HOME
-export HOME=$work/home XDG_CACHE_HOME=$work/cache XDG_STATE_HOME=$work/state
-
-cmake --install "$build" --prefix "$work/first" >"$work/log" || { tail -20 "$work/log" >&2; exit 1; }
-mv "$work/first" "$work/prefix"
-shared=$work/prefix/share/tedit
-{
-  cmake -S "$shared/examples/node" -B "$work/made" -DTEdit_DIR="$work/prefix/lib/cmake/TEdit"
-  cmake --build "$work/made"
-} >"$work/log" 2>&1 || { tail -40 "$work/log" >&2; exit 1; }
-if grep -rq "$build" "$work/made/CMakeFiles/observer.dir"; then
-  echo "the example was built against the build tree, not the installation" >&2
-  exit 1
-fi
+. "$(dirname "$0")/installed.sh"
+use_home "$work"
+build_example "$build" node observer
 for example in calculix_solver observer; do
   test "$(wc -l <"$shared/examples/node/$example.cpp")" -le 100
 done

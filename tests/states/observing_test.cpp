@@ -145,6 +145,19 @@ TEST_F(Observing, ADocumentThatIsNotThereIsNotMade) {
   EXPECT_THAT(names.value(), ElementsAre("part"));
 }
 
+TEST_F(Observing, SixtyFourDocumentsAtMostAlsoWhenAllAreAskedForAtOnce) {
+  import_all();
+  std::vector<answer<std::string>> asked;
+  for (int i = 0; i < 65; ++i)
+    asked.push_back(ask<std::string>(seen_, watch_atom::value, std::string("part"), eye_));
+  pass(milliseconds(5));
+
+  std::size_t refused = 0;
+  for (const auto& one : asked)
+    refused += one.refusal().code == ec::invalid_argument;
+  EXPECT_EQ(refused, 1u);
+}
+
 TEST_F(Observing, WhoIsSixtyFourEventsBehindIsCutOff) {
   import_all();
   EXPECT_TRUE(watch("part").is_success());
