@@ -15,7 +15,11 @@ job_output<solve_result> make_solve_output(const mesh_version& mesh, const fem::
     report.notice = facts.notice;
   job_output<solve_result> output;
   output.result.outcome = wire_value(std::move(outcome));
-  for (const auto& f : fem::make_fields(mesh, set, solved, range)) {
+  auto fields = fem::make_fields(mesh, set, solved, range);
+  if (facts.of_several && set.cases.size() == 1)
+    for (auto& f : fields)
+      f.name = fem::case_field(f.name, set.cases.front().name);
+  for (const auto& f : fields) {
     auto& list = fem::is_shown(f) ? output.result.fields : output.result.more;
     list.push_back(make_ref(f));
     const auto& pages = f.values.pages();
