@@ -44,7 +44,7 @@ std::optional<double> pool_state::expected_s(const job_cost& cost, const child* 
 std::optional<double> pool_state::remaining_s(const child& c) const {
   if (!c.work)
     return 0;
-  const auto whole = expected_s(c.work->cost, &c);
+  const auto whole = expected_s(c.work->needs.cost, &c);
   if (!whole)
     return std::nullopt;
   return std::max(*whole - seconds_of(now() - c.work_began), least_rest * *whole);
@@ -54,7 +54,7 @@ pool_state::child* pool_state::choose_child(const job& wanted,
                                             std::map<std::uint64_t, double>& promised) {
   const auto has_room = [&](const child& c) {
     return c.node.memory_bytes == 0 ||
-           static_cast<double>(c.node.memory_bytes) >= wanted.memory_bytes;
+           static_cast<double>(c.node.memory_bytes) >= wanted.needs.memory_bytes;
   };
   const bool room_somewhere = std::ranges::any_of(
     children, [&](const child& c) { return c.is_there() && !c.work && has_room(c); });
@@ -76,7 +76,7 @@ pool_state::child* pool_state::choose_child(const job& wanted,
     if (c.last_place == wanted.place.document && wanted.place.document != 0)
       return &c;
     // What a worker never did it is tried with: else nobody would learn that it is quick.
-    const double takes = c.costs.seconds(wanted.cost).value_or(0);
+    const double takes = c.costs.seconds(wanted.needs.cost).value_or(0);
     if (!free || takes < free_s) {
       free = &c;
       free_s = takes;
@@ -87,7 +87,7 @@ pool_state::child* pool_state::choose_child(const job& wanted,
   for (const auto& c : children) {
     if (!c.is_there() || !c.work || c.work->cancelled || !has_room(c))
       continue;
-    const auto takes = c.costs.seconds(wanted.cost);
+    const auto takes = c.costs.seconds(wanted.needs.cost);
     const auto rest = remaining_s(c);
     if (!takes || !rest || worth_waiting * (*rest + promised[c.number] + *takes) >= free_s)
       continue;
@@ -138,7 +138,7 @@ std::optional<double> pool_state::wait_s(std::size_t jobs_before) const {
   if (workers == 0)
     return std::nullopt;
   for (std::size_t i = 0; i < std::min(jobs_before, waiting.size()); ++i) {
-    const auto takes = expected_s(waiting[i].cost, nullptr);
+    const auto takes = expected_s(waiting[i].needs.cost, nullptr);
     if (!takes)
       return std::nullopt;
     work += *takes;

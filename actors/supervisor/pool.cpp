@@ -154,8 +154,8 @@ void pool_state::complete(job_id id, bool done) {
   numbers->done.note(took);
   if (done) {
     const auto seconds = std::chrono::duration<double>(took).count();
-    c->costs.note(c->work->cost, seconds);
-    costs.note(c->work->cost, seconds);
+    c->costs.note(c->work->needs.cost, seconds);
+    costs.note(c->work->needs.cost, seconds);
   }
   c->work.reset();
   ++c->jobs_done;

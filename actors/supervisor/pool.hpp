@@ -15,6 +15,7 @@
 
 #include "actors/interfaces.hpp"
 #include "actors/supervisor/cost_model.hpp"
+#include "actors/supervisor/job_estimate.hpp"
 #include "actors/supervisor/lifeline.hpp"
 #include "actors/supervisor/quarantine.hpp"
 #include "actors/supervisor/turns.hpp"
@@ -120,10 +121,9 @@ struct pool_state {
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
     caf::actor listener;  ///< Hears that it waits, and how long; may be null.
-    job_cost cost;
-    double memory_bytes = 0;  ///< That it takes; 0: not known.
-    clock::time_point came;   ///< When it was asked for.
-    clock::time_point told;   ///< When its listener last heard that it waits.
+    job_estimate needs;
+    clock::time_point came;  ///< When it was asked for.
+    clock::time_point told;  ///< When its listener last heard that it waits.
     turn place;  ///< Previews are ended, too, when what goes before them finds no free worker.
     int deaths = 0;
     bool cancelled = false;

@@ -7,8 +7,8 @@
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/links/open_actors.hpp"
+#include "actors/supervisor/job_estimate.hpp"
 #include "actors/supervisor/pool.hpp"
-#include "actors/versions.hpp"
 
 namespace tedit::actors {
 
@@ -16,39 +16,6 @@ namespace {
 
 template <class Role>
 using pool_pointer = typename Role::template stateful_pointer<pool_state>;
-
-/// Bytes that a solve takes for each tet, and what each further load case adds to that
-/// (bench/FIGURES.md, "One solve").
-constexpr double linear_bytes = 650, quadratic_bytes = 2000, bytes_of_case = .3;
-
-void set_cost(pool_state::job& job, const import_order& order) {
-  job.cost = {"import", static_cast<double>(order.size)};
-}
-
-void set_cost(pool_state::job& job, const edit_order& order) {
-  job.cost = {(order.preview ? "preview " : "edit ") + job.edit.operation, tets_of(order.version)};
-}
-
-void set_cost(pool_state::job& job, const export_order& order) {
-  job.cost = {"file " + order.format, tets_of(order.version)};
-}
-
-void set_cost(pool_state::job& job, const select_order& order) {
-  job.cost = {"select", tets_of(order.version)};
-}
-
-void set_cost(pool_state::job& job, const check_order& order) {
-  job.cost = {order.preview ? "check of a preview" : "check", tets_of(order.before)};
-}
-
-void set_cost(pool_state::job& job, const solve_order& order) {
-  const auto loads = order.load_cases.get();
-  const auto cases = loads && !(*loads)->empty() ? static_cast<double>((*loads)->size()) : 1;
-  const auto tets = tets_of(order.version);
-  job.cost = {"solve " + order.device + " " + std::to_string(order.element_order), tets * cases};
-  job.memory_bytes = tets * (order.element_order == 1 ? linear_bytes : quadratic_bytes) *
-                     (1 + bytes_of_case * (cases - 1));
-}
 
 /// The handler of one kind of order: queues it and answers when some worker has done it.
 template <class Role, class Order, class Result>
@@ -61,7 +28,7 @@ auto job_handler(pool_pointer<Role> self) {
     if constexpr (std::is_same_v<Order, edit_order>)
       if (const auto wanted = order.wanted.get())
         job.edit = {(*wanted)->operation, order.document, order.client};
-    set_cost(job, order);
+    job.needs = estimate(order);
     const auto& listener = order.base.listener;
     job.listener = listener;
     job.place = {urgency::edit, order.base.client, listener ? listener.id() : 0};
