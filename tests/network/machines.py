@@ -361,7 +361,9 @@ def main():
             results = conditions(hall, only)
             faults(hall, results, only, arguments.partition)
         except BaseException:
-            print(pathlib.Path(folder, "server.log").read_text(encoding="utf-8")[-3000:], file=sys.stderr)
+            for name in ("server", *WORKERS):
+                said = pathlib.Path(folder, f"{name}.log").read_text(encoding="utf-8")
+                print(f"{name}:\n{said[-3000 if name == 'server' else -600:]}", file=sys.stderr)
             raise
         finally:
             hall.stop()
