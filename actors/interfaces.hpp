@@ -21,6 +21,7 @@ using delete_atom = caf::atom_constant<caf::atom("delete")>;
 using detach_atom = caf::atom_constant<caf::atom("detach")>;
 using fetch_atom = caf::atom_constant<caf::atom("fetch")>;
 using get_atom = caf::atom_constant<caf::atom("get")>;
+using existing_atom = caf::atom_constant<caf::atom("existing")>;
 using held_atom = caf::atom_constant<caf::atom("held")>;
 using end_atom = caf::atom_constant<caf::atom("end")>;
 using end_solve_atom = caf::atom_constant<caf::atom("endsolve")>;
@@ -204,6 +205,8 @@ using session_actor = caf::typed_actor<
 using hub_actor = caf::typed_actor<
   // The session of a document; it is made when it is not there.
   caf::replies_to<std::string>::with<opened_document>,
+  // The same of a document that there is, for those who may begin none.
+  caf::replies_to<existing_atom, std::string>::with<opened_document>,
   // Makes a file that was sent a document.
   caf::replies_to<add_request>::with<added_document>,
   // Gives an open document another name; who asks for the one before still finds it.

@@ -57,6 +57,9 @@ expected<solve_request> read_solve(const v1::Solve& body) {
   return request;
 }
 
+/// A large document is read as long as it takes.
+constexpr std::chrono::minutes opening_limit{10};
+
 /// A session that nobody has open may end while its name is on the way here: then the document is
 /// asked for again.
 void open_document(client_state& client, std::uint64_t id, const v1::OpenDocument& body,
@@ -94,15 +97,18 @@ void open_document(client_state& client, std::uint64_t id, const v1::OpenDocumen
     client.answer(id, std::move(message));
     client.want_surface(snapshot.document, snapshot.version);
   };
-  client.self->request(client.parts.hub, std::chrono::minutes(10), body.name())
-    .then(
-      [=, &client](const opened_document& opened) {
-        const auto session = caf::actor_cast<session_actor>(opened.session);
-        client.self
-          ->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(client.self)})
-          .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, gone);
-      },
-      failed);
+  const auto found = [=, &client](const opened_document& opened) {
+    const auto session = caf::actor_cast<session_actor>(opened.session);
+    client.self
+      ->request(session, short_limit, attach_request{caf::actor_cast<caf::actor>(client.self)})
+      .then([=](const session_snapshot& snapshot) { attached(snapshot, session); }, gone);
+  };
+  // Who may only look begins no document.
+  if (client.access.role == access_role::view)
+    client.self->request(client.parts.hub, opening_limit, existing_atom::value, body.name())
+      .then(found, failed);
+  else
+    client.self->request(client.parts.hub, opening_limit, body.name()).then(found, failed);
 }
 
 void open(client_state& client, std::uint64_t id, const v1::OpenDocument& body) {

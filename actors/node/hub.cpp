@@ -86,9 +86,15 @@ void open_for(hub_pointer self, const std::string& name, hub_state::promise prom
     start_opening(self, name);
 }
 
-caf::result<opened_document> open(hub_pointer self, const std::string& given) {
+/// @param begin also a document that is not there yet.
+caf::result<opened_document> open(hub_pointer self, const std::string& given, bool begin) {
   auto& state = self->state;
   std::string name = given;
+  if (name.empty() && !begin)
+    return to_caf({ec::invalid_argument,
+                   "a document that is there already has a name",
+                   "Name one of those that the list of documents has",
+                   {}});
   if (name.empty())
     name = make_temporary_name(state);
   if (auto ok = check_document_name(name); !ok)
@@ -99,6 +105,11 @@ caf::result<opened_document> open(hub_pointer self, const std::string& given) {
     name = present_name(state, name);
     if (!given.empty() && is_temporary(name) && !has_file(state, name))
       return to_caf(ended_document(name));
+    if (!begin && !is_taken(state, name))
+      return to_caf({ec::not_found,
+                     "there is no document " + name,
+                     "The list of documents says which there are",
+                     {}});
   }
   auto promise = self->make_response_promise<opened_document>();
   open_for(self, name, promise);
@@ -331,7 +342,8 @@ hub_actor::behavior_type make_hub(hub_actor::stateful_pointer<hub_state> self, h
   for (auto& one : store::read_former_names(self->state.parts.documents))
     self->state.former.push_back(std::move(one));
   expect_ends(self);
-  return {[=](const std::string& name) { return open(self, name); },
+  return {[=](const std::string& name) { return open(self, name, true); },
+          [=](existing_atom, const std::string& name) { return open(self, name, false); },
           [=](const add_request& request) { return add(self, request); },
           [=](const rename_request& request) { return rename(self, request); },
           [=](const copy_request& request) { return copy_document(self, request); },

@@ -159,22 +159,8 @@ void open_to_watch(observing_pointer self, const std::string& document,
   const auto refuse = [=](const caf::error& e) {
     refuse_watch(self, promise, from_caf(e, "watching " + document));
   };
-  const auto open = [=] {
-    self->request(self->state.parts.hub, std::chrono::minutes(10), document)
-      .then([=](const opened_document& opened) { attach_to(self, opened, promise); }, refuse);
-  };
-  self->request(self->state.parts.hub, std::chrono::minutes(1), list_atom::value)
-    .then(
-      [=](const document_list& all) {
-        if (std::ranges::count(all.documents, document, &document_row::name) > 0)
-          return open();
-        refuse_watch(self, promise,
-                     {ec::not_found,
-                      "there is no document " + document,
-                      "Ask for the names of those that there are",
-                      {}});
-      },
-      refuse);
+  self->request(self->state.parts.hub, std::chrono::minutes(10), existing_atom::value, document)
+    .then([=](const opened_document& opened) { attach_to(self, opened, promise); }, refuse);
 }
 
 caf::result<std::string> watch(observing_pointer self, const std::string& document,

@@ -5060,10 +5060,6 @@
         <translation>%1 Ergebnisse für %2 Lastfälle</translation>
     </message>
     <message>
-        <source>Ask for the names of those that there are</source>
-        <translation>Fragen Sie nach den Namen derer, die es gibt</translation>
-    </message>
-    <message>
         <source>Issue it another certificate with &quot;tedit certs issue --role observer&quot;</source>
         <translation>Stellen Sie ihm ein anderes Zertifikat aus: „tedit certs issue --role observer“</translation>
     </message>
@@ -5190,6 +5186,14 @@
     <message>
         <source>waiting for a worker to start</source>
         <translation>wartet, bis ein Arbeiter gestartet ist</translation>
+    </message>
+    <message>
+        <source>Name one of those that the list of documents has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a document that is there already has a name</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

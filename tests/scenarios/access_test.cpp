@@ -59,6 +59,20 @@ TEST_F(Access, ATokenNamesItsUserAndRole) {
   EXPECT_EQ(owner->access().role, "admin");
 }
 
+TEST_F(Access, WhoMayLookBeginsNoDocument) {
+  const auto anna = add("anna", access_role::view);
+  run();
+  const auto looker = connect_as(anna.text);
+  const auto refused = looker->open("plate", true, true);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ec::not_found);
+  EXPECT_THAT(refused.error().message, HasSubstr("there is no document plate"));
+  EXPECT_THAT(value(looker->list_documents()), ::testing::IsEmpty());
+  const auto owner = connect_as(server_token);
+  value(owner->open("plate", false, false));
+  EXPECT_TRUE(looker->open("plate", true, true).has_value());
+}
+
 /// Whether a request of this kind is refused for its role. Its fields are those of nobody's
 /// request: what is allowed is refused for something else.
 bool is_denied(raw_client& client, const google::protobuf::FieldDescriptor* kind) {

@@ -110,6 +110,21 @@ TEST(TemporaryNames, AreThoseThatTheServerMakes) {
     EXPECT_FALSE(is_temporary(name)) << name;
 }
 
+TEST_F(Hub, WhoMayBeginNoneGetsOnlyDocumentsThatAreThere) {
+  const auto existing = [&](const std::string& name) {
+    const auto got = ask<opened_document>(hub_, existing_atom::value, name);
+    pass(seconds(1));
+    return got;
+  };
+  EXPECT_EQ(existing("plate").refusal().code, ec::not_found);
+  EXPECT_THAT(existing("plate").refusal().message, HasSubstr("there is no document plate"));
+  EXPECT_EQ(existing("").refusal().code, ec::invalid_argument);
+  put_file("bracket");
+  EXPECT_EQ(existing("bracket").value().name, "bracket");
+  EXPECT_TRUE(open("plate").is_success());
+  EXPECT_EQ(existing("plate").value().name, "plate") << "it is open, though it has no file yet";
+}
+
 TEST_F(Hub, ADocumentWithoutANameGoesAfterItsLastClient) {
   const auto document = open_unnamed();
   pass(hours(5));
