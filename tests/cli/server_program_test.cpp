@@ -239,13 +239,15 @@ TEST_F(ServerProgram, AnEditThatMustBeConfinedAndCannotIsNotBegun) {
 /// A server of that configuration, ready.
 class ready_server {
 public:
-  ready_server(const fs::path& folder, const fs::path& config) : ready_(folder / "ready.json") {
+  /// @param mode an option that it gets.
+  ready_server(const fs::path& folder, const fs::path& config, const char* mode = "--in-process")
+      : ready_(folder / "ready.json") {
     child_ = fork();
     if (child_ == 0) {
       (void)freopen("/dev/null", "w", stdout);
       (void)freopen("/dev/null", "w", stderr);
-      execl(program.c_str(), "tedit", "serve", "--in-process", "--config", config.c_str(),
-            "--ready-file", ready_.c_str(), nullptr);
+      execl(program.c_str(), "tedit", "serve", mode, "--config", config.c_str(), "--ready-file",
+            ready_.c_str(), nullptr);
       _exit(127);
     }
     for (int i = 0; i < 6000 && !fs::exists(ready_); ++i)
@@ -390,7 +392,8 @@ TEST_F(ServerProgram, TheDoctorGoesAWorkersWayToItsServer) {
               0);
   write_config("[nodes]\ncertificates = \"" + at("hall") + "\"\nport = 0\n" +
                "[work]\nsolver_workers = 0\nmodeling_workers = 0\noptimizer_workers = 0\n");
-  const ready_server server(folder, config());
+  // With workers in its own process it takes none of other machines.
+  const ready_server server(folder, config(), "--safe-mode");
   const auto place = "127.0.0.1:" + std::to_string(server.state().value("node_port", 0));
   const auto good = run("doctor --json --join " + place + " --certificates " + at("rack"));
   for (const char* name : {"certificate", "server", "version", "clocks"})
