@@ -36,8 +36,9 @@ using tick_atom = caf::atom_constant<caf::atom("tick")>;
 
 /// Holds and moves pages; one on every node.
 using page_store_actor = caf::typed_actor<
-  // The pages with these identities, at most 256 KiB; `not_found` names a missing one.
-  caf::replies_to<get_atom, hash_list>::with<page_batch>,
+  // The pages with these identities, at most 256 KiB, packed if that is wanted; `not_found` names a
+  // missing one.
+  caf::replies_to<get_atom, hash_list, bool>::with<page_batch>,
   // Pulls what this node lacks from another store, under a credit, and holds all that was named.
   caf::replies_to<fetch_atom, caf::actor, hash_list>::with<page_set>>;
 

@@ -37,6 +37,11 @@ struct page_set {
   }
 };
 
+/// Pages that live for as long as the message does.
+struct held_pages {
+  std::vector<page_ptr> pages;
+};
+
 /// Values that several hold; never null unless it is said.
 using shared_report = std::shared_ptr<const edit_report>;
 using shared_load_cases = std::shared_ptr<const load_case_list>;
@@ -445,6 +450,7 @@ struct opened_document {
 
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::acknowledged)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::page_set)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::held_pages)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::remote_worker)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::attach_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::import_request)

@@ -67,6 +67,19 @@ struct job_id {
   friend auto operator<=>(job_id, job_id) = default;
 };
 
+/// A job that is done in several places has parts, which are jobs of their own.
+inline constexpr int part_shift = 48;
+
+[[nodiscard]] constexpr job_id part_of(job_id whole, std::size_t number) {
+  return {whole.value | (static_cast<std::uint64_t>(number + 1) << part_shift)};
+}
+
+/// Whether two jobs are parts of one.
+[[nodiscard]] constexpr bool are_parts_of_one(job_id a, job_id b) {
+  constexpr auto whole = (std::uint64_t{1} << part_shift) - 1;
+  return (a.value & whole) == (b.value & whole) && a.value > whole && b.value > whole;
+}
+
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, job_id& x) {
   return f(caf::meta::type_name("job_id"), x.value);
@@ -102,11 +115,12 @@ typename Inspector::result_type inspect(Inspector& f, version_ref& x) {
 struct page_batch {
   std::vector<std::uint32_t> sizes;
   std::vector<char> bytes;
+  bool packed = false;  ///< The bytes, not the sizes (actors/pages/page_batch.hpp).
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, page_batch& x) {
-  return f(caf::meta::type_name("page_batch"), x.sizes, x.bytes);
+  return f(caf::meta::type_name("page_batch"), x.sizes, x.bytes, x.packed);
 }
 
 // -- orders to workers and what comes back -------------------------------------------------
@@ -214,12 +228,17 @@ struct solve_order {
   double tolerance = 1e-6;
   double energy_tolerance = 0;  ///< 0: none.
   std::int32_t element_order = 2;
+  /// Its load cases are some of several that are solved in different places: arrays are named
+  /// after their case also where there is one.
+  bool of_several = false;
+  /// All load cases in one place, as their files are to come from there. It does not travel.
+  bool in_one_place = false;
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, solve_order& x) {
   return f(caf::meta::type_name("solve_order"), x.base.source, x.base.listener, x.version,
-           x.load_cases, x.device, x.tolerance, x.energy_tolerance, x.element_order);
+           x.load_cases, x.device, x.tolerance, x.energy_tolerance, x.element_order, x.of_several);
 }
 
 /// A field without its pages.
@@ -430,13 +449,14 @@ struct worker_status {
   std::uint32_t restarts = 0;
   std::uint32_t jobs = 0;
   std::string detail;
-  std::vector<node_status> nodes;  ///< Of a pool: those that joined from other machines.
+  std::vector<node_status> nodes;   ///< Of a pool: those that joined from other machines.
+  std::uint32_t free_machines = 0;  ///< Of a pool: those with a worker that has nothing to do.
 };
 
 template <class Inspector>
 typename Inspector::result_type inspect(Inspector& f, worker_status& x) {
   return f(caf::meta::type_name("worker_status"), x.role, x.state, x.pid, x.restarts, x.jobs,
-           x.detail, x.nodes);
+           x.detail, x.nodes, x.free_machines);
 }
 
 }  // namespace tedit::actors

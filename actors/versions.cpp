@@ -7,6 +7,12 @@ version_ref make_ref(const version_ptr& version) {
   return {version->id(), {version, &version->pages()}};
 }
 
+double tets_of(const version_ref& ref) {
+  constexpr std::size_t tet_array = 2;  // As `mesh_data` has them.
+  const bool known = ref.pages && ref.pages->arrays.size() > tet_array;
+  return known ? static_cast<double>(ref.pages->arrays[tet_array].size) : 0;
+}
+
 expected<hash_list> pages_of(const version_ref& ref) {
   if (!ref.pages)
     return fail(ec::protocol_error, "a version's manifest was damaged on its way");

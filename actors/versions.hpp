@@ -7,6 +7,9 @@ namespace tedit::actors {
 
 [[nodiscard]] version_ref make_ref(const version_ptr& version);
 
+/// How many places for tets a version has; 0 when its manifest is damaged.
+[[nodiscard]] double tets_of(const version_ref& ref);
+
 /// The pages that a version needs. Errors: `protocol_error` when the manifest is damaged or is not
 /// the one that the id names.
 [[nodiscard]] expected<hash_list> pages_of(const version_ref& ref);

@@ -24,9 +24,12 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds first_pause{500};
 constexpr milliseconds longest_pause{30000};
+/// For one that was killed: the server waits ten seconds for the only worker of a role.
+constexpr milliseconds killed_pause{4000};
 
-/// A worker that lived so long had joined: the next one need not wait.
-constexpr std::chrono::seconds good_life{60};
+/// A worker that lived so long had joined, or was killed long after it did: the next one need not
+/// wait. What ends by itself may have waited for the server in vain.
+constexpr std::chrono::seconds good_life{60}, joined_life{1};
 
 /// What is waited for comes at least so late, and a signal is heard at once.
 void pause(milliseconds so_long) {
@@ -99,14 +102,14 @@ int keep_joined(const std::vector<std::string>& command, session& s) {
       break;
     if (status && is_final(*status))
       return *status;
-    if (clock::now() - began > good_life)
+    if (clock::now() - began > (status ? good_life : joined_life))
       wait = first_pause;
     notice(s, "the worker " + how + "; joining again in " +
                 std::to_string(std::max<long>(1, std::lround(wait.count() / 1000.0))) + " s");
     const auto until = clock::now() + wait;
     while (!s.cancel.cancelled() && clock::now() < until)
       pause(std::min(milliseconds(200), wait));
-    wait = std::min(2 * wait, longest_pause);
+    wait = std::min(2 * wait, status ? longest_pause : killed_pause);
   }
   return 0;
 }

@@ -83,27 +83,27 @@ solve_report make_report(const mesh_version& mesh, const std::string& load_case,
   return report;
 }
 
-namespace {
-
-solve_envelope make_envelope(const std::vector<solve_report>& cases, const fem::envelope& worst) {
+solve_envelope make_envelope(const std::vector<solve_report>& cases) {
   solve_envelope result;
-  result.version_id = cases.front().version_id;
-  result.element_order = cases.front().element_order;
+  const auto& first = cases.front();
+  result.version_id = first.version_id;
+  result.element_order = first.element_order;
   result.preview = std::ranges::any_of(cases, &solve_report::preview);
-  result.interim = cases.front().interim;
-  for (const auto& report : cases)
-    result.load_cases.push_back(report.load_case);
-  const auto named = [&](const fem::case_extreme& e) {
-    return worst_value{e.value, e.at, cases[e.of].load_case};
-  };
-  result.max_von_mises = named(worst.max_von_mises);
-  result.max_displacement = named(worst.max_displacement);
-  if (!worst.safety_factor.empty())
-    result.min_safety_factor = named(worst.min_safety_factor);
+  result.interim = std::ranges::any_of(cases, &solve_report::interim);
+  result.max_von_mises = {first.max_von_mises_pa, first.max_von_mises_at, first.load_case};
+  result.max_displacement = {first.max_displacement_m, first.max_displacement_at, first.load_case};
+  for (const auto& one : cases) {
+    result.load_cases.push_back(one.load_case);
+    if (one.max_von_mises_pa > result.max_von_mises.value)
+      result.max_von_mises = {one.max_von_mises_pa, one.max_von_mises_at, one.load_case};
+    if (one.max_displacement_m > result.max_displacement.value)
+      result.max_displacement = {one.max_displacement_m, one.max_displacement_at, one.load_case};
+    auto& least = result.min_safety_factor;
+    if (one.min_safety_factor && (!least || *one.min_safety_factor < least->value))
+      least = worst_value{*one.min_safety_factor, one.min_safety_factor_at, one.load_case};
+  }
   return result;
 }
-
-}  // namespace
 
 solve_outcome make_outcome(const mesh_version& mesh, const fem::case_set& set,
                            const fem::solved_cases& result, bool interim, double total_ms) {
@@ -117,7 +117,7 @@ solve_outcome make_outcome(const mesh_version& mesh, const fem::case_set& set,
     outcome.cases.push_back(std::move(report));
   }
   if (count > 1)
-    outcome.envelope = make_envelope(outcome.cases, result.envelope);
+    outcome.envelope = make_envelope(outcome.cases);
   return outcome;
 }
 

@@ -16,4 +16,7 @@ namespace tedit {
                                          const fem::solved_cases& result, bool interim,
                                          double total_ms);
 
+/// What is worst over several load cases; of equal values the first counts. @pre there is one.
+[[nodiscard]] solve_envelope make_envelope(const std::vector<solve_report>& cases);
+
 }  // namespace tedit

@@ -17,6 +17,7 @@
 #include "actors/pages/page_store.hpp"
 #include "actors/solver/solver.hpp"
 #include "actors/store/documents_folder.hpp"
+#include "actors/supervisor/case_spreading.hpp"
 #include "actors/supervisor/pool.hpp"
 #include "actors/supervisor/solver_choice.hpp"
 #include "base/child_process.hpp"
@@ -66,7 +67,8 @@ pool_options options_of(const server_options& options, worker_role role, unsigne
 using role_healths = std::vector<std::shared_ptr<role_health>>;
 
 worker_set start_pools(caf::actor_system& system, const server_options& options,
-                       role_healths& healths) {
+                       role_healths& healths, const std::shared_ptr<page_cache>& cache,
+                       const page_store_actor& pages) {
   const auto of = [&](worker_role role, unsigned workers, std::chrono::milliseconds limit) {
     auto result = options_of(options, role, workers, limit);
     healths.push_back(result.health);
@@ -77,15 +79,15 @@ worker_set start_pools(caf::actor_system& system, const server_options& options,
     result.device = device;
     return make_solver_pool(with, std::move(result));
   };
-  return {
-    make_modeling_pool(system, of(worker_role::modeling, options.modeling_workers,
-                                  std::max(options.import_limit, options.edit_limit))),
-    make_optimizer_pool(system,
-                        of(worker_role::optimizer, options.optimizer_workers, options.edit_limit)),
-    make_solver_choice(system,
-                       make_solver_pool(system, of(worker_role::solver, options.solver_workers,
-                                                   options.solve_limit)),
-                       own_kind)};
+  auto solvers =
+    make_solver_pool(system, of(worker_role::solver, options.solver_workers, options.solve_limit));
+  if (!options.node_certificates.empty())
+    solvers = make_case_spreading(system, solvers, pages, cache);
+  return {make_modeling_pool(system, of(worker_role::modeling, options.modeling_workers,
+                                        std::max(options.import_limit, options.edit_limit))),
+          make_optimizer_pool(
+            system, of(worker_role::optimizer, options.optimizer_workers, options.edit_limit)),
+          make_solver_choice(system, solvers, own_kind)};
 }
 
 std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
@@ -234,8 +236,9 @@ expected<std::unique_ptr<server>> server::start(const server_options& options) {
   auto cache = std::make_shared<page_cache>(cache_bytes);
   const auto pages = system.spawn(make_page_store, cache);
   role_healths healths;
-  const auto workers = options.worker_processes ? start_pools(system, options, healths)
-                                                : start_threads(system, options, cache, pages);
+  const auto workers = options.worker_processes
+                         ? start_pools(system, options, healths, cache, pages)
+                         : start_threads(system, options, cache, pages);
   const auto results = std::make_shared<result_memory>(options.result_bytes);
   const auto versions = std::make_shared<version_memory>(options.version_bytes);
   const auto hub = system.spawn(

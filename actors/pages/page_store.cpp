@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "actors/pages/page_store.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
 #include <caf/typed_response_promise.hpp>
@@ -13,19 +16,90 @@ namespace tedit::actors {
 
 namespace {
 
-constexpr std::size_t pages_per_batch = max_batch_bytes / max_page_bytes;
-
 using page_store_pointer = page_store_actor::stateful_pointer<page_store_state>;
+using page_transfer = page_store_state::transfer;
+
+/// Less says more about how long a message takes than about how much a line carries.
+constexpr double least_measured = 128 * 1024;
+
+error nobody_has_them() {
+  return {ec::not_found, "pages are missing and no node is named that has them", {}, {}};
+}
 
 void pump(page_store_pointer self, std::uint64_t id);
 
+bool is_done(const page_transfer& one) {
+  return one.batches.empty() && one.in_flight == 0 && one.awaited == 0;
+}
+
+void finish(page_store_pointer self, std::uint64_t id) {
+  auto done = std::move(self->state.transfers.extract(id).mapped());
+  done.promise.deliver(page_set{std::move(done.pages), done.moved});
+}
+
+/// Those for whom another transfer would have brought pages, with these pages.
+using orphans = std::map<std::uint64_t, hash_list>;
+
+/// What a transfer would have brought is brought by the next one that wants it.
+orphans leave_pages(page_store_state& state, std::uint64_t id) {
+  orphans heirs;
+  for (auto at = state.coming.begin(); at != state.coming.end();) {
+    const auto page = at++;
+    auto& [brought_by, also_for] = page->second;
+    if (brought_by != id) {
+      std::erase(also_for, id);
+    } else if (also_for.empty()) {
+      state.coming.erase(page);
+    } else {
+      brought_by = also_for.front();
+      also_for.erase(also_for.begin());
+      heirs[brought_by].push_back(page->first);
+    }
+  }
+  return heirs;
+}
+
 void give_up(page_store_pointer self, std::uint64_t id, const error& e) {
-  const auto found = self->state.transfers.find(id);
-  if (found == self->state.transfers.end())
+  auto& state = self->state;
+  auto ended = state.transfers.extract(id);
+  if (ended.empty())
     return;
-  auto promise = std::move(found->second.promise);
-  self->state.transfers.erase(found);
-  promise.deliver(to_caf(e));
+  ended.mapped().promise.deliver(to_caf(e));
+  for (const auto& [heir, pages] : leave_pages(state, id)) {
+    const auto found = state.transfers.find(heir);
+    if (found == state.transfers.end())
+      continue;  // It was given up meanwhile, by one of those before it.
+    if (!found->second.remote) {
+      give_up(self, heir, nobody_has_them());
+      continue;
+    }
+    found->second.awaited -= pages.size();
+    std::ranges::move(split(pages), std::back_inserter(found->second.batches));
+    pump(self, heir);
+  }
+}
+
+/// Null for a node that is gone.
+page_store_state::line* line_of(page_store_state& state, const caf::actor_addr& node) {
+  const auto found = state.lines.find(node);
+  return found == state.lines.end() ? nullptr : &found->second;
+}
+
+/// The others that a page was awaited by have it now.
+void hand_over(page_store_pointer self, std::uint64_t bringer, const page_ptr& p) {
+  auto& state = self->state;
+  const auto found = state.coming.find(p->id());
+  if (found == state.coming.end() || found->second.brought_by != bringer)
+    return;
+  const auto also_for = std::move(found->second.also_for);
+  state.coming.erase(found);
+  for (const auto id : also_for) {
+    auto& other = state.transfers.at(id);
+    other.pages->emplace(p->id(), p);
+    --other.awaited;
+    if (is_done(other))
+      finish(self, id);
+  }
 }
 
 void receive(page_store_pointer self, std::uint64_t id, const hash_list& ids,
@@ -39,124 +113,168 @@ void receive(page_store_pointer self, std::uint64_t id, const hash_list& ids,
   auto& transfer = found->second;
   --transfer.in_flight;
   transfer.moved += pages->size();
-  for (auto& p : *pages) {
+  for (const auto& p : *pages) {
     self->state.cache->put(p);
     transfer.pages->emplace(p->id(), p);
+    hand_over(self, id, p);
   }
-  pump(self, id);
+}
+
+/// One batch less is on its way from a node, so that others' may be.
+void land(page_store_pointer self, const caf::actor_addr& from, std::size_t bytes) {
+  if (auto* line = line_of(self->state, from)) {
+    --line->in_flight;
+    line->note(static_cast<double>(bytes), self->clock().now());
+  }
+}
+
+void pump_all(page_store_pointer self, const caf::actor_addr& from) {
+  std::vector<std::uint64_t> of_node;
+  for (const auto& [id, transfer] : self->state.transfers)
+    if (transfer.remote && transfer.remote.address() == from)
+      of_node.push_back(id);
+  for (const auto id : of_node)
+    pump(self, id);
+}
+
+void ask_for(page_store_pointer self, std::uint64_t id, const hash_list& ids) {
+  auto& transfer = self->state.transfers.at(id);
+  const auto from = transfer.remote.address();
+  ++transfer.in_flight;
+  bool packed = false;
+  if (auto* line = line_of(self->state, from)) {
+    if (line->in_flight++ == 0) {
+      line->since = self->clock().now();
+      line->bytes = 0;
+    }
+    packed = line->rate > 0 && line->rate < packing_rate;
+  }
+  const auto remote = caf::actor_cast<page_store_actor>(transfer.remote);
+  self->request(remote, std::chrono::seconds(20), get_atom::value, ids, packed)
+    .then(
+      [=](const page_batch& batch) {
+        land(self, from, batch.bytes.size());
+        receive(self, id, ids, batch);
+        pump_all(self, from);
+      },
+      [=](const caf::error& e) {
+        land(self, from, 0);
+        give_up(self, id, from_caf(e, "a transfer of pages"));
+        pump_all(self, from);
+      });
 }
 
 /// Asks for more batches, or hands the pages over when all are there.
 void pump(page_store_pointer self, std::uint64_t id) {
-  auto& transfer = self->state.transfers.at(id);
-  if (transfer.batches.empty() && transfer.in_flight == 0) {
-    auto done = std::move(transfer);
-    self->state.transfers.erase(id);
-    done.promise.deliver(page_set{std::move(done.pages), done.moved});
+  auto& state = self->state;
+  const auto found = state.transfers.find(id);
+  if (found == state.transfers.end())
     return;
-  }
-  const auto remote = caf::actor_cast<page_store_actor>(transfer.remote);
-  while (!transfer.batches.empty() && transfer.in_flight < transfer_credit) {
+  auto& transfer = found->second;
+  if (is_done(transfer))
+    return finish(self, id);
+  while (!transfer.batches.empty()) {
+    const auto* line = line_of(state, transfer.remote.address());
+    // Each transfer goes on, however busy the line is with others.
+    if (line && transfer.in_flight > 0 && line->in_flight >= line->credit())
+      return;
     const auto ids = std::move(transfer.batches.front());
     transfer.batches.pop_front();
-    ++transfer.in_flight;
-    self->request(remote, std::chrono::seconds(20), get_atom::value, ids)
-      .then([=](const page_batch& batch) { receive(self, id, ids, batch); },
-            [=](const caf::error& e) { give_up(self, id, from_caf(e, "a transfer of pages")); });
+    ask_for(self, id, ids);
   }
+}
+
+/// What is in the cache, on its way for others, and neither (which is returned).
+hash_list sort_pages(page_store_state& state, std::uint64_t id, page_transfer& transfer,
+                     const hash_list& ids) {
+  hash_list missing;
+  for (const auto& page : ids) {
+    if (auto p = state.cache->find(page)) {
+      transfer.pages->emplace(page, std::move(p));
+      continue;
+    }
+    const auto [found, is_new] = state.coming.try_emplace(page);
+    if (is_new) {
+      found->second.brought_by = id;
+      missing.push_back(page);
+    } else if (found->second.brought_by != id &&
+               std::ranges::count(found->second.also_for, id) == 0) {
+      found->second.also_for.push_back(id);
+      ++transfer.awaited;
+    }
+  }
+  return missing;
 }
 
 caf::result<page_set> fetch(page_store_pointer self, const caf::actor& remote,
                             const hash_list& ids) {
   auto& state = self->state;
+  const auto id = state.next++;
   page_store_state::transfer transfer;
-  hash_list missing;
-  for (const auto& id : ids) {
-    if (auto p = state.cache->find(id))
-      transfer.pages->emplace(id, std::move(p));
-    else
-      missing.push_back(id);
+  const auto missing = sort_pages(state, id, transfer, ids);
+  if (!missing.empty() && !remote) {
+    leave_pages(state, id);
+    return to_caf(nobody_has_them());
   }
-  if (missing.empty())
+  if (missing.empty() && transfer.awaited == 0)
     return page_set{std::move(transfer.pages), 0};
-  if (!remote)
-    return to_caf({ec::not_found, "pages are missing and no node is named that has them", {}, {}});
   transfer.remote = remote;
   transfer.batches = split(missing);
   auto promise = self->template make_response_promise<page_set>();
   transfer.promise = promise;
-  const auto id = state.next++;
   state.transfers.emplace(id, std::move(transfer));
-  if (state.watched.insert(remote.address()).second)
+  if (remote && state.lines.try_emplace(remote.address()).second)
     self->monitor(remote);
   pump(self, id);
   return promise;
 }
 
+/// A node is gone: what was to come from it is asked for elsewhere by those who can.
+void drop_node(page_store_pointer self, const caf::actor_addr& node) {
+  auto& state = self->state;
+  state.lines.erase(node);
+  std::vector<std::uint64_t> lost;
+  for (auto& [id, transfer] : state.transfers) {
+    if (!transfer.remote || transfer.remote.address() != node)
+      continue;
+    if (transfer.in_flight > 0 || !transfer.batches.empty())
+      lost.push_back(id);
+    else
+      transfer.remote = nullptr;  // Others bring what it waits for.
+  }
+  for (const auto id : lost)
+    give_up(self, id,
+            {ec::service_unavailable, "the node that has the pages is gone", "Try again", {}});
+}
+
 }  // namespace
 
-std::deque<hash_list> split(const hash_list& ids) {
-  std::deque<hash_list> batches;
-  for (std::size_t first = 0; first < ids.size(); first += pages_per_batch) {
-    const auto last = std::min(ids.size(), first + pages_per_batch);
-    batches.emplace_back(ids.begin() + static_cast<std::ptrdiff_t>(first),
-                         ids.begin() + static_cast<std::ptrdiff_t>(last));
-  }
-  return batches;
+std::size_t page_store_state::line::credit() const {
+  if (rate <= 0)
+    return transfer_credit;
+  const auto batches =
+    rate * std::chrono::duration<double>(most_ahead).count() / static_cast<double>(max_batch_bytes);
+  return static_cast<std::size_t>(std::clamp(batches, 1.0, static_cast<double>(transfer_credit)));
 }
 
-expected<page_batch> pack(page_cache& cache, const hash_list& ids) {
-  if (ids.size() > pages_per_batch)
-    return fail(ec::invalid_argument, "more pages are asked for than a batch may hold");
-  page_batch batch;
-  for (const auto& id : ids) {
-    const auto p = cache.find(id);
-    if (!p)
-      return fail(ec::not_found, "page " + to_hex(id) + " is not here any more");
-    const auto bytes = p->bytes();
-    const auto* first = reinterpret_cast<const char*>(bytes.data());
-    batch.sizes.push_back(static_cast<std::uint32_t>(bytes.size()));
-    batch.bytes.insert(batch.bytes.end(), first, first + bytes.size());
-  }
-  return batch;
-}
-
-expected<std::vector<page_ptr>> unpack(const page_batch& batch, const hash_list& ids) {
-  if (batch.sizes.size() != ids.size())
-    return fail(ec::protocol_error, "a node sent another number of pages than asked for");
-  std::vector<page_ptr> pages;
-  std::size_t offset = 0;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const std::size_t size = batch.sizes[i];
-    if (size > max_page_bytes || size > batch.bytes.size() - offset)
-      return fail(ec::protocol_error, "a node sent a page of a wrong size");
-    const std::span bytes(batch.bytes.data() + offset, size);
-    auto p = page::from_bytes(std::as_bytes(bytes));
-    if (p->id() != ids[i])
-      return fail(ec::protocol_error, "page " + to_hex(ids[i]) + " was damaged on its way");
-    pages.push_back(std::move(p));
-    offset += size;
-  }
-  return pages;
+void page_store_state::line::note(double size, clock::time_point now) {
+  bytes += size;
+  if (bytes < least_measured)
+    return;
+  const auto took = std::max(1e-6, std::chrono::duration<double>(now - since).count());
+  rate = rate > 0 ? (rate + bytes / took) / 2 : bytes / took;
+  bytes = 0;
+  since = now;
 }
 
 page_store_actor::behavior_type make_page_store(
   page_store_actor::stateful_pointer<page_store_state> self, std::shared_ptr<page_cache> cache) {
   self->state.cache = std::move(cache);
   open_to_workers(caf::actor_cast<caf::actor>(self));
-  self->set_down_handler([=](caf::down_msg& down) {
-    self->state.watched.erase(down.source);
-    std::vector<std::uint64_t> lost;
-    for (const auto& [id, transfer] : self->state.transfers)
-      if (transfer.remote.address() == down.source)
-        lost.push_back(id);
-    for (const auto id : lost)
-      give_up(self, id,
-              {ec::service_unavailable, "the node that has the pages is gone", "Try again", {}});
-  });
+  self->set_down_handler([=](caf::down_msg& down) { drop_node(self, down.source); });
   heed_only_own_exits(self);
-  return {[=](get_atom, const hash_list& ids) -> caf::result<page_batch> {
-            auto batch = pack(*self->state.cache, ids);
+  return {[=](get_atom, const hash_list& ids, bool packed) -> caf::result<page_batch> {
+            auto batch = pack(*self->state.cache, ids, packed);
             if (!batch)
               return to_caf(batch.error());
             return std::move(*batch);

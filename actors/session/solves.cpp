@@ -173,6 +173,7 @@ void session_state::fetch_all_fields(const kept_result& result, const version_pt
                             order = order_of(result.key, mesh, base)](const error& e) mutable {
     spdlog::info("{}: solving again for a file: {}", parts.document, render(e));
     order.base.listener = nullptr;
+    order.in_one_place = true;
     const auto job = new_job(0, nullptr);
     self->request(parts.workers.solver, answer_limit, job, order)
       .then(

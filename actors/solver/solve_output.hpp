@@ -13,6 +13,7 @@ struct solve_facts {
   bool interim = false;
   double total_ms = 0;
   std::string notice = {};
+  bool of_several = false;  ///< As in `solve_order`.
 };
 
 /// Fields and reports as others get them; what is interim goes to surfaces only.

@@ -75,7 +75,7 @@ expected<job_output<solve_result>> solve_on(const solve_task& task, const std::s
   const auto told = notice.empty() ? chosen : chosen.empty() ? notice : notice + "; " + chosen;
   const auto finish = [&](const fem::solved_cases& solved, bool interim) {
     return make_solve_output(*task.mesh, task.systems.session.last_set(), solved,
-                             {interim, task.total.milliseconds(), told});
+                             {interim, task.total.milliseconds(), told, task.order.of_several});
   };
   bool shown = false;
   const auto frame = [&](const fem::cases_frame& now) {

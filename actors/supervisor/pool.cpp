@@ -95,6 +95,7 @@ void pool_state::add(job j) {
     return j.refuse(*why);
   if (nobody_comes())
     return j.refuse(no_worker());
+  j.came = now();
   waiting.push_back(std::move(j));
   wake();
   dispatch();
@@ -121,47 +122,6 @@ error pool_state::reason_of(job_id id, const error& said) {
   return {ec::superseded, "the preview gave way to other work", "Ask for it again", {}};
 }
 
-pool_state::job pool_state::take_next() {
-  std::vector<turn> places;
-  for (const auto& j : waiting)
-    places.push_back(j.place);
-  const auto at = waiting.begin() + static_cast<std::ptrdiff_t>(turns.take(places));
-  auto next = std::move(*at);
-  waiting.erase(at);
-  return next;
-}
-
-pool_state::child* pool_state::free_child(const job& wanted) {
-  child* found = nullptr;
-  for (auto& c : children) {
-    if (!c.is_there() || c.work)
-      continue;
-    if (c.last_place == wanted.place.document && wanted.place.document != 0)
-      return &c;
-    if (!found)
-      found = &c;
-  }
-  return found;
-}
-
-void pool_state::dispatch() {
-  const auto is_free = [](const child& c) { return c.is_there() && !c.work; };
-  while (!waiting.empty() && std::ranges::any_of(children, is_free)) {
-    auto next = take_next();
-    if (const auto why = off.refusal(next.edit)) {
-      next.refuse(*why);  // Switched off while it waited.
-      continue;
-    }
-    auto* c = free_child(next);
-    c->last_place = next.place.document;
-    c->work = std::move(next);
-    c->work_began = now();
-    c->work->deadline = now() + limit_of(*c->work);
-    wake();
-    c->work->send(c->worker, c->work->deaths);
-  }
-}
-
 std::list<pool_state::child>::iterator pool_state::child_with(job_id id) {
   return std::ranges::find_if(children, [&](const child& c) { return c.work && c.work->id == id; });
 }
@@ -186,11 +146,17 @@ void pool_state::cancel(job_id id) {
   caf::anon_send<caf::message_priority::high>(c->worker, cancel_atom::value, id);
 }
 
-void pool_state::complete(job_id id) {
+void pool_state::complete(job_id id, bool done) {
   const auto c = child_with(id);
   if (c == children.end())
     return;
-  numbers->done.note(now() - c->work_began);
+  const auto took = now() - c->work_began;
+  numbers->done.note(took);
+  if (done) {
+    const auto seconds = std::chrono::duration<double>(took).count();
+    c->costs.note(c->work->needs.cost, seconds);
+    costs.note(c->work->needs.cost, seconds);
+  }
   c->work.reset();
   ++c->jobs_done;
   dispatch();
@@ -451,6 +417,7 @@ void pool_state::tick() {
     return bury(current, late_start ? "did not start in time" : "hung and was killed");
   }
   dismiss_retired(at);
+  tell_waiting();
   if (active() < options.workers)
     spawn_missing();
   else if (nobody_comes())

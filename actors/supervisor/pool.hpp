@@ -6,12 +6,16 @@
 #include <deque>
 #include <functional>
 #include <list>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
 #include "actors/interfaces.hpp"
+#include "actors/supervisor/cost_model.hpp"
+#include "actors/supervisor/job_estimate.hpp"
 #include "actors/supervisor/lifeline.hpp"
 #include "actors/supervisor/quarantine.hpp"
 #include "actors/supervisor/turns.hpp"
@@ -104,6 +108,9 @@ struct pool_state {
   static constexpr std::chrono::milliseconds tick_interval{100};
   /// Between ticks of a pool at rest, which a process that idles pays for.
   static constexpr std::chrono::milliseconds rest_interval{2000};
+  /// From a job's coming until its asker hears that it waits; what is quick needs no words.
+  static constexpr std::chrono::milliseconds first_note{400};
+  static constexpr std::chrono::milliseconds later_notes{1000};
   /// Between looks for how a worker ended whose link is down.
   static constexpr std::chrono::milliseconds lost_interval{5};
 
@@ -113,6 +120,10 @@ struct pool_state {
     edit_origin edit;  ///< Of an operation; else without one.
     std::function<void(const caf::actor& worker, int attempt)> send;
     std::function<void(const error&)> refuse;
+    caf::actor listener;  ///< Hears that it waits, and how long; may be null.
+    job_estimate needs;
+    clock::time_point came;  ///< When it was asked for.
+    clock::time_point told;  ///< When its listener last heard that it waits.
     turn place;  ///< Previews are ended, too, when what goes before them finds no free worker.
     int deaths = 0;
     bool cancelled = false;
@@ -132,6 +143,7 @@ struct pool_state {
     std::uint64_t jobs_done = 0;
     clock::time_point work_began;  ///< Of the work that it has.
     std::uint64_t last_place = 0;  ///< Whose job it did last: what that one works on is in memory.
+    cost_model costs;              ///< Of the jobs that it did: no two machines are alike.
     /// Since when it gets no more work; others still fetch the pages of its last result.
     std::optional<clock::time_point> retired;
     /// Since when its link is down; how its process ended is not known yet.
@@ -159,8 +171,8 @@ struct pool_state {
   void cancel(job_id id);
   /// Whether this attempt at a job still runs.
   [[nodiscard]] bool is_current(job_id id, int attempt);
-  /// The job of a worker was answered, by result or by an error of ours.
-  void complete(job_id id);
+  /// The job of a worker was answered, by a result (`done`) or by an error of ours.
+  void complete(job_id id, bool done);
   /// Why a job failed, as its asker is told: `superseded` when it was ended for other work.
   [[nodiscard]] error reason_of(job_id id, const error& said);
   /// A worker failed in a way that says that it cannot be trusted any more.
@@ -210,9 +222,20 @@ struct pool_state {
   [[nodiscard]] std::size_t active() const;  ///< Processes of ours that have not retired.
   /// A worker is there: those who ask, and the jobs that wait, get it.
   void serve_new(child& c);
-  /// The free worker for a job; null when none is free. One that did the last job of the same
-  /// document is best: versions and systems are in its memory.
-  [[nodiscard]] child* free_child(const job& wanted);
+  /// The worker that a job goes to now; null when it waits. A free one that did the last job of the
+  /// same document is best: versions and systems are in its memory. Else the one whose memory is
+  /// enough and that has it done first, by the times of its jobs so far; for a busy one that is at
+  /// least twice as soon, `promised` seconds of other jobs included, the job waits.
+  [[nodiscard]] child* choose_child(const job& wanted, std::map<std::uint64_t, double>& promised);
+  /// Seconds that this worker, or any (null), takes for a job; nothing when none like it was done.
+  [[nodiscard]] std::optional<double> expected_s(const job_cost& cost, const child* by) const;
+  /// Seconds until a worker is free of the job it has.
+  [[nodiscard]] std::optional<double> remaining_s(const child& c) const;
+  /// Seconds that jobs of one urgency which come now will wait; nothing when that is not known.
+  [[nodiscard]] std::optional<double> wait_s(std::size_t jobs_before) const;
+  /// Tells those who wait how many go before them, and about how long: after `first_note`, then
+  /// once a second.
+  void tell_waiting();
   [[nodiscard]] std::vector<node_status> nodes() const;
   void bury(std::list<child>::iterator dead, const std::string& how);
   [[nodiscard]] std::list<child>::iterator child_with(job_id id);
@@ -235,6 +258,7 @@ struct pool_state {
   std::list<child> children;
   std::deque<job> waiting;                               ///< As they came.
   turn_order turns;                                      ///< Which of them is next.
+  cost_model costs;                                      ///< Of the jobs of all workers.
   std::vector<question> asked;                           ///< While no worker is there.
   std::shared_ptr<const operation_catalogue> catalogue;  ///< That a worker gave; of modeling.
   quarantine off;

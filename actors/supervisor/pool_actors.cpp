@@ -7,6 +7,7 @@
 #include "actors/errors.hpp"
 #include "actors/exits.hpp"
 #include "actors/links/open_actors.hpp"
+#include "actors/supervisor/job_estimate.hpp"
 #include "actors/supervisor/pool.hpp"
 
 namespace tedit::actors {
@@ -27,7 +28,9 @@ auto job_handler(pool_pointer<Role> self) {
     if constexpr (std::is_same_v<Order, edit_order>)
       if (const auto wanted = order.wanted.get())
         job.edit = {(*wanted)->operation, order.document, order.client};
+    job.needs = estimate(order);
     const auto& listener = order.base.listener;
+    job.listener = listener;
     job.place = {urgency::edit, order.base.client, listener ? listener.id() : 0};
     if constexpr (std::is_same_v<Order, export_order>)
       job.place.what = urgency::file;
@@ -44,7 +47,7 @@ auto job_handler(pool_pointer<Role> self) {
             if (!self->state.is_current(id, attempt))
               return;
             promise->deliver(std::move(result));
-            self->state.complete(id);
+            self->state.complete(id, true);
           },
           [=](const caf::error& e) {
             if (!self->state.is_current(id, attempt))
@@ -53,7 +56,7 @@ auto job_handler(pool_pointer<Role> self) {
             if (e.category() != caf::atom("tedit"))
               return self->state.give_up_on(id, "failed: " + failure.message);
             promise->deliver(to_caf(self->state.reason_of(id, failure)));
-            self->state.complete(id);
+            self->state.complete(id, false);
           });
     };
     self->state.add(std::move(job));

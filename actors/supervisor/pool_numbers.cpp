@@ -40,11 +40,16 @@ worker_status pool_state::status() const {
   result.restarts = restarts;
   result.jobs = static_cast<std::uint32_t>(waiting.size());
   result.state = to_string(state());
+  bool free_here = false;
   for (const auto& c : children) {
     if (c.worker && !c.is_remote())
       result.pid = c.worker_pid;
     result.jobs += c.work.has_value();
+    const bool is_free = c.is_there() && !c.work;
+    result.free_machines += is_free && c.is_remote();
+    free_here = free_here || (is_free && !c.is_remote());
   }
+  result.free_machines += free_here;
   result.detail = last_failure;
   result.nodes = nodes();
   return result;

@@ -5163,6 +5163,34 @@
         <source>names no host or no valid port</source>
         <translation>nennt keinen Rechner oder keinen gültigen Port</translation>
     </message>
+    <message>
+        <source>no solver sent the result of the load case &quot;%1&quot;</source>
+        <translation>kein Löser hat das Ergebnis des Lastfalls &quot;%1&quot; geschickt</translation>
+    </message>
+    <message>
+        <source>solvers sent arrays &quot;%1&quot; that do not belong together</source>
+        <translation>Löser haben Felder &quot;%1&quot; geschickt, die nicht zusammengehören</translation>
+    </message>
+    <message>
+        <source>waiting for a free worker</source>
+        <translation>wartet auf einen freien Arbeiter</translation>
+    </message>
+    <message>
+        <source>waiting for a free worker, about %1 s</source>
+        <translation>wartet auf einen freien Arbeiter, etwa %1 s</translation>
+    </message>
+    <message>
+        <source>waiting for a free worker: %1 before it</source>
+        <translation>wartet auf einen freien Arbeiter: %1 davor</translation>
+    </message>
+    <message>
+        <source>waiting for a free worker: %1 before it, about %2 s</source>
+        <translation>wartet auf einen freien Arbeiter: %1 davor, etwa %2 s</translation>
+    </message>
+    <message>
+        <source>waiting for a worker to start</source>
+        <translation>wartet, bis ein Arbeiter gestartet ist</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -3,16 +3,18 @@
 """A server and its workers on machines of their own, with a bad network between them.
 
 usage: tests/network/machines.py [--program build/release/bin/tedit] [--mesh MESH] [--edits 6] [--only NAME,...] [--partition 60]
+                                 [--kills 0]
        as root; PYTHONPATH must have the package tedit (build/release/clients/python).
 
-Machines: hall (server, optimizer, client), rack-1 and rack-2 (a solver each), desk (a modeling worker). Under each condition the
+Machines: hall (server, client), rack-1 and rack-2 (a solver each), desk (a modeling worker), bench (an optimizer). Under each condition the
 same edits are made, undone and solved; each version and each largest stress must be those of a good network, and the document
 must have each edit once. Printed: times from an edit to its answer and to its field, and for faults how long they were noticed and
-restored.
+restored. With --kills instead: so many workers of each role are killed, each at a random moment of an edit and its solve.
 """
 import argparse
 import os
 import pathlib
+import random
 import signal
 import statistics
 import subprocess
@@ -25,7 +27,7 @@ import bad_wire
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PLATE = ROOT / "examples/ctc01_plate"
-WORKERS = {"rack-1": "solver", "rack-2": "solver", "desk": "modeling"}
+WORKERS = {"rack-1": "solver", "rack-2": "solver", "desk": "modeling", "bench": "optimizer"}
 
 
 class Hall:
@@ -54,7 +56,7 @@ class Hall:
 
     def serve(self):
         config = self.folder / "tedit.toml"
-        config.write_text('[work]\nmodeling_workers = 0\nsolver_workers = 0\n', encoding="utf-8")
+        config.write_text('[work]\nmodeling_workers = 0\noptimizer_workers = 0\nsolver_workers = 0\n', encoding="utf-8")
         ready = self.folder / "ready"
         server = self.wire.start("hall", [
             self.program, "serve", "--config", str(config), "--port", "0", "--documents", str(self.folder / "documents"),
@@ -188,8 +190,8 @@ def conditions(hall, only):
     print("\n| line to each worker | edit answered, ms (most) | its field, ms (most) | MB to solvers an edit | MB from them |")
     print("|---|---|---|---|---|")
     for name, how in lines.items():
-        if name != "good" and only and name not in only:
-            continue
+        if only and name not in only and (name != "good" or only <= set(lines)):
+            continue  # Faults are held against the good one.
         for worker in WORKERS:
             for what, value in how.items():
                 setattr(wire[worker], what, value)
@@ -272,6 +274,71 @@ def faults(hall, results, only, partition):
         part.close()
 
 
+def fresh_field(part, after):
+    """The final field of the head, of a solve later than `after`."""
+    end = time.monotonic() + 120
+    while time.monotonic() < end:
+        field = part.wait_field(timeout=120)
+        if field.message.solve > after:
+            return field
+        time.sleep(0.005)
+    raise TimeoutError("no field of the head")
+
+
+def one_kill(hall, part, number, role, calm, last):
+    """A worker of the role is killed within the time that an edit and its solve take: whether it worked, and what came of it."""
+    of_role = [name for name in WORKERS if WORKERS[name] == role]
+    failed = []
+
+    def edit():
+        try:
+            make_edit(part, number)
+        except Exception as e:  # pylint: disable=broad-except
+            failed.append(e)
+
+    thread = threading.Thread(target=edit)
+    begin = time.monotonic()
+    thread.start()
+    time.sleep(random.uniform(0, calm))
+    states = hall.nodes()
+    victim = next((name for name in of_role if states.get(name) == "working"), random.choice(of_role))
+    kill(hall, victim)
+    struck = time.monotonic()
+    thread.join()
+    if failed:
+        raise failed[0]
+    field = fresh_field(part, last)
+    done = time.monotonic()
+    seen = (part.head.version_id, field.report.max_von_mises_pa)
+    part.undo()
+    wait_until(lambda: len(hall.nodes()) == len(WORKERS), 60)
+    return states.get(victim) == "working", done - begin, time.monotonic() - struck, field.message.solve, seen
+
+
+def many_kills(hall, count):
+    """Kills at random moments: the versions and stresses of an undisturbed run, each edit once, all workers back each time."""
+    part = hall.open("killed-workers")
+    different = 12  # More than there are results at hand, so that each version is solved anew.
+    calm = [edit_and_solve(part, number, None) for number in range(different)]
+    made, last = different, part.wait_field(timeout=60).message.solve
+    print("\n| role killed | kills | while it worked | the edit's field after, s | longest | joined again after, s | longest |")
+    print("|---|---|---|---|---|---|---|")
+    for role in sorted(set(WORKERS.values())):
+        worked, fields, back = 0, [], []
+        for _ in range(count):
+            number = made % different
+            busy, took, joined, last, seen = one_kill(hall, part, number, role, calm[number][1], last)
+            check_same(seen, calm[number][2])
+            worked += busy
+            fields.append(took)
+            back.append(joined)
+            made += 1
+        check_history(part, made)
+        row(role, count, worked, f"{statistics.median(fields):.2f}", f"{max(fields):.2f}", f"{statistics.median(back):.2f}",
+            f"{max(back):.2f}")
+    part.close()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/bin/tedit")
@@ -279,6 +346,7 @@ def main():
     parser.add_argument("--edits", type=int, default=6)
     parser.add_argument("--only", default="")
     parser.add_argument("--partition", type=float, default=60)
+    parser.add_argument("--kills", type=int, default=0)
     arguments = parser.parse_args()
     if os.geteuid() != 0:
         sys.exit("network namespaces need root")
@@ -287,10 +355,15 @@ def main():
         hall = Hall(wire, arguments, pathlib.Path(folder))
         try:
             hall.enter()
+            if arguments.kills:
+                many_kills(hall, arguments.kills)
+                return
             results = conditions(hall, only)
             faults(hall, results, only, arguments.partition)
         except BaseException:
-            print(pathlib.Path(folder, "server.log").read_text(encoding="utf-8")[-3000:], file=sys.stderr)
+            for name in ("server", *WORKERS):
+                said = pathlib.Path(folder, f"{name}.log").read_text(encoding="utf-8")
+                print(f"{name}:\n{said[-3000 if name == 'server' else -600:]}", file=sys.stderr)
             raise
         finally:
             hall.stop()

@@ -126,6 +126,62 @@ TEST_F(Nodes, OneThatIsAskedToLeaveEndsItsWorkFirst) {
   wait_for([](const auto& all) { return all.empty(); });
 }
 
+TEST_F(Nodes, LoadCasesAreSharedOutAmongMachinesAndComeToTheSame) {
+  const auto open = [&] {
+    value(user->open("plate", true, true));
+    value(user->import_file(plate_mesh, "mm", {}));
+    for (int i = 1; i <= 6; ++i) {
+      auto loads = value(protocol::load_case_from_file(plate_loads));
+      loads.name = "case " + std::to_string(i);
+      loads.loads.front().kind = fem::force{{1000. * i, 0, i == 3 ? -40000. : -5000.}};
+      if (i % 2 == 0)
+        loads.constraints.front().surfaces = {72, 73, 90, 91};
+      value(user->set_load_case(loads));
+    }
+  };
+  client::solve_settings all;
+  all.device = "cpu";
+  all.element_order = 1;
+  all.all_load_cases = true;
+  serve(1, 1, 1);
+  open();
+  const auto together = value(user->solve_cases(all, {}));
+
+  serve(1, 1, 0);
+  const auto first = join("solver", "rack-1");
+  const auto second = join("solver", "rack-2");
+  open();
+  const auto apart = value(user->solve_cases(all, {}));
+  for (const auto& one : value(watcher->status()).nodes)
+    EXPECT_EQ(one.jobs_done, 1U) << one.name << ": three cases each";
+
+  ASSERT_EQ(apart.cases.size(), 6U);
+  for (std::size_t c = 0; c < 6; ++c) {
+    const auto& a = apart.cases[c];
+    const auto& b = together.cases[c];
+    EXPECT_EQ(a.load_case, b.load_case);
+    EXPECT_NEAR(a.max_von_mises_pa, b.max_von_mises_pa, 1e-5 * b.max_von_mises_pa);
+    EXPECT_NEAR(a.compliance_j, b.compliance_j, 1e-6 * b.compliance_j);
+  }
+  EXPECT_EQ(apart.envelope->max_von_mises.load_case, together.envelope->max_von_mises.load_case);
+  EXPECT_EQ(apart.envelope->load_cases, together.envelope->load_cases);
+  const auto fields = value(user->wait_fields(apart.version_id(), patience));
+  ASSERT_EQ(fields.size(), 7U) << "the envelope, too";
+  const auto& worst = fields.back().values.of("von_mises_pa");
+  ASSERT_EQ(worst.size(), fields.front().vertices.size());
+  for (std::size_t v = 0; v < worst.size(); ++v) {
+    float largest = 0;
+    for (std::size_t c = 0; c < 6; ++c)
+      largest = std::max(largest, fields[c].values.of("von_mises_pa")[v]);
+    ASSERT_EQ(worst[v], largest) << v;
+  }
+  // What only files have is nowhere together: it is solved once more.
+  const auto file = value(user->export_file("vtu", {}, "mm", {}));
+  const std::string text(file.begin(), file.end());
+  EXPECT_THAT(text, HasSubstr("strain (case 1)"));
+  EXPECT_THAT(text, HasSubstr("strain (case 6)"));
+}
+
 TEST_F(Nodes, AServerThatIsStartedAnewIsJoinedAgain) {
   serve(1, 1, 0);
   const auto port = *host->node_port();

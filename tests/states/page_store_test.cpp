@@ -2,6 +2,8 @@
 // Pages of one process and their way from another.
 #include "actors/pages/page_store.hpp"
 
+#include <random>
+
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
@@ -21,6 +23,7 @@ page_ptr page_of(unsigned seed, std::size_t size = max_page_bytes) {
 struct remote_state {
   struct question {
     hash_list ids;
+    bool packed = false;
     caf::typed_response_promise<page_batch> promise;
   };
   std::deque<question> asked;
@@ -28,9 +31,9 @@ struct remote_state {
 };
 
 caf::behavior remote_node(caf::stateful_actor<remote_state>* self, int /*number*/) {
-  return {[=](get_atom, const hash_list& ids) {
+  return {[=](get_atom, const hash_list& ids, bool packed) {
             auto promise = self->make_response_promise<page_batch>();
-            self->state.asked.push_back({ids, promise});
+            self->state.asked.push_back({ids, packed, promise});
             return promise;
           },
           [](const doing& that) { that.what(); }};
@@ -59,7 +62,7 @@ protected:
       all.put(p);
     auto first = std::move(asked().front());
     asked().pop_front();
-    send(first.promise, pack(all, first.ids).value());
+    send(first.promise, pack(all, first.ids, first.packed).value());
   }
 
   void send(caf::typed_response_promise<page_batch> to, const page_batch& batch) {
@@ -161,13 +164,13 @@ TEST_F(PageStore, SizesThatTheBytesDoNotHaveAreRefused) {
 }
 
 TEST_F(PageStore, TooManyAtOnceAreRefused) {
-  const auto got = ask<page_batch>(store_, get_atom::value, hash_list(5));
+  const auto got = ask<page_batch>(store_, get_atom::value, hash_list(5), false);
   pass(milliseconds(1));
   EXPECT_EQ(got.refusal().code, ec::invalid_argument);
 }
 
 TEST_F(PageStore, AMissingPageIsNamed) {
-  const auto got = ask<page_batch>(store_, get_atom::value, hash_list{ids_[3]});
+  const auto got = ask<page_batch>(store_, get_atom::value, hash_list{ids_[3]}, false);
   pass(milliseconds(1));
   EXPECT_EQ(got.refusal().code, ec::not_found);
   EXPECT_THAT(got.refusal().message, HasSubstr(to_hex(ids_[3])));
@@ -205,6 +208,134 @@ TEST_F(PageStore, ATransferThatFailedAsksForNoMore) {
   send_one();
   EXPECT_EQ(asked().size(), before - 1);
   EXPECT_EQ(lost.count(), 1);
+}
+
+TEST_F(PageStore, APageThatSeveralWantIsAskedForOnce) {
+  const auto first = fetch({ids_[0], ids_[1]});
+  const auto second = fetch({ids_[1], ids_[2]});
+  ASSERT_EQ(asked().size(), 2U);
+  EXPECT_THAT(asked()[0].ids, ElementsAre(ids_[0], ids_[1]));
+  EXPECT_THAT(asked()[1].ids, ElementsAre(ids_[2]));
+  std::swap(asked()[0], asked()[1]);
+  send_one();
+  EXPECT_FALSE(second.is_there()) << "the other one's page is not there yet";
+  send_one();
+  ASSERT_TRUE(first.is_success());
+  ASSERT_TRUE(second.is_success());
+  EXPECT_NE(second.value().find(ids_[1]), nullptr);
+  EXPECT_EQ(first.value().moved + second.value().moved, 3U);
+}
+
+TEST_F(PageStore, WhoWaitedForAnothersPageAsksItselfWhenThatFails) {
+  const auto other = stage_.system().spawn(remote_node, 0);
+  const auto first = ask<page_set>(store_, fetch_atom::value, other, hash_list{ids_[0]});
+  pass(milliseconds(1));
+  const auto second = fetch({ids_[0]});
+  const auto third = fetch({ids_[0], ids_[1]});
+  const auto nowhere = ask<page_set>(store_, fetch_atom::value, caf::actor{}, hash_list{ids_[0]});
+  pass(milliseconds(1));
+  ASSERT_EQ(asked().size(), 1U);
+  EXPECT_THAT(asked()[0].ids, ElementsAre(ids_[1]));
+
+  simulation::cut_off(other);
+  pass(milliseconds(1));
+  EXPECT_EQ(first.refusal().code, ec::service_unavailable);
+  ASSERT_EQ(asked().size(), 2U);
+  EXPECT_THAT(asked()[1].ids, ElementsAre(ids_[0])) << "once, for all three";
+  send_one();
+  send_one();
+  EXPECT_TRUE(second.is_success());
+  EXPECT_TRUE(third.is_success());
+  EXPECT_TRUE(nowhere.is_success()) << "it knows nobody to ask, and need not";
+}
+
+TEST_F(PageStore, WhoKnowsNobodyToAskIsRefusedWhenTheOtherFails) {
+  const auto first = fetch({ids_[0]});
+  const auto nowhere = ask<page_set>(store_, fetch_atom::value, caf::actor{}, hash_list{ids_[0]});
+  pass(milliseconds(1));
+  EXPECT_FALSE(nowhere.is_there());
+  send(asked().front().promise, {});
+  EXPECT_EQ(first.refusal().code, ec::protocol_error);
+  EXPECT_EQ(nowhere.refusal().code, ec::not_found);
+  EXPECT_EQ(nowhere.count(), 1);
+}
+
+TEST_F(PageStore, OfASlowLineLittleIsAskedForAtOnceAndPacked) {
+  const auto slow = fetch(ids_);
+  EXPECT_FALSE(asked().front().packed) << "nothing is known of the line yet";
+  for (int i = 0; i < 6; ++i) {
+    pass(milliseconds(2000));
+    send_one();
+  }
+  EXPECT_EQ(asked().size(), 1U) << "128 KiB a second: the next batch takes two seconds";
+  EXPECT_TRUE(asked().front().packed);
+  const auto other = fetch({page_of(77)->id()});
+  EXPECT_EQ(asked().size(), 2U) << "nobody waits for the end of another's transfer";
+  pages_.push_back(page_of(77));
+  while (!asked().empty())
+    send_one();
+  EXPECT_TRUE(slow.is_success());
+  EXPECT_TRUE(other.is_success());
+}
+
+TEST_F(PageStore, AQuickLineIsAskedForPagesAsTheyAre) {
+  const auto got = fetch(ids_);
+  while (!asked().empty()) {
+    EXPECT_FALSE(asked().front().packed);
+    send_one();
+  }
+  EXPECT_TRUE(got.is_success());
+}
+
+TEST(PageBatch, PackedPagesAreSmallerAndTheSame) {
+  std::vector<double> values(max_page_bytes / sizeof(double));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = 1e6 + static_cast<double>(i) / 8;
+  page_cache cache(std::size_t{1} << 20);
+  const auto even = page::from_bytes(std::as_bytes(std::span(values)));
+  const auto odd = page_of(5, 13);  // Less than two numbers.
+  cache.put(even);
+  cache.put(odd);
+  const hash_list ids{even->id(), odd->id()};
+  const auto batch = pack(cache, ids, true).value();
+  EXPECT_TRUE(batch.packed);
+  EXPECT_LT(batch.bytes.size(), max_page_bytes / 4);
+  const auto pages = unpack(batch, ids).value();
+  ASSERT_EQ(pages.size(), 2U);
+  EXPECT_TRUE(std::ranges::equal(pages[0]->bytes(), even->bytes()));
+  EXPECT_TRUE(std::ranges::equal(pages[1]->bytes(), odd->bytes()));
+}
+
+TEST(PageBatch, WhatCannotBeMadeSmallerIsSentAsItIs) {
+  std::mt19937_64 random(1);
+  std::vector<std::uint64_t> noise(1000);
+  std::ranges::generate(noise, random);
+  page_cache cache(std::size_t{1} << 20);
+  const auto p = page::from_bytes(std::as_bytes(std::span(noise)));
+  cache.put(p);
+  const auto batch = pack(cache, {p->id()}, true).value();
+  EXPECT_FALSE(batch.packed);
+  EXPECT_EQ(batch.bytes.size(), 8000U);
+}
+
+TEST(PageBatch, DamagedOrOverlongPackedBytesAreRefused) {
+  page_cache cache(std::size_t{1} << 20);
+  const auto p = page_of(1);
+  cache.put(p);
+  const auto good = pack(cache, {p->id()}, true).value();
+  ASSERT_TRUE(good.packed);
+  auto cut = good;
+  cut.bytes.resize(good.bytes.size() / 2);
+  auto shorter = good;
+  shorter.sizes = {100};  // It unpacks to more.
+  auto longer = good;
+  longer.sizes = {max_page_bytes + 1};
+  auto empty = good;
+  empty.bytes.clear();
+  for (const auto& bad : {cut, shorter, longer, empty})
+    EXPECT_EQ(unpack(bad, {p->id()}).error().code, ec::protocol_error);
+  const page_batch huge{std::vector<std::uint32_t>(9, max_page_bytes), good.bytes, true};
+  EXPECT_EQ(unpack(huge, hash_list(9)).error().code, ec::protocol_error);
 }
 
 TEST(PageCache, KeepsWhatWasUsedLast) {
