@@ -5213,7 +5213,7 @@
     </message>
     <message>
         <source>tets and regions</source>
-        <translation>Tetraeder und Regionen</translation>
+        <translation>Tetraeder und Bereiche</translation>
     </message>
     <message>
         <source>the server does not answer what it is: it is busy, or of another version</source>
