@@ -55,6 +55,15 @@ struct listing {
   std::vector<certificate> certificates;  ///< By name, then by their end.
 };
 
+/// What a list of revoked certificates says of itself.
+struct list_facts {
+  std::int64_t number = 0;  ///< Each new one of an authority has a higher one; 0: it has none.
+  std::int64_t from = 0;    ///< Seconds since 1970, as is `until`.
+  std::int64_t until = 0;   ///< When a newer one should be there; 0: it does not say.
+
+  [[nodiscard]] bool is_overdue(std::int64_t now) const { return until != 0 && until <= now; }
+};
+
 /// What a new certificate shall say.
 struct order {
   role what = role::client;

@@ -222,6 +222,22 @@ std::string serial_text(const ASN1_INTEGER* number) {
   return std::string(digits.size() < 16 ? 16 - digits.size() : 0, '0') + digits;
 }
 
+list_facts facts_of(X509_CRL& list) {
+  using integer_ptr = std::unique_ptr<ASN1_INTEGER, openssl_end<ASN1_INTEGER_free>>;
+  const integer_ptr number(
+    static_cast<ASN1_INTEGER*>(X509_CRL_get_ext_d2i(&list, NID_crl_number, nullptr, nullptr)));
+  list_facts facts;
+  // One that needs more than 63 bits is no number of ours, and tells no order.
+  std::int64_t value = 0;
+  if (number && ASN1_INTEGER_get_int64(&value, number.get()) == 1 && value > 0)
+    facts.number = value;
+  facts.from = time_of(X509_CRL_get0_lastUpdate(&list));
+  if (const auto* until = X509_CRL_get0_nextUpdate(&list))
+    facts.until = time_of(until);
+  ERR_clear_error();
+  return facts;
+}
+
 std::set<std::string> serials_of(X509_CRL& list) {
   std::set<std::string> serials;
   auto* rows = X509_CRL_get_REVOKED(&list);

@@ -45,6 +45,8 @@ namespace tedit::certs {
 /// As `certificate::serial`; longer for numbers of other authorities.
 [[nodiscard]] std::string serial_text(const ASN1_INTEGER* number);
 
+[[nodiscard]] list_facts facts_of(X509_CRL& list);
+
 /// The serials on the list.
 [[nodiscard]] std::set<std::string> serials_of(X509_CRL& list);
 

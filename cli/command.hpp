@@ -52,6 +52,7 @@ void add_doc(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);
 void add_certs(CLI::App& app, action& chosen);
 void add_users(CLI::App& app, action& chosen);
+void add_config(CLI::App& app, action& chosen);
 
 /// The format of a file to write, by its suffix. Errors: `usage`, naming those that there are.
 [[nodiscard]] expected<const file_format*> output_format(const std::string& file);

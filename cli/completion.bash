@@ -15,7 +15,7 @@ _tedit() {
     [[ $word == -* || -n $group ]] && continue
     if [[ -z $command ]]; then
       command=$word
-    elif [[ $command == plugin || $command == doc || $command == certs || $command == users ]]; then
+    elif [[ $command == plugin || $command == doc || $command == certs || $command == users || $command == config ]]; then
       group=$word
     fi
   done

@@ -10,6 +10,9 @@
 #include <iomanip>
 #include <sstream>
 
+// toml++ 3.3 asserts of a file's text what it goes on to check ("[#a]"): bad input must not end the
+// program.
+#define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 
 #include "ops/loader/catalogue.hpp"
@@ -23,23 +26,39 @@ constexpr auto manual = "config/tedit.toml explains every option";
 /// Puts a value into the options; says what it must be instead when it does not fit.
 using setter = std::function<std::string(const toml::node&, server_config&)>;
 
+/// The value as the file would have it.
+using shower = std::function<std::string(const server_config&)>;
+
+struct accessor {
+  setter set;
+  shower show;
+};
+
 struct option {
   std::string table;
   std::string key;
-  setter set;
+  accessor value;
 };
+
+std::string quoted(const std::string& text) {
+  std::ostringstream out;
+  const toml::value<std::string> value(text);
+  out << toml::toml_formatter(value, toml::format_flags::none);
+  return out.str();
+}
 
 /// Empty when a text is fine, else what it must be.
 using text_rule = std::string (*)(const std::string&);
 
-setter text(std::string server_config::*member, text_rule rule) {
-  return [=](const toml::node& given, server_config& config) -> std::string {
-    const auto value = given.value_exact<std::string>();
-    if (!value)
-      return "must be a text";
-    config.*member = *value;
-    return rule(*value);
-  };
+accessor text(std::string server_config::*member, text_rule rule) {
+  return {[=](const toml::node& given, server_config& config) -> std::string {
+            const auto value = given.value_exact<std::string>();
+            if (!value)
+              return "must be a text";
+            config.*member = *value;
+            return rule(*value);
+          },
+          [=](const server_config& config) { return quoted(config.*member); }};
 }
 
 std::string number(double value) {
@@ -52,55 +71,59 @@ std::string range(double least, double most) {
   return number(least) + " to " + number(most);
 }
 
-setter whole(int server_config::*member, int least, int most) {
-  return [=](const toml::node& given, server_config& config) -> std::string {
-    const auto value = given.value_exact<std::int64_t>();
-    if (!value)
-      return "must be a whole number, " + range(least, most);
-    if (*value < least || *value > most)
-      return "must be " + range(least, most) + ", not " + std::to_string(*value);
-    config.*member = static_cast<int>(*value);
-    return {};
-  };
+accessor whole(int server_config::*member, int least, int most) {
+  return {[=](const toml::node& given, server_config& config) -> std::string {
+            const auto value = given.value_exact<std::int64_t>();
+            if (!value)
+              return "must be a whole number, " + range(least, most);
+            if (*value < least || *value > most)
+              return "must be " + range(least, most) + ", not " + std::to_string(*value);
+            config.*member = static_cast<int>(*value);
+            return {};
+          },
+          [=](const server_config& config) { return std::to_string(config.*member); }};
 }
 
-setter bytes(std::int64_t server_config::*member) {
+accessor bytes(std::int64_t server_config::*member) {
   constexpr std::int64_t least = std::int64_t{1} << 20;
   constexpr std::int64_t most = std::int64_t{1} << 50;
-  return [=](const toml::node& given, server_config& config) -> std::string {
-    const auto value = given.value_exact<std::int64_t>();
-    const auto range = std::to_string(least) + " to " + std::to_string(most);
-    if (!value)
-      return "must be a whole number of bytes, " + range;
-    if (*value < least || *value > most)
-      return "must be " + range + " bytes, not " + std::to_string(*value);
-    config.*member = *value;
-    return {};
-  };
+  return {[=](const toml::node& given, server_config& config) -> std::string {
+            const auto value = given.value_exact<std::int64_t>();
+            const auto range = std::to_string(least) + " to " + std::to_string(most);
+            if (!value)
+              return "must be a whole number of bytes, " + range;
+            if (*value < least || *value > most)
+              return "must be " + range + " bytes, not " + std::to_string(*value);
+            config.*member = *value;
+            return {};
+          },
+          [=](const server_config& config) { return std::to_string(config.*member); }};
 }
 
-setter yes_no(bool server_config::*member) {
-  return [=](const toml::node& given, server_config& config) -> std::string {
-    const auto value = given.value_exact<bool>();
-    if (!value)
-      return "must be true or false";
-    config.*member = *value;
-    return {};
-  };
+accessor yes_no(bool server_config::*member) {
+  return {[=](const toml::node& given, server_config& config) -> std::string {
+            const auto value = given.value_exact<bool>();
+            if (!value)
+              return "must be true or false";
+            config.*member = *value;
+            return {};
+          },
+          [=](const server_config& config) { return config.*member ? "true" : "false"; }};
 }
 
-setter seconds(double server_config::*member) {
+accessor seconds(double server_config::*member) {
   constexpr double least = 0.1;
   constexpr double most = 7 * 24 * 3600;
-  return [=](const toml::node& given, server_config& config) -> std::string {
-    if (!given.is_number())
-      return "must be a number of seconds, " + range(least, most);
-    const double value = given.value<double>().value_or(0);
-    if (!(value >= least && value <= most))  // false for nan, too
-      return "must be " + range(least, most) + " seconds, not " + number(value);
-    config.*member = value;
-    return {};
-  };
+  return {[=](const toml::node& given, server_config& config) -> std::string {
+            if (!given.is_number())
+              return "must be a number of seconds, " + range(least, most);
+            const double value = given.value<double>().value_or(0);
+            if (!(value >= least && value <= most))  // false for nan, too
+              return "must be " + range(least, most) + " seconds, not " + number(value);
+            config.*member = value;
+            return {};
+          },
+          [=](const server_config& config) { return number(config.*member); }};
 }
 
 std::string address_fault(const std::string& text) {
@@ -167,24 +190,30 @@ bool is_host(const std::string& text) {
 }
 
 /// A list of texts that keep a rule; `wanted` says it: "must list ... such as ...".
-setter texts(std::vector<std::string> server_config::*member, bool (*fits)(const std::string&),
-             std::string wanted) {
-  return [=](const toml::node& given, server_config& config) -> std::string {
-    const auto* list = given.as_array();
-    if (!list)
-      return "must be a list of texts";
-    std::vector<std::string> found;
-    for (const auto& item : *list) {
-      const auto one = item.value_exact<std::string>();
-      if (!one)
-        return "must list texts only";
-      if (!fits(*one))
-        return wanted + ", not \"" + *one + "\"";
-      found.push_back(*one);
-    }
-    config.*member = std::move(found);
-    return {};
-  };
+accessor texts(std::vector<std::string> server_config::*member, bool (*fits)(const std::string&),
+               std::string wanted) {
+  return {[=](const toml::node& given, server_config& config) -> std::string {
+            const auto* list = given.as_array();
+            if (!list)
+              return "must be a list of texts";
+            std::vector<std::string> found;
+            for (const auto& item : *list) {
+              const auto one = item.value_exact<std::string>();
+              if (!one)
+                return "must list texts only";
+              if (!fits(*one))
+                return wanted + ", not \"" + *one + "\"";
+              found.push_back(*one);
+            }
+            config.*member = std::move(found);
+            return {};
+          },
+          [=](const server_config& config) {
+            std::string list;
+            for (const auto& one : config.*member)
+              list += (list.empty() ? "" : ", ") + quoted(one);
+            return "[" + list + "]";
+          }};
 }
 
 /// All that a file may hold, in the order of config/tedit.toml.
@@ -248,6 +277,8 @@ public:
     return config_;
   }
 
+  [[nodiscard]] const config_origins& origins() const { return origins_; }
+
   [[nodiscard]] error fault(const toml::source_region& at, std::string message,
                             std::string remedy = manual) const {
     return {ec::bad_input, std::move(message), std::move(remedy),
@@ -265,8 +296,10 @@ private:
       const auto found = std::ranges::find_if(options(), same);
       if (found == options().end())
         return fail(unknown_key(table, key));
-      if (const auto wrong = found->set(node, config_); !wrong.empty())
-        return fail(fault(node.source(), table + "." + found->key + " " + wrong));
+      const auto name = table + "." + found->key;
+      origins_[name] = file_ + ":" + std::to_string(node.source().begin.line);
+      if (const auto wrong = found->value.set(node, config_); !wrong.empty())
+        return fail(fault(node.source(), name + " " + wrong));
     }
     return {};
   }
@@ -318,6 +351,7 @@ private:
 
   std::string file_;
   server_config config_;
+  config_origins origins_;
 };
 
 /// The content of a file; nothing when it cannot be read (a folder opens, but does not read).
@@ -353,26 +387,30 @@ expected<std::filesystem::path> state_path(const std::string& given, const char*
 
 }  // namespace
 
-expected<server_config> read_config(const std::filesystem::path& file) {
+expected<server_config> read_config(const std::filesystem::path& file, config_origins* origins) {
   const auto content = content_of(file);
   if (!content)
     return fail(ec::io_error, "cannot read the configuration " + file.string(),
                 "Check the path and its permissions");
   config_reader reader(file);
   try {
-    return reader.read(toml::parse(*content, file.string()));
+    auto config = reader.read(toml::parse(*content, file.string()));
+    if (config && origins)
+      *origins = reader.origins();
+    return config;
   } catch (const toml::parse_error& e) {
     return fail(reader.fault(e.source(), "this is no TOML: " + std::string(e.description())));
   }
 }
 
-expected<server_config> load_config(const std::optional<std::filesystem::path>& explicit_file) {
+expected<server_config> load_config(const std::optional<std::filesystem::path>& explicit_file,
+                                    config_origins* origins) {
   if (explicit_file)
-    return read_config(*explicit_file);
+    return read_config(*explicit_file, origins);
   for (const auto& file : config_files()) {
     std::error_code code;  // A place that may not be looked into holds no file.
     if (std::filesystem::exists(file, code))
-      return read_config(file);
+      return read_config(file, origins);
   }
   return server_config{};
 }
@@ -390,6 +428,13 @@ std::vector<std::string> config_keys() {
   for (const auto& o : options())
     result.push_back(o.table + "." + o.key);
   return result;
+}
+
+std::string config_text(const server_config& config, const std::string& key) {
+  for (const auto& o : options())
+    if (o.table + "." + o.key == key)
+      return o.value.show(config);
+  return {};
 }
 
 expected<std::filesystem::path> documents_folder(const server_config& config) {

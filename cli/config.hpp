@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,15 +53,20 @@ struct server_config {
   friend bool operator==(const server_config&, const server_config&) = default;
 };
 
+/// Where an option of a file stands: "server.port" -> "/etc/tedit/tedit.toml:12". What the file
+/// leaves out has no row.
+using config_origins = std::map<std::string, std::string>;
+
 /// Reads one TOML file; what it leaves out keeps its default. Errors: `io_error`; `bad_input` with
 /// file:line in `where` for bad TOML, an unknown name (the remedy has the nearest one), a value of
 /// the wrong type or out of range.
-[[nodiscard]] expected<server_config> read_config(const std::filesystem::path& file);
+[[nodiscard]] expected<server_config> read_config(const std::filesystem::path& file,
+                                                  config_origins* origins = nullptr);
 
 /// The options from `explicit_file` (--config) when given, else from the first of `config_files`
 /// that is there, else the defaults. Errors: those of `read_config`.
 [[nodiscard]] expected<server_config> load_config(
-  const std::optional<std::filesystem::path>& explicit_file);
+  const std::optional<std::filesystem::path>& explicit_file, config_origins* origins = nullptr);
 
 /// Where a file is looked for: $XDG_CONFIG_HOME/tedit/config.toml (~/.config without the variable),
 /// then /etc/tedit/tedit.toml.
@@ -68,6 +74,9 @@ struct server_config {
 
 /// Every option as the file has it: "server.address", "server.port", ...
 [[nodiscard]] std::vector<std::string> config_keys();
+
+/// The value of an option as the file would have it (TOML); empty for a key that is none.
+[[nodiscard]] std::string config_text(const server_config& config, const std::string& key);
 
 /// `documents`, or $XDG_STATE_HOME/tedit/documents (~/.local/state without the variable) when it is
 /// empty. Errors: `invalid_argument` when neither XDG_STATE_HOME nor HOME is set.

@@ -11,6 +11,8 @@
 #include "base/forked_call.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
+#include "cli/logging.hpp"
+#include "cli/node_checks.hpp"
 #include "cli/server_checks.hpp"
 #include "fem/solver.hpp"
 #include "ops/loader/catalogue.hpp"
@@ -22,6 +24,7 @@ namespace {
 
 struct doctor_options {
   std::optional<std::filesystem::path> config_file;
+  joining_check joins;  ///< Without a place: this machine has the server.
 };
 
 check_row check_program(const std::string& name, const std::string& what) {
@@ -51,8 +54,10 @@ check_row check_sandbox(const doctor_options& options) {
             render(done.error())};
 }
 
-std::vector<check_row> check_all(const doctor_options& options) {
-  auto rows = check_server(options.config_file);
+std::vector<check_row> check_all(const doctor_options& options, const cancel_token& stop) {
+  auto rows = options.joins.place.empty() ? check_server(options.config_file)
+                                          : check_joining(options.joins, stop);
+  rows.push_back(check_clock());
   rows.push_back(check_sandbox(options));
   rows.push_back(check_program("tedit-tetgen", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
@@ -71,7 +76,8 @@ std::vector<check_row> check_all(const doctor_options& options) {
 int run_doctor(const doctor_options& options, session& s) {
   utsname system{};
   uname(&system);
-  auto rows = check_all(options);
+  start_logging("warn");  // What joining notes is in the rows.
+  auto rows = check_all(options, s.cancel);
   nlohmann::ordered_json json{{"version", TEDIT_VERSION},
                               {"system", std::string(system.sysname) + " " + system.release},
                               {"checks", nlohmann::ordered_json::array()}};
@@ -93,9 +99,18 @@ int run_doctor(const doctor_options& options, session& s) {
 void add_doctor(CLI::App& app, action& chosen) {
   auto options = std::make_shared<doctor_options>();
   auto* command = app.add_subcommand(
-    "doctor", "Check the server's configuration, folders and port, programs, devices and plugins");
+    "doctor",
+    "Check what a server needs here, or a worker (--join): files, ports, clock, devices, plugins");
   command->add_option("--config", options->config_file,
                       "Configuration (TOML) instead of $XDG_CONFIG_HOME/tedit/config.toml");
+  auto* join = command->add_option("--join", options->joins.place,
+                                   "For a worker: whether the server at HOST:PORT is reached and "
+                                   "takes it, instead of what a server here needs");
+  auto* certificates =
+    command->add_option("--certificates", options->joins.certificates,
+                        "The worker's folder that \"tedit certs issue --role ROLE\" made");
+  join->needs(certificates);
+  certificates->needs(join);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_doctor(*options, s); }; });
 }

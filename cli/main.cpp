@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_doctor(app, chosen);
   tedit::cli::add_certs(app, chosen);
   tedit::cli::add_users(app, chosen);
+  tedit::cli::add_config(app, chosen);
 
   try {
     app.parse(argc, argv);

@@ -12,7 +12,9 @@
 #include "actors/node/server.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
+#include "cli/config_options.hpp"
 #include "cli/logging.hpp"
+#include "cli/service_notice.hpp"
 #include "cli/token.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -21,19 +23,9 @@ namespace tedit::cli {
 namespace {
 
 struct serve_options {
-  std::optional<std::filesystem::path> config_file;
-  std::optional<std::string> address;
-  std::optional<int> port;
-  std::optional<std::string> documents;
-  std::optional<std::string> token_file;
-  std::optional<std::string> certificates;
-  std::optional<std::string> node_certificates;
-  std::optional<std::string> node_address;
-  std::optional<int> node_port;
-  std::optional<std::string> device;
+  config_options config;
   std::string ready_file;
   bool in_process = false;
-  bool safe_mode = false;
 };
 
 server_options to_server_options(const server_config& config) {
@@ -75,32 +67,6 @@ server_options to_server_options(const server_config& config) {
   return options;
 }
 
-expected<server_config> effective_config(const serve_options& given) {
-  auto config = load_config(given.config_file);
-  if (!config)
-    return config;
-  if (given.address)
-    config->address = *given.address;
-  if (given.port)
-    config->port = *given.port;
-  if (given.documents)
-    config->documents = *given.documents;
-  if (given.token_file)
-    config->token_file = *given.token_file;
-  if (given.certificates)
-    config->certificates = *given.certificates;
-  if (given.node_certificates)
-    config->node_certificates = *given.node_certificates;
-  if (given.node_address)
-    config->node_address = *given.node_address;
-  if (given.node_port)
-    config->node_port = *given.node_port;
-  if (given.device)
-    config->device = *given.device;
-  config->safe_mode = config->safe_mode || given.safe_mode;
-  return config;
-}
-
 /// Written when the server is ready, so that scripts need not guess; it appears whole or not at
 /// all.
 expected<void> write_ready_file(const std::string& path, const nlohmann::ordered_json& state) {
@@ -116,7 +82,7 @@ expected<void> write_ready_file(const std::string& path, const nlohmann::ordered
 }
 
 int run_serve(const serve_options& given, session& s) {
-  const auto config = effective_config(given);
+  const auto config = effective_config(given.config);
   if (!config)
     return print_error(s, config.error());
   start_logging(s.quiet ? "warn" : config->log_level);
@@ -157,9 +123,11 @@ int run_serve(const serve_options& given, session& s) {
                                               std::to_string(*(*started)->node_port()) + "\n"
                                           : std::string()));
   std::fflush(stdout);
+  tell_service_manager("READY=1");
   // The signal that ends the server ends this wait, too: Linux gives it to the main thread.
   while (!s.cancel.cancelled())
     ::poll(nullptr, 0, 500);
+  tell_service_manager("STOPPING=1");
   notice(s, "stopping");
   (*started)->stop();
   return 0;
@@ -170,33 +138,11 @@ int run_serve(const serve_options& given, session& s) {
 void add_serve(CLI::App& app, action& chosen) {
   auto options = std::make_shared<serve_options>();
   auto* command = app.add_subcommand("serve", "Serve clients over WebSocket until Ctrl-C");
-  command->add_option("--config", options->config_file,
-                      "Configuration (TOML) instead of $XDG_CONFIG_HOME/tedit/config.toml");
-  command->add_option("--address", options->address, "Address to listen on (default 127.0.0.1)");
-  command->add_option("--port", options->port, "Port; 0 takes a free one (default 7464)")
-    ->check(CLI::Range(0, 65535));
-  command->add_option("--documents", options->documents, "Folder of the documents");
-  command->add_option("--token-file", options->token_file,
-                      "File with the secret that clients must give; it is made when missing");
-  command->add_option("--certificates", options->certificates,
-                      "Folder of \"tedit certs issue --role server\", or with fullchain.pem and "
-                      "privkey.pem: clients connect by wss://");
-  command->add_option("--node-certificates", options->node_certificates,
-                      "Folder of \"tedit certs issue --role server\": workers of other machines "
-                      "may join");
-  command->add_option("--node-address", options->node_address,
-                      "Address where they join (default 127.0.0.1)");
-  command
-    ->add_option("--node-port", options->node_port,
-                 "Port where they join; 0 takes a free one (default 7465)")
-    ->check(CLI::Range(0, 65535));
-  command->add_option("--device", options->device, "Device for solves that name none");
+  add_config_options(*command, options->config);
   command->add_option("--ready-file", options->ready_file,
                       "Write URL and token file here (JSON) when clients can connect");
   command->add_flag("--in-process", options->in_process,
                     "Workers on threads: a crash of one ends the server");
-  command->add_flag("--safe-mode", options->safe_mode,
-                    "Only the operations that came with the program, no other plugins");
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_serve(*options, s); }; });
 }

@@ -15,6 +15,7 @@
 #include "base/unique_fd.hpp"
 #include "base/utc.hpp"
 #include "cli/config.hpp"
+#include "cli/node_checks.hpp"
 #include "cli/token.hpp"
 #include "tls/server_identity.hpp"
 
@@ -89,17 +90,17 @@ struct tcp_address {
 };
 
 /// @pre the configuration was read: its address is one in numbers.
-tcp_address address_of(const server_config& config) {
+tcp_address address_of(const std::string& address, int number) {
   tcp_address result;
-  const auto port = htons(static_cast<std::uint16_t>(config.port));
+  const auto port = htons(static_cast<std::uint16_t>(number));
   auto* v4 = reinterpret_cast<sockaddr_in*>(&result.where);
   auto* v6 = reinterpret_cast<sockaddr_in6*>(&result.where);
-  if (::inet_pton(AF_INET, config.address.c_str(), &v4->sin_addr) == 1) {
+  if (::inet_pton(AF_INET, address.c_str(), &v4->sin_addr) == 1) {
     v4->sin_family = AF_INET;
     v4->sin_port = port;
     result.size = sizeof *v4;
   } else {
-    ::inet_pton(AF_INET6, config.address.c_str(), &v6->sin6_addr);
+    ::inet_pton(AF_INET6, address.c_str(), &v6->sin6_addr);
     v6->sin6_family = AF_INET6;
     v6->sin6_port = port;
     result.size = sizeof *v6;
@@ -128,22 +129,26 @@ bool is_tedit(const tcp_address& at) {
   return answer.find("tedit") != std::string::npos;
 }
 
-check_row check_port(const server_config& config) {
-  const auto name = config.address + ", port " + std::to_string(config.port);
-  if (config.port == 0)
-    return {"port", true, config.address + ", any free port"};
-  const auto at = address_of(config);
+/// A server's own port for workers answers no question of a stranger: it is not told from another
+/// program's.
+check_row check_port(const std::string& what, const std::string& address, int port) {
+  const auto name = address + ", port " + std::to_string(port);
+  if (port == 0)
+    return {what, true, address + ", any free port"};
+  const auto at = address_of(address, port);
   const auto ours = tcp_socket(at.where.ss_family);
   const int yes = 1;
   ::setsockopt(ours.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   if (::bind(ours.get(), at.get(), at.size) == 0)
-    return {"port", true, name + " is free"};
+    return {what, true, name + " is free"};
   const int reason = errno;
   if (reason != EADDRINUSE)
-    return failed("port", system_failure("cannot listen on " + name, reason).value());
+    return failed(what, system_failure("cannot listen on " + name, reason).value());
+  if (what == "node port")
+    return {what, true, name + " is in use: by this server if it runs, else choose another"};
   if (is_tedit(at))
-    return {"port", true, name + " is a running TEdit server's"};
-  return {"port", false, name + " is in use by another program. Choose another with --port"};
+    return {what, true, name + " is a running TEdit server's"};
+  return {what, false, name + " is in use by another program. Choose another with --port"};
 }
 
 }  // namespace
@@ -152,11 +157,16 @@ std::vector<check_row> check_server(const std::optional<fs::path>& config_file) 
   const auto config = load_config(config_file);
   if (!config)  // What it would say of the rest is not known.
     return {failed("configuration", config.error())};
-  return {{"configuration", true, configuration_in_use(config_file)},
-          check_documents(*config),
-          check_token(*config),
-          check_certificate(*config),
-          check_port(*config)};
+  std::vector<check_row> rows{{"configuration", true, configuration_in_use(config_file)},
+                              check_documents(*config),
+                              check_token(*config),
+                              check_certificate(*config),
+                              check_port("port", config->address, config->port)};
+  for (auto& row : check_node_port(*config))
+    rows.push_back(std::move(row));
+  if (!config->node_certificates.empty())
+    rows.push_back(check_port("node port", config->node_address, config->node_port));
+  return rows;
 }
 
 }  // namespace tedit::cli

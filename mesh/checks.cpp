@@ -13,87 +13,11 @@
 #include "mesh/facet_pages.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/slot_checks.hpp"
 
 namespace tedit {
 
 namespace {
-
-std::string named(const char* what, std::uint64_t id) {
-  return std::string(what) + " " + std::to_string(id);
-}
-
-/// Looks at single slots of one version and collects findings.
-class slot_checks {
-public:
-  slot_checks(const mesh_version& mesh, check_report& report) : mesh_(mesh), report_(report) {}
-
-  void add(ec code, std::string rule, std::string element, std::string numbers) {
-    if (++report_.total <= max_findings)
-      report_.findings.push_back({code, std::move(rule), std::move(element), std::move(numbers)});
-  }
-
-  void check_tet(tet_id t) {
-    const auto& v = mesh_.tet_at(t).v;
-    for (const auto i : v) {
-      if (i >= mesh_.vertex_slots() || !mesh_.is_live_vertex(i)) {
-        add(ec::invalid_mesh, "corners exist", named("tet", t), named("vertex", i));
-        return;
-      }
-    }
-    const auto c = mesh_.corners(t);
-    if (const int sign = orient3d(c[0], c[1], c[2], c[3]); sign <= 0)
-      add(sign < 0 ? ec::inverted_tet : ec::degenerate_tet, "positive orientation", named("tet", t),
-          "volume " + format_number("%.4g", signed_volume(c)) + " m3");
-    for (int face = 0; face < 4; ++face)
-      check_face(t, face);
-  }
-
-  void check_facet(facet_id f) {
-    const auto& facet = mesh_.facet(f);
-    const bool known = facet.tet < mesh_.tet_slots() && mesh_.is_live_tet(facet.tet) &&
-                       std::ranges::count(mesh_.neighbours(facet.tet), facet_flag | f) == 1;
-    if (!known)
-      add(ec::invalid_mesh, "facet lies on its tet", named("facet", f), named("tet", facet.tet));
-    if (!mesh_.find_surface(facet.surface))
-      add(ec::surface_not_found, "facet has a surface of the table", named("facet", f),
-          "surface " + std::to_string(facet.surface));
-  }
-
-  void check_vertex(vertex_id v) {
-    const auto t = mesh_.incident_tet(v);
-    if (t >= mesh_.tet_slots() || !mesh_.is_live_tet(t) ||
-        !std::ranges::count(mesh_.tet_at(t).v, v))
-      add(ec::invalid_mesh, "incident tet holds the vertex", named("vertex", v), named("tet", t));
-  }
-
-private:
-  void check_face(tet_id t, int face) {
-    const auto behind = mesh_.neighbours(t)[face];
-    const auto key = make_face_key(mesh_.tet_at(t), face);
-    if (is_facet(behind)) {
-      const auto f = behind & ~facet_flag;
-      const bool fits = f < mesh_.facet_slots() && mesh_.facet(f).tet == t &&
-                        make_face_key(mesh_.facet(f).v).v == key.v &&
-                        make_face_key(mesh_.facet(f).v).odd == key.odd;
-      if (!fits)
-        add(ec::invalid_mesh, "boundary face has its facet", named("tet", t), named("facet", f));
-      return;
-    }
-    bool fits = false;
-    if (behind < mesh_.tet_slots() && mesh_.is_live_tet(behind)) {
-      for (int back = 0; back < 4; ++back) {
-        const auto other = make_face_key(mesh_.tet_at(behind), back);
-        fits =
-          fits || (mesh_.neighbours(behind)[back] == t && other.v == key.v && other.odd != key.odd);
-      }
-    }
-    if (!fits)
-      add(ec::invalid_mesh, "neighbours share a face", named("tet", t), named("neighbour", behind));
-  }
-
-  const mesh_version& mesh_;
-  check_report& report_;
-};
 
 /// One byte a vertex slot, 1 for those of the set: for questions about every tet or facet.
 std::vector<std::uint8_t> marks_of(const std::unordered_set<vertex_id>& set, std::size_t slots) {
@@ -247,7 +171,20 @@ public:
         slots_(candidate, report_) {}
 
   check_report run() {
+    if (!slots_.check_sizes())
+      return std::move(report_);
+    // What did not change may point at slots that are no longer there.
+    if (mesh_.tet_slots() < base_.tet_slots() || mesh_.vertex_slots() < base_.vertex_slots() ||
+        mesh_.facet_slots() < base_.facet_slots())
+      if (auto whole = check_version(mesh_); !whole.ok())
+        return whole;
     check_tets();
+    for_each_changed(base_.data().facets, mesh_.data().facets, [&](facet_id f) {
+      if (mesh_.is_live_facet(f))
+        slots_.check_corners(f);
+    });
+    if (!slots_.within_range())
+      return std::move(report_);
     check_moved_vertices();
     check_facets();
     check_components();
@@ -278,7 +215,7 @@ private:
       if (mesh_.is_live_tet(t)) {
         suspects.insert(t);
         if (!touched_.contains(t))
-          slots_.add(ec::postcondition_failed, "untouched tets are identical", named("tet", t),
+          slots_.add(ec::postcondition_failed, "untouched tets are identical", slot_name("tet", t),
                      "it changed but was not reported");
       }
     });
@@ -290,8 +227,8 @@ private:
     for_each_changed(before.tet_regions, after.tet_regions, [&](tet_id t) {
       also(t);
       if (mesh_.is_live_tet(t) && !touched_.contains(t))
-        slots_.add(ec::postcondition_failed, "untouched tets keep their region", named("tet", t),
-                   "");
+        slots_.add(ec::postcondition_failed, "untouched tets keep their region",
+                   slot_name("tet", t), "");
     });
     for_each_changed(before.vertex_tet, after.vertex_tet, [&](vertex_id v) {
       if (mesh_.is_live_vertex(v))
@@ -313,7 +250,7 @@ private:
       changed_.insert(t);
       slots_.check_tet(t);
       if (!touched_.contains(t))
-        slots_.add(ec::postcondition_failed, "untouched tets are identical", named("tet", t),
+        slots_.add(ec::postcondition_failed, "untouched tets are identical", slot_name("tet", t),
                    "a corner moved");
     }
   }
@@ -336,7 +273,7 @@ private:
       const auto old = before.find(v);
       // What was not manifold before the edit is not the edit's fault.
       if (!fault.empty() && (old == before.end() || fan_fault(base_, v, old->second).empty()))
-        slots_.add(ec::non_manifold, "boundary is a 2-manifold", named("vertex", v), fault);
+        slots_.add(ec::non_manifold, "boundary is a 2-manifold", slot_name("vertex", v), fault);
     }
   }
 
@@ -379,7 +316,7 @@ private:
     // A floor that is no number allows nothing.
     if (!(after >= std::min(claim_.quality_floor, before) * (1 - 1e-9)))
       slots_.add(
-        ec::postcondition_failed, "worst quality of the touched region", named("tet", worst),
+        ec::postcondition_failed, "worst quality of the touched region", slot_name("tet", worst),
         "q = " + format_number("%.4g", after) + ", before " + format_number("%.4g", before) +
           ", floor " + format_number("%.4g", claim_.quality_floor));
   }
@@ -399,6 +336,8 @@ private:
 check_report check_version(const mesh_version& mesh) {
   check_report report;
   slot_checks checks(mesh, report);
+  if (!checks.check_sizes())
+    return report;
   std::unordered_set<vertex_id> boundary;
   for (tet_id t = 0; t < mesh.tet_slots(); ++t)
     if (mesh.is_live_tet(t))
@@ -412,9 +351,10 @@ check_report check_version(const mesh_version& mesh) {
     checks.check_facet(f);
     boundary.insert(mesh.facet(f).v.begin(), mesh.facet(f).v.end());
   }
-  for (const auto& [v, around] : facets_around(mesh, boundary))
-    if (const auto fault = fan_fault(mesh, v, around); !fault.empty())
-      checks.add(ec::non_manifold, "boundary is a 2-manifold", named("vertex", v), fault);
+  if (checks.within_range())
+    for (const auto& [v, around] : facets_around(mesh, boundary))
+      if (const auto fault = fan_fault(mesh, v, around); !fault.empty())
+        checks.add(ec::non_manifold, "boundary is a 2-manifold", slot_name("vertex", v), fault);
   check_counts(mesh, checks);
   return report;
 }

@@ -72,6 +72,9 @@ expected<version_ptr> mesh_version::from_manifest(
                 "a manifest lists 7 or 9 arrays, this one " + std::to_string(list.arrays.size()));
   const auto take = [&](auto& array) {
     const auto& row = list.arrays[index++];
+    // Beyond that the count of pages that a length needs could overflow, and fit.
+    if (row.size > row.pages.size() * max_page_bytes && !failure)
+      failure = error{ec::invalid_mesh, "an array is longer than its pages", {}, {}};
     std::vector<page_ptr> pages;
     for (const auto& id : row.pages) {
       pages.push_back(find(id));

@@ -17,6 +17,7 @@
 #include "actors/links/bridge.hpp"
 #include "actors/links/link.hpp"
 #include "actors/links/tls_io.hpp"
+#include "base/utc.hpp"
 #include "certs/make.hpp"
 
 namespace tedit::actors {
@@ -71,6 +72,7 @@ struct door::impl {
   impl(door_options given, tls_identity own)
       : options(std::move(given)),
         identity(std::move(own)),
+        knocks(options.knocks),
         listener(io),
         retry(io),
         next_look(io) {}
@@ -78,12 +80,14 @@ struct door::impl {
   void wait_for_guests();
   void take_guests();
   void greet(tcp::socket socket);
+  void note_knock(const std::string& owner, const tl::expected<link_peer, tls_failure>& result);
   void make_room();
   void shaken_hands(std::uint64_t number, tl::expected<link_peer, tls_failure> result);
   void make_link_of(std::uint64_t number, std::shared_ptr<bridge> line, link_peer who);
   void ended(std::uint64_t number);
   void turn_away(refusal why, const std::string& who);
   void look_at_files();
+  void look_at_list();
   void look_later();
   void look_at_links();
   void shut();
@@ -91,6 +95,7 @@ struct door::impl {
   asio::io_context io{1};  ///< First: it goes after all that is bound to it.
   door_options options;
   tls_identity identity;
+  knock_limits knocks;
   tcp::acceptor listener;
   asio::steady_timer retry;
   asio::steady_timer next_look;
@@ -102,6 +107,7 @@ struct door::impl {
   std::array<std::atomic<std::uint64_t>, refusal_count> refused{};
   std::chrono::steady_clock::time_point next_line{};
   std::uint64_t unlogged = 0;
+  std::int64_t said_overdue = 0;  ///< When the list was last called overdue, seconds since 1970.
   std::uint16_t port = 0;
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   std::thread thread;
@@ -150,12 +156,16 @@ void door::impl::greet(tcp::socket socket) {
     return turn_away(refusal::gone, "somebody");
   if (links.size() >= options.most_links)
     return turn_away(refusal::full, address_text(peer));
+  const auto owner = owner_part(peer.address().to_string());
+  if (!knocks.admits(owner, std::chrono::steady_clock::now()))
+    return turn_away(refusal::too_often, address_text(peer));
   look_at_files();  // A certificate that was revoked a moment ago is refused now.
   const auto number = ++last_number;
   strangers[number] = {nullptr, peer.address().to_string()};
   auto line = bridge::shake_hands(
     std::move(socket), identity.context(), {}, options.handshake_limit,
-    [this, number, from = address_text(peer)](tl::expected<link_peer, tls_failure> result) {
+    [this, number, owner, from = address_text(peer)](tl::expected<link_peer, tls_failure> result) {
+      note_knock(owner, result);
       if (!result)
         turn_away(result.error().by_peer ? refusal::refused_us : result.error().why, from);
       shaken_hands(number, std::move(result));
@@ -163,6 +173,16 @@ void door::impl::greet(tcp::socket socket) {
   if (const auto own = strangers.find(number); own != strangers.end())
     own->second.line = std::move(line);
   make_room();
+}
+
+void door::impl::note_knock(const std::string& owner,
+                            const tl::expected<link_peer, tls_failure>& result) {
+  const auto now = std::chrono::steady_clock::now();
+  if (result)
+    return knocks.came_in(owner, now);
+  const auto why = result.error().why;
+  if (why != refusal::gone && why != refusal::silent && why != refusal::crowded)
+    knocks.failed(owner, now);
 }
 
 void door::impl::make_room() {
@@ -238,12 +258,28 @@ void door::impl::look_at_files() {
     spdlog::error("door: goes on with what it read before: {}", render(ok.error()));
 }
 
+/// A list that is overdue goes on holding: a server must not stop because nobody wrote it again. It
+/// is said once a day.
+void door::impl::look_at_list() {
+  const auto& list = identity.context()->list();
+  const auto now = certs::now_s();
+  if (!list || !list->is_overdue(now) || now - said_overdue < certs::day.count())
+    return;
+  said_overdue = now;
+  spdlog::warn(
+    "door: the list of revoked certificates (number {}, of {}) should have been followed by a "
+    "newer "
+    "one at {}; who was revoked since is still let in. Copy the newest crl.pem of the authority",
+    list->number, utc_text(list->from), utc_text(list->until));
+}
+
 void door::impl::look_later() {
   next_look.expires_after(options.look_every);
   next_look.async_wait([this](error_code stopped) {
     if (stopped || stopping)
       return;
     look_at_files();
+    look_at_list();
     look_at_links();
     look_later();
   });
@@ -307,6 +343,7 @@ expected<std::unique_ptr<door>> door::open(door_options options) {
     return fail(ok.error());
   state->port = state->listener.local_endpoint(problem).port();
   state->wait_for_guests();
+  state->look_at_list();
   state->look_later();
   state->thread = std::thread([own = state.get()] { run_io(own->io); });
   return std::unique_ptr<door>(new door(std::move(state)));

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "actors/links/knock_limits.hpp"
 #include "actors/links/refusal.hpp"
 #include "base/error.hpp"
 #include "base/unique_fd.hpp"
@@ -38,6 +39,10 @@ struct door_options {
   std::size_t most_handshakes = 256;
   std::size_t most_handshakes_per_address = 64;
   std::size_t most_links = 256;
+  /// Handshakes that failed: what stands in the way of one (no certificate, another authority, an
+  /// ended or revoked one, no TLS) counts; who leaves or is silent does not, so that neither a look
+  /// whether the port is open nor a neighbour behind the same router shuts a node out.
+  knock_rates knocks;
   /// How often it is looked whether certificates of those that are linked still hold.
   std::chrono::milliseconds look_every = std::chrono::minutes(1);
 };

@@ -36,9 +36,10 @@ enum class refusal : std::uint8_t {
   wrong_role,       ///< Its role is not admitted.
   wrong_host,       ///< A server whose certificate does not hold for the host that was dialled.
   refused_us,       ///< Did not want this node.
+  too_often,        ///< Its address, or all strangers together, tried too often.
 };
 
-inline constexpr std::size_t refusal_count = 14;
+inline constexpr std::size_t refusal_count = 15;
 
 /// A few words for a log: "its certificate was revoked".
 [[nodiscard]] std::string_view refusal_text(refusal why);

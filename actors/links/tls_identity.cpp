@@ -126,16 +126,16 @@ expected<node_files> read_node(const fs::path& folder) {
   return node_files{std::move(*own), std::move(*key), std::move(*authority)};
 }
 
-expected<std::set<std::string>> read_serials(const fs::path& file, X509& authority) {
-  const auto list = certs::read_revoked(file);
+expected<certs::crl_ptr> read_list(const fs::path& file, X509& authority) {
+  auto list = certs::read_revoked(file);
   if (!list)
-    return fail(list.error());
+    return list;
   const bool ours = X509_CRL_verify(list->get(), X509_get0_pubkey(&authority)) == 1;
   ERR_clear_error();
   if (!ours)
     return fail(ec::invalid_argument, file.string() + " is the list of another authority",
                 "Take the one in the folder of the authority that issued this node's certificate");
-  return certs::serials_of(**list);
+  return list;
 }
 
 }  // namespace
@@ -170,6 +170,8 @@ std::string_view refusal_text(refusal why) {
       return "its certificate does not hold for the host that was dialled";
     case refusal::refused_us:
       return "it did not want this node";
+    case refusal::too_often:
+      return "too many tries before it had failed";
   }
   return "";
 }
@@ -193,14 +195,16 @@ expected<std::shared_ptr<const tls_context>> tls_context::make(
     return fail(ok.error());
   auto made = std::make_shared<tls_context>();
   if (!revoked.empty()) {
-    auto serials = read_serials(revoked, *files->authority);
-    if (!serials)
-      return fail(serials.error());
-    made->revoked_ = std::move(*serials);
+    const auto list = read_list(revoked, *files->authority);
+    if (!list)
+      return fail(list.error());
+    made->revoked_ = certs::serials_of(**list);
+    made->list_ = certs::facts_of(**list);
   }
   made->side_ = side;
   made->own_ = std::move(*facts);
   made->authority_ = certs::common_name(*files->authority);
+  made->authority_pem_ = certs::to_pem(*files->authority);
   made->admitted_ = admitted;
   ERR_clear_error();
   made->native_ = SSL_CTX_new(TLS_method());
@@ -238,6 +242,22 @@ tls_identity::stamps tls_identity::look_at_files() const {
   return found;
 }
 
+expected<void> tls_identity::check_order(const std::shared_ptr<const tls_context>& next) const {
+  if (!context_ || !context_->list() || !next->list() ||
+      context_->authority_pem() != next->authority_pem())
+    return {};
+  const auto before = context_->list()->number;
+  const auto now = next->list()->number;
+  if (now >= before)
+    return {};
+  return fail(ec::conflict,
+              revoked_.string() + " is older than the list that was read before it: number " +
+                std::to_string(now) + " after " + std::to_string(before) +
+                "; who was revoked since would be let in again",
+              "Copy the newest crl.pem of the authority's folder there; after it was made anew, "
+              "restart");
+}
+
 expected<void> tls_identity::look() {
   const auto now = look_at_files();
   if (context_ && now == seen_)
@@ -246,6 +266,8 @@ expected<void> tls_identity::look() {
   auto made = tls_context::make(side_, admitted_, folder_, revoked_);
   if (!made)
     return fail(made.error());
+  if (auto ok = check_order(*made); !ok)
+    return ok;
   context_ = std::move(*made);
   return {};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -44,18 +45,24 @@ public:
   [[nodiscard]] tls_side side() const { return side_; }
   [[nodiscard]] const certs::certificate& own() const { return own_; }
   [[nodiscard]] const std::string& authority() const { return authority_; }
+  /// The authority's certificate, to tell whether it is another one.
+  [[nodiscard]] const std::string& authority_pem() const { return authority_pem_; }
   [[nodiscard]] bool admits(certs::role what) const { return admitted_.contains(what); }
   [[nodiscard]] bool has_revoked(const std::string& serial) const {
     return revoked_.contains(serial);
   }
+  /// Of the list of revoked certificates; none where there is no list.
+  [[nodiscard]] const std::optional<certs::list_facts>& list() const { return list_; }
 
 private:
   ssl_ctx_st* native_ = nullptr;
   tls_side side_ = tls_side::door;
   certs::certificate own_;
   std::string authority_;  ///< Its name.
+  std::string authority_pem_;
   std::set<certs::role> admitted_;
   std::set<std::string> revoked_;
+  std::optional<certs::list_facts> list_;
 };
 
 /// A node's key, certificate and authority, and who was revoked, from files that may change while
@@ -72,7 +79,9 @@ public:
                                                    std::filesystem::path revoked = {});
 
   /// Loads again what changed since the last look; on an error the state before goes on, and the
-  /// error comes once for each change. Cost: four `stat`; loading some milliseconds.
+  /// error comes once for each change. A list of revoked certificates with a lower number than the
+  /// one before is such an error (`conflict`): who was revoked since would come in again. Cost:
+  /// four `stat`; loading some milliseconds.
   [[nodiscard]] expected<void> look();
 
   [[nodiscard]] const std::shared_ptr<const tls_context>& context() const { return context_; }
@@ -82,6 +91,7 @@ private:
 
   tls_identity() = default;
   [[nodiscard]] stamps look_at_files() const;
+  [[nodiscard]] expected<void> check_order(const std::shared_ptr<const tls_context>& next) const;
 
   tls_side side_ = tls_side::door;
   std::set<certs::role> admitted_;

@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <charconv>
+#include <chrono>
 #include <thread>
 #include <utility>
 
@@ -131,6 +133,33 @@ std::string tidy(std::string text) {
   std::erase_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
   text = to_utf8(text);
   return std::string(cut_text(text, longest));
+}
+
+std::vector<std::string> about_this_server(const std::string& version) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return {version,
+          std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(now).count())};
+}
+
+expected<server_facts> ask_about(caf::scoped_actor& self, const caf::actor& enlister) {
+  expected<server_facts> result;
+  self->request(enlister, std::chrono::seconds(10), about_atom::value)
+    .receive(
+      [&](const std::vector<std::string>& said) {
+        std::int64_t ms = 0;
+        const auto* const end = said.size() == 2 ? said[1].data() + said[1].size() : nullptr;
+        if (end == nullptr || std::from_chars(said[1].data(), end, ms).ptr != end)
+          result = fail(ec::service_unavailable, "the server does not say its version and time",
+                        "Install the same version on both machines");
+        else
+          result = server_facts{tidy(said[0]), static_cast<double>(ms) / 1000};
+      },
+      [&](const caf::error&) {
+        result = fail(ec::service_unavailable,
+                      "the server does not answer what it is: it is busy, or of another version",
+                      "Try again; else install the same version on both machines");
+      });
+  return result;
 }
 
 expected<void> enlist_at(caf::scoped_actor& self, const caf::actor& enlister, node_enlistment who) {

@@ -72,6 +72,21 @@ private:
 [[nodiscard]] expected<void> enlist_at(caf::scoped_actor& self, const caf::actor& enlister,
                                        node_enlistment who);
 
+/// Asks a server what it is; a worker may before it enlists.
+using about_atom = caf::atom_constant<caf::atom("about")>;
+
+struct server_facts {
+  std::string version;  ///< "0.1.0".
+  double time_s = 0;    ///< What its clock said, seconds since 1970.
+};
+
+/// What the server behind `enlister` says of itself. Errors: `service_unavailable` when it does not
+/// answer within ten seconds, or is of a version that does not know the question.
+[[nodiscard]] expected<server_facts> ask_about(caf::scoped_actor& self, const caf::actor& enlister);
+
+/// As the server answers it.
+[[nodiscard]] std::vector<std::string> about_this_server(const std::string& version);
+
 /// Text from another machine as logs and status may have it: printable, valid and not endless.
 [[nodiscard]] std::string tidy(std::string text);
 

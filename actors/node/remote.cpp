@@ -132,6 +132,7 @@ caf::behavior node_enlister(caf::stateful_actor<enlister_state>* self, const wor
             if (self->state.worker)
               self->send(pool, note, self->state.worker);
           },
+          [=](about_atom) { return about_this_server(version); },
           [=](names_atom) -> caf::result<std::vector<std::string>> { return no_observer(peer); },
           [=](watch_atom, const std::string&, const caf::actor&) -> caf::result<std::string> {
             return no_observer(peer);

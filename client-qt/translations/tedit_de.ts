@@ -5192,6 +5192,42 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 and %2 slots</source>
+        <translation type="unfinished">%1 und %2 Plätze</translation>
+    </message>
+    <message>
+        <source>Install the same version on both machines</source>
+        <translation>Auf beiden Rechnern dieselbe Version installieren</translation>
+    </message>
+    <message>
+        <source>Try again; else install the same version on both machines</source>
+        <translation>Noch einmal versuchen; sonst auf beiden Rechnern dieselbe Version installieren</translation>
+    </message>
+    <message>
+        <source>arrays of one kind have one length</source>
+        <translation>Felder einer Art haben eine Länge</translation>
+    </message>
+    <message>
+        <source>tets and neighbours</source>
+        <translation>Tetraeder und Nachbarn</translation>
+    </message>
+    <message>
+        <source>tets and regions</source>
+        <translation>Tetraeder und Bereiche</translation>
+    </message>
+    <message>
+        <source>the server does not answer what it is: it is busy, or of another version</source>
+        <translation>der Server sagt nicht, was er ist: Er ist beschäftigt oder von einer anderen Version</translation>
+    </message>
+    <message>
+        <source>the server does not say its version and time</source>
+        <translation>der Server sagt weder Version noch Uhrzeit</translation>
+    </message>
+    <message>
+        <source>vertices and their tets</source>
+        <translation>Ecken und ihre Tetraeder</translation>
+    </message>
+    <message>
         <source>a document that is there already has a name</source>
         <translation type="unfinished"></translation>
     </message>

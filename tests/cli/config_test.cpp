@@ -334,5 +334,32 @@ TEST_F(Config, WithoutAHomeTheOptionToSetIsNamed) {
   EXPECT_THAT(documents.error().remedy, HasSubstr("server.documents"));
 }
 
+TEST_F(Config, ItsTextReadsBackAsTheSameConfiguration) {
+  const auto file = write("some.toml",
+                          "[server]\nallowed_hosts = [\"a.example:1\", \"[::1]\"]\n"
+                          "[work]\ndevice = 'a \"quoted\" name'\n"
+                          "[limits]\nedit_timeout_s = 0.25\nupload_bytes = 1048577\n"
+                          "[plugins]\nsafe_mode = true\n");
+  const auto config = read_config(file);
+  ASSERT_TRUE(config) << render(config.error());
+  std::string again;
+  for (const auto& key : config_keys()) {
+    again += key + " = " + config_text(*config, key) + "\n";
+  }
+  const auto read = read_config(write("again.toml", again));
+  ASSERT_TRUE(read) << render(read.error()) << again;
+  EXPECT_EQ(*read, *config);
+  EXPECT_EQ(config_text(*config, "server.prot"), "");
+}
+
+TEST_F(Config, SaysWhereEachValueStands) {
+  const auto file =
+    write("some.toml", "# a comment\n[server]\nport = 1\n\n[log]\nlevel = \"off\"\n");
+  config_origins origins;
+  ASSERT_TRUE(load_config(file, &origins));
+  EXPECT_THAT(origins, ElementsAre(std::pair(std::string("log.level"), file.string() + ":6"),
+                                   std::pair(std::string("server.port"), file.string() + ":3")));
+}
+
 }  // namespace
 }  // namespace tedit::cli

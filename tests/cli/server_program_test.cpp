@@ -8,6 +8,8 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/time.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -237,13 +239,15 @@ TEST_F(ServerProgram, AnEditThatMustBeConfinedAndCannotIsNotBegun) {
 /// A server of that configuration, ready.
 class ready_server {
 public:
-  ready_server(const fs::path& folder, const fs::path& config) : ready_(folder / "ready.json") {
+  /// @param mode an option that it gets.
+  ready_server(const fs::path& folder, const fs::path& config, const char* mode = "--in-process")
+      : ready_(folder / "ready.json") {
     child_ = fork();
     if (child_ == 0) {
       (void)freopen("/dev/null", "w", stdout);
       (void)freopen("/dev/null", "w", stderr);
-      execl(program.c_str(), "tedit", "serve", "--in-process", "--config", config.c_str(),
-            "--ready-file", ready_.c_str(), nullptr);
+      execl(program.c_str(), "tedit", "serve", mode, "--config", config.c_str(), "--ready-file",
+            ready_.c_str(), nullptr);
       _exit(127);
     }
     for (int i = 0; i < 6000 && !fs::exists(ready_); ++i)
@@ -256,9 +260,10 @@ public:
       end(1);
   }
 
-  [[nodiscard]] std::string url() const {
+  [[nodiscard]] std::string url() const { return state().value("url", ""); }
+  [[nodiscard]] json state() const {
     std::ifstream in(ready_);
-    return json::parse(in, nullptr, false).value("url", "");
+    return json::parse(in, nullptr, false);
   }
 
   /// Its status after so many signals at once.
@@ -281,6 +286,29 @@ TEST_F(ServerProgram, TwoSignalsAtOnceEndItAsOneDoes) {
   ASSERT_NE(server.url(), "");
   const int status = server.end(2);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+TEST_F(ServerProgram, TheServiceManagerHearsWhenItIsReadyAndWhenItStops) {
+  const auto place = (folder / "notices").string();
+  const int heard = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_un at{};
+  at.sun_family = AF_UNIX;
+  place.copy(at.sun_path, sizeof(at.sun_path) - 1);
+  ASSERT_EQ(::bind(heard, reinterpret_cast<const sockaddr*>(&at), sizeof at), 0);
+  const timeval patience{60, 0};
+  ::setsockopt(heard, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  const auto next = [&] {
+    std::array<char, 64> text{};
+    const auto size = ::recv(heard, text.data(), text.size(), 0);
+    return std::string(text.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
+  };
+  setenv("NOTIFY_SOCKET", place.c_str(), 1);
+  ready_server server(folder, config());
+  unsetenv("NOTIFY_SOCKET");
+  EXPECT_EQ(next(), "READY=1");
+  server.end(1);
+  EXPECT_EQ(next(), "STOPPING=1");
+  ::close(heard);
 }
 
 TEST_F(ServerProgram, TheStatusSaysHowItIsAndWhatTakesUpItsMemory) {
@@ -307,6 +335,76 @@ TEST_F(ServerProgram, TheStatusOfAServerThatIsNotThereSaysHowToStartOne) {
     run("status --json --server ws://127.0.0.1:1/v1 --token-file " + token().string());
   EXPECT_EQ(said.status, 69);
   EXPECT_NE(said.parsed()["error"]["remedy"], "") << said.out;
+}
+
+TEST_F(ServerProgram, ConfigShowSaysWhereEachValueComesFrom) {
+  write_config("[limits]\nedit_timeout_s = 7\n");
+  const auto result =
+    run("config show --json --origin --port 9 --safe-mode --config " + config().string());
+  ASSERT_EQ(result.status, 0) << result.out;
+  std::map<std::string, std::pair<std::string, std::string>> found;
+  const auto parsed = result.parsed();
+  for (const auto& one : parsed["options"])
+    found[one["option"]] = {one["value"], one["from"]};
+  using shown = std::pair<std::string, std::string>;
+  EXPECT_EQ(found["server.port"], shown("9", "--port"));
+  EXPECT_EQ(found["plugins.safe_mode"], shown("true", "--safe-mode"));
+  EXPECT_EQ(found["limits.edit_timeout_s"], shown("7", config().string() + ":6"));
+  EXPECT_EQ(found["server.token_file"],
+            shown("\"" + token().string() + "\"", config().string() + ":4"));
+  EXPECT_EQ(found["log.level"], shown("\"info\"", "default"));
+  EXPECT_EQ(found["server.users_file"].second, "beside server.token_file");
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr(std::string(64, 'a')))) << "the token's text";
+}
+
+TEST_F(ServerProgram, ConfigShowPrintsAFileThatServeWouldTake) {
+  const auto shown = run("config show --port 0 --config " + config().string());
+  ASSERT_EQ(shown.status, 0) << shown.out;
+  std::ofstream(folder / "shown.toml") << shown.out;
+  const auto again = run("config show --config " + (folder / "shown.toml").string());
+  EXPECT_EQ(again.out, shown.out);
+}
+
+TEST_F(ServerProgram, TheDoctorLooksAtThePortForNodes) {
+  const auto ca = (folder / "ca").string();
+  const auto hall = (folder / "hall").string();
+  ASSERT_EQ(run("certs init " + ca).status, 0);
+  ASSERT_EQ(run("certs issue " + ca + " --role server --name hall -o " + hall).status, 0);
+  write_config("[nodes]\ncertificates = \"" + hall + "\"\nport = 0\n");
+  const auto good = run("doctor --json --config " + config().string());
+  EXPECT_TRUE(row(good, "nodes").value("ok", false)) << good.out;
+  EXPECT_THAT(row(good, "nodes")["text"].get<std::string>(), HasSubstr("hall of TEdit"));
+  EXPECT_THAT(row(good, "revoked certificates")["text"].get<std::string>(), HasSubstr("number 1"));
+  EXPECT_TRUE(row(good, "clock").value("ok", false)) << good.out;
+  fs::remove(fs::path(hall) / "crl.pem");
+  expect_fault("nodes", "crl.pem");
+}
+
+TEST_F(ServerProgram, TheDoctorGoesAWorkersWayToItsServer) {
+  const auto at = [&](const std::string& name) { return (folder / name).string(); };
+  ASSERT_EQ(run("certs init " + at("ca")).status, 0);
+  for (const auto& [name, role] : {std::pair<std::string, std::string>("hall", "server"),
+                                   {"rack", "solver"},
+                                   {"pat", "client"}})
+    ASSERT_EQ(run("certs issue " + at("ca") + " --role " + role + " --name " + name +
+                  " --host 127.0.0.1 -o " + at(name))
+                .status,
+              0);
+  write_config("[nodes]\ncertificates = \"" + at("hall") + "\"\nport = 0\n" +
+               "[work]\nsolver_workers = 0\nmodeling_workers = 0\noptimizer_workers = 0\n");
+  // With workers in its own process it takes none of other machines.
+  const ready_server server(folder, config(), "--safe-mode");
+  const auto place = "127.0.0.1:" + std::to_string(server.state().value("node_port", 0));
+  const auto good = run("doctor --json --join " + place + " --certificates " + at("rack"));
+  for (const char* name : {"certificate", "server", "version", "clocks"})
+    EXPECT_TRUE(row(good, name).value("ok", false)) << name << good.out;
+  EXPECT_THAT(row(good, "clocks")["text"].get<std::string>(), HasSubstr("less than a second"));
+  EXPECT_TRUE(row(good, "token").empty()) << "what a server needs is not asked of a worker";
+  const auto stranger = run("doctor --json --join " + place + " --certificates " + at("pat"));
+  EXPECT_EQ(stranger.status, 1);
+  EXPECT_THAT(row(stranger, "server")["text"].get<std::string>(), HasSubstr("role"));
+  const auto none = run("doctor --json --join 127.0.0.1:1 --certificates " + at("rack"));
+  EXPECT_FALSE(row(none, "server").value("ok", true)) << none.out;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What a door and a dial say and do, without CAF between them.
 #include <sys/socket.h>
 
+#include "actors/links/tls_identity.hpp"
 #include "tests/links/doors.hpp"
 #include "tests/links/strangers.hpp"
 
@@ -191,6 +192,34 @@ TEST_F(Door, AListThatCannotBeReadLeavesTheOneBefore) {
   put(ca() / "crl.pem", whole);
   EXPECT_FALSE(dialled("worker", open->port()).has_value());
   EXPECT_TRUE(dialled("other", open->port()).has_value());
+}
+
+TEST_F(Door, AnOlderListLetsNobodyInAgain) {
+  const auto open = opened();
+  const auto before = text_of(ca() / "crl.pem");
+  value(certs::revoke(ca(), {"worker", ""}));
+  EXPECT_FALSE(dialled("worker", open->port()).has_value());
+  put(ca() / "crl.pem", before);
+  EXPECT_EQ(refusal_of("worker", open->port()).code, ec::invalid_argument);
+}
+
+TEST_F(Door, AListOfLowerNumberIsNamedWithBothNumbers) {
+  value(certs::revoke(ca(), {"worker", ""}));
+  const auto newer = text_of(ca() / "crl.pem");
+  auto identity = value(actors::tls_identity::load(actors::tls_side::door, {role::solver},
+                                                   at("hall"), ca() / "crl.pem"));
+  ASSERT_TRUE(identity.context()->list());
+  const auto number = identity.context()->list()->number;
+  EXPECT_EQ(number, 2);  // The authority's first list has 1.
+  put(ca() / "crl.pem", text_of(at("hall") / "crl.pem"));
+  const auto said = identity.look();
+  ASSERT_FALSE(said);
+  EXPECT_EQ(said.error().code, ec::conflict);
+  EXPECT_THAT(said.error().message, HasSubstr("number 1 after 2"));
+  EXPECT_TRUE(identity.context()->list()->number == 2);
+  EXPECT_TRUE(identity.look()) << "said once";
+  put(ca() / "crl.pem", newer);
+  EXPECT_TRUE(identity.look());
 }
 
 TEST_F(Door, WhoIsRevokedWhileConnectedIsCutAndOthersStay) {

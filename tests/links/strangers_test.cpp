@@ -21,7 +21,10 @@ protected:
     issued({role::solver, "honest"});
   }
 
+  /// What strangers do here is more than an address may: that is tested by itself.
   void open_door(actors::door_options given) {
+    given.knocks.free_failures = 1'000'000;
+    given.knocks.at_once = 1'000'000;
     open = value(door::open(std::move(given)));
     honest = join("honest", open->port());
   }
@@ -231,6 +234,32 @@ TEST_F(Strangers, OtherServicesAreNotTalkedTo) {
   open_door(options());
   expect_refused({at("honest"), 0x0304, "h2"}, refusal::not_a_node);
   expect_refused({at("honest"), 0x0304, ""}, refusal::not_a_node);
+}
+
+TEST_F(Strangers, WhoFailsAgainAndAgainIsGivenNoHandshake) {
+  auto given = options();
+  given.knocks.free_failures = 2;
+  given.knocks.first_pause = given.knocks.longest_pause = std::chrono::minutes(10);
+  given.knocks.forgotten_after = std::chrono::hours(1);
+  open = value(door::open(std::move(given)));
+  honest = join("honest", open->port());
+  for (int i = 0; i < 3; ++i)
+    expect_refused({}, refusal::no_certificate);
+  expect_refused({}, refusal::too_often);
+  EXPECT_FALSE(dialled("honest", open->port()).has_value());  // Of the same address.
+  EXPECT_TRUE(eventually([&] { return refused(refusal::too_often) == 2; }));
+}
+
+TEST_F(Strangers, WhoOnlyLooksWhetherThePortIsOpenMayComeIn) {
+  auto given = options();
+  given.knocks.free_failures = 0;
+  given.knocks.first_pause = given.knocks.longest_pause = std::chrono::minutes(10);
+  open = value(door::open(std::move(given)));
+  honest = join("honest", open->port());
+  for (int i = 0; i < 20; ++i)
+    ASSERT_TRUE(plain_connection(open->port()));
+  EXPECT_TRUE(eventually([&] { return refused(refusal::gone) == 20; }));
+  EXPECT_LT(time_to_come_in(), 10s);
 }
 
 TEST_F(Strangers, AHundredRefusedHandshakesDisturbNoHonestOne) {

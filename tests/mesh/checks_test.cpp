@@ -68,6 +68,36 @@ TEST(CheckVersion, FindsWrongNeighboursAndFacets) {
   EXPECT_THAT(broken(corner), HasSubstr("corners exist"));
 }
 
+/// Pages of other machines hold any number: each is found, and none is followed.
+TEST(CheckVersion, NumbersBeyondTheSlotsAreFoundAndNotFollowed) {
+  static constexpr std::uint32_t beyond = 0x7fff'fffe;
+  auto facet = unit_box()->data();
+  facet.facets = with(facet.facets, 0, [](boundary_facet& f) { f.v[2] = beyond; });
+  auto behind = unit_box()->data();
+  behind.facets = with(behind.facets, 0, [](boundary_facet& f) { f.tet = beyond; });
+  auto neighbour = unit_box()->data();
+  neighbour.neighbours = with(neighbour.neighbours, 0, [](adjacency& row) { row.fill(beyond); });
+  auto shorter = unit_box()->data();
+  const auto regions = shorter.tet_regions.to_vector();
+  shorter.tet_regions = paged_array<region_id>::from(std::span(regions).first(47));
+
+  EXPECT_THAT(broken(facet), HasSubstr("corners exist at facet 0 (vertex 2147483646)"));
+  EXPECT_THAT(broken(behind), HasSubstr("facet lies on its tet at facet 0 (tet 2147483646)"));
+  EXPECT_THAT(broken(neighbour), HasSubstr("neighbours share a face at tet 0"));
+  EXPECT_EQ(broken(shorter),
+            "arrays of one kind have one length at tets and regions (48 and 47 slots); ");
+}
+
+TEST(CheckEdit, NumbersBeyondTheSlotsAreFoundAndNotFollowed) {
+  const auto base = unit_box();
+  auto facet = base->data();
+  facet.facets = with(facet.facets, 0, [](boundary_facet& f) { f.v[2] = 0x7fff'fffe; });
+  facet.positions = with(facet.positions, 13, [](vec3& p) { p.x += .01; });
+  const auto report = check_edit(*base, *mesh_version::create(facet), {});
+  EXPECT_THAT(report.findings,
+              ::testing::Contains(::testing::Field(&finding::element, std::string("facet 0"))));
+}
+
 TEST(CheckVersion, FindsWrongCounts) {
   auto data = unit_box()->data();
   ++data.live_tets;
