@@ -5189,11 +5189,11 @@
     </message>
     <message>
         <source>Name one of those that the list of documents has</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines nennen, das in der Liste der Dokumente steht</translation>
     </message>
     <message>
         <source>%1 and %2 slots</source>
-        <translation type="unfinished">%1 und %2 Plätze</translation>
+        <translation>%1 und %2 Plätze</translation>
     </message>
     <message>
         <source>Install the same version on both machines</source>
@@ -5229,7 +5229,7 @@
     </message>
     <message>
         <source>a document that is there already has a name</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Dokument, das es schon gibt, hat einen Namen</translation>
     </message>
 </context>
 <context>
