@@ -120,7 +120,14 @@ void finish(spreading_pointer self, const spread_ptr& run) {
       if (self->state.running.erase(run->id) > 0)
         run->promise.deliver(std::move(result));
     },
-    [=](const error& e) { fail_all(self, run, e); });
+    [=](const error& e) {
+      // A machine may have gone after it answered, and the fields with it.
+      if (!worth_a_retry(e))
+        return fail_all(self, run, e);
+      spdlog::warn("solve {}: {}: solving once more, in one place", run->id.value, render(e));
+      if (self->state.running.erase(run->id) > 0)
+        run->promise.delegate(self->state.solvers, run->id, run->order);
+    });
 }
 
 void send_part(spreading_pointer self, const spread_ptr& run, std::size_t i,

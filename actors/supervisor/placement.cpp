@@ -17,6 +17,9 @@ namespace {
 /// A job that takes longer than it should has at least this part of it before it, for all we know.
 constexpr double least_rest = .25;
 
+/// What takes so many times as long as it should takes nobody knows how long.
+constexpr double out_of_reckoning = 3;
+
 /// A busy worker must be this much sooner than a free one.
 constexpr double worth_waiting = 2;
 
@@ -45,9 +48,10 @@ std::optional<double> pool_state::remaining_s(const child& c) const {
   if (!c.work)
     return 0;
   const auto whole = expected_s(c.work->needs.cost, &c);
-  if (!whole)
+  const double so_far = seconds_of(now() - c.work_began);
+  if (!whole || so_far > out_of_reckoning * *whole + seconds_of(later_notes))
     return std::nullopt;
-  return std::max(*whole - seconds_of(now() - c.work_began), least_rest * *whole);
+  return std::max(*whole - so_far, least_rest * *whole);
 }
 
 pool_state::child* pool_state::choose_child(const job& wanted,

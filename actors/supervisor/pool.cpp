@@ -417,6 +417,7 @@ void pool_state::tick() {
     return bury(current, late_start ? "did not start in time" : "hung and was killed");
   }
   dismiss_retired(at);
+  dispatch();  // Who waits for a busy worker does so only while that keeps to its time.
   tell_waiting();
   if (active() < options.workers)
     spawn_missing();

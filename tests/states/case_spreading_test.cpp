@@ -265,6 +265,25 @@ TEST_F(CaseSpreading, AFailureOfOnePartEndsTheOthers) {
   EXPECT_EQ(got.count(), 1);
 }
 
+TEST_F(CaseSpreading, WhenFieldsAreGoneWithTheirMachineAllIsSolvedOnceMoreInOnePlace) {
+  const auto got = solve(7);
+  auto gone = stage_.system().spawn(make_notes, 0);
+  auto lost = result_of({{"a", {1, 2}}});
+  lost.result.source = gone;
+  lost.pages.clear();  // They are nowhere.
+  finish(lost);
+  simulation::cut_off(gone);
+  finish(result_of({{"b", {3, 1}}}));
+  pass(milliseconds(50));
+  ASSERT_EQ(machines().tasks.size(), 1U);
+  EXPECT_EQ(machines().tasks.front().job.value, 7U);
+  EXPECT_EQ(machines().tasks.front().load_cases, (names{"a", "b"}));
+  EXPECT_FALSE(machines().tasks.front().of_several);
+  finish(result_of({{"a", {1, 2}}, {"b", {3, 1}}}));
+  EXPECT_TRUE(got.is_success());
+  EXPECT_EQ(got.count(), 1);
+}
+
 TEST_F(CaseSpreading, ACancelReachesAllParts) {
   const auto got = solve(7);
   const auto first = machines().tasks[0].job.value;

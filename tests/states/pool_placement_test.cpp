@@ -155,6 +155,24 @@ TEST_F(Placement, AJobWaitsForAWorkerThatHasItDoneFarSoonerAndNoLonger) {
   EXPECT_TRUE(second.is_success());
 }
 
+TEST_F(Placement, WhoTakesFarLongerThanUsualIsNotWaitedForAnyMore) {
+  start_with(0);
+  const auto slow = join("slow");
+  do_one(slow, 1, seconds(30));
+  const auto quick = join("quick");
+  do_one(quick, 2, seconds(1));
+  const auto first = edit(3);
+  const auto second = edit(4);
+  ASSERT_THAT(of(slow).tasks, IsEmpty());
+  pass(milliseconds(3900));
+  EXPECT_THAT(of(slow).tasks, IsEmpty());
+  pass(milliseconds(400));
+  ASSERT_EQ(of(slow).tasks.size(), 1u)
+    << "one that should take a second has not answered after four";
+  finish(slow);
+  EXPECT_TRUE(second.is_success());
+}
+
 TEST_F(Placement, HalfAMinuteOfOthersIsNotWaitedFor) {
   start_with(0);
   const auto slow = join("slow");
