@@ -59,7 +59,9 @@ caf::behavior make_desk(caf::event_based_actor*, const session_actor& session) {
             all.documents.push_back({"part"});
             return all;
           },
-          [=](const std::string& name) {
+          [=](existing_atom, const std::string& name) -> caf::result<opened_document> {
+            if (name != "part")
+              return to_caf({ec::not_found, "there is no document " + name, "Name another", {}});
             return opened_document{name, caf::actor_cast<caf::actor>(session)};
           }};
 }
