@@ -256,6 +256,8 @@ TEST_F(Neighbours, HostileFramesEndNothing) {
 
 TEST_F(Neighbours, HealthSaysThatARoleIsDegraded) {
   const auto port = port_of(host.url());
+  ASSERT_THAT(wait_for_health(port, R"("status":"ok")"), HasSubstr("200 OK"))
+    << "the other roles' workers take a moment to start";
   auto user = host.connect();
   const auto optimizer = [&] {
     const auto workers = value(user->status()).workers;
