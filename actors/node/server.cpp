@@ -79,15 +79,17 @@ worker_set start_pools(caf::actor_system& system, const server_options& options,
     result.device = device;
     return make_solver_pool(with, std::move(result));
   };
+  // In the order in which they are listed.
+  auto modeling =
+    make_modeling_pool(system, of(worker_role::modeling, options.modeling_workers,
+                                  std::max(options.import_limit, options.edit_limit)));
+  auto optimizer = make_optimizer_pool(
+    system, of(worker_role::optimizer, options.optimizer_workers, options.edit_limit));
   auto solvers =
     make_solver_pool(system, of(worker_role::solver, options.solver_workers, options.solve_limit));
   if (!options.node_certificates.empty())
     solvers = make_case_spreading(system, solvers, pages, cache);
-  return {make_modeling_pool(system, of(worker_role::modeling, options.modeling_workers,
-                                        std::max(options.import_limit, options.edit_limit))),
-          make_optimizer_pool(
-            system, of(worker_role::optimizer, options.optimizer_workers, options.edit_limit)),
-          make_solver_choice(system, solvers, own_kind)};
+  return {modeling, optimizer, make_solver_choice(system, solvers, own_kind)};
 }
 
 std::vector<std::pair<std::string, std::string>> states_of(const role_healths& healths) {
