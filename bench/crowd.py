@@ -86,9 +86,13 @@ class Crowd:
         self.server, self.wanted = server, wanted
         self.quarter, self.acks, self.fields, self.edits = 0, {}, {}, 0
         self.ending = False
+        self.connected = 0
 
     async def client(self, document):
-        one = Client(await websockets.connect(self.server.url, max_size=64 << 20, ping_interval=None))
+        # A server takes 64 connections of one address.
+        here = f"127.0.0.{2 + self.connected // 50}"
+        self.connected += 1
+        one = Client(await websockets.connect(self.server.url, max_size=64 << 20, ping_interval=None, local_addr=(here, 0)))
         await one.open(document, self.server.token, 10)
         return one
 
@@ -120,7 +124,7 @@ class Crowd:
         while not self.ending:
             await asyncio.sleep(random.expovariate(1 / 20))
             if not self.ending:
-                await one.ask("history")
+                await one.ask("get_history")
 
     async def gather(self):
         per_document = max(1, self.wanted.clients // self.wanted.documents)
@@ -176,7 +180,7 @@ class BadClient:
 
     async def never_read(self, document):
         for number in range(3, 300):
-            self.say(number, "export_version", document=document, format="vtu")
+            self.say(number, "export_file", document=document, format="vtu")
             await asyncio.sleep(0.05)
         await asyncio.sleep(3600)
 
@@ -184,7 +188,7 @@ class BadClient:
         number = 2
         while True:
             number += 1
-            data = self.message(number, "history", document=document)
+            data = self.message(number, "get_history", document=document)
             for i, byte in enumerate(data):
                 self.frame(2 if i == 0 else 0, bytes([byte]), i == len(data) - 1)
                 await self.writer.drain()
