@@ -184,7 +184,18 @@ class BadClient:
             await asyncio.sleep(0.05)
         await asyncio.sleep(3600)
 
+    async def read_all(self):
+        while await self.reader.read(1 << 16):
+            pass
+
     async def send_bytes_alone(self, document):
+        reading = asyncio.create_task(self.read_all())  # So that it is not the one who never reads.
+        try:
+            await self.frames_of_a_byte(document)
+        finally:
+            reading.cancel()
+
+    async def frames_of_a_byte(self, document):
         number = 2
         while True:
             number += 1
@@ -192,8 +203,6 @@ class BadClient:
             for i, byte in enumerate(data):
                 self.frame(2 if i == 0 else 0, bytes([byte]), i == len(data) - 1)
                 await self.writer.drain()
-            while self.reader._buffer:  # It reads what comes, so that it is not the one who never reads.
-                await self.reader.read(1 << 12)
             await asyncio.sleep(0)
 
 

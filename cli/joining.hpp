@@ -21,7 +21,8 @@ struct host_and_port {
 
 /// Keeps a worker process (`command`, the program first) that joins a server, until `s` is
 /// cancelled: when it dies, or the server goes, it is started anew, after a moment that grows from
-/// half a second to half a minute as long as nothing comes of it. Once cancelled it lets the
+/// half a second to half a minute as long as nothing comes of it, for one that was killed to four
+/// seconds. Once cancelled it lets the
 /// process end its work. Returns its exit status when a person must act first.
 [[nodiscard]] int keep_joined(const std::vector<std::string>& command, session& s);
 

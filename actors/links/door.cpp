@@ -268,8 +268,8 @@ void door::impl::look_at_list() {
   said_overdue = now;
   spdlog::warn(
     "door: the list of revoked certificates (number {}, of {}) should have been followed by a "
-    "newer "
-    "one at {}; who was revoked since is still let in. Copy the newest crl.pem of the authority",
+    "newer one at {}; who was revoked since is still let in. Copy the newest crl.pem of the "
+    "authority",
     list->number, utc_text(list->from), utc_text(list->until));
 }
 

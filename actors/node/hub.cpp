@@ -106,10 +106,7 @@ caf::result<opened_document> open(hub_pointer self, const std::string& given, bo
     if (!given.empty() && is_temporary(name) && !has_file(state, name))
       return to_caf(ended_document(name));
     if (!begin && !is_taken(state, name))
-      return to_caf({ec::not_found,
-                     "there is no document " + name,
-                     "The list of documents says which there are",
-                     {}});
+      return to_caf(no_document(name));
   }
   auto promise = self->make_response_promise<opened_document>();
   open_for(self, name, promise);
@@ -313,6 +310,13 @@ std::string present_name(hub_state& state, const std::string& name) {
 bool is_taken(const hub_state& state, const std::string& name) {
   return state.open.contains(name) || state.opening.contains(name) || state.adding.contains(name) ||
          has_file(state, name);
+}
+
+error no_document(const std::string& name) {
+  return {ec::not_found,
+          "there is no document " + name,
+          "The list of documents says which there are",
+          {}};
 }
 
 error taken_name(const std::string& name) {

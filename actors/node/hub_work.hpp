@@ -29,6 +29,7 @@ auto ask_disk(hub_pointer self, Job job) {
 
 /// Whether a document or any file has the name, or is about to.
 [[nodiscard]] bool is_taken(const hub_state& state, const std::string& name);
+[[nodiscard]] error no_document(const std::string& name);
 [[nodiscard]] error taken_name(const std::string& name);
 
 /// The present name of the document that had this one, as long as no other takes it; else the same.

@@ -25,8 +25,7 @@ expected<std::string> settled_name(hub_state& state, const std::string& given) {
                 "the document " + name + " is being opened, closed, added, copied or renamed",
                 "Try again soon");
   if (here == state.open.end() && !has_file(state, name))
-    return fail(ec::not_found, "there is no document " + name,
-                "The list of documents says which there are");
+    return fail(no_document(name));
   return name;
 }
 

@@ -14,28 +14,21 @@ constexpr std::size_t stride = 8;
 
 constexpr int zstd_level = 1;
 
-/// Byte k of each number behind byte k - 1 of all numbers: high bytes of neighbours are alike. What
-/// is left over stays at the end.
-std::vector<char> set_apart(const std::vector<char>& bytes) {
-  const auto count = bytes.size() / stride;
-  auto apart = bytes;
-  for (std::size_t k = 0; k < stride; ++k)
-    for (std::size_t i = 0; i < count; ++i)
-      apart[k * count + i] = bytes[i * stride + k];
-  return apart;
-}
-
-std::vector<char> put_together(const std::vector<char>& apart) {
-  const auto count = apart.size() / stride;
-  auto bytes = apart;
-  for (std::size_t k = 0; k < stride; ++k)
-    for (std::size_t i = 0; i < count; ++i)
-      bytes[i * stride + k] = apart[k * count + i];
-  return bytes;
+/// Bytes as a table of so many columns, column by column; what is left over stays at the end. With
+/// `stride` columns all first bytes of numbers stand together, then all second ones, as high bytes
+/// of neighbours are alike; with as many columns as there are numbers they are put together again.
+std::vector<char> transposed(const std::vector<char>& bytes, std::size_t columns) {
+  const auto numbers = bytes.size() / stride;
+  const auto rows = columns == 0 ? 0 : numbers * stride / columns;
+  auto result = bytes;
+  for (std::size_t c = 0; c < columns; ++c)
+    for (std::size_t r = 0; r < rows; ++r)
+      result[c * rows + r] = bytes[r * columns + c];
+  return result;
 }
 
 void make_small(page_batch& batch) {
-  const auto apart = set_apart(batch.bytes);
+  const auto apart = transposed(batch.bytes, stride);
   std::vector<char> small(ZSTD_compressBound(apart.size()));
   const auto size =
     ZSTD_compress(small.data(), small.size(), apart.data(), apart.size(), zstd_level);
@@ -53,7 +46,7 @@ expected<std::vector<char>> make_whole(const page_batch& batch, std::size_t whol
     ZSTD_decompress(apart.data(), apart.size(), batch.bytes.data(), batch.bytes.size());
   if (ZSTD_isError(size) || size != whole)
     return fail(ec::protocol_error, "a node sent a batch of pages that cannot be unpacked");
-  return put_together(apart);
+  return transposed(apart, whole / stride);
 }
 
 /// Bytes of all pages. Errors: `protocol_error` for sizes that no batch has.

@@ -147,7 +147,7 @@ std::optional<double> pool_state::wait_s(std::size_t jobs_before) const {
       return std::nullopt;
     work += *takes;
   }
-  return std::max(soonest, jobs_before == 0 ? soonest : work / static_cast<double>(workers));
+  return jobs_before == 0 ? soonest : std::max(soonest, work / static_cast<double>(workers));
 }
 
 void pool_state::tell_waiting() {
@@ -160,7 +160,8 @@ void pool_state::tell_waiting() {
     j.told = at;
     const auto before = std::to_string(i);
     const auto wait = wait_s(i);
-    const auto seconds = std::to_string(std::max(1L, std::lround(std::ceil(wait.value_or(0)))));
+    const auto seconds =
+      std::to_string(std::max(1L, static_cast<long>(std::ceil(wait.value_or(0)))));
     std::string stage = "waiting for a free worker";
     if (std::ranges::none_of(children, &child::is_there))
       stage = "waiting for a worker to start";

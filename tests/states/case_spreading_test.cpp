@@ -6,7 +6,7 @@
 #include "actors/supervisor/merge_cases.hpp"
 #include "actors/versions.hpp"
 #include "fem/fields.hpp"
-#include "tests/states/fixture.hpp"
+#include "tests/states/remote_pool_fixture.hpp"
 
 namespace tedit::actors {
 namespace {
@@ -217,6 +217,80 @@ protected:
   solver_actor spreading_;
   solve_order order_;
 };
+
+/// A pool of solvers of other machines.
+class SolverPlaces : public RemotePool {
+protected:
+  SolverPlaces() {
+    pool_options options;
+    options.role = worker_role::solver;
+    options.workers = 0;
+    solvers_ = make_solver_pool(stage_.system(), std::move(options));
+    auto pages = std::make_shared<manifest>();
+    pages->arrays.resize(3);
+    pages->arrays[2].size = 1'000'000;  // Tets: two gigabytes with quadratic ones.
+    order_.version.pages = pages;
+    order_.load_cases = wire_value(load_case_list{named("a")});
+  }
+  ~SolverPlaces() override {
+    caf::anon_send_exit(solvers_, caf::exit_reason::user_shutdown);
+    pass(milliseconds(1));
+  }
+
+  caf::actor add(const std::string& machine, std::uint64_t memory) {
+    auto line = std::make_shared<made_up_line>(machine);
+    line->worker = stage_.system().spawn(make_machines, 0);
+    node_facts facts;
+    facts.name = machine;
+    facts.memory_bytes = memory;
+    ask<bool>(solvers_, remote_worker{line->worker, facts, line});
+    pass(milliseconds(1));
+    return line->worker;
+  }
+
+  void solve(job_id id) {
+    ask<solve_result>(solvers_, id, order_);
+    pass(milliseconds(1));
+  }
+
+  static std::size_t jobs_of(const caf::actor& worker) {
+    return state_of<machines_actor>(worker).tasks.size();
+  }
+
+  solver_actor solvers_;
+  solve_order order_;
+};
+
+TEST_F(SolverPlaces, AMachineWithTooLittleMemorySolvesOnlyWhereThereIsNoOther) {
+  const auto small = add("small", std::uint64_t{1} << 30);
+  const auto large = add("large", std::uint64_t{8} << 30);
+  solve({1});
+  EXPECT_EQ(jobs_of(small), 0U);
+  EXPECT_EQ(jobs_of(large), 1U);
+  solve({2});
+  EXPECT_EQ(jobs_of(small), 1U) << "nobody else is free";
+}
+
+TEST_F(SolverPlaces, LinearTetsNeedLess) {
+  const auto small = add("small", std::uint64_t{1} << 30);
+  const auto large = add("large", std::uint64_t{8} << 30);
+  order_.element_order = 1;
+  solve({1});
+  EXPECT_EQ(jobs_of(small), 1U) << "650 MB";
+}
+
+TEST_F(SolverPlaces, PartsOfOneJobAreDoneOnDifferentMachines) {
+  const auto first = add("rack-1", 0);
+  const auto beside = add("rack-1", 0);
+  const auto other = add("rack-2", 0);
+  solve(part_of({7}, 0));
+  solve(part_of({7}, 1));
+  EXPECT_EQ(jobs_of(first), 1U);
+  EXPECT_EQ(jobs_of(beside), 0U);
+  EXPECT_EQ(jobs_of(other), 1U);
+  solve(part_of({7}, 2));
+  EXPECT_EQ(jobs_of(beside), 1U) << "there is no other machine left";
+}
 
 TEST_F(CaseSpreading, EachMachineGetsItsShareAndWhoAskedOneResult) {
   const auto got = solve(7);
