@@ -45,7 +45,10 @@ TEST_F(Window, SaysThatAShapeIsDrawnLargerThanItIs) {
 TEST_F(Window, ItsWordsAreNotThoseOfCommandLines) {
   open_plate();
   const auto* facts = window->findChild<QLabel*>("facts");
-  EXPECT_TRUE(facts->text().contains("on CPU")) << facts->text().toStdString();
+  // Which device solves is the machine's affair (lavapipe where it is quicker): the processor is
+  // only never named by the word that configurations have for it.
+  EXPECT_TRUE(facts->text().contains(" on ")) << facts->text().toStdString();
+  EXPECT_FALSE(facts->text().contains("on cpu")) << facts->text().toStdString();
   part().edits().apply({"fill_hole", {1, 2}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
 
