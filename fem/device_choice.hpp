@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,18 @@ struct device_trial {
   std::string name;
   expected<double> ms;  ///< Of a solve; or why there was none.
 };
+
+/// A device in the trial of all.
+struct contestant {
+  std::string name;
+  std::function<expected<double>()> solve_ms;  ///< One solve; its time in ms.
+};
+
+/// Each contestant solves once without being timed, then all take turns, three times each; the
+/// least time of each counts, or its first error, after which it is not asked again. Turns and the
+/// least: what else runs on the machine comes and goes, and may slow one solve four times over; a
+/// choice made by it would be kept. Cost: four solves of each.
+[[nodiscard]] std::vector<device_trial> try_devices(const std::vector<contestant>& contestants);
 
 /// The fastest of those that solved; "cpu" where none did. The notice names all others.
 [[nodiscard]] chosen_device choose_device(const std::vector<device_trial>& trials);

@@ -111,6 +111,57 @@ TEST_F(DeviceChoice, ADeviceThatFailsItsTrialIsNamedWithTheReason) {
   EXPECT_EQ(choose_device({{"cpu", 20.0}, {"Card 8", 30.0}}), chosen_device{"cpu"});
 }
 
+/// A contestant with these times, one a solve; more solves than times are a failure of the test.
+contestant with_times(const std::string& name, std::vector<expected<double>> times) {
+  return {name, [name, times, next = std::size_t{0}]() mutable -> expected<double> {
+            if (next < times.size())
+              return times[next++];
+            ADD_FAILURE() << name << " was asked once more";
+            return 0.0;
+          }};
+}
+
+TEST_F(DeviceChoice, ABusyMomentDoesNotMakeTheSlowerDeviceTheFastest) {
+  const auto trials = try_devices({with_times("cpu", {76.0, 300.0, 70.0, 71.0}),
+                                   with_times("Card 7", {1500.0, 200.0, 210.0, 190.0})});
+
+  ASSERT_EQ(trials.size(), 2);
+  EXPECT_EQ(trials[0].ms, 70.0);
+  EXPECT_EQ(trials[1].ms, 190.0);
+  EXPECT_EQ(choose_device(trials), chosen_device{"cpu"});
+}
+
+TEST_F(DeviceChoice, TheFirstSolveDoesNotCount) {
+  const auto trials = try_devices({with_times("Card 7", {1.0, 20.0, 21.0, 22.0})});
+
+  EXPECT_EQ(trials[0].ms, 20.0);
+}
+
+TEST_F(DeviceChoice, DevicesTakeTurns) {
+  std::string order;
+  const auto writes = [&order](char letter) {
+    return contestant{{letter}, [&order, letter]() -> expected<double> {
+                        order += letter;
+                        return 1.0;
+                      }};
+  };
+  EXPECT_EQ(try_devices({writes('a'), writes('b')}).size(), 2);
+  EXPECT_EQ(order, "abababab");
+}
+
+TEST_F(DeviceChoice, ADeviceThatFailsIsNotAskedAgain) {
+  const error lost{ec::device_lost, "the device was lost", {}, {}};
+  const auto trials =
+    try_devices({with_times("cpu", {76.0, 70.0, 70.0, 70.0}), with_times("Card 7", {fail(lost)}),
+                 with_times("Card 8", {5.0, 4.0, fail(lost)})});
+
+  EXPECT_EQ(trials[0].ms, 70.0);
+  for (std::size_t i : {1, 2}) {
+    ASSERT_FALSE(trials[i].ms);
+    EXPECT_EQ(trials[i].ms.error().code, ec::device_lost);
+  }
+}
+
 TEST_F(DeviceChoice, WhatWasToldOfTheChoiceIsToldOfEveryLaterOne) {
   device_choice::of_this_machine().keep({"cpu", "the device \"Card 7\" failed its trial"});
 
