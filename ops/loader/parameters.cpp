@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 #include "base/number_range.hpp"
 #include "ops/loader/catalogue.hpp"
@@ -30,10 +31,56 @@ tl::unexpected<error> wrong(const parameter_description& p, const std::string& w
   return fail(ec::invalid_parameter, "parameter " + p.id + ": " + why, remedy);
 }
 
+/// The shortest text that reads back as the same number.
+std::string shortest_text(double value) {
+  std::array<char, 32> text{};
+  const auto [end, code] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
+
 template <class T>
 bool parse_number(const std::string& text, T& value) {
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   return code == std::errc{} && end == text.data() + text.size();
+}
+
+bool is_vector(const parameter_description& p) {
+  return p.type == parameter_type::point || p.type == parameter_type::direction;
+}
+
+/// Three numbers with commas or blanks between; exactly those.
+std::optional<vec3> parse_vector(std::string text) {
+  std::ranges::replace(text, ',', ' ');
+  std::istringstream in(text);
+  std::array<std::string, 3> words;
+  std::string more;
+  vec3 v;
+  if (!(in >> words[0] >> words[1] >> words[2]) || in >> more || !parse_number(words[0], v.x) ||
+      !parse_number(words[1], v.y) || !parse_number(words[2], v.z))
+    return std::nullopt;
+  return v;
+}
+
+std::string vector_text(vec3 v) {
+  return shortest_text(v.x) + ", " + shortest_text(v.y) + ", " + shortest_text(v.z);
+}
+
+/// A point or a direction in the one way to write it; empty where the operation may find it.
+expected<parameter_value> typed_vector(const parameter_description& p,
+                                       const parameter_value& given, double scale = 1) {
+  const auto* text = std::get_if<std::string>(&given);
+  if (text && text->find_first_not_of(' ') == std::string::npos &&
+      p.default_value == parameter_value(std::string{}))
+    return parameter_value(std::string{});
+  const auto v = text ? parse_vector(*text) : std::nullopt;
+  if (!v)
+    return wrong(p, "it is three numbers, as \"1, 2.5, 0\"");
+  for (const double x : {v->x, v->y, v->z})
+    if (!std::isfinite(x) || std::abs(x) > largest_number)
+      return wrong(p, "it is not three finite numbers");
+  if (p.type == parameter_type::direction && norm(*v) == 0)
+    return wrong(p, "a direction is not 0, 0, 0");
+  return parameter_value(vector_text(scale * *v));
 }
 
 /// A value given as text takes the parameter's type.
@@ -74,6 +121,9 @@ expected<parameter_value> typed(const parameter_description& p, const parameter_
       if (text)
         return given;
       return wrong(p, "it is a text");
+    case parameter_type::point:
+    case parameter_type::direction:
+      return typed_vector(p, given);
   }
   return wrong(p, "its type is unknown");
 }
@@ -102,14 +152,16 @@ expected<parameters> in_metres(const operation_description& description, const p
   parameters result = given;
   for (const auto& p : description.parameters) {
     const auto found = result.find(p.id + "_mm");
-    if (p.unit != "m" || p.type != parameter_type::real || found == result.end())
+    const bool length = p.type == parameter_type::real || p.type == parameter_type::point;
+    if (p.unit != "m" || !length || found == result.end())
       continue;
     if (result.contains(p.id))
       return wrong(p, "it is given twice, in m and in mm");
-    const auto value = typed(p, found->second);
+    const auto value = is_vector(p) ? typed_vector(p, found->second, 1e-3) : typed(p, found->second);
     if (!value)
       return fail(value.error());
-    result[p.id] = 1e-3 * std::get<double>(*value);
+    result[p.id] =
+      is_vector(p) ? *value : parameter_value(1e-3 * std::get<double>(*value));
     result.erase(p.id + "_mm");
   }
   return result;

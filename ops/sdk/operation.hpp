@@ -8,6 +8,7 @@
 #endif
 
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -49,9 +50,11 @@ namespace tedit::ops {
 // -- describing an operation ---------------------------------------------------
 
 /// What a parameter holds; choice is one of the texts in `choices`.
-enum class parameter_type { boolean, integer, real, text, choice };
+/// A point and a direction are three numbers in the axes of the part, as the text "1, 2.5, 0"; empty
+/// where the operation finds one by itself. A point is in m.
+enum class parameter_type { boolean, integer, real, text, choice, point, direction };
 
-/// By type: bool, std::int64_t, double; std::string for text and choice.
+/// By type: bool, std::int64_t, double; std::string for all others.
 using parameter_value = std::variant<bool, std::int64_t, double, std::string>;
 
 /// One parameter as data: the source of the form, the CLI's help, the protocol's catalogue and
@@ -122,6 +125,25 @@ struct selection {
 /// `std::get<double>(values.at("distance"))` needs no test.
 using parameters = std::map<std::string, parameter_value>;
 
+/// The three numbers of a point or a direction; nothing where it was left to the operation. The host
+/// has checked that they are finite, and those of a direction not all 0.
+[[nodiscard]] inline std::optional<vec3> vector_of(const parameters& values,
+                                                   const std::string& id) {
+  const auto& text = std::get<std::string>(values.at(id));
+  std::array<double, 3> v{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (auto& number : v) {
+    while (at != end && (*at == ' ' || *at == ','))
+      ++at;
+    const auto [next, code] = std::from_chars(at, end, number);
+    if (code != std::errc{})
+      return std::nullopt;
+    at = next;
+  }
+  return vec3{v[0], v[1], v[2]};
+}
+
 /// A closed triangulated surface to fill with tets, and what came out.
 struct closed_surface {
   std::vector<vec3> points;                             ///< m.
@@ -146,6 +168,40 @@ struct planar_filling {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Counter-clockwise.
 };
 
+/// A closed surface that is cut from a part or united with it. Its faces become surfaces of the
+/// part. Triangles should measure what the part's do where it is placed, round walls have at least
+/// 16 of them around (ops/tools makes such ones).
+struct tool_surface {
+  std::vector<vec3> points;                             ///< m.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Oriented outward.
+  std::vector<std::uint32_t> faces;                     ///< Of each triangle: an index of `names`.
+  std::vector<std::string> names;  ///< What the surfaces are called that the faces become.
+};
+
+/// What is left: the part without the tool, both together, or what is common to both.
+enum class boolean_mode { cut, add, keep };
+
+struct boolean_request {
+  boolean_mode mode = boolean_mode::cut;
+  /// m: how far the part's surface may be off what was asked for where nothing else works. 0: not
+  /// more than rounding.
+  double max_deviation = 0;
+};
+
+/// What came of a boolean; `candidate` is a version like any other, so that another may follow.
+struct boolean_result {
+  version_ptr candidate;
+  std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
+  double volume_change = 0;     ///< m^3, by the boundary.
+  double deviation = 0;     ///< m: how far the surface is off what was asked for, at most.
+  double worst_before = 0;  ///< Radius ratio of the worst tet there.
+  double worst_after = 0;
+  std::vector<std::optional<surface_id>> surfaces;  ///< That each face of the tool became.
+};
+
+/// Radius ratio below which no boolean leaves a tet, unless the part had a worse one there.
+inline constexpr double lowest_boolean_quality = 0.05;
+
 /// Heavy algorithms that the host offers, so that plugins need no third-party code.
 class services {
 public:
@@ -163,6 +219,21 @@ public:
   /// Errors: `mesher_failed` when loops cross. Cost: O(n log n) in the points that come out.
   [[nodiscard]] virtual expected<planar_filling> triangulate(const planar_polygon& polygon,
                                                              double spacing) = 0;
+
+  // -- since SDK 7.1 ---------------------------------------------------------------------------
+
+  /// Cuts a closed tool from the part, unites both, or keeps what is common: exactly, with new tets
+  /// only around the tool's surface; all other tets and vertices stay as they are. Surfaces of the
+  /// part keep their ids, faces of the tool get new ones. Faces that are flush come out flush. Runs
+  /// in child processes with time limits.
+  /// Errors: `invalid_argument` for a tool that is not closed, is turned inside out or reaches into
+  /// two regions; `empty_selection` where it does not meet the part or leaves nothing of it;
+  /// `mesher_failed` where no way led to a mesh, `postcondition_failed` where none led to good
+  /// tets; `timeout`, `cancelled`. Cost: follows the tool's surface; 60 ms for a drill hole.
+  [[nodiscard]] virtual expected<boolean_result> boolean(const version_ptr& mesh,
+                                                         const tool_surface& tool,
+                                                         const boolean_request& request,
+                                                         const execution& run) = 0;
 };
 
 /// What `apply` works with beside its input.
@@ -234,7 +305,7 @@ inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// member or `services` a function, each at its end. No number of a release of the program is in a
 /// plugin: a patch release changes neither.
 inline constexpr std::uint32_t sdk_major = 7;
-inline constexpr std::uint32_t sdk_minor = 0;
+inline constexpr std::uint32_t sdk_minor = 1;
 
 #define TEDIT_TEXT_OF(x) #x
 #define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
@@ -317,6 +388,7 @@ inline void add_description(std::vector<layout_fact>& facts) {
   facts.push_back(of("parameter_description", p, p_id, p_name, p_help, type, unit, min, max,
                      choices, default_value, instead));
   facts.push_back(last("parameter_type", parameter_type::choice));
+  facts.push_back(last("parameter_type since 7.1", parameter_type::direction));
 }
 
 inline void add_edit(std::vector<layout_fact>& facts) {
@@ -351,6 +423,16 @@ inline void add_services(std::vector<layout_fact>& facts) {
   facts.push_back(of("planar_filling", plane, plane.points, plane.triangles));
   facts.push_back(table("services", &services::tetrahedralise, &services::triangulate));
   facts.push_back(table("operation", &operation::describe, &operation::apply));
+  const tool_surface tool;
+  facts.push_back(of("tool_surface", tool, tool.points, tool.triangles, tool.faces, tool.names));
+  const boolean_request request;
+  facts.push_back(of("boolean_request", request, request.mode, request.max_deviation));
+  facts.push_back(last("boolean_mode", boolean_mode::keep));
+  const boolean_result made;
+  const auto& [candidate, touched, change, deviation, before, after, surfaces] = made;
+  facts.push_back(of("boolean_result", made, candidate, touched, change, deviation, before, after,
+                     surfaces));
+  facts.push_back(table("services since 7.1", &services::boolean));
 }
 
 template <class Operation>

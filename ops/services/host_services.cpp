@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/services/host_services.hpp"
 
+#include "ops/boolean/boolean.hpp"
+
 namespace tedit::ops {
 
 namespace {
@@ -13,6 +15,11 @@ public:
 
   expected<planar_filling> triangulate(const planar_polygon& polygon, double spacing) override {
     return triangulate_polygon(polygon, spacing);
+  }
+
+  expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
+                                   const boolean_request& request, const execution& run) override {
+    return combine_with_tool(mesh, tool, request, run);
   }
 };
 

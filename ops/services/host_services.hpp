@@ -15,12 +15,14 @@ namespace tedit::ops {
 /// That program.
 [[nodiscard]] std::filesystem::path mesher_program();
 
-// -- the two, apart (each in its own .cpp) ---------------------------------------------
+// -- two of them, apart (each in its own .cpp) ---------------------------------------------
 
 [[nodiscard]] expected<planar_filling> triangulate_polygon(const planar_polygon& polygon,
                                                            double spacing);
 
+/// Tets with a radius ratio below `least_quality` are an error.
 [[nodiscard]] expected<tet_filling> tetrahedralise_surface(const closed_surface& shell,
-                                                           const execution& run);
+                                                           const execution& run,
+                                                           double least_quality = 1e-3);
 
 }  // namespace tedit::ops

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -66,9 +67,8 @@ expected<tet_filling> parse(const std::vector<char>& output, const closed_surfac
   return filling;
 }
 
-/// Every tet positive, every shell triangle on exactly one tet, nothing else bare.
-expected<void> verify(const closed_surface& shell, tet_filling& filling) {
-  std::map<std::array<vertex_id, 3>, int> faces;
+/// Every tet positive and none as good as flat.
+expected<void> orient(tet_filling& filling, double least_quality) {
   for (auto& t : filling.tets) {
     for (const auto v : t)
       if (v >= filling.points.size())
@@ -78,23 +78,94 @@ expected<void> verify(const closed_surface& shell, tet_filling& filling) {
     if (sign < 0)
       std::swap(t[2], t[3]);
     // Below this a tet is as good as flat: no smoothing rescues it.
-    if (sign == 0 || radius_ratio(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < 1e-3)
+    if (sign == 0 || radius_ratio(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < least_quality)
       return fail(ec::mesher_failed, "the mesher made a flat tet");
-    for (int face = 0; face < 4; ++face)
-      ++faces[make_face_key(tet{{t[0], t[1], t[2], t[3]}}, face).v];
   }
-  std::size_t bare = 0;
-  for (const auto& [key, count] : faces)
-    bare += count == 1;
-  for (const auto& triangle : shell.triangles) {
-    const auto found = faces.find(make_face_key(triangle).v);
-    if (found == faces.end() || found->second != 1)
-      return fail(ec::mesher_failed, "the mesher did not keep the surface's triangles");
-  }
-  if (bare != shell.triangles.size())
-    return fail(ec::mesher_failed, "the mesher left gaps");
   return {};
 }
+
+/// The mesher also fills what is closed off within the shell: a void goes, told by the side of its
+/// triangles that the tets lie on. Every triangle of the shell is on exactly one tet afterwards,
+/// and nothing else is bare.
+class inside_only {
+public:
+  inside_only(const closed_surface& shell, tet_filling& filling) : filling_(filling) {
+    for (const auto& triangle : shell.triangles)
+      shell_[make_face_key(triangle).v] = make_face_key(triangle).odd;
+  }
+
+  expected<void> keep() {
+    join_faces();
+    std::size_t found = 0;
+    for (const auto& [key, at] : faces_)
+      found += shell_.contains(key);
+    if (found != shell_.size())
+      return fail(ec::mesher_failed, "the mesher did not keep the surface's triangles");
+    if (!find_sides())
+      return fail(ec::mesher_failed, "the mesher left gaps");
+    std::erase_if(filling_.tets, [&, i = std::size_t{0}](const auto&) mutable {
+      return side_[i++] == side::outside;
+    });
+    return {};
+  }
+
+private:
+  enum class side : std::uint8_t { unknown, inside, outside };
+  using key = std::array<vertex_id, 3>;
+
+  void join_faces() {
+    for (std::uint32_t i = 0; i < filling_.tets.size(); ++i)
+      for (int k = 0; k < 4; ++k)
+        faces_[make_face_key(as_tet(i), k).v].push_back(i);
+  }
+
+  [[nodiscard]] tet as_tet(std::uint32_t i) const {
+    const auto& t = filling_.tets[i];
+    return {{t[0], t[1], t[2], t[3]}};
+  }
+
+  /// Inside where a tet's face looks as the shell's triangle does; on over faces that are none.
+  bool find_sides() {
+    side_.assign(filling_.tets.size(), side::unknown);
+    std::vector<std::uint32_t> open;
+    const auto set = [&](std::uint32_t i, side is) {
+      if (side_[i] == side::unknown) {
+        side_[i] = is;
+        open.push_back(i);
+      }
+      return side_[i] == is;
+    };
+    for (std::uint32_t i = 0; i < filling_.tets.size(); ++i)
+      for (int k = 0; k < 4; ++k) {
+        const auto face = make_face_key(as_tet(i), k);
+        const auto wall = shell_.find(face.v);
+        if (wall == shell_.end()) {
+          if (faces_[face.v].size() != 2)
+            return false;
+        } else if (!set(i, wall->second == face.odd ? side::inside : side::outside)) {
+          return false;
+        }
+      }
+    while (!open.empty()) {
+      const auto i = open.back();
+      open.pop_back();
+      for (int k = 0; k < 4; ++k) {
+        const auto face = make_face_key(as_tet(i), k);
+        if (shell_.contains(face.v))
+          continue;
+        for (const auto j : faces_[face.v])
+          if (!set(j, side_[i]))
+            return false;
+      }
+    }
+    return std::ranges::find(side_, side::unknown) == side_.end();
+  }
+
+  tet_filling& filling_;
+  std::map<key, bool> shell_;
+  std::map<key, std::vector<std::uint32_t>> faces_;
+  std::vector<side> side_;
+};
 
 }  // namespace
 
@@ -104,7 +175,8 @@ std::filesystem::path mesher_program() {
   return executable_folder() / "tedit-tetgen";
 }
 
-expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run) {
+expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run,
+                                             double least_quality) {
   if (shell.points.size() < 4 || shell.triangles.size() < 4)
     return fail(ec::mesher_failed, "a closed surface has at least four triangles");
   const normalisation units(shell.points);
@@ -124,7 +196,9 @@ expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const 
   auto filling = parse(*output, shell, units);
   if (!filling)
     return fail(filling.error());
-  if (auto ok = verify(shell, *filling); !ok)
+  if (auto ok = orient(*filling, least_quality); !ok)
+    return fail(ok.error());
+  if (auto ok = inside_only(shell, *filling).keep(); !ok)
     return fail(ok.error());
   return filling;
 }

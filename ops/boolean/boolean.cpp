@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/boolean.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "base/number_range.hpp"
+#include "mesh/level_set_tidy.hpp"
+#include "mesh/optimize/improve.hpp"
+#include "mesh/pieces.hpp"
+#include "mesh/quality.hpp"
+#include "ops/boolean/flush.hpp"
+#include "ops/boolean/remesh.hpp"
+#include "ops/tools/local_size.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// Worst q that is good enough to stop at, where the part had it; and the least that is taken.
+constexpr double wanted_quality = 0.1;
+constexpr double least_quality = lowest_boolean_quality;
+
+/// Shares of the local size: what lies in one plane, and the layer that keeps faces apart.
+constexpr double flush_tolerance = 1e-4;
+constexpr double flush_layer = 0.15;
+
+/// What moves less than this share of the local size has stayed where it was asked to be.
+constexpr double exact = 1e-4;
+
+/// How a boolean is tried: rings of tets around what the tool crosses, and how far the surface may
+/// be off, as a share of the local size.
+struct way {
+  int rings = 1;
+  double off_plane = exact;
+};
+constexpr std::array ways{way{1, exact}, way{2, exact}, way{1, 5e-3}, way{2, 2e-2}};
+
+struct trial {
+  boolean_result result;
+  double worst = 0;
+};
+
+class tool_boolean {
+public:
+  tool_boolean(const version_ptr& mesh, const tool_surface& tool, const boolean_request& request,
+               const execution& run)
+      : mesh_(mesh), request_(request), run_(run), size_(local_size(*mesh, tool)) {
+    flush_ = make_flush(*mesh, tool, request.mode, flush_tolerance * size_, flush_layer * size_);
+  }
+
+  expected<boolean_result> best() {
+    const cavity_finder finder(*mesh_, flush_.tool, request_.mode);
+    std::optional<trial> best;
+    std::optional<error> last;
+    for (const auto& one : ways) {
+      if (run_.cancel.cancelled())
+        return fail(ec::cancelled, "the edit was cancelled");
+      auto made = try_way(finder, one);
+      if (!made) {
+        if (made.error().code != ec::mesher_failed)
+          return best ? expected<boolean_result>(std::move(best->result)) : fail(made.error());
+        last = made.error();
+        continue;
+      }
+      if (!best || made->worst > best->worst)
+        best = std::move(*made);
+      if (best->worst >= std::min(wanted_quality, best->result.worst_before))
+        break;
+    }
+    if (!best) {
+      if (last->remedy.empty())
+        last->remedy = "Move the tool a little, or make it larger or smaller";
+      return fail(*last);
+    }
+    if (best->worst < std::min(least_quality, best->result.worst_before))
+      return fail(ec::postcondition_failed,
+                  "the tets around the tool would be too flat (q = " + number_text(best->worst) +
+                    ")",
+                  "Move the tool a little: something of it nearly meets an edge of the part");
+    return std::move(best->result);
+  }
+
+private:
+  expected<trial> try_way(const cavity_finder& finder, const way& how) {
+    const auto hollow = finder.find(how.rings);
+    if (!hollow)
+      return fail(hollow.error());
+    run_.report(0.2, "cutting");
+    const auto cut = hollow->tets.empty() ? expected<corefined>(corefined{})
+                                          : corefine(hollow->surface, as_surface(flush_.tool),
+                                                     request_.mode, planes_in(*hollow), run_);
+    if (!cut)
+      return fail(cut.error());
+    auto surface = label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_);
+    if (!surface)
+      return fail(surface.error());
+    const auto before = surface->mesh;
+    clean_surface(surface->mesh, {how.off_plane});
+    const double deviation = deviation_of(before, surface->mesh);
+    if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
+      return fail(ec::mesher_failed,
+                  "the result would be off what was asked for by " + number_text(1e3 * deviation) +
+                    " mm");
+    run_.report(0.5, "meshing");
+    return filled(*hollow, *surface, *cut, deviation);
+  }
+
+  expected<trial> filled(const cavity& hollow, const labelled_surface& surface,
+                         const corefined& cut, double deviation) {
+    mesh_builder builder(mesh_);
+    auto made = replace_cavity(builder, hollow, surface, flush_.tool, run_);
+    if (!made)
+      return fail(made.error());
+    if (builder.tet_count() == 0)
+      return fail(ec::empty_selection, "nothing of the part would be left");
+    run_.report(0.7, "improving");
+    const auto improved = improve(builder, made->tets, {}, run_);
+    if (!improved)
+      return fail(improved.error());
+    double worst = improved->min_after;
+    const double before = worst_around(hollow);
+    if (worst < std::min(wanted_quality, before)) {
+      if (auto ok = mend(builder, worst); !ok)
+        return fail(ok.error());
+    }
+    trial one;
+    one.worst = worst;
+    auto& result = one.result;
+    result.candidate = builder.freeze();
+    result.touched = builder.touched();
+    result.volume_change = boundary_volume_change(*mesh_, *result.candidate);
+    result.deviation = deviation;
+    result.worst_before = before;
+    result.worst_after = worst;
+    result.surfaces = std::move(made->surfaces);
+    if (auto ok = volume_fits(hollow, cut, result); !ok)
+      return fail(ok.error());
+    return one;
+  }
+
+  /// Edges of the boundary that may go without a change of shape go, too.
+  expected<void> mend(mesh_builder& builder, double& worst) {
+    tidy_settings settings;
+    settings.tolerance = 0;
+    if (auto ok = tidy_cut(builder, builder.touched(), settings, run_); !ok)
+      return fail(ok.error());
+    const auto improved = improve(builder, builder.touched(), {}, run_);
+    if (!improved)
+      return fail(improved.error());
+    worst = improved->min_after;
+    return {};
+  }
+
+  [[nodiscard]] double worst_around(const cavity& hollow) const {
+    double worst = 1;
+    std::vector<vertex_id> corners = hollow.vertices;
+    for (const auto t : tets_around(*mesh_, corners))
+      worst = std::min(worst, radius_ratio(mesh_->corners(t)));
+    for (const auto t : hollow.tets)
+      worst = std::min(worst, radius_ratio(mesh_->corners(t)));
+    return worst;
+  }
+
+  /// The tets' volume is that of the exact boolean, but for what may be off.
+  expected<void> volume_fits(const cavity& hollow, const corefined& cut,
+                             const boolean_result& result) const {
+    double wanted = cut.volume_change;
+    for (const auto t : hollow.gone)
+      wanted -= signed_volume(mesh_->corners(t));
+    if (hollow.tets.empty())
+      wanted = result.volume_change;
+    const double off = std::abs(result.volume_change - wanted);
+    if (off > 1e-3 * std::abs(wanted) + 0.01 * size_ * size_ * size_)
+      return fail(ec::mesher_failed, "the volume that came out is not that of the tool");
+    return {};
+  }
+
+  [[nodiscard]] static closed_surface as_surface(const tool_surface& tool) {
+    return {tool.points, tool.triangles};
+  }
+
+  [[nodiscard]] std::vector<shared_plane> planes_in(const cavity& hollow) const {
+    std::map<vertex_id, std::uint32_t> place;
+    for (std::uint32_t i = 0; i < hollow.vertices.size(); ++i)
+      place[hollow.vertices[i]] = i;
+    std::vector<shared_plane> result;
+    for (const auto& face : flush_.faces) {
+      shared_plane plane{face.normal, face.offset, {}};
+      for (const auto v : face.part)
+        if (const auto found = place.find(v); found != place.end())
+          plane.points[0].push_back(found->second);
+      plane.points[1] = face.tool;
+      result.push_back(std::move(plane));
+    }
+    return result;
+  }
+
+  const version_ptr& mesh_;
+  const boolean_request& request_;
+  const execution& run_;
+  double size_ = 0;
+  flush_tool flush_;
+};
+
+}  // namespace
+
+expected<void> validate(const tool_surface& tool) {
+  const auto wrong = [](const std::string& why) {
+    return fail(ec::invalid_argument, "the tool is no closed surface: " + why);
+  };
+  if (tool.triangles.size() < 4 || tool.faces.size() != tool.triangles.size())
+    return wrong("it has too few triangles, or not a face for each");
+  for (const auto& p : tool.points)
+    if (!is_finite(p))
+      return wrong("a point is not finite");
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  double volume = 0;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
+    const auto& t = tool.triangles[i];
+    if (tool.faces[i] >= tool.names.size())
+      return wrong("a triangle has no face");
+    for (int k = 0; k < 3; ++k) {
+      if (t[k] >= tool.points.size() || t[k] == t[(k + 1) % 3])
+        return wrong("a triangle has no three corners");
+      ++edges[{t[k], t[(k + 1) % 3]}];
+    }
+    const vec3 origin = tool.points.front();
+    volume += dot(tool.points[t[0]] - origin,
+                  cross(tool.points[t[1]] - origin, tool.points[t[2]] - origin));
+  }
+  for (const auto& [edge, count] : edges)
+    if (const auto back = edges.find({edge.second, edge.first});
+        count != 1 || back == edges.end() || back->second != 1)
+      return wrong("an edge has not one triangle on each side");
+  if (!(volume > 0))
+    return wrong("it is turned inside out, or flat");
+  return {};
+}
+
+expected<boolean_result> combine_with_tool(const version_ptr& mesh, const tool_surface& tool,
+                                           const boolean_request& request, const execution& run) {
+  if (auto ok = validate(tool); !ok)
+    return fail(ok.error());
+  return tool_boolean(mesh, tool, request, run).best();
+}
+
+}  // namespace tedit::ops

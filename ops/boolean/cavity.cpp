@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/cavity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+#include "mesh/box_tree.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+using points3 = std::array<vec3, 3>;
+using points4 = std::array<vec3, 4>;
+
+template <class Points>
+std::pair<double, double> extent_along(const Points& points, vec3 axis) {
+  double low = 1e300;
+  double high = -1e300;
+  for (const auto& p : points) {
+    low = std::min(low, dot(p, axis));
+    high = std::max(high, dot(p, axis));
+  }
+  return {low, high};
+}
+
+/// By separating axes; where they only touch, they meet.
+bool meet(const points3& t, const points4& tet) {
+  const auto apart = [&](vec3 axis) {
+    const double length = norm(axis);
+    if (length == 0)
+      return false;
+    const auto [low, high] = extent_along(t, axis);
+    const auto [from, to] = extent_along(tet, axis);
+    const double slack = 1e-12 * (std::abs(low) + std::abs(high));
+    return low > to + slack || high < from - slack;
+  };
+  const std::array edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  if (apart(cross(edges[0], edges[1])))
+    return false;
+  for (const auto& f : tet_faces)
+    if (apart(cross(tet[f[1]] - tet[f[0]], tet[f[2]] - tet[f[0]])))
+      return false;
+  for (int a = 0; a < 4; ++a)
+    for (int b = a + 1; b < 4; ++b)
+      for (const auto& edge : edges)
+        if (apart(cross(edge, tet[b] - tet[a])))
+          return false;
+  return true;
+}
+
+struct edge_key {
+  std::uint64_t value;
+  edge_key(std::uint32_t a, std::uint32_t b)
+      : value((std::uint64_t{std::min(a, b)} << 32) | std::max(a, b)) {}
+  [[nodiscard]] vertex_id first() const { return static_cast<vertex_id>(value >> 32); }
+  [[nodiscard]] vertex_id second() const { return static_cast<vertex_id>(value); }
+};
+
+points3 corners_of(const tool_surface& tool, std::size_t triangle) {
+  const auto& t = tool.triangles[triangle];
+  return {tool.points[t[0]], tool.points[t[1]], tool.points[t[2]]};
+}
+
+bool holds(const tet& t, vertex_id v) {
+  return std::ranges::find(t.v, v) != t.v.end();
+}
+
+/// One cavity under way: it grows until its surface has two triangles at each edge.
+class growing_cavity {
+public:
+  growing_cavity(const mesh_version& mesh, const std::vector<tet_id>& first)
+      : mesh_(mesh), is_in_(mesh.tet_slots()) {
+    for (const auto t : first)
+      add(t);
+  }
+
+  void add(tet_id t) {
+    if (is_in_[t])
+      return;
+    is_in_[t] = 1;
+    tets_.push_back(t);
+  }
+
+  [[nodiscard]] bool holds_tet(tet_id t) const { return is_in_[t] != 0; }
+  [[nodiscard]] const std::vector<tet_id>& tets() const { return tets_; }
+
+  template <class Takes>
+  void add_ring(const Takes& takes) {
+    std::vector<vertex_id> corners;
+    for (const auto t : tets_)
+      for (const auto v : mesh_.tet_at(t).v)
+        corners.push_back(v);
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const auto t : tets_around(mesh_, corners))
+      if (takes(t))
+        add(t);
+  }
+
+  /// Calls visit(corners, tet or facet behind) for each triangle of the surface.
+  template <class Visit>
+  void for_each_side(const Visit& visit) const {
+    for (const auto t : tets_) {
+      const auto& corners = mesh_.tet_at(t).v;
+      const auto& beside = mesh_.neighbours(t);
+      for (int k = 0; k < 4; ++k) {
+        if (!is_facet(beside[k]) && is_in_[beside[k]])
+          continue;
+        const auto& f = tet_faces[k];
+        visit(std::array{corners[f[0]], corners[f[1]], corners[f[2]]}, beside[k]);
+      }
+    }
+  }
+
+  /// False where the part's own boundary is at fault.
+  bool grow_until_clean() {
+    for (int round = 0; round < 16; ++round) {
+      std::unordered_map<std::uint64_t, int> count;
+      for_each_side([&](const auto& v, std::uint32_t) {
+        for (int k = 0; k < 3; ++k)
+          ++count[edge_key(v[k], v[(k + 1) % 3]).value];
+      });
+      std::vector<std::uint64_t> poor;
+      for (const auto& [edge, faces] : count)
+        if (faces != 2)
+          poor.push_back(edge);
+      if (poor.empty())
+        return true;
+      std::ranges::sort(poor);
+      const auto before = tets_.size();
+      for (const auto value : poor) {
+        edge_key edge(0, 0);
+        edge.value = value;
+        for (const auto t : tets_around(mesh_, std::array{edge.first()}))
+          if (holds(mesh_.tet_at(t), edge.second()))
+            add(t);
+      }
+      if (tets_.size() == before)
+        return false;
+    }
+    return false;
+  }
+
+private:
+  const mesh_version& mesh_;
+  std::vector<std::uint8_t> is_in_;
+  std::vector<tet_id> tets_;
+};
+
+}  // namespace
+
+bool is_inside(const tool_surface& tool, vec3 p) {
+  double angle = 0;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
+    const auto t = corners_of(tool, i);
+    const vec3 a = t[0] - p;
+    const vec3 b = t[1] - p;
+    const vec3 c = t[2] - p;
+    const double la = norm(a);
+    const double lb = norm(b);
+    const double lc = norm(c);
+    // Van Oosterom and Strackee 1983.
+    angle += 2 * std::atan2(dot(a, cross(b, c)),
+                            la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return std::abs(angle) > 2 * std::numbers::pi;
+}
+
+cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode)
+    : mesh_(mesh),
+      tool_(tool),
+      mode_(mode),
+      is_crossed_(mesh.tet_slots()),
+      is_inside_(mesh.tet_slots()) {
+  box extent;
+  for (const auto& p : tool.points)
+    extent.add(p);
+  std::vector<tet_id> near;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t) && extent.meets(box_of(mesh.corners(t))))
+      near.push_back(t);
+  find_crossed(near);
+  sort_sides(near);
+}
+
+void cavity_finder::find_crossed(const std::vector<tet_id>& near) {
+  std::vector<box> boxes;
+  for (std::size_t i = 0; i < tool_.triangles.size(); ++i)
+    boxes.push_back(box_of(corners_of(tool_, i)));
+  const box_tree tree(boxes);
+  for (const auto t : near) {
+    const auto corners = mesh_.corners(t);
+    if (tree.any_meeting(box_of(corners),
+                         [&](std::size_t i) { return meet(corners_of(tool_, i), corners); })) {
+      crossed_.push_back(t);
+      is_crossed_[t] = 1;
+    }
+  }
+}
+
+bool cavity_finder::is_within(tet_id t) const {
+  const auto p = mesh_.corners(t);
+  return is_inside(tool_, 0.25 * (p[0] + p[1] + p[2] + p[3]));
+}
+
+/// Tets that the tool's surface does not cross hang together on one side of it; those in the tool
+/// have their boxes in the tool's, with all that hangs on them.
+void cavity_finder::sort_sides(const std::vector<tet_id>& near) {
+  std::vector<std::uint8_t> is_near(mesh_.tet_slots());
+  for (const auto t : near)
+    is_near[t] = 1;
+  std::vector<std::uint8_t> seen(mesh_.tet_slots());
+  for (const auto first : near) {
+    if (is_crossed_[first] || seen[first])
+      continue;
+    std::vector<tet_id> piece{first};
+    seen[first] = 1;
+    bool leaks = false;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      for (const auto n : mesh_.neighbours(piece[i])) {
+        if (is_facet(n) || is_crossed_[n] || seen[n])
+          continue;
+        leaks |= !is_near[n];
+        if (!is_near[n])
+          continue;
+        seen[n] = 1;
+        piece.push_back(n);
+      }
+    if (leaks || !is_within(first))
+      continue;
+    for (const auto t : piece)
+      is_inside_[t] = 1;
+    within_.insert(within_.end(), piece.begin(), piece.end());
+  }
+}
+
+expected<cavity> cavity_finder::find(int rings) const {
+  const bool keeps_inside = mode_ == boolean_mode::keep;
+  if (crossed_.empty() && (mode_ == boolean_mode::add || within_.empty()))
+    return fail(ec::empty_selection, "the tool does not meet the part",
+                "Place it so that it cuts the part's surface");
+  growing_cavity grown(mesh_, crossed_);
+  if (mode_ == boolean_mode::add)
+    for (const auto t : within_)
+      grown.add(t);
+  for (int ring = 0; ring < rings; ++ring)
+    grown.add_ring([&](tet_id t) { return (is_inside_[t] != 0) == keeps_inside; });
+  if (!grown.grow_until_clean())
+    return fail(ec::mesher_failed, "the part's boundary is no clean surface where the tool is",
+                "Place the tool elsewhere");
+  cavity result;
+  result.tets = grown.tets();
+  if (!result.tets.empty())
+    result.region = mesh_.region_of(result.tets.front());
+  for (const auto t : result.tets)
+    if (mesh_.region_of(t) != result.region)
+      return fail(ec::invalid_argument, "the tool reaches into two regions of the part",
+                  "Place it so that it meets one region");
+  if (mode_ == boolean_mode::cut) {
+    for (const auto t : within_)
+      if (!grown.holds_tet(t))
+        result.gone.push_back(t);
+  } else if (keeps_inside) {
+    for (tet_id t = 0; t < mesh_.tet_slots(); ++t)
+      if (mesh_.is_live_tet(t) && !grown.holds_tet(t) && !is_inside_[t])
+        result.gone.push_back(t);
+  }
+  std::unordered_map<vertex_id, std::uint32_t> place;
+  grown.for_each_side([&](const auto& v, std::uint32_t behind) {
+    std::array<std::uint32_t, 3> t{};
+    for (int k = 0; k < 3; ++k) {
+      const auto [row, fresh] =
+        place.try_emplace(v[k], static_cast<std::uint32_t>(result.vertices.size()));
+      if (fresh) {
+        result.vertices.push_back(v[k]);
+        result.surface.points.push_back(mesh_.position(v[k]));
+      }
+      t[k] = row->second;
+    }
+    result.surface.triangles.push_back(t);
+    cavity::side side;
+    (is_facet(behind) ? side.facet : side.behind) = behind & ~facet_flag;
+    result.sides.push_back(side);
+  });
+  return result;
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// The tets that a tool makes anew, and the closed surface around them.
+struct cavity {
+  /// What lies behind a triangle of that surface: a tet that stays where it is or goes as a whole,
+  /// or nothing, where it is a facet of the part.
+  struct side {
+    tet_id behind = no_id;
+    facet_id facet = no_id;
+  };
+
+  std::vector<tet_id> tets;
+  std::vector<tet_id> gone;  ///< Beside those: tets that the boolean takes as they are.
+  region_id region = 0;
+  closed_surface surface;
+  std::vector<vertex_id> vertices;  ///< Of the surface's points.
+  std::vector<side> sides;          ///< Of its triangles.
+};
+
+/// Finds them: the tets that the tool's surface crosses, with rings of others around on the side
+/// that stays, so that there is room for good tets.
+class cavity_finder {
+public:
+  /// Cost: O(tet slots), and O(tets in the tool's box).
+  cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode);
+
+  /// Errors: `empty_selection` where the tool meets nothing, `invalid_argument` where it reaches
+  /// into two regions, `mesher_failed` where the part itself is no clean solid. Cost: O(cavity).
+  [[nodiscard]] expected<cavity> find(int rings) const;
+
+private:
+  void find_crossed(const std::vector<tet_id>& near);
+  void sort_sides(const std::vector<tet_id>& near);
+  [[nodiscard]] bool is_within(tet_id t) const;
+
+  const mesh_version& mesh_;
+  const tool_surface& tool_;
+  boolean_mode mode_;
+  std::vector<tet_id> crossed_;
+  std::vector<tet_id> within_;         ///< Wholly inside the tool.
+  std::vector<std::uint8_t> is_crossed_;  ///< By tet slot.
+  std::vector<std::uint8_t> is_inside_;   ///< By tet slot: of `within_`.
+};
+
+/// The solid angle that the tool shows from a point is that of an inside one.
+[[nodiscard]] bool is_inside(const tool_surface& tool, vec3 p);
+
+}  // namespace tedit::ops

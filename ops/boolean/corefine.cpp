@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/corefine.hpp"
+
+#include <cstdlib>
+#include <cstring>
+
+#include "base/child_process.hpp"
+#include "ops/boolean/corefine/exchange.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+constexpr std::chrono::milliseconds time_limit{20'000};
+
+template <class T>
+void append(std::vector<char>& bytes, const T* first, std::size_t count) {
+  const auto* raw = reinterpret_cast<const char*>(first);
+  bytes.insert(bytes.end(), raw, raw + count * sizeof(T));
+}
+
+std::vector<char> question(const closed_surface& first, const closed_surface& second,
+                           boolean_mode mode, const std::vector<shared_plane>& planes) {
+  corefine_header header;
+  header.mode = static_cast<std::uint32_t>(mode);
+  header.planes = static_cast<std::uint32_t>(planes.size());
+  const std::array surfaces{&first, &second};
+  for (int i = 0; i < 2; ++i) {
+    header.points[i] = static_cast<std::uint32_t>(surfaces[i]->points.size());
+    header.triangles[i] = static_cast<std::uint32_t>(surfaces[i]->triangles.size());
+  }
+  std::vector<char> bytes;
+  append(bytes, &header, 1);
+  for (const auto* s : surfaces) {
+    append(bytes, s->points.data(), s->points.size());
+    append(bytes, s->triangles.data(), s->triangles.size());
+  }
+  for (const auto& plane : planes) {
+    corefine_plane row{{plane.normal.x, plane.normal.y, plane.normal.z}, plane.offset, {}};
+    for (int i = 0; i < 2; ++i)
+      row.points[i] = static_cast<std::uint32_t>(plane.points[i].size());
+    append(bytes, &row, 1);
+    for (const auto& on : plane.points)
+      append(bytes, on.data(), on.size());
+  }
+  return bytes;
+}
+
+class answer_reader {
+public:
+  explicit answer_reader(const std::vector<char>& bytes) : bytes_(bytes) {}
+
+  template <class T>
+  bool read(T* first, std::size_t count) {
+    if (count > (bytes_.size() - at_) / sizeof(T))
+      return false;
+    std::memcpy(first, bytes_.data() + at_, count * sizeof(T));
+    at_ += count * sizeof(T);
+    return true;
+  }
+
+  template <class T>
+  bool read(std::vector<T>& values, std::size_t count) {
+    if (count > (bytes_.size() - at_) / sizeof(T))
+      return false;
+    values.resize(count);
+    return read(values.data(), count);
+  }
+
+  [[nodiscard]] bool at_end() const { return at_ == bytes_.size(); }
+
+private:
+  const std::vector<char>& bytes_;
+  std::size_t at_ = 0;
+};
+
+std::string why_not(corefine_status status) {
+  switch (status) {
+    case corefine_status::first_not_manifold:
+      return "the part's boundary is no clean surface where the tool is";
+    case corefine_status::second_not_manifold:
+      return "the tool is no clean closed surface";
+    case corefine_status::result_not_manifold:
+      return "the tool would leave an edge at which two solids only touch";
+    default:
+      return "the tool and the part could not be cut with each other";
+  }
+}
+
+bool fits(const corefined& result, const closed_surface& first, const closed_surface& second) {
+  for (const auto& t : result.triangles)
+    for (const auto v : t)
+      if (v >= result.points.size())
+        return false;
+  for (const auto o : result.origin)
+    if (o >= static_cast<std::int64_t>(first.points.size()))
+      return false;
+  for (const std::int64_t p : result.parent)
+    if (p >= static_cast<std::int64_t>(first.triangles.size()) ||
+        -1 - p >= static_cast<std::int64_t>(second.triangles.size()))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path boolean_program() {
+  if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
+    return std::filesystem::path(folder) / "tedit-boolean";
+  return executable_folder() / "tedit-boolean";
+}
+
+expected<corefined> corefine(const closed_surface& first, const closed_surface& second,
+                             boolean_mode mode, const std::vector<shared_plane>& planes,
+                             const execution& run) {
+  child_limits limits;
+  limits.time = time_limit;
+  const auto output =
+    run_child({boolean_program().string()}, question(first, second, mode, planes), limits, run);
+  if (!output)
+    return fail(output.error());
+  answer_reader reader(*output);
+  corefine_answer answer;
+  corefined result;
+  if (!reader.read(&answer, 1) || answer.magic != corefine_answer{}.magic)
+    return fail(ec::mesher_failed, "the answer of tedit-boolean is damaged");
+  if (answer.status != corefine_status::done)
+    return fail(ec::mesher_failed, why_not(answer.status));
+  if (!reader.read(result.points, answer.points) || !reader.read(result.origin, answer.points) ||
+      !reader.read(result.triangles, answer.triangles) ||
+      !reader.read(result.parent, answer.triangles) || !reader.at_end() ||
+      !fits(result, first, second))
+    return fail(ec::mesher_failed, "the answer of tedit-boolean is damaged");
+  result.volume_change = answer.volume_after - answer.volume_before;
+  return result;
+}
+
+}  // namespace tedit::ops

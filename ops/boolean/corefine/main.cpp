@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The exact boolean of two closed surfaces: stdin to stdout, see exchange.hpp. Every number is a
+// rational one until the end. What comes in may be anything: whoever starts this program sets a
+// time limit and expects that it may end.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ops/boolean/corefine/exchange.hpp"
+#include "sandbox/sandbox.hpp"
+
+namespace {
+
+using namespace tedit::ops;
+namespace pmp = CGAL::Polygon_mesh_processing;
+using kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using point = kernel::Point_3;
+using surface = CGAL::Surface_mesh<point>;
+using vertex = surface::Vertex_index;
+using face = surface::Face_index;
+using parents = surface::Property_map<face, std::int32_t>;
+using triple = std::array<std::uint32_t, 3>;
+using place = std::array<double, 3>;
+
+/// A surface as it comes in.
+struct soup {
+  std::vector<place> points;
+  std::vector<triple> triangles;
+};
+
+struct plane_points {
+  corefine_plane plane;
+  std::array<std::vector<std::uint32_t>, 2> on;
+};
+
+template <class T>
+bool read_all(std::vector<T>& values, std::size_t count) {
+  values.resize(count);
+  return std::fread(values.data(), sizeof(T), count, stdin) == count;
+}
+
+template <class T>
+bool write_all(const std::vector<T>& values) {
+  return std::fwrite(values.data(), sizeof(T), values.size(), stdout) == values.size();
+}
+
+bool all_below(const std::vector<std::uint32_t>& values, std::size_t limit) {
+  for (const auto value : values)
+    if (value >= limit)
+      return false;
+  return true;
+}
+
+bool read_soup(soup& s, std::uint32_t points, std::uint32_t triangles) {
+  if (!read_all(s.points, points) || !read_all(s.triangles, triangles))
+    return false;
+  for (const auto& p : s.points)
+    for (const double x : p)
+      if (!std::isfinite(x))
+        return false;
+  for (const auto& t : s.triangles)
+    for (const auto v : t)
+      if (v >= points)
+        return false;
+  return true;
+}
+
+/// Points on planes are moved onto them exactly: on one to its foot, on two to the foot on their
+/// line, on three to their common point.
+std::vector<point> exact_points(const soup& s, const std::vector<plane_points>& planes, int which) {
+  std::vector<point> result;
+  for (const auto& p : s.points)
+    result.emplace_back(p[0], p[1], p[2]);
+  std::map<std::uint32_t, std::vector<kernel::Plane_3>> through;
+  for (const auto& row : planes)
+    for (const auto v : row.on[which])
+      if (v < result.size())
+        through[v].emplace_back(row.plane.normal[0], row.plane.normal[1], row.plane.normal[2],
+                                -row.plane.offset);
+  for (const auto& [v, on] : through) {
+    auto& p = result[v];
+    if (on.size() == 1) {
+      p = on[0].projection(p);
+    } else if (on.size() == 2) {
+      const auto meet = CGAL::intersection(on[0], on[1]);
+      if (const auto* line = meet ? boost::get<kernel::Line_3>(&*meet) : nullptr)
+        p = line->projection(p);
+    } else {
+      const auto meet = CGAL::intersection(on[0], on[1], on[2]);
+      if (const auto* corner = meet ? boost::get<point>(&*meet) : nullptr)
+        p = *corner;
+    }
+  }
+  return result;
+}
+
+/// A mesh of the triangles in which a corner where several fans meet is one vertex a fan; nothing
+/// where an edge has not one triangle on each side.
+class fan_builder {
+public:
+  fan_builder(const soup& s, const std::vector<point>& points, surface& mesh)
+      : soup_(s), points_(points), mesh_(mesh), corners_(s.triangles.size()) {}
+
+  bool build(parents& parent, bool second) {
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (!edges_.try_emplace({soup_.triangles[t][k], soup_.triangles[t][(k + 1) % 3]}, t).second)
+          return false;
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (!corners_[t][k] && !turn_fan(t, soup_.triangles[t][k]))
+          return false;
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+      const auto f = mesh_.add_face(*corners_[t][0], *corners_[t][1], *corners_[t][2]);
+      if (f == surface::null_face())
+        return false;
+      const auto i = static_cast<std::int32_t>(t);
+      parent[f] = second ? -1 - i : i;
+    }
+    return true;
+  }
+
+private:
+  /// The triangles around corner v of `first`, over shared edges, get one vertex.
+  bool turn_fan(std::uint32_t first, std::uint32_t v) {
+    const auto fresh = mesh_.add_vertex(points_[v]);
+    std::uint32_t t = first;
+    do {
+      const auto& corners = soup_.triangles[t];
+      const int k = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+      if (corners[k] != v || corners_[t][k])
+        return false;
+      corners_[t][k] = fresh;
+      const auto next = edges_.find({v, corners[(k + 2) % 3]});
+      if (next == edges_.end())
+        return false;
+      t = next->second;
+    } while (t != first);
+    return true;
+  }
+
+  const soup& soup_;
+  const std::vector<point>& points_;
+  surface& mesh_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges_;
+  std::vector<std::array<std::optional<vertex>, 3>> corners_;
+};
+
+/// Hands on what each part of a triangle is a part of.
+struct parent_keeper : pmp::Corefinement::Default_visitor<surface> {
+  std::array<const surface*, 3> meshes;
+  std::array<parents, 3> of;
+  std::int32_t split = 0;
+
+  parents& at(const surface& mesh) {
+    return &mesh == meshes[0] ? of[0] : &mesh == meshes[1] ? of[1] : of[2];
+  }
+  void before_subface_creations(face f, const surface& mesh) { split = at(mesh)[f]; }
+  void after_subface_created(face f, const surface& mesh) { at(mesh)[f] = split; }
+  void after_face_copy(face from, const surface& source, face to, const surface& target) {
+    at(target)[to] = at(source)[from];
+  }
+};
+
+place rounded(const point& p) {
+  CGAL::exact(p);
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+struct result {
+  corefine_answer answer;
+  std::vector<place> points;
+  std::vector<std::int32_t> origin;
+  std::vector<triple> triangles;
+  std::vector<std::int32_t> parent;
+};
+
+/// Rounds the result; points of the first surface get their old coordinates back, points that
+/// round to the same place become one.
+void collect(const surface& mesh, const parents& parent, const soup& first,
+             const std::vector<point>& exact_first, result& out) {
+  std::map<place, std::int32_t> known;
+  for (std::size_t i = 0; i < exact_first.size(); ++i)
+    known[rounded(exact_first[i])] = static_cast<std::int32_t>(i);
+  std::map<place, std::uint32_t> index;
+  std::vector<std::uint32_t> of_vertex(mesh.num_vertices() + mesh.number_of_removed_vertices());
+  for (const auto v : mesh.vertices()) {
+    auto p = rounded(mesh.point(v));
+    const auto old = known.find(p);
+    if (old != known.end())
+      p = first.points[old->second];
+    const auto [row, fresh] = index.try_emplace(p, static_cast<std::uint32_t>(out.points.size()));
+    if (fresh) {
+      out.points.push_back(p);
+      out.origin.push_back(old == known.end() ? -1 : old->second);
+    }
+    of_vertex[v] = row->second;
+  }
+  for (const auto f : mesh.faces()) {
+    triple t{};
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      t[k++] = of_vertex[v];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+      continue;
+    out.triangles.push_back(t);
+    out.parent.push_back(parent[f]);
+  }
+}
+
+result combine(std::uint32_t mode, const std::array<soup, 2>& in,
+               const std::vector<plane_points>& planes) {
+  result out;
+  std::array<surface, 3> mesh;
+  std::array<std::vector<point>, 2> exact;
+  parent_keeper keeper;
+  for (int i = 0; i < 3; ++i) {
+    keeper.meshes[i] = &mesh[i];
+    keeper.of[i] = mesh[i].add_property_map<face, std::int32_t>("f:parent", 0).first;
+  }
+  for (int i = 0; i < 2; ++i) {
+    exact[i] = exact_points(in[i], planes, i);
+    if (!fan_builder(in[i], exact[i], mesh[i]).build(keeper.of[i], i == 1)) {
+      out.answer.status = i == 0 ? corefine_status::first_not_manifold
+                                 : corefine_status::second_not_manifold;
+      return out;
+    }
+  }
+  out.answer.volume_before = CGAL::to_double(pmp::volume(mesh[0]));
+  const auto told = CGAL::parameters::visitor(keeper);
+  const bool done =
+    mode == 0   ? pmp::corefine_and_compute_difference(mesh[0], mesh[1], mesh[2], told)
+    : mode == 1 ? pmp::corefine_and_compute_union(mesh[0], mesh[1], mesh[2], told)
+                : pmp::corefine_and_compute_intersection(mesh[0], mesh[1], mesh[2], told);
+  if (!done) {
+    out.answer.status = corefine_status::result_not_manifold;
+    return out;
+  }
+  out.answer.volume_after = CGAL::to_double(pmp::volume(mesh[2]));
+  collect(mesh[2], keeper.of[2], in[0], exact[0], out);
+  out.answer.status = corefine_status::done;
+  return out;
+}
+
+bool read_planes(std::vector<plane_points>& planes, const std::array<soup, 2>& in) {
+  for (auto& row : planes) {
+    if (std::fread(&row.plane, sizeof(row.plane), 1, stdin) != 1)
+      return false;
+    for (int i = 0; i < 2; ++i)
+      if (row.plane.points[i] > in[i].points.size() ||
+          !read_all(row.on[i], row.plane.points[i]) || !all_below(row.on[i], in[i].points.size()))
+        return false;
+  }
+  return true;
+}
+
+int run() {
+  corefine_header header;
+  constexpr std::uint32_t most = 10'000'000;
+  if (std::fread(&header, sizeof(header), 1, stdin) != 1 ||
+      header.magic != corefine_header{}.magic || header.mode > 2 || header.planes > 10'000)
+    return 2;
+  std::array<soup, 2> in;
+  for (int i = 0; i < 2; ++i)
+    if (header.points[i] > most || header.triangles[i] > most ||
+        !read_soup(in[i], header.points[i], header.triangles[i]))
+      return 2;
+  std::vector<plane_points> planes(header.planes);
+  if (!read_planes(planes, in))
+    return 2;
+  auto out = combine(header.mode, in, planes);
+  out.answer.points = static_cast<std::uint32_t>(out.points.size());
+  out.answer.triangles = static_cast<std::uint32_t>(out.triangles.size());
+  const bool ok = std::fwrite(&out.answer, sizeof(out.answer), 1, stdout) == 1 &&
+                  write_all(out.points) && write_all(out.origin) && write_all(out.triangles) &&
+                  write_all(out.parent) && std::fflush(stdout) == 0;
+  return ok ? 0 : 4;
+}
+
+/// It needs what it has open, and no file besides.
+bool confine() {
+  using namespace tedit;
+  return !sandbox::is_wanted() ||
+         (sandbox::confine_files({}) && sandbox::confine_calls(sandbox::calls::of_filters));
+}
+
+}  // namespace
+
+int main() {
+  if (!confine())
+    return 5;
+  try {
+    return run();
+  } catch (...) {
+    return 3;  // Surfaces that cut themselves, for one.
+  }
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/flush.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "mesh/box.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+struct plane {
+  vec3 normal;
+  double offset = 0;
+};
+
+using edge = std::pair<std::uint32_t, std::uint32_t>;
+
+vec3 normal_of(const tool_surface& tool, std::size_t i) {
+  const auto& t = tool.triangles[i];
+  return normalized(area_vector(tool.points[t[0]], tool.points[t[1]], tool.points[t[2]]));
+}
+
+/// The plane of a face of the tool, where it has one.
+std::optional<plane> plane_of(const tool_surface& tool, std::uint32_t face) {
+  vec3 sum;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    if (tool.faces[i] == face) {
+      const auto& t = tool.triangles[i];
+      sum += area_vector(tool.points[t[0]], tool.points[t[1]], tool.points[t[2]]);
+    }
+  const vec3 normal = normalized(sum);
+  box extent;
+  double low = 1e300;
+  double high = -1e300;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
+    if (tool.faces[i] != face)
+      continue;
+    if (dot(normal_of(tool, i), normal) < 1 - 1e-9)
+      return std::nullopt;
+    for (const auto v : tool.triangles[i]) {
+      extent.add(tool.points[v]);
+      low = std::min(low, dot(tool.points[v], normal));
+      high = std::max(high, dot(tool.points[v], normal));
+    }
+  }
+  if (!(high - low <= 1e-9 * norm(extent.high - extent.low)))
+    return std::nullopt;
+  return plane{normal, 0.5 * (low + high)};
+}
+
+/// Facets of the part in that plane near the tool: whether some look the same way or the opposite
+/// one, their corners, and the plane of the largest.
+struct part_side {
+  bool same = false;
+  bool opposite = false;
+  std::set<vertex_id> corners;
+  plane exact;
+};
+
+part_side facets_in(const mesh_version& mesh, const std::vector<facet_id>& near, const plane& at,
+                    double tolerance) {
+  part_side result;
+  double largest = 0;
+  for (const auto f : near) {
+    const auto& facet = mesh.facet(f);
+    const bool on = std::ranges::all_of(facet.v, [&](auto v) {
+      return std::abs(dot(mesh.position(v), at.normal) - at.offset) <= tolerance;
+    });
+    const vec3 area = area_vector(mesh, facet);
+    const double along = dot(area, at.normal);
+    if (!on || std::abs(along) < 0.99 * norm(area) || norm(area) == 0)
+      continue;
+    (along > 0 ? result.same : result.opposite) = true;
+    result.corners.insert(facet.v.begin(), facet.v.end());
+    if (norm(area) > largest) {
+      largest = norm(area);
+      const vec3 normal = normalized(area);
+      result.exact = {normal, dot(normal, mesh.position(facet.v[0]))};
+    }
+  }
+  return result;
+}
+
+/// The face moves out by `step`; what was beside it stays, and a wall closes the gap, in the faces
+/// of what was beside.
+void add_layer(tool_surface& tool, std::uint32_t face, vec3 step) {
+  std::map<edge, std::uint32_t> beside;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      beside[{tool.triangles[i][k], tool.triangles[i][(k + 1) % 3]}] = tool.faces[i];
+  std::map<std::uint32_t, std::uint32_t> raised;
+  const auto raise = [&](std::uint32_t v) {
+    const auto [row, fresh] = raised.try_emplace(v, static_cast<std::uint32_t>(tool.points.size()));
+    if (fresh)
+      tool.points.push_back(tool.points[v] + step);
+    return row->second;
+  };
+  const auto count = tool.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (tool.faces[i] != face)
+      continue;
+    const auto old = tool.triangles[i];
+    for (int k = 0; k < 3; ++k) {
+      const auto a = old[k];
+      const auto b = old[(k + 1) % 3];
+      const auto other = beside.find({b, a});
+      if (other == beside.end() || other->second == face)
+        continue;
+      tool.triangles.push_back({a, b, raise(b)});
+      tool.triangles.push_back({a, raise(b), raise(a)});
+      tool.faces.insert(tool.faces.end(), 2, other->second);
+    }
+    tool.triangles[i] = {raise(old[0]), raise(old[1]), raise(old[2])};
+  }
+}
+
+}  // namespace
+
+flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
+                      double tolerance, double layer) {
+  flush_tool result{tool, {}};
+  box extent;
+  for (const auto& p : tool.points)
+    extent.add(p);
+  extent = extent.grown(tolerance);
+  std::vector<facet_id> near;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+    if (!mesh.is_live_facet(f))
+      continue;
+    const auto& v = mesh.facet(f).v;
+    if (extent.meets(box_of(
+          std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
+      near.push_back(f);
+  }
+  for (std::uint32_t face = 0; face < tool.names.size(); ++face) {
+    const auto at = plane_of(tool, face);
+    if (!at)
+      continue;
+    const auto side = facets_in(mesh, near, *at, tolerance);
+    if (!side.same && !side.opposite)
+      continue;
+    const bool cut_outside = mode == boolean_mode::cut && !side.opposite;
+    const bool stands_on = mode == boolean_mode::add && !side.same;
+    const bool keeps_all = mode == boolean_mode::keep && !side.opposite;
+    if (cut_outside || stands_on || keeps_all) {
+      add_layer(result.tool, face, layer * at->normal);
+      continue;
+    }
+    flush_face row{side.exact.normal, side.exact.offset, {}, {}};
+    row.part.assign(side.corners.begin(), side.corners.end());
+    std::set<std::uint32_t> points;
+    const auto& now = result.tool;  // Layers on other faces have made this one larger.
+    for (std::size_t i = 0; i < now.triangles.size(); ++i)
+      if (now.faces[i] == face)
+        for (const auto v : now.triangles[i])
+          if (std::abs(dot(now.points[v], at->normal) - at->offset) <= tolerance)
+            points.insert(v);
+    row.tool.assign(points.begin(), points.end());
+    result.faces.push_back(std::move(row));
+  }
+  return result;
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// A face of the tool that lies in a plane with facets of the part, and shall lie there exactly.
+struct flush_face {
+  vec3 normal;        ///< Unit, of the part's facets.
+  double offset = 0;  ///< m.
+  std::vector<vertex_id> part;      ///< The corners of those facets.
+  std::vector<std::uint32_t> tool;  ///< Points of the tool.
+};
+
+struct flush_tool {
+  tool_surface tool;
+  std::vector<flush_face> faces;
+};
+
+/// Faces of the tool that are flush with facets of the part, within `tolerance` (m). Where the two
+/// must not meet in a sheet of no thickness (a cut whose tool ends at the part's outside, an
+/// addition that stands on it) the tool gets a layer of `layer` (m) there, which changes nothing
+/// else; the others are told. Cost: O(facet slots).
+[[nodiscard]] flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool,
+                                    boolean_mode mode, double tolerance, double layer);
+
+}  // namespace tedit::ops

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/remesh.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "mesh/box_tree.hpp"
+#include "mesh/distances.hpp"
+#include "mesh/pieces.hpp"
+#include "ops/services/host_services.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+constexpr auto damaged = "what the tool cuts could not be taken out of the part";
+
+/// Mean length of the edges at each point.
+std::vector<double> mean_edges(const std::vector<vec3>& points,
+                               const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::vector<double> sum(points.size());
+  std::vector<int> count(points.size());
+  for (const auto& t : triangles)
+    for (int k = 0; k < 3; ++k) {
+      const auto a = t[k];
+      const auto b = t[(k + 1) % 3];
+      const double length = norm(points[a] - points[b]);
+      sum[a] += length;
+      sum[b] += length;
+      ++count[a];
+      ++count[b];
+    }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
+  return sum;
+}
+
+class surface_labeller {
+public:
+  surface_labeller(const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,
+                   const corefined& cut, boolean_mode mode, double size)
+      : mesh_(mesh), hollow_(hollow), tool_(tool), cut_(cut), mode_(mode), size_(size) {}
+
+  expected<labelled_surface> label() {
+    add_faces();
+    if (!shell_fits())
+      return fail(ec::mesher_failed, damaged);
+    set_sizes();
+    freeze_far();
+    result_.mesh.connect();
+    return std::move(result_);
+  }
+
+private:
+  [[nodiscard]] vec3 normal_of(const closed_surface& s, std::size_t i) const {
+    const auto& t = s.triangles[i];
+    return normalized(area_vector(s.points[t[0]], s.points[t[1]], s.points[t[2]]));
+  }
+
+  std::int32_t label_of(surface_id surface) {
+    auto& part = result_.labels.part;
+    const auto found = std::ranges::find(part, surface);
+    if (found == part.end())
+      part.push_back(surface);
+    return static_cast<std::int32_t>(std::ranges::find(part, surface) - part.begin());
+  }
+
+  void add_faces() {
+    auto& mesh = result_.mesh;
+    for (std::size_t i = 0; i < cut_.points.size(); ++i)
+      mesh.vertices.push_back({cut_.points[i], size_, cut_.origin[i], false});
+    // The part's labels first, so that those of the tool stand behind them.
+    for (const auto& side : hollow_.sides)
+      if (side.behind == no_id)
+        (void)label_of(mesh_.facet(side.facet).surface);
+    result_.labels.tool_faces = tool_.names.size();
+    const auto first_of_tool = static_cast<std::int32_t>(result_.labels.part.size());
+    for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
+      surface_mesh::face f;
+      f.v = cut_.triangles[i];
+      if (const auto parent = cut_.parent[i]; parent < 0) {
+        const auto of = static_cast<std::size_t>(-1 - static_cast<std::int64_t>(parent));
+        const auto& t = tool_.triangles[of];
+        const vec3 normal =
+          normalized(area_vector(tool_.points[t[0]], tool_.points[t[1]], tool_.points[t[2]]));
+        f.normal = mode_ == boolean_mode::cut ? -normal : normal;
+        f.label = first_of_tool + static_cast<std::int32_t>(tool_.faces[of]);
+      } else {
+        const auto& side = hollow_.sides[parent];
+        f.normal = normal_of(hollow_.surface, parent);
+        f.frozen = side.behind != no_id;
+        f.label = f.frozen ? surface_labels::shell : label_of(mesh_.facet(side.facet).surface);
+      }
+      mesh.faces.push_back(f);
+    }
+  }
+
+  /// Triangles against other tets are there as they were, or gone as that tet is.
+  [[nodiscard]] bool shell_fits() const {
+    std::vector<int> pieces(hollow_.sides.size());
+    for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
+      const auto parent = cut_.parent[i];
+      if (parent < 0 || hollow_.sides[parent].behind == no_id)
+        continue;
+      ++pieces[parent];
+      auto now = cut_.triangles[i];
+      for (auto& v : now)
+        v = cut_.origin[v] < 0 ? no_id : static_cast<std::uint32_t>(cut_.origin[v]);
+      auto was = hollow_.surface.triangles[parent];
+      std::ranges::sort(now);
+      std::ranges::sort(was);
+      if (now != was)
+        return false;
+    }
+    auto gone = hollow_.gone;
+    std::ranges::sort(gone);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const auto behind = hollow_.sides[i].behind;
+      if (behind == no_id)
+        continue;
+      const bool goes = std::ranges::binary_search(gone, behind);
+      if (pieces[i] != (goes ? 0 : 1))
+        return false;
+    }
+    return true;
+  }
+
+  /// Points of the part want edges as they have; new ones what is less, that of the part's triangle
+  /// that they are in or that of the tool's.
+  void set_sizes() {
+    const auto part = mean_edges(hollow_.surface.points, hollow_.surface.triangles);
+    const auto tool = mean_edges(tool_.points, tool_.triangles);
+    auto& mesh = result_.mesh;
+    std::vector<double> least(mesh.vertices.size(), 1e300);
+    for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
+      const auto parent = cut_.parent[i];
+      const bool of_part = parent >= 0;
+      const auto& t = of_part ? hollow_.surface.triangles[parent] : tool_.triangles[-1 - parent];
+      const auto& lengths = of_part ? part : tool;
+      const double mean = (lengths[t[0]] + lengths[t[1]] + lengths[t[2]]) / 3;
+      for (const auto v : cut_.triangles[i])
+        least[v] = std::min(least[v], of_part ? mean : std::min(mean, size_));
+    }
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      auto& vertex = mesh.vertices[v];
+      vertex.size = vertex.origin >= 0 ? part[vertex.origin] : least[v];
+      vertex.size = std::max(vertex.size, 1e-3 * size_);
+    }
+  }
+
+  /// The part's own triangles more than two steps from anything new stay as they are.
+  void freeze_far() {
+    auto& mesh = result_.mesh;
+    constexpr int far = 3;
+    std::vector<int> steps(mesh.vertices.size(), far);
+    for (std::size_t v = 0; v < steps.size(); ++v)
+      if (mesh.vertices[v].origin < 0)
+        steps[v] = 0;
+    for (int round = 0; round < 2; ++round) {
+      auto next = steps;
+      for (const auto& f : mesh.faces)
+        for (const auto v : f.v)
+          next[v] = std::min({next[v], steps[f.v[0]] + 1, steps[f.v[1]] + 1, steps[f.v[2]] + 1});
+      steps = next;
+    }
+    for (auto& f : mesh.faces)
+      if (!result_.labels.is_tool(f.label) &&
+          std::ranges::all_of(f.v, [&](auto v) { return steps[v] >= 2; }))
+        f.frozen = true;
+  }
+
+  const mesh_version& mesh_;
+  const cavity& hollow_;
+  const tool_surface& tool_;
+  const corefined& cut_;
+  boolean_mode mode_;
+  double size_;
+  labelled_surface result_;
+};
+
+/// The live triangles with their own points.
+struct compact_surface {
+  closed_surface surface;
+  std::vector<std::int32_t> origin;
+  std::vector<std::int32_t> label;
+};
+
+compact_surface compact(const surface_mesh& mesh) {
+  compact_surface result;
+  std::vector<std::uint32_t> place(mesh.vertices.size(), no_id);
+  for (const auto& f : mesh.faces) {
+    if (!f.alive)
+      continue;
+    std::array<std::uint32_t, 3> t{};
+    for (int k = 0; k < 3; ++k) {
+      auto& at = place[f.v[k]];
+      if (at == no_id) {
+        at = static_cast<std::uint32_t>(result.surface.points.size());
+        result.surface.points.push_back(mesh.vertices[f.v[k]].position);
+        result.origin.push_back(mesh.vertices[f.v[k]].origin);
+      }
+      t[k] = at;
+    }
+    result.surface.triangles.push_back(t);
+    result.label.push_back(f.label);
+  }
+  return result;
+}
+
+}  // namespace
+
+expected<labelled_surface> label_surface(const mesh_version& mesh, const cavity& hollow,
+                                         const tool_surface& tool, const corefined& cut,
+                                         boolean_mode mode, double size) {
+  return surface_labeller(mesh, hollow, tool, cut, mode, size).label();
+}
+
+double deviation_of(const surface_mesh& before, const surface_mesh& after) {
+  std::vector<std::array<vec3, 3>> triangles;
+  std::vector<box> boxes;
+  for (const auto& f : after.faces) {
+    if (!f.alive || f.frozen)
+      continue;
+    triangles.push_back({after.vertices[f.v[0]].position, after.vertices[f.v[1]].position,
+                         after.vertices[f.v[2]].position});
+    boxes.push_back(box_of(triangles.back()));
+  }
+  if (triangles.empty())
+    return 0;
+  const box_tree tree(boxes);
+  double most = 0;
+  for (std::uint32_t v = 0; v < before.vertices.size(); ++v) {
+    const auto& at = before.faces_at(v);
+    if (before.vertices[v].fixed || at.empty())
+      continue;
+    const vec3 p = before.vertices[v].position;
+    double least = 1e300;
+    for (double reach = 1e-3 * before.vertices[v].size; least > reach; reach *= 8) {
+      (void)tree.any_meeting(box_of(std::array{p}).grown(reach), [&](std::size_t i) {
+        const auto& t = triangles[i];
+        least = std::min(least, point_to_triangle(p, t[0], t[1], t[2]));
+        return false;
+      });
+      if (reach > 10 * before.vertices[v].size)
+        break;
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+expected<replaced> replace_cavity(mesh_builder& builder, const cavity& hollow,
+                                  const labelled_surface& surface, const tool_surface& tool,
+                                  const execution& run) {
+  const auto shell = compact(surface.mesh);
+  tet_filling filling;
+  if (!shell.surface.triangles.empty()) {
+    auto made = tetrahedralise_surface(shell.surface, run, 0);
+    if (!made)
+      return fail(made.error());
+    filling = std::move(*made);
+  }
+  std::vector<vertex_id> vertices(filling.points.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    vertices[i] = i < shell.origin.size() && shell.origin[i] >= 0
+                    ? hollow.vertices[shell.origin[i]]
+                    : builder.add_vertex(filling.points[i]);
+  replaced result;
+  result.surfaces.resize(tool.names.size());
+  cavity_change change;
+  change.removed = hollow.tets;
+  change.removed.insert(change.removed.end(), hollow.gone.begin(), hollow.gone.end());
+  for (const auto& t : filling.tets)
+    change.added.push_back(
+      {{{vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]}}, hollow.region});
+  const auto& labels = surface.labels;
+  for (std::size_t i = 0; i < shell.surface.triangles.size(); ++i) {
+    const auto label = shell.label[i];
+    if (label == surface_labels::shell)
+      continue;
+    surface_id id = 0;
+    if (labels.is_tool(label)) {
+      auto& made = result.surfaces[labels.tool_face(label)];
+      if (!made)
+        made = builder.add_surface(tool.names[labels.tool_face(label)]);
+      id = *made;
+    } else {
+      id = labels.part[label];
+    }
+    const auto& t = shell.surface.triangles[i];
+    change.facets.push_back({{vertices[t[0]], vertices[t[1]], vertices[t[2]]}, id});
+  }
+  auto added = builder.apply(change);
+  if (!added)
+    return fail(ec::mesher_failed, added.error().message);
+  drop_bare_interfaces(builder);
+  result.tets = std::move(*added);
+  return result;
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "mesh/builder.hpp"
+#include "ops/boolean/cavity.hpp"
+#include "ops/boolean/clean.hpp"
+#include "ops/boolean/corefine.hpp"
+
+namespace tedit::ops {
+
+/// What the triangles of a boolean's result belong to: surfaces of the part first, then faces of
+/// the tool.
+struct surface_labels {
+  std::vector<surface_id> part;
+  std::size_t tool_faces = 0;
+
+  static constexpr std::int32_t shell = -1;  ///< Against tets that stay.
+  [[nodiscard]] bool is_tool(std::int32_t label) const {
+    return label >= static_cast<std::int32_t>(part.size());
+  }
+  [[nodiscard]] std::size_t tool_face(std::int32_t label) const {
+    return static_cast<std::size_t>(label) - part.size();
+  }
+};
+
+struct labelled_surface {
+  surface_mesh mesh;
+  surface_labels labels;
+};
+
+/// The result of the exact boolean with labels, sizes and what must stay. Errors: `mesher_failed`
+/// where a triangle against a tet that stays was cut, or where what was taken does not hang
+/// together with what goes.
+[[nodiscard]] expected<labelled_surface> label_surface(const mesh_version& mesh,
+                                                       const cavity& hollow,
+                                                       const tool_surface& tool,
+                                                       const corefined& cut, boolean_mode mode,
+                                                       double size);
+
+/// How far the points of the exact boolean are from the cleaned surface at most, m. Frozen faces
+/// have not moved.
+[[nodiscard]] double deviation_of(const surface_mesh& before, const surface_mesh& after);
+
+/// The cavity's tets and those that go are replaced by a filling of the surface. Returns the new
+/// tets, and the surface that each face of the tool became, if any of it is left. Errors: those of
+/// the mesher.
+struct replaced {
+  std::vector<tet_id> tets;
+  std::vector<std::optional<surface_id>> surfaces;  ///< By face of the tool.
+};
+[[nodiscard]] expected<replaced> replace_cavity(mesh_builder& builder, const cavity& hollow,
+                                                const labelled_surface& surface,
+                                                const tool_surface& tool, const execution& run);
+
+}  // namespace tedit::ops

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boolean/surface_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace tedit::ops {
+
+namespace {
+
+/// A bend of more than 40 degrees within a surface is a crease.
+constexpr double crease_cosine = 0.766;
+/// A crease that bends by more than 40 degrees has a corner there.
+constexpr double straight_cosine = -0.766;
+
+}  // namespace
+
+void surface_mesh::connect() {
+  at_.assign(vertices.size(), {});
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (const auto v : faces[f].v)
+      at_[v].push_back(f);
+  for (const auto& f : faces)
+    if (f.frozen)
+      for (const auto v : f.v)
+        vertices[v].fixed = true;
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    std::map<std::uint32_t, int> edges;
+    for (const auto f : at_[v])
+      for (const auto w : faces[f].v)
+        edges[w] += w != v;
+    edges.erase(v);
+    const bool even = std::ranges::all_of(edges, [](const auto& row) { return row.second == 2; });
+    if (!even || !is_one_fan(v))
+      vertices[v].fixed = true;
+  }
+}
+
+/// Do the faces at v hang together over edges at v?
+bool surface_mesh::is_one_fan(std::uint32_t v) const {
+  auto left = at_[v];
+  if (left.empty())
+    return true;
+  std::vector<std::uint32_t> open{left.back()};
+  left.pop_back();
+  while (!open.empty()) {
+    const auto f = open.back();
+    open.pop_back();
+    const auto beside = std::partition(left.begin(), left.end(), [&](std::uint32_t g) {
+      return std::ranges::count_if(faces[g].v, [&](auto w) { return has(f, w); }) < 2;
+    });
+    open.insert(open.end(), beside, left.end());
+    left.erase(beside, left.end());
+  }
+  return left.empty();
+}
+
+std::vector<std::uint32_t> surface_mesh::neighbours(std::uint32_t v) const {
+  std::vector<std::uint32_t> result;
+  for (const auto f : at_[v])
+    for (const auto w : faces[f].v)
+      if (w != v && std::ranges::find(result, w) == result.end())
+        result.push_back(w);
+  return result;
+}
+
+bool surface_mesh::faces_of_edge(std::uint32_t a, std::uint32_t b,
+                                 std::array<std::uint32_t, 2>& found) const {
+  int count = 0;
+  for (const auto f : at_[a])
+    if (has(f, b)) {
+      if (count < 2)
+        found[count] = f;
+      ++count;
+    }
+  return count == 2;
+}
+
+bool surface_mesh::bends(std::uint32_t f, std::uint32_t g) const {
+  const auto& one = faces[f];
+  const auto& other = faces[g];
+  return one.label != other.label || one.frozen != other.frozen ||
+         dot(one.normal, other.normal) < crease_cosine;
+}
+
+bool surface_mesh::is_crease(std::uint32_t a, std::uint32_t b) const {
+  std::array<std::uint32_t, 2> at{};
+  return !faces_of_edge(a, b, at) || bends(at[0], at[1]);
+}
+
+std::vector<std::uint32_t> surface_mesh::creases_at(std::uint32_t v) const {
+  auto result = neighbours(v);
+  std::erase_if(result, [&](auto w) { return !is_crease(v, w); });
+  return result;
+}
+
+surface_mesh::freedom surface_mesh::freedom_of(std::uint32_t v) const {
+  if (vertices[v].fixed)
+    return freedom::fixed;
+  const auto creases = creases_at(v);
+  if (creases.empty())
+    return freedom::face;
+  if (creases.size() != 2)
+    return freedom::corner;
+  const vec3 p = vertices[v].position;
+  const vec3 one = normalized(vertices[creases[0]].position - p);
+  const vec3 other = normalized(vertices[creases[1]].position - p);
+  return dot(one, other) < straight_cosine ? freedom::crease : freedom::corner;
+}
+
+bool surface_mesh::may_go(std::uint32_t a, std::uint32_t b) const {
+  std::array<std::uint32_t, 2> at{};
+  if (!faces_of_edge(a, b, at) || faces[at[0]].frozen || faces[at[1]].frozen)
+    return false;
+  const auto near_a = neighbours(a);
+  const auto near_b = neighbours(b);
+  const auto common = std::ranges::count_if(
+    near_a, [&](auto w) { return std::ranges::find(near_b, w) != near_b.end(); });
+  return common == 2;
+}
+
+vec3 surface_mesh::normal_of(const triangle& t) const {
+  const vec3 p = vertices[t[0]].position;
+  return cross(vertices[t[1]].position - p, vertices[t[2]].position - p);
+}
+
+double surface_mesh::shape_of(const triangle& t) const {
+  double squares = 0;
+  for (int k = 0; k < 3; ++k) {
+    const vec3 edge = vertices[t[(k + 1) % 3]].position - vertices[t[k]].position;
+    squares += dot(edge, edge);
+  }
+  return squares > 0 ? 2 * std::sqrt(3.0) * norm(normal_of(t)) / squares : 0;
+}
+
+double surface_mesh::length(std::uint32_t a, std::uint32_t b) const {
+  return norm(vertices[a].position - vertices[b].position);
+}
+
+void surface_mesh::drop(std::uint32_t f) {
+  faces[f].alive = false;
+  for (const auto v : faces[f].v)
+    std::erase(at_[v], f);
+}
+
+void surface_mesh::add(const triangle& t, std::uint32_t like) {
+  auto f = faces[like];
+  f.v = t;
+  f.alive = true;
+  const auto id = static_cast<std::uint32_t>(faces.size());
+  faces.push_back(f);
+  for (const auto v : t)
+    at_[v].push_back(id);
+}
+
+void surface_mesh::merge(std::uint32_t u, std::uint32_t v) {
+  const auto around = at_[u];
+  for (const auto f : around) {
+    auto t = faces[f].v;
+    const bool goes = has(f, v);
+    drop(f);
+    if (goes)
+      continue;
+    std::ranges::replace(t, u, v);
+    add(t, f);
+  }
+}
+
+std::uint32_t surface_mesh::split(std::uint32_t a, std::uint32_t b, vec3 p) {
+  std::array<std::uint32_t, 2> at{};
+  if (!faces_of_edge(a, b, at) || faces[at[0]].frozen || faces[at[1]].frozen)
+    return no_id;
+  const auto middle = static_cast<std::uint32_t>(vertices.size());
+  vertices.push_back({p, size(a, b), -1, false});
+  at_.emplace_back();
+  for (const auto f : at) {
+    auto with_b = faces[f].v;
+    auto with_a = faces[f].v;
+    drop(f);
+    std::ranges::replace(with_b, a, middle);
+    std::ranges::replace(with_a, b, middle);
+    add(with_b, f);
+    add(with_a, f);
+  }
+  return middle;
+}
+
+bool surface_mesh::turned(std::uint32_t a, std::uint32_t b, const std::array<std::uint32_t, 2>& at,
+                          std::array<triangle, 2>& result) const {
+  if (bends(at[0], at[1]) || faces[at[0]].frozen || faces[at[1]].frozen)
+    return false;
+  const auto opposite = [&](std::uint32_t f) {
+    for (const auto v : faces[f].v)
+      if (v != a && v != b)
+        return v;
+    return a;
+  };
+  const auto c = opposite(at[0]);
+  const auto d = opposite(at[1]);
+  if (c == d || std::ranges::any_of(at_[c], [&](auto f) { return has(f, d); }))
+    return false;
+  const auto& t = faces[at[0]].v;
+  const auto k = std::ranges::find(t, a) - t.begin();
+  const bool forward = t[(k + 1) % 3] == b;
+  result[0] = {forward ? a : b, d, c};
+  result[1] = {d, forward ? b : a, c};
+  return true;
+}
+
+void surface_mesh::turn(std::uint32_t a, std::uint32_t b, const std::array<std::uint32_t, 2>& at) {
+  std::array<triangle, 2> next;
+  if (!turned(a, b, at, next))
+    return;
+  const vec3 normal = normalized(faces[at[0]].normal + faces[at[1]].normal);
+  drop(at[0]);
+  drop(at[1]);
+  for (const auto& t : next) {
+    add(t, at[0]);
+    faces.back().normal = normal;
+  }
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "mesh/box.hpp"
+#include "ops/sdk/operation.hpp"
+
+namespace tedit::ops {
+
+/// Mean length of the edges of the boundary facets that meet a box, of all where none does; m. What
+/// a tool's triangles should measure there. Cost: O(facet slots).
+[[nodiscard]] double local_size(const mesh_version& mesh, const box& where);
+[[nodiscard]] double local_size(const mesh_version& mesh, const tool_surface& tool);
+
+/// The box of the part's live vertices. Cost: O(vertex slots).
+[[nodiscard]] box extent_of(const mesh_version& mesh);
+
+/// Where a ray passes through the boundary.
+struct ray_hit {
+  double distance = 0;  ///< m, along the unit direction.
+  facet_id facet = no_id;
+  bool leaves = false;  ///< The material ends here; else it begins.
+};
+
+/// All of them ahead of the origin, ascending. Cost: O(facet slots).
+[[nodiscard]] std::vector<ray_hit> ray_hits(const mesh_version& mesh, vec3 origin, vec3 direction);
+
+/// The nearest point of a surface to its centroid, with the unit outward normal there.
+struct wall_middle {
+  vec3 point;
+  vec3 normal;
+};
+
+/// Errors: `surface_not_found`. Cost: O(facets of the pages that hold some of it).
+[[nodiscard]] expected<wall_middle> middle_of(const mesh_version& mesh, surface_id surface);
+
+/// The unit outward normal of the boundary facet nearest to a point. Cost: O(facet slots).
+[[nodiscard]] vec3 outward_at(const mesh_version& mesh, vec3 point);
+
+}  // namespace tedit::ops
