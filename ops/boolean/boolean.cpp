@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/number_range.hpp"
+#include "mesh/checks.hpp"
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
@@ -30,18 +31,16 @@ constexpr double flush_layer = 0.15;
 /// What moves less than this share of the local size has stayed where it was asked to be.
 constexpr double exact = 1e-4;
 
-/// How a boolean is tried: rings of tets around what the tool crosses, and how far the surface may
-/// be off, as a share of the local size.
+/// How a boolean is tried: rings of tets around what the tool crosses, steps from anything new
+/// within which the part's triangles may change, and how the surface is cleaned.
 struct way {
   int rings = 1;
-  double off_plane = exact;
+  int steps = 2;
+  clean_settings clean;
 };
-constexpr std::array ways{way{1, exact}, way{2, exact}, way{1, 5e-3}, way{2, 2e-2}};
-
-struct trial {
-  boolean_result result;
-  double worst = 0;
-};
+constexpr std::array ways{way{1, 2, {exact, 0.03, 0.12}}, way{2, 4, {exact, 0.03, 0.12}},
+                          way{1, 2, {exact, 0.06, 0.25}}, way{1, 3, {5e-3, 0.03, 0.12}},
+                          way{2, 4, {2e-2, 0.06, 0.12}},  way{2, 4, {2e-2, 0.1, 0.3}}};
 
 class tool_boolean {
 public:
@@ -53,21 +52,21 @@ public:
 
   expected<boolean_result> best() {
     const cavity_finder finder(*mesh_, flush_.tool, request_.mode);
-    std::optional<trial> best;
+    std::optional<boolean_result> best;
     std::optional<error> last;
     for (const auto& one : ways) {
       if (run_.cancel.cancelled())
         return fail(ec::cancelled, "the edit was cancelled");
       auto made = try_way(finder, one);
       if (!made) {
-        if (made.error().code != ec::mesher_failed)
-          return best ? expected<boolean_result>(std::move(best->result)) : fail(made.error());
         last = made.error();
+        if (last->code != ec::mesher_failed)
+          break;
         continue;
       }
-      if (!best || made->worst > best->worst)
+      if (!best || is_better(*made, *best))
         best = std::move(*made);
-      if (best->worst >= std::min(wanted_quality, best->result.worst_before))
+      if (best->worst_after >= std::min(wanted_quality, best->worst_before))
         break;
     }
     if (!best) {
@@ -75,16 +74,24 @@ public:
         last->remedy = "Move the tool a little, or make it larger or smaller";
       return fail(*last);
     }
-    if (best->worst < std::min(least_quality, best->result.worst_before))
-      return fail(ec::postcondition_failed,
-                  "the tets around the tool would be too flat (q = " + number_text(best->worst) +
-                    ")",
-                  "Move the tool a little: something of it nearly meets an edge of the part");
-    return std::move(best->result);
+    if (best->worst_after < std::min(least_quality, best->worst_before))
+      return fail(
+        ec::postcondition_failed,
+        "the tets around the tool would be too flat (q = " + number_text(best->worst_after) + ")",
+        "Move the tool a little: something of it nearly meets an edge of the part");
+    return std::move(*best);
   }
 
 private:
-  expected<trial> try_way(const cavity_finder& finder, const way& how) {
+  /// As a share of what the part had there.
+  static bool is_better(const boolean_result& one, const boolean_result& other) {
+    const auto kept = [](const boolean_result& r) {
+      return r.worst_after / std::min(wanted_quality, std::max(r.worst_before, 1e-12));
+    };
+    return kept(one) > kept(other);
+  }
+
+  expected<boolean_result> try_way(const cavity_finder& finder, const way& how) {
     const auto hollow = finder.find(how.rings);
     if (!hollow)
       return fail(hollow.error());
@@ -94,11 +101,11 @@ private:
                                                      request_.mode, planes_in(*hollow), run_);
     if (!cut)
       return fail(cut.error());
-    auto surface = label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_);
+    auto surface = label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_, how.steps);
     if (!surface)
       return fail(surface.error());
     const auto before = surface->mesh;
-    clean_surface(surface->mesh, {how.off_plane});
+    clean_surface(surface->mesh, how.clean);
     const double deviation = deviation_of(before, surface->mesh);
     if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
       return fail(ec::mesher_failed,
@@ -108,8 +115,8 @@ private:
     return filled(*hollow, *surface, *cut, deviation);
   }
 
-  expected<trial> filled(const cavity& hollow, const labelled_surface& surface,
-                         const corefined& cut, double deviation) {
+  expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,
+                                  const corefined& cut, double deviation) {
     mesh_builder builder(mesh_);
     auto made = replace_cavity(builder, hollow, surface, flush_.tool, run_);
     if (!made)
@@ -117,51 +124,43 @@ private:
     if (builder.tet_count() == 0)
       return fail(ec::empty_selection, "nothing of the part would be left");
     run_.report(0.7, "improving");
-    const auto improved = improve(builder, made->tets, {}, run_);
-    if (!improved)
+    if (const auto improved = improve(builder, made->tets, {}, run_); !improved)
       return fail(improved.error());
-    double worst = improved->min_after;
-    const double before = worst_around(hollow);
-    if (worst < std::min(wanted_quality, before)) {
-      if (auto ok = mend(builder, worst); !ok)
+    auto result = frozen(builder);
+    if (result.worst_after < std::min(wanted_quality, result.worst_before)) {
+      if (auto ok = mend(builder); !ok)
         return fail(ok.error());
+      result = frozen(builder);
     }
-    trial one;
-    one.worst = worst;
-    auto& result = one.result;
-    result.candidate = builder.freeze();
-    result.touched = builder.touched();
-    result.volume_change = boundary_volume_change(*mesh_, *result.candidate);
     result.deviation = deviation;
-    result.worst_before = before;
-    result.worst_after = worst;
     result.surfaces = std::move(made->surfaces);
     if (auto ok = volume_fits(hollow, cut, result); !ok)
       return fail(ok.error());
-    return one;
+    return result;
+  }
+
+  boolean_result frozen(mesh_builder& builder) const {
+    boolean_result result;
+    result.candidate = builder.freeze();
+    result.touched = builder.touched();
+    result.volume_change = boundary_volume_change(*mesh_, *result.candidate);
+    result.worst_before = worst_quality_before(*mesh_, *result.candidate, result.touched);
+    result.worst_after = 1;
+    for (const auto t : result.touched)
+      result.worst_after =
+        std::min(result.worst_after, radius_ratio(result.candidate->corners(t)));
+    return result;
   }
 
   /// Edges of the boundary that may go without a change of shape go, too.
-  expected<void> mend(mesh_builder& builder, double& worst) {
+  expected<void> mend(mesh_builder& builder) const {
     tidy_settings settings;
     settings.tolerance = 0;
     if (auto ok = tidy_cut(builder, builder.touched(), settings, run_); !ok)
       return fail(ok.error());
-    const auto improved = improve(builder, builder.touched(), {}, run_);
-    if (!improved)
+    if (const auto improved = improve(builder, builder.touched(), {}, run_); !improved)
       return fail(improved.error());
-    worst = improved->min_after;
     return {};
-  }
-
-  [[nodiscard]] double worst_around(const cavity& hollow) const {
-    double worst = 1;
-    std::vector<vertex_id> corners = hollow.vertices;
-    for (const auto t : tets_around(*mesh_, corners))
-      worst = std::min(worst, radius_ratio(mesh_->corners(t)));
-    for (const auto t : hollow.tets)
-      worst = std::min(worst, radius_ratio(mesh_->corners(t)));
-    return worst;
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.

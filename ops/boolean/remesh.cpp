@@ -38,8 +38,14 @@ std::vector<double> mean_edges(const std::vector<vec3>& points,
 class surface_labeller {
 public:
   surface_labeller(const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,
-                   const corefined& cut, boolean_mode mode, double size)
-      : mesh_(mesh), hollow_(hollow), tool_(tool), cut_(cut), mode_(mode), size_(size) {}
+                   const corefined& cut, boolean_mode mode, double size, int free_steps)
+      : mesh_(mesh),
+        hollow_(hollow),
+        tool_(tool),
+        cut_(cut),
+        mode_(mode),
+        size_(size),
+        free_steps_(free_steps) {}
 
   expected<labelled_surface> label() {
     add_faces();
@@ -148,15 +154,13 @@ private:
     }
   }
 
-  /// The part's own triangles more than two steps from anything new stay as they are.
   void freeze_far() {
     auto& mesh = result_.mesh;
-    constexpr int far = 3;
-    std::vector<int> steps(mesh.vertices.size(), far);
+    std::vector<int> steps(mesh.vertices.size(), free_steps_);
     for (std::size_t v = 0; v < steps.size(); ++v)
       if (mesh.vertices[v].origin < 0)
         steps[v] = 0;
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < free_steps_; ++round) {
       auto next = steps;
       for (const auto& f : mesh.faces)
         for (const auto v : f.v)
@@ -165,7 +169,7 @@ private:
     }
     for (auto& f : mesh.faces)
       if (!result_.labels.is_tool(f.label) &&
-          std::ranges::all_of(f.v, [&](auto v) { return steps[v] >= 2; }))
+          std::ranges::all_of(f.v, [&](auto v) { return steps[v] >= free_steps_; }))
         f.frozen = true;
   }
 
@@ -175,6 +179,7 @@ private:
   const corefined& cut_;
   boolean_mode mode_;
   double size_;
+  int free_steps_;
   labelled_surface result_;
 };
 
@@ -211,8 +216,8 @@ compact_surface compact(const surface_mesh& mesh) {
 
 expected<labelled_surface> label_surface(const mesh_version& mesh, const cavity& hollow,
                                          const tool_surface& tool, const corefined& cut,
-                                         boolean_mode mode, double size) {
-  return surface_labeller(mesh, hollow, tool, cut, mode, size).label();
+                                         boolean_mode mode, double size, int free_steps) {
+  return surface_labeller(mesh, hollow, tool, cut, mode, size, free_steps).label();
 }
 
 double deviation_of(const surface_mesh& before, const surface_mesh& after) {

@@ -30,14 +30,15 @@ struct labelled_surface {
   surface_labels labels;
 };
 
-/// The result of the exact boolean with labels, sizes and what must stay. Errors: `mesher_failed`
+/// The result of the exact boolean with labels, sizes and what must stay: the part's triangles
+/// more than `free_steps` from anything new. Errors: `mesher_failed`
 /// where a triangle against a tet that stays was cut, or where what was taken does not hang
 /// together with what goes.
 [[nodiscard]] expected<labelled_surface> label_surface(const mesh_version& mesh,
                                                        const cavity& hollow,
                                                        const tool_surface& tool,
                                                        const corefined& cut, boolean_mode mode,
-                                                       double size);
+                                                       double size, int free_steps);
 
 /// How far the points of the exact boolean are from the cleaned surface at most, m. Frozen faces
 /// have not moved.
