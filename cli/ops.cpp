@@ -26,6 +26,10 @@ const char* type_name(ops::parameter_type type) {
       return "text";
     case ops::parameter_type::choice:
       return "choice";
+    case ops::parameter_type::point:
+      return "point";
+    case ops::parameter_type::direction:
+      return "direction";
   }
   return "text";
 }

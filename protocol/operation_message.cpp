@@ -21,6 +21,10 @@ v1::Parameter::Type type_to(ops::parameter_type type) {
       return v1::Parameter::TEXT;
     case ops::parameter_type::choice:
       return v1::Parameter::CHOICE;
+    case ops::parameter_type::point:
+      return v1::Parameter::POINT;
+    case ops::parameter_type::direction:
+      return v1::Parameter::DIRECTION;
   }
   return v1::Parameter::TYPE_UNSPECIFIED;
 }
@@ -35,6 +39,10 @@ ops::parameter_type type_from(v1::Parameter::Type type) {
       return ops::parameter_type::real;
     case v1::Parameter::CHOICE:
       return ops::parameter_type::choice;
+    case v1::Parameter::POINT:
+      return ops::parameter_type::point;
+    case v1::Parameter::DIRECTION:
+      return ops::parameter_type::direction;
     default:
       return ops::parameter_type::text;
   }

@@ -60,6 +60,7 @@ public:
       auto made = try_way(finder, one);
       if (!made) {
         last = made.error();
+        if(getenv("DBG"))fprintf(stderr,"way %d: %s\n",int(&one-ways.data()),last->message.c_str());
         if (last->code != ec::mesher_failed)
           break;
         continue;
@@ -101,6 +102,9 @@ private:
                                                      request_.mode, planes_in(*hollow), run_);
     if (!cut)
       return fail(cut.error());
+    if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
+      return fail(ec::empty_selection, "the tool changes nothing of the part",
+                  "Place it so that it cuts the part's surface");
     auto surface = label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_, how.steps);
     if (!surface)
       return fail(surface.error());
@@ -161,6 +165,11 @@ private:
     if (const auto improved = improve(builder, builder.touched(), {}, run_); !improved)
       return fail(improved.error());
     return {};
+  }
+
+  [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
+    return hollow.gone.empty() &&
+           std::abs(cut.volume_change) <= 1e-9 * size_ * size_ * size_;
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.

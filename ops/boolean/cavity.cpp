@@ -115,8 +115,9 @@ public:
     }
   }
 
-  /// False where the part's own boundary is at fault.
-  bool grow_until_clean() {
+  /// With tets of this region alone: against others the surface stays as it is. False where the
+  /// part's own boundary is at fault.
+  bool grow_until_clean(region_id region) {
     for (int round = 0; round < 16; ++round) {
       std::unordered_map<std::uint64_t, int> count;
       for_each_side([&](const auto& v, std::uint32_t) {
@@ -135,7 +136,7 @@ public:
         edge_key edge(0, 0);
         edge.value = value;
         for (const auto t : tets_around(mesh_, std::array{edge.first()}))
-          if (holds(mesh_.tet_at(t), edge.second()))
+          if (holds(mesh_.tet_at(t), edge.second()) && mesh_.region_of(t) == region)
             add(t);
       }
       if (tets_.size() == before)
@@ -237,6 +238,18 @@ void cavity_finder::sort_sides(const std::vector<tet_id>& near) {
   }
 }
 
+/// The one that the tool's surface crosses; an addition may hold no other one either.
+expected<region_id> cavity_finder::region_of_edit() const {
+  auto changed = crossed_;
+  if (mode_ == boolean_mode::add)
+    changed.insert(changed.end(), within_.begin(), within_.end());
+  for (const auto t : changed)
+    if (mesh_.region_of(t) != mesh_.region_of(changed.front()))
+      return fail(ec::invalid_argument, "the tool crosses two regions of the part",
+                  "Place it so that it meets one region");
+  return changed.empty() ? region_id{0} : mesh_.region_of(changed.front());
+}
+
 expected<cavity> cavity_finder::find(int rings) const {
   const bool keeps_inside = mode_ == boolean_mode::keep;
   if (crossed_.empty() && (mode_ == boolean_mode::add || within_.empty()))
@@ -246,19 +259,19 @@ expected<cavity> cavity_finder::find(int rings) const {
   if (mode_ == boolean_mode::add)
     for (const auto t : within_)
       grown.add(t);
+  const auto region = region_of_edit();
+  if (!region)
+    return fail(region.error());
   for (int ring = 0; ring < rings; ++ring)
-    grown.add_ring([&](tet_id t) { return (is_inside_[t] != 0) == keeps_inside; });
-  if (!grown.grow_until_clean())
+    grown.add_ring([&](tet_id t) {
+      return (is_inside_[t] != 0) == keeps_inside && mesh_.region_of(t) == *region;
+    });
+  if (!grown.grow_until_clean(*region))
     return fail(ec::mesher_failed, "the part's boundary is no clean surface where the tool is",
                 "Place the tool elsewhere");
   cavity result;
   result.tets = grown.tets();
-  if (!result.tets.empty())
-    result.region = mesh_.region_of(result.tets.front());
-  for (const auto t : result.tets)
-    if (mesh_.region_of(t) != result.region)
-      return fail(ec::invalid_argument, "the tool reaches into two regions of the part",
-                  "Place it so that it meets one region");
+  result.region = *region;
   if (mode_ == boolean_mode::cut) {
     for (const auto t : within_)
       if (!grown.holds_tet(t))

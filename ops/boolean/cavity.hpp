@@ -32,14 +32,15 @@ public:
   /// Cost: O(tet slots), and O(tets in the tool's box).
   cavity_finder(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode);
 
-  /// Errors: `empty_selection` where the tool meets nothing, `invalid_argument` where it reaches
-  /// into two regions, `mesher_failed` where the part itself is no clean solid. Cost: O(cavity).
+  /// Errors: `empty_selection` where the tool meets nothing, `invalid_argument` where it crosses
+  /// two regions, `mesher_failed` where the part itself is no clean solid. Cost: O(cavity).
   [[nodiscard]] expected<cavity> find(int rings) const;
 
 private:
   void find_crossed(const std::vector<tet_id>& near);
   void sort_sides(const std::vector<tet_id>& near);
   [[nodiscard]] bool is_within(tet_id t) const;
+  [[nodiscard]] expected<region_id> region_of_edit() const;
 
   const mesh_version& mesh_;
   const tool_surface& tool_;

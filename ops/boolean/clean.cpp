@@ -114,7 +114,7 @@ private:
       const double side = longest_side(t);
       const double height = side > 0 ? norm(n) / side : 0;
       const vec3 normal = mesh_.faces[f].normal;
-      if (height > 0.1 * size &&
+      if (height > 2 * tolerance * size &&
           std::abs(dot(step, normal)) > std::max(settings_.off_plane, 1e-4) * size)
         return false;
       if (height > 1.5 * tolerance * size && dot(n, normal) < weld_turn_limit * norm(n))
@@ -274,7 +274,7 @@ private:
       if (!faces_along(t, normal, poor ? poor_flip_limit : flip_limit))
         return false;
     const double rise = std::abs(dot(at(next[0][1]) - at(a), one.normal));
-    if (rise > std::max(poor ? 0.05 : 0.02, settings_.off_plane) * mesh_.size(a, b))
+    if (rise > settings_.off_plane * mesh_.size(a, b))
       return false;
     mesh_.turn(a, b, both);
     return true;

@@ -85,6 +85,8 @@ std::string hostile(plugin_trial& b) {
                                             std::string(),
                                             std::string(1 << 20, 'x'),
                                             std::string("\xff\x01\n%n%s"),
+                                            std::string("0, 0, 0"),
+                                            std::string("1e30, -1e30, 1e-30"),
                                             true};
   int answered = 0;
   for (const auto& p : b.description().parameters)

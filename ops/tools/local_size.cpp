@@ -85,6 +85,18 @@ box extent_of(const mesh_version& mesh) {
   return extent;
 }
 
+double reach_along(const mesh_version& mesh, vec3 from, vec3 direction) {
+  const auto extent = extent_of(mesh);
+  double most = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const vec3 p{(corner & 1) != 0 ? extent.high.x : extent.low.x,
+                 (corner & 2) != 0 ? extent.high.y : extent.low.y,
+                 (corner & 4) != 0 ? extent.high.z : extent.low.z};
+    most = std::max(most, dot(p - from, direction));
+  }
+  return most + mean_edge(mesh, nullptr);
+}
+
 std::vector<ray_hit> ray_hits(const mesh_version& mesh, vec3 origin, vec3 direction) {
   std::vector<ray_hit> hits;
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
@@ -129,8 +141,10 @@ expected<wall_middle> middle_of(const mesh_version& mesh, surface_id surface) {
                      normalized(area_vector(mesh, mesh.facet(nearest)))};
 }
 
-vec3 outward_at(const mesh_version& mesh, vec3 point) {
-  const auto nearest = nearest_facet(mesh, point, [](const boundary_facet&) { return true; });
+vec3 outward_at(const mesh_version& mesh, vec3 point, const std::vector<surface_id>& surfaces) {
+  const auto nearest = nearest_facet(mesh, point, [&](const boundary_facet& facet) {
+    return surfaces.empty() || std::ranges::find(surfaces, facet.surface) != surfaces.end();
+  });
   return nearest == no_id ? vec3{0, 0, 1} : normalized(area_vector(mesh, mesh.facet(nearest)));
 }
 

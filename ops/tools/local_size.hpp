@@ -14,6 +14,9 @@ namespace tedit::ops {
 /// The box of the part's live vertices. Cost: O(vertex slots).
 [[nodiscard]] box extent_of(const mesh_version& mesh);
 
+/// How far the part's box reaches from a point along a unit direction, and one mean edge more; m.
+[[nodiscard]] double reach_along(const mesh_version& mesh, vec3 from, vec3 direction);
+
 /// Where a ray passes through the boundary.
 struct ray_hit {
   double distance = 0;  ///< m, along the unit direction.
@@ -33,7 +36,9 @@ struct wall_middle {
 /// Errors: `surface_not_found`. Cost: O(facets of the pages that hold some of it).
 [[nodiscard]] expected<wall_middle> middle_of(const mesh_version& mesh, surface_id surface);
 
-/// The unit outward normal of the boundary facet nearest to a point. Cost: O(facet slots).
-[[nodiscard]] vec3 outward_at(const mesh_version& mesh, vec3 point);
+/// The unit outward normal of the boundary facet nearest to a point, of these surfaces alone where
+/// some are named. Cost: O(facet slots).
+[[nodiscard]] vec3 outward_at(const mesh_version& mesh, vec3 point,
+                              const std::vector<surface_id>& surfaces = {});
 
 }  // namespace tedit::ops

@@ -37,6 +37,7 @@ constexpr layout_fact frozen[] = {
   {"selection_description", 48, 0xb2b44354c1c78355},
   {"parameter_description", 264, 0x6f55dca975e6e6e1},
   {"parameter_type", 4, 0x4},
+  {"parameter_type since 7.1", 4, 0x6},
   {"context", 0, 0x41af36a824c7daf5},
   {"edit_result", 192, 0x6201b55312d2f59},
   {"expected<edit_result>", 336, 0x831c807b4ea29ad},
@@ -49,6 +50,11 @@ constexpr layout_fact frozen[] = {
   {"planar_filling", 48, 0x7d93967f2853a88d},
   {"services", 0, 0x5feb7261bdf56eb3},
   {"operation", 0, 0x731b0c3d0c677991},
+  {"tool_surface", 96, 0xd72d158d2acfc745},
+  {"boolean_request", 16, 0x2a9ab27f8a4524f9},
+  {"boolean_mode", 4, 0x2},
+  {"boolean_result", 96, 0x3c7eb4507c08dfd5},
+  {"services since 7.1", 0, 0x27b79fd2a94fc0e2},
 };
 
 std::string text_of(const layout_fact& fact) {

@@ -48,6 +48,18 @@ void choose_value(const ops::parameter_description& p, const number_source& numb
       break;
     case ops::parameter_type::text:
       break;
+    case ops::parameter_type::point:
+    case ops::parameter_type::direction: {
+      // Most points are left to the wall: few of those in the air meet the part.
+      if (p.type == ops::parameter_type::point && below(numbers, 4) != 0)
+        break;
+      const double reach = p.type == ops::parameter_type::point ? 0.5 * size : 1;
+      std::string text;
+      for (int axis = 0; axis < 3; ++axis)
+        text += (axis > 0 ? "," : "") + std::to_string(uniform(numbers, -reach, reach));
+      values[p.id] = text;
+      break;
+    }
   }
 }
 

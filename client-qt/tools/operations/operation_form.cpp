@@ -82,6 +82,44 @@ QString text(const std::string& words) {
   return QString::fromStdString(words);
 }
 
+/// What is typed, in SI units and as the host reads it.
+std::string read_vector(const QString& typed, const QString& si_unit) {
+  static const QRegularExpression between("[;\\s]+");
+  static const QRegularExpression comma_blank(",\\s+");
+  QString plain = typed;
+  plain.replace(comma_blank, " ");
+  auto words = plain.split(between, Qt::SkipEmptyParts);
+  if (words.size() != 3 && typed.count(',') == 2)
+    words = typed.split(',');
+  if (words.size() != 3)
+    return typed.trimmed().toStdString();
+  QStringList numbers;
+  for (const auto& word : words) {
+    const auto si = read_quantity(word, si_unit);
+    if (!si)
+      return typed.trimmed().toStdString();
+    numbers.append(QString::number(*si, 'g', 15));
+  }
+  return numbers.join(", ").toStdString();
+}
+
+/// The host's text, in the unit that is shown and as the locale writes numbers.
+QString vector_words(const std::string& host, const QString& si_unit) {
+  const auto numbers = text(host).split(',', Qt::SkipEmptyParts);
+  const double scale = shown_as(si_unit).scale;
+  QLocale plain;
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
+  QStringList words;
+  for (const auto& number : numbers) {
+    bool ok = false;
+    const double value = number.trimmed().toDouble(&ok);
+    if (!ok)
+      return text(host);
+    words.append(plain.toString(scale * value, 'g', 10));
+  }
+  return words.join("; ");
+}
+
 /// Name, help, range and default of a parameter.
 QString what_it_is(const ops::parameter_description& parameter) {
   QString result = "<b>" + text(parameter.name).toHtmlEscaped() + "</b><br>" +
@@ -158,6 +196,9 @@ QWidget* operation_form::make_field(const ops::parameter_description& parameter)
       return make_real(parameter);
     case ops::parameter_type::choice:
       return make_choice(parameter);
+    case ops::parameter_type::point:
+    case ops::parameter_type::direction:
+      return make_vector(parameter);
     default:
       return make_text(parameter);
   }
@@ -230,6 +271,25 @@ QWidget* operation_form::make_text(const ops::parameter_description& parameter) 
                              if (const auto* s = std::get_if<std::string>(&v))
                                box->setText(text(*s));
                            }};
+  return box;
+}
+
+/// Three numbers, those of a point in the unit that lengths are shown in. What cannot be read goes
+/// on as it is: the host says what is wrong with it.
+QWidget* operation_form::make_vector(const ops::parameter_description& parameter) {
+  auto* box = new QLineEdit;
+  const QString unit = text(parameter.unit);
+  const QString shown = shown_as(unit).name;
+  box->setPlaceholderText(
+    shown.isEmpty() ? operation_form_phrases::tr("x; y; z, or empty: by the wall")
+                    : operation_form_phrases::tr("x; y; z in %1, or empty: by the wall").arg(shown));
+  connect(box, &QLineEdit::textChanged, this, &operation_form::changed);
+  fields_[parameter.id] = {
+    [box, unit] { return ops::parameter_value(read_vector(box->text(), unit)); },
+    [box, unit](const ops::parameter_value& v) {
+      if (const auto* s = std::get_if<std::string>(&v))
+        box->setText(vector_words(*s, unit));
+    }};
   return box;
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/boss/boss.hpp"
+
+namespace tedit::ops {
+
+expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
+                               const parameters& values, context& ctx) {
+  const auto where = placement_of(*mesh, picked, values, "direction",
+                                  std::get<double>(values.at("size")));
+  if (!where)
+    return fail(where.error());
+  const double size = profile_size(*where, values);
+  const auto shape = profile_from(values, size);
+  if (!shape)
+    return fail(shape.error());
+  const double height = std::get<double>(values.at("height"));
+  // On a wall that is flat there the foot is flush with it, which the boolean makes exact; on any
+  // other one it goes down to where the wall is lowest.
+  const double gap = gap_below(*mesh, where->at + 1e-4 * where->size * where->outward,
+                               where->outward, radius_of(*shape));
+  const double foot = gap > 1e-3 * where->size ? gap + 0.2 * where->size : 0;
+  const auto tool =
+    extrude(profile_frame(*where, values), *shape, -foot, height, size, "boss", *ctx.host);
+  if (!tool)
+    return fail(tool.error());
+  const auto made =
+    ctx.host->boolean(mesh, *tool, {boolean_mode::add, deviation_share * where->size}, ctx.run);
+  if (!made)
+    return fail(made.error());
+  ctx.run.report(1, "added");
+  return as_edit(*made, *tool, as_set(picked));
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/drill/drill.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "tests/support/meshes.hpp"
+#include "tests/support/tool_edits.hpp"
+
+namespace tedit::ops {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Area of the regular polygon with n corners on the circle.
+double polygon_area(double diameter, int n) {
+  return 0.5 * n * std::pow(diameter / 2, 2) * std::sin(2 * std::numbers::pi / n);
+}
+
+class Drill : public test::tool_edits {
+protected:
+  expected<edit_result> drilled(const drill_shape& shape, vec3 at, vec3 outward) {
+    return drill(plate_, {at, outward, 0.1}, shape, {}, ctx_);
+  }
+
+  version_ptr plate_ = test::box_mesh({10, 10, 2}, {1, 1, 0.2});
+  const vec3 up_{0, 0, 1};
+};
+
+TEST_F(Drill, AHoleThroughAPlateTakesOffItsPrism) {
+  const auto result = drilled({.diameter = 0.3}, {0.47, 0.52, 0.2}, up_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  EXPECT_NEAR(result->volume_change, -0.2 * polygon_area(0.3, 24), 1e-8);
+  EXPECT_NEAR(area_of(*result->candidate, "bore"),
+              0.2 * 24 * 0.3 * std::sin(std::numbers::pi / 24), 1e-6);
+  EXPECT_EQ(result->candidate->surfaces().size(), 7u);
+}
+
+TEST_F(Drill, ItGoesIntoTheMaterialWhicheverWayTheAxisPoints) {
+  const auto from_above = drilled({.diameter = 0.3, .depth = 0.1}, {0.5, 0.5, 0.2}, up_);
+  const auto pointing_down = drilled({.diameter = 0.3, .depth = 0.1}, {0.5, 0.5, 0.2}, -up_);
+
+  ASSERT_TRUE(from_above && pointing_down);
+  EXPECT_NEAR(from_above->volume_change, -0.1 * polygon_area(0.3, 24), 1e-8);
+  EXPECT_NEAR(pointing_down->volume_change, from_above->volume_change, 1e-8);
+}
+
+TEST_F(Drill, ABlindHoleHasATip) {
+  const double tip = 2 * std::atan(1.5);  // A cone two thirds as high as its radius.
+  const auto result =
+    drilled({.diameter = 0.3, .depth = 0.05, .tip_angle = tip}, {0.5, 0.5, 0.2}, up_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  EXPECT_NEAR(result->volume_change, -(0.05 + 0.1 / 3) * polygon_area(0.3, 24), 1e-8);
+}
+
+TEST_F(Drill, ACounterboreAndACountersinkWidenItsMouth) {
+  const auto bore = drilled(
+    {.diameter = 0.2, .counterbore_diameter = 0.4, .counterbore_depth = 0.08}, {0.5, 0.5, 0.2}, up_);
+  const auto sink = drilled(
+    {.diameter = 0.2, .countersink_diameter = 0.4, .countersink_angle = std::numbers::pi / 2},
+    {0.5, 0.5, 0.2}, up_);
+
+  ASSERT_TRUE(bore) << render(bore.error());
+  ASSERT_TRUE(sink) << render(sink.error());
+  expect_good(plate_, *bore);
+  expect_good(plate_, *sink);
+  EXPECT_NEAR(bore->volume_change,
+              -0.08 * polygon_area(0.4, 24) - 0.12 * polygon_area(0.2, 24), 1e-8);
+  // A frustum 0.1 high with radii of 0.2 and 0.1, and the bore below.
+  const double frustum = 0.1 / 3 * 7 * polygon_area(0.2, 24);
+  EXPECT_NEAR(sink->volume_change, -frustum - 0.1 * polygon_area(0.2, 24), 1e-8);
+}
+
+TEST_F(Drill, ThreadsHaveTheirCores) {
+  EXPECT_EQ(thread_core("M6"), 5.0e-3);
+  EXPECT_FALSE(thread_core("none"));
+  EXPECT_EQ(threads().size(), 14u);
+}
+
+TEST_F(Drill, WhatIsNoHoleIsToldBeforeAnythingIsCut) {
+  const auto both = drilled({.diameter = 0.2,
+                             .counterbore_diameter = 0.3,
+                             .counterbore_depth = 0.01,
+                             .countersink_diameter = 0.3,
+                             .countersink_angle = 1.5},
+                            {0.5, 0.5, 0.2}, up_);
+  const auto narrow =
+    drilled({.diameter = 0.2, .counterbore_diameter = 0.1}, {0.5, 0.5, 0.2}, up_);
+
+  ASSERT_FALSE(both);
+  EXPECT_THAT(both.error().message, HasSubstr("not both"));
+  ASSERT_FALSE(narrow);
+  EXPECT_EQ(narrow.error().code, ec::invalid_parameter);
+}
+
+TEST_F(Drill, BesideThePartThereIsNothingToDrill) {
+  const auto result = drilled({.diameter = 0.2}, {3, 3, 0.2}, up_);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ec::empty_selection);
+  EXPECT_FALSE(result.error().remedy.empty());
+}
+
+}  // namespace
+}  // namespace tedit::ops

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/emboss/emboss.hpp"
+
+namespace {
+
+using namespace tedit;
+
+class emboss_operation final : public ops::operation {
+public:
+  ops::operation_description describe() const override {
+    using enum ops::parameter_type;
+    ops::operation_description d;
+    d.id = "emboss";
+    d.name = "Emboss text";
+    d.summary = "Raises a line of text from a wall, or sinks it in.";
+    d.version = "1.0.0";
+    d.selection.help = "The wall to write on, or none where a place is given.";
+    d.selection.minimum = 0;
+    d.selection.maximum = 1;
+    d.parameters = {
+      {"text", "Text", "One line.", text, "", {}, {}, {}, std::string("TEdit")},
+      {"size", "Letter height", "Of capitals.", real, "m", 1e-5, 1.0, {}, 0.005},
+      {"height", "Height", "How far it stands out of the wall; negative is sunk.", real, "m", -1.0,
+       1.0, {}, 0.0005},
+      {"font", "Font", "Of the letters.", choice, "", {}, {}, {"sans", "bold", "serif", "mono"},
+       std::string("sans")},
+      ops::at_parameter("The middle of the text, on the wall."),
+      ops::direction_parameter("up", "Up", "Which way the letters stand. Empty: by the part's "
+                                           "axes."),
+      ops::direction_parameter("direction", "Outward",
+                               "The direction that the text looks in. Empty: across the wall."),
+    };
+    d.icon = ops::line_icon(R"(<path d="M4 19 L10 5 L16 19 M6.2 14 H13.8"/><path d="M18 19 H21"/>)");
+    d.guide =
+      "For names and numbers on flat walls. Letters that are small beside the part's tets make "
+      "many small ones: a raised height of about a tenth of the letters does well.";
+    d.rank = 20;
+    return d;
+  }
+
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
+                                   const ops::parameters& values,
+                                   ops::context& ctx) const override {
+    ops::emboss_text what;
+    what.text = std::get<std::string>(values.at("text"));
+    what.font = std::get<std::string>(values.at("font"));
+    what.letter_height = std::get<double>(values.at("size"));
+    what.height = std::get<double>(values.at("height"));
+    if (what.text.size() > 200)
+      return fail(ec::invalid_parameter, "the text is longer than 200 bytes", "Give a shorter one");
+    const auto where =
+      ops::placement_of(*mesh, picked, values, "direction", 2 * what.letter_height);
+    if (!where)
+      return fail(where.error());
+    if (const auto up = ops::vector_of(values, "up"))
+      what.up = *up;
+    else
+      what.up = ops::text_up(where->outward);
+    return ops::emboss(mesh, *where, what, ops::as_set(picked), ctx);
+  }
+};
+
+}  // namespace
+
+TEDIT_PLUGIN("emboss", "1.0.0", emboss_operation)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/plane_cut/plane_cut.hpp"
+
+namespace tedit::ops {
+
+expected<edit_result> plane_cut(const version_ptr& mesh, vec3 at, vec3 normal, bool keep_below,
+                                context& ctx) {
+  const auto extent = extent_of(*mesh);
+  const double size = local_size(*mesh, extent);
+  const vec3 away = keep_below ? -normal : normal;
+  // What the plane's normal points away from goes.
+  const auto tool = half_space(extent, at, away, size, "cut", *ctx.host);
+  if (!tool)
+    return fail(tool.error());
+  auto made = ctx.host->boolean(mesh, *tool, {boolean_mode::cut, deviation_share * size}, ctx.run);
+  if (!made && made.error().code == ec::empty_selection)
+    return fail(ec::empty_selection,
+                "the plane leaves the part as it is, or nothing of it",
+                "Move the plane into the part, or keep its other side");
+  if (!made)
+    return fail(made.error());
+  ctx.run.report(1, "cut");
+  return as_edit(*made, *tool, {});
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/pocket/pocket.hpp"
+
+namespace tedit::ops {
+
+expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picked,
+                                 const parameters& values, context& ctx) {
+  const auto where = placement_of(*mesh, picked, values, "direction",
+                                  std::get<double>(values.at("size")));
+  if (!where)
+    return fail(where.error());
+  const double size = profile_size(*where, values);
+  const auto shape = profile_from(values, size);
+  if (!shape)
+    return fail(shape.error());
+  const double height = std::get<double>(values.at("height"));
+  const double depth = height > 0 ? height : reach_along(*mesh, where->at, -where->outward);
+  const double above =
+    clearance(*mesh, where->at, where->outward, radius_of(*shape)) + 0.5 * where->size;
+  const auto tool = extrude(profile_frame(*where, values), *shape, -depth, above, size, "pocket",
+                            *ctx.host);
+  if (!tool)
+    return fail(tool.error());
+  const auto made =
+    ctx.host->boolean(mesh, *tool, {boolean_mode::cut, deviation_share * where->size}, ctx.run);
+  if (!made)
+    return fail(made.error());
+  ctx.run.report(1, "cut");
+  return as_edit(*made, *tool, as_set(picked));
+}
+
+}  // namespace tedit::ops

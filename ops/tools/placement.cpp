@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/tools/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tedit::ops {
+
+namespace {
+
+constexpr int rim_points = 16;
+
+vec3 rim_point(const frame& f, double radius, int i) {
+  const double angle = 2 * std::numbers::pi * i / rim_points;
+  return f.at(radius * std::cos(angle), radius * std::sin(angle), 0);
+}
+
+box around(vec3 p, double reach) {
+  box result;
+  result.add(p);
+  return result.grown(reach);
+}
+
+}  // namespace
+
+parameter_description at_parameter(const std::string& help) {
+  parameter_description p;
+  p.id = "at";
+  p.name = "Place";
+  p.help = help + " Empty: the middle of the selected wall.";
+  p.type = parameter_type::point;
+  p.unit = "m";
+  p.default_value = std::string();
+  return p;
+}
+
+parameter_description direction_parameter(const std::string& id, const std::string& name,
+                                          const std::string& help) {
+  parameter_description p;
+  p.id = id;
+  p.name = name;
+  p.help = help;
+  p.type = parameter_type::direction;
+  p.default_value = std::string();
+  return p;
+}
+
+expected<placement> placement_of(const mesh_version& mesh, const selection& picked,
+                                 const parameters& values, const std::string& direction,
+                                 double reach) {
+  placement result;
+  const auto at = vector_of(values, "at");
+  if (!at && picked.surfaces.empty())
+    return fail(ec::empty_selection, "neither a place nor a wall was given",
+                "Select the wall, or give the place: at_mm=10,20,5");
+  if (!picked.surfaces.empty()) {
+    const auto middle = middle_of(mesh, picked.surfaces.front());
+    if (!middle)
+      return fail(middle.error());
+    result.at = middle->point;
+    result.outward = middle->normal;
+  }
+  if (at) {
+    result.at = *at;
+    result.outward = outward_at(mesh, *at, picked.surfaces);
+  }
+  if (const auto given = vector_of(values, direction))
+    result.outward = normalized(*given);
+  result.size = local_size(mesh, around(result.at, reach));
+  return result;
+}
+
+bool in_material(const mesh_version& mesh, vec3 point) {
+  // A direction that hardly any edge of a part lies along.
+  const auto hits = ray_hits(mesh, point, normalized({0.5377, 0.2713, 0.7982}));
+  return !hits.empty() && hits.front().leaves;
+}
+
+double clearance(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
+  const frame f = make_frame(at, out);
+  double most = 0;
+  for (int i = 0; i <= rim_points; ++i) {
+    const vec3 p = i < rim_points ? rim_point(f, radius, i) : at;
+    const auto hits = ray_hits(mesh, p, out);
+    if (!hits.empty() && hits.front().leaves)
+      most = std::max(most, hits.front().distance);
+  }
+  return most;
+}
+
+double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
+  const frame f = make_frame(at, out);
+  double most = 0;
+  for (int i = 0; i <= rim_points; ++i) {
+    const vec3 p = i < rim_points ? rim_point(f, radius, i) : at;
+    const auto hits = ray_hits(mesh, p, -out);
+    if (!hits.empty() && !hits.front().leaves && hits.front().distance < 4 * radius)
+      most = std::max(most, hits.front().distance);
+  }
+  return most;
+}
+
+edit_result as_edit(const boolean_result& made, const tool_surface& tool,
+                    const std::vector<surface_id>& used) {
+  edit_result result;
+  result.candidate = made.candidate;
+  result.touched = made.touched;
+  result.volume_change = made.volume_change;
+  result.improve = improvement::none;  // The boolean has done it.
+  result.quality_floor = lowest_boolean_quality;
+  result.surfaces_used = used;
+  std::string names;
+  for (std::size_t i = 0; i < made.surfaces.size(); ++i)
+    if (made.surfaces[i])
+      names += (names.empty() ? "" : ", ") + std::to_string(*made.surfaces[i]) + " (" +
+               tool.names[i] + ")";
+  if (!names.empty())
+    result.notices.push_back("new surfaces: " + names);
+  result.figures.push_back(
+    {"deviation_mm", 1e3 * made.deviation, "mm", "furthest off what was asked for"});
+  return result;
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What operations that place a tool share: where, which way, and what they tell of it.
+#pragma once
+
+#include "ops/tools/tools.hpp"
+
+namespace tedit::ops {
+
+/// Where a tool is placed.
+struct placement {
+  vec3 at;         ///< m.
+  vec3 outward;    ///< Unit: the direction that was given, else the wall's normal there.
+  double size = 0;  ///< m: the part's mean edge length around.
+};
+
+/// The parameters "at" (a point) and `direction` as they were given; without them the middle of the
+/// selected wall and its normal. `reach` (m): how far around the mesh matters. Errors:
+/// `empty_selection` where there is neither a point nor a wall.
+[[nodiscard]] expected<placement> placement_of(const mesh_version& mesh, const selection& picked,
+                                               const parameters& values,
+                                               const std::string& direction, double reach);
+
+/// The two descriptions.
+[[nodiscard]] parameter_description at_parameter(const std::string& help);
+[[nodiscard]] parameter_description direction_parameter(const std::string& id,
+                                                        const std::string& name,
+                                                        const std::string& help);
+
+/// Has a point material around? By the boundary along a ray.
+[[nodiscard]] bool in_material(const mesh_version& mesh, vec3 point);
+
+/// How far the tool must reach back along `out` (unit) for all points of a rim to be outside, m; 0
+/// where all are. The rim is a circle of this radius around `at`, across `out`.
+[[nodiscard]] double clearance(const mesh_version& mesh, vec3 at, vec3 out, double radius);
+
+/// How far the points of that rim are off the material along -`out` at most, m; those that meet
+/// none are passed over.
+[[nodiscard]] double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius);
+
+/// The boolean as an edit, with what a person should know of it.
+[[nodiscard]] edit_result as_edit(const boolean_result& made, const tool_surface& tool,
+                                  const std::vector<surface_id>& used);
+
+/// How far a boolean of these operations may be off what was asked for where nothing else works:
+/// a share of the local edge length.
+inline constexpr double deviation_share = 0.02;
+
+}  // namespace tedit::ops

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/tools/profiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tedit::ops {
+
+namespace {
+
+double number(const parameters& values, const char* id) {
+  return std::get<double>(values.at(id));
+}
+
+double width_of(const parameters& values) {
+  const double width = number(values, "width");
+  return width > 0 ? width : number(values, "size");
+}
+
+}  // namespace
+
+std::vector<parameter_description> profile_parameters() {
+  using enum parameter_type;
+  return {
+    {"profile", "Profile", "What it looks like from above.", choice, "", {}, {},
+     {"circle", "rectangle", "slot", "polygon"}, std::string("circle")},
+    {"size", "Size", "The circle's and the polygon's diameter, the rectangle's and the slot's length.",
+     real, "m", 1e-6, 10.0, {}, 0.01},
+    {"width", "Width", "Across the length of a rectangle or a slot; 0: a square, half the slot.",
+     real, "m", 0.0, 10.0, {}, 0.0},
+    {"corners", "Corners", "Of a polygon.", integer, "", 3.0, 64.0, {}, std::int64_t{6}},
+    direction_parameter("along", "Along", "Which way the length goes. Empty: by the part's axes."),
+  };
+}
+
+expected<profile> profile_from(const parameters& values, double size) {
+  const auto& kind = std::get<std::string>(values.at("profile"));
+  const double length = number(values, "size");
+  if (kind == "circle")
+    return circle(length, std::max(24, segments_of(length, size)));
+  if (kind == "rectangle")
+    return rectangle(length, width_of(values));
+  if (kind == "slot") {
+    const double width = number(values, "width") > 0 ? number(values, "width") : length / 2;
+    if (width >= length)
+      return fail(ec::invalid_parameter, "the slot is wider than long",
+                  "Give a width below its size");
+    return slot(length, width, std::max(24, segments_of(width, size)));
+  }
+  const auto corners = std::get<std::int64_t>(values.at("corners"));
+  std::vector<std::array<double, 2>> points;
+  for (std::int64_t i = 0; i < corners; ++i) {
+    const double angle =
+      2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
+    points.push_back({length / 2 * std::cos(angle), length / 2 * std::sin(angle)});
+  }
+  return polygon(points);
+}
+
+double radius_of(const profile& p) {
+  double most = 0;
+  for (const auto& o : p.outlines)
+    for (const auto& q : o.points)
+      most = std::max(most, std::hypot(q[0], q[1]));
+  return most;
+}
+
+frame profile_frame(const placement& where, const parameters& values) {
+  frame f = make_frame(where.at, where.outward);
+  if (const auto along = vector_of(values, "along")) {
+    const vec3 x = *along - dot(*along, f.z) * f.z;
+    if (norm(x) > 1e-6 * norm(*along)) {
+      f.x = normalized(x);
+      f.y = cross(f.z, f.x);
+    }
+  }
+  return f;
+}
+
+double profile_size(const placement& where, const parameters& values) {
+  const auto& kind = std::get<std::string>(values.at("profile"));
+  const double length = number(values, "size");
+  if (kind == "circle")
+    return std::min(where.size, 1.5 * std::numbers::pi * length / 24);
+  if (kind == "slot") {
+    const double width = number(values, "width") > 0 ? number(values, "width") : length / 2;
+    return std::min(where.size, 1.5 * std::numbers::pi * width / 24);
+  }
+  if (kind == "rectangle")
+    return std::min({where.size, length / 2, width_of(values) / 2});
+  return std::min(where.size, length / 4);
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// services::boolean on blocks whose volumes can be had by hand, and on tools that are none.
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesh/checks.hpp"
+#include "ops/boolean/boolean.hpp"
+#include "ops/services/host_services.hpp"
+#include "ops/tools/tools.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace tedit::ops {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Boolean : public ::testing::Test {
+protected:
+  /// A box with its lowest corner there.
+  tool_surface brick(vec3 low, vec3 size, double edge = 0.15) {
+    const frame f = make_frame(low + 0.5 * vec3{size.x, size.y, 0}, {0, 0, 1}, {0, 1, 0});
+    auto tool = extrude(f, rectangle(size.x, size.y), 0, size.z, edge, "brick", *host_);
+    EXPECT_TRUE(tool);
+    return *tool;
+  }
+
+  tool_surface rod(vec3 from, vec3 along, double radius, double length) {
+    return revolve(make_frame(from + length * along, along),
+                   {{0, 0, ""}, {radius, 0, "top"}, {radius, -length, "side"}, {0, -length, "end"}},
+                   24, 0.15);
+  }
+
+  boolean_result made(const version_ptr& mesh, const tool_surface& tool, boolean_mode mode) {
+    const auto result = host_->boolean(mesh, tool, {mode, 0}, {});
+    EXPECT_TRUE(result) << render(result.error());
+    if (!result)
+      return {mesh, {}, 0, 0, 0, 0, {}};
+    edit_claim claim;
+    claim.touched = result->touched;
+    claim.volume_change = result->volume_change;
+    claim.quality_floor = lowest_boolean_quality;
+    claim.bodies_added = 9;
+    const auto report = check_edit(*mesh, *result->candidate, claim);
+    EXPECT_TRUE(report.ok()) << to_error(report).message;
+    EXPECT_EQ(check_version(*result->candidate).total, 0u);
+    return *result;
+  }
+
+  error refusal(const tool_surface& tool, boolean_mode mode = boolean_mode::cut) {
+    const auto result = host_->boolean(block_, tool, {mode, 0}, {});
+    EXPECT_FALSE(result);
+    return result ? error{} : result.error();
+  }
+
+  std::unique_ptr<services> host_ = make_host_services();
+  version_ptr block_ = test::box_mesh({8, 8, 8}, {1, 1, 1});
+};
+
+TEST_F(Boolean, WhatIsCutAndWhatIsKeptIsAllThereWas) {
+  const auto tool = rod({0.4, 0.45, 0.3}, normalized({0.3, 0.2, 1}), 0.2, 2);
+
+  const auto cut = made(block_, tool, boolean_mode::cut);
+  const auto kept = made(block_, tool, boolean_mode::keep);
+
+  EXPECT_NEAR(total_volume(*cut.candidate) + total_volume(*kept.candidate), 1, 1e-9);
+}
+
+TEST_F(Boolean, WhatIsCutAndPutBackIsThePartAgain) {
+  const auto tool = brick({0.35, 0.3, 0.6}, {0.3, 0.4, 0.7});
+
+  const auto cut = made(block_, tool, boolean_mode::cut);
+  const auto piece = brick({0.35, 0.3, 0.6}, {0.3, 0.4, 0.4});
+  const auto back = made(cut.candidate, piece, boolean_mode::add);
+
+  EXPECT_NEAR(cut.volume_change, -0.3 * 0.4 * 0.4, 1e-12);
+  EXPECT_NEAR(total_volume(*back.candidate), 1, 1e-12);
+}
+
+TEST_F(Boolean, TheOrderOfDisjointCutsDoesNotMatter) {
+  const auto one = rod({0.25, 0.25, -1}, {0, 0, 1}, 0.12, 3);
+  const auto other = rod({0.7, 0.7, -1}, {0, 0, 1}, 0.15, 3);
+
+  const auto forth = made(made(block_, one, boolean_mode::cut).candidate, other, boolean_mode::cut);
+  const auto back = made(made(block_, other, boolean_mode::cut).candidate, one, boolean_mode::cut);
+
+  EXPECT_NEAR(total_volume(*forth.candidate), total_volume(*back.candidate), 1e-12);
+}
+
+TEST_F(Boolean, AVoidInsideIsCutOut) {
+  const auto cut = made(block_, brick({0.35, 0.35, 0.35}, {0.3, 0.3, 0.3}), boolean_mode::cut);
+
+  EXPECT_NEAR(cut.volume_change, -0.027, 1e-12);
+  EXPECT_EQ(cut.candidate->surfaces().size(), 12u);
+}
+
+TEST_F(Boolean, FacesThatAreFlushComeOutFlush) {
+  // Top and one side of the brick lie in the block's.
+  const auto cut = made(block_, brick({0, 0.3, 0.7}, {0.4, 0.4, 0.3}), boolean_mode::cut);
+  const auto added = made(block_, brick({1, 0.3, 0.7}, {0.4, 0.4, 0.3}), boolean_mode::add);
+
+  EXPECT_NEAR(cut.volume_change, -0.4 * 0.4 * 0.3, 1e-12);
+  EXPECT_NEAR(added.volume_change, 0.4 * 0.4 * 0.3, 1e-12);
+}
+
+TEST_F(Boolean, OnTurnedAndMovedPartsToo) {
+  const frame f = make_frame({3.1, -2.7, 0.4}, normalized({0.3, -0.5, 0.8}));
+  const auto place = [&](vec3 p) { return f.at(p.x, p.y, p.z); };
+  const auto turned = test::box_mesh({8, 8, 8}, {1, 1, 1}, place);
+  auto tool = brick({0.3, 0.3, 0.6}, {0.4, 0.4, 0.4});
+  for (auto& p : tool.points)
+    p = place(p);
+
+  const auto cut = made(turned, tool, boolean_mode::cut);
+
+  EXPECT_NEAR(cut.volume_change, -0.4 * 0.4 * 0.4, 1e-9);
+}
+
+TEST_F(Boolean, FacesOfTheToolAreNewSurfacesThatAreNamed) {
+  const auto tool = brick({0.3, 0.3, 0.6}, {0.4, 0.4, 1});
+
+  const auto cut = made(block_, tool, boolean_mode::cut);
+
+  ASSERT_EQ(cut.surfaces.size(), tool.names.size());
+  for (std::size_t i = 0; i < tool.names.size(); ++i) {
+    const bool top = tool.names[i] == "brick top";
+    ASSERT_EQ(cut.surfaces[i].has_value(), !top) << tool.names[i];
+    if (!top) {
+      EXPECT_EQ(cut.candidate->find_surface(*cut.surfaces[i])->name, tool.names[i]);
+    }
+  }
+}
+
+TEST_F(Boolean, TetsAwayFromTheToolStayAsTheyAre) {
+  const auto cut = made(block_, rod({0.5, 0.5, 0.7}, {0, 0, 1}, 0.1, 1), boolean_mode::cut);
+
+  std::size_t kept = 0;
+  for (tet_id t = 0; t < block_->tet_slots(); ++t)
+    kept += cut.candidate->is_live_tet(t) && cut.candidate->tet_at(t) == block_->tet_at(t);
+  EXPECT_GT(kept, block_->tet_count() * 8 / 10);
+}
+
+TEST_F(Boolean, TheSameToolGivesTheSameVersion) {
+  const auto tool = rod({0.4, 0.4, 0.5}, normalized({0.1, 0.2, 1}), 0.15, 1);
+
+  EXPECT_EQ(made(block_, tool, boolean_mode::cut).candidate->id(),
+            made(block_, tool, boolean_mode::cut).candidate->id());
+}
+
+TEST_F(Boolean, ToolsThatMeetNothingOrTakeAllAreTold) {
+  EXPECT_EQ(refusal(brick({2, 2, 2}, {1, 1, 1})).code, ec::empty_selection);
+  EXPECT_EQ(refusal(brick({-1, -1, -1}, {3, 3, 3})).code, ec::empty_selection);
+  EXPECT_EQ(refusal(brick({0.3, 0.3, 0.3}, {0.2, 0.2, 0.2}), boolean_mode::add).code,
+            ec::empty_selection);
+}
+
+TEST_F(Boolean, ToolsThatAreNoneAreTold) {
+  const auto good = brick({0.3, 0.3, 0.6}, {0.4, 0.4, 1});
+
+  auto open = good;
+  open.triangles.pop_back();
+  open.faces.pop_back();
+  EXPECT_THAT(refusal(open).message, HasSubstr("not one triangle on each side"));
+
+  auto inside_out = good;
+  for (auto& t : inside_out.triangles)
+    std::swap(t[1], t[2]);
+  EXPECT_THAT(refusal(inside_out).message, HasSubstr("inside out"));
+
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    auto broken = good;
+    broken.points[3].y = bad;
+    EXPECT_EQ(refusal(broken).code, ec::invalid_argument);
+  }
+  auto wild = good;
+  wild.triangles[0][1] = 1'000'000;
+  EXPECT_EQ(refusal(wild).code, ec::invalid_argument);
+  auto nameless = good;
+  nameless.faces[0] = 99;
+  EXPECT_EQ(refusal(nameless).code, ec::invalid_argument);
+  EXPECT_EQ(refusal({}).code, ec::invalid_argument);
+}
+
+TEST_F(Boolean, AToolThatCutsItselfIsAnErrorAndNothingMore) {
+  auto twisted = brick({0.3, 0.3, 0.6}, {0.4, 0.4, 1});
+  twisted.points[0] = {2, 2, 2};
+  const auto result = host_->boolean(block_, twisted, {}, {});
+  if (!result) {
+    EXPECT_FALSE(result.error().remedy.empty());
+  } else {
+    EXPECT_EQ(check_version(*result->candidate).total, 0u);
+  }
+}
+
+TEST_F(Boolean, ACancelIsHeard) {
+  execution run;
+  run.cancel.cancel();
+  const auto result = host_->boolean(block_, brick({0.3, 0.3, 0.6}, {0.4, 0.4, 1}), {}, run);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ec::cancelled);
+}
+
+}  // namespace
+}  // namespace tedit::ops
