@@ -59,8 +59,7 @@ std::vector<check_row> check_all(const doctor_options& options, const cancel_tok
                                           : check_joining(options.joins, stop);
   rows.push_back(check_clock());
   rows.push_back(check_sandbox(options));
-  rows.push_back(check_program("tedit-tetgen", "operations cannot mesh new volume"));
-  rows.push_back(check_program("tedit-boolean", "operations cannot cut or add shapes"));
+  rows.push_back(check_program("tedit-mesher", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
   for (const auto& device : fem::list_devices())
     rows.push_back({"device " + device.name, true, device.kind + ", " + device.driver});

@@ -23,7 +23,7 @@ function(tedit_install_along program destination file)
   endif()")
 endfunction()
 
-install(TARGETS tedit tedit-probe tedit-tetgen tedit-boolean RUNTIME DESTINATION bin)
+install(TARGETS tedit tedit-probe tedit-mesher RUNTIME DESTINATION bin)
 if(TARGET tedit-render)
   install(TARGETS tedit-render RUNTIME DESTINATION bin)
 endif()

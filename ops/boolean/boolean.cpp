@@ -60,7 +60,6 @@ public:
       auto made = try_way(finder, one);
       if (!made) {
         last = made.error();
-        if(getenv("DBG"))fprintf(stderr,"way %d: %s\n",int(&one-ways.data()),last->message.c_str());
         if (last->code != ec::mesher_failed)
           break;
         continue;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/boolean/corefine.hpp"
 
-#include <cstdlib>
 #include <cstring>
 
 #include "base/child_process.hpp"
-#include "ops/boolean/corefine/exchange.hpp"
+#include "ops/mesher/corefine_exchange.hpp"
+#include "ops/services/host_services.hpp"
 
 namespace tedit::ops {
 
 namespace {
-
-constexpr std::chrono::milliseconds time_limit{20'000};
 
 template <class T>
 void append(std::vector<char>& bytes, const T* first, std::size_t count) {
@@ -104,33 +102,25 @@ bool fits(const corefined& result, const closed_surface& first, const closed_sur
 
 }  // namespace
 
-std::filesystem::path boolean_program() {
-  if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
-    return std::filesystem::path(folder) / "tedit-boolean";
-  return executable_folder() / "tedit-boolean";
-}
-
 expected<corefined> corefine(const closed_surface& first, const closed_surface& second,
                              boolean_mode mode, const std::vector<shared_plane>& planes,
                              const execution& run) {
-  child_limits limits;
-  limits.time = time_limit;
   const auto output =
-    run_child({boolean_program().string()}, question(first, second, mode, planes), limits, run);
+    run_child({mesher_program().string()}, question(first, second, mode, planes), {}, run);
   if (!output)
     return fail(output.error());
   answer_reader reader(*output);
   corefine_answer answer;
   corefined result;
   if (!reader.read(&answer, 1) || answer.magic != corefine_answer{}.magic)
-    return fail(ec::mesher_failed, "the answer of tedit-boolean is damaged");
+    return fail(ec::mesher_failed, "the mesher's answer is damaged");
   if (answer.status != corefine_status::done)
     return fail(ec::mesher_failed, why_not(answer.status));
   if (!reader.read(result.points, answer.points) || !reader.read(result.origin, answer.points) ||
       !reader.read(result.triangles, answer.triangles) ||
       !reader.read(result.parent, answer.triangles) || !reader.at_end() ||
       !fits(result, first, second))
-    return fail(ec::mesher_failed, "the answer of tedit-boolean is damaged");
+    return fail(ec::mesher_failed, "the mesher's answer is damaged");
   result.volume_change = answer.volume_after - answer.volume_before;
   return result;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
-
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
@@ -25,15 +23,12 @@ struct corefined {
   double volume_change = 0;  ///< m^3: of the result less that of the first surface.
 };
 
-/// The exact boolean of two closed surfaces, in the program `tedit-boolean` under limits. Errors:
+/// The exact boolean of two closed surfaces, in the program `tedit-mesher` under limits. Errors:
 /// `mesher_failed` naming the reason, `timeout`, `cancelled`, `service_unavailable`. Cost: 10 ms
 /// and 10 us a triangle.
 [[nodiscard]] expected<corefined> corefine(const closed_surface& first,
                                            const closed_surface& second, boolean_mode mode,
                                            const std::vector<shared_plane>& planes,
                                            const execution& run);
-
-/// That program: in $TEDIT_LIBEXEC, else beside the running executable.
-[[nodiscard]] std::filesystem::path boolean_program();
 
 }  // namespace tedit::ops

@@ -8,7 +8,7 @@
 
 namespace tedit::ops {
 
-/// The host's services: CGAL for planar triangulation, the program `tedit-tetgen` for tets. It is
+/// The host's services: CGAL for planar triangulation, the program `tedit-mesher` for tets. It is
 /// looked for in $TEDIT_LIBEXEC, else beside the running executable.
 [[nodiscard]] std::unique_ptr<services> make_host_services();
 

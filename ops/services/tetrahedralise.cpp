@@ -9,7 +9,7 @@
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 #include "ops/services/host_services.hpp"
-#include "ops/tetgen/exchange.hpp"
+#include "ops/mesher/tets_exchange.hpp"
 
 namespace tedit::ops {
 
@@ -171,8 +171,8 @@ private:
 
 std::filesystem::path mesher_program() {
   if (const char* folder = std::getenv("TEDIT_LIBEXEC"))
-    return std::filesystem::path(folder) / "tedit-tetgen";
-  return executable_folder() / "tedit-tetgen";
+    return std::filesystem::path(folder) / "tedit-mesher";
+  return executable_folder() / "tedit-mesher";
 }
 
 expected<tet_filling> tetrahedralise_surface(const closed_surface& shell, const execution& run,

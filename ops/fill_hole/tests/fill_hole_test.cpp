@@ -117,7 +117,7 @@ TEST(FillHole, MissingMesherIsNamed) {
 
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ec::service_unavailable);
-  EXPECT_THAT(result.error().message, HasSubstr("/nowhere/tedit-tetgen"));
+  EXPECT_THAT(result.error().message, HasSubstr("/nowhere/tedit-mesher"));
 }
 
 TEST(FillHole, ANotchInAnEdgeGetsACapInEachPlane) {

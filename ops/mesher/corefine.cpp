@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "ops/boolean/corefine/exchange.hpp"
-#include "sandbox/sandbox.hpp"
+#include "ops/mesher/corefine_exchange.hpp"
+#include "ops/mesher/jobs.hpp"
 
 namespace {
 
@@ -260,11 +260,12 @@ bool read_planes(std::vector<plane_points>& planes, const std::array<soup, 2>& i
   return true;
 }
 
-int run() {
+}  // namespace
+
+int tedit::ops::combine_surfaces(std::uint32_t magic) {
   corefine_header header;
   constexpr std::uint32_t most = 10'000'000;
-  if (std::fread(&header, sizeof(header), 1, stdin) != 1 ||
-      header.magic != corefine_header{}.magic || header.mode > 2 || header.planes > 10'000)
+  if (!read_rest(header, magic) || header.mode > 2 || header.planes > 10'000)
     return 2;
   std::array<soup, 2> in;
   for (int i = 0; i < 2; ++i)
@@ -281,23 +282,4 @@ int run() {
                   write_all(out.points) && write_all(out.origin) && write_all(out.triangles) &&
                   write_all(out.parent) && std::fflush(stdout) == 0;
   return ok ? 0 : 4;
-}
-
-/// It needs what it has open, and no file besides.
-bool confine() {
-  using namespace tedit;
-  return !sandbox::is_wanted() ||
-         (sandbox::confine_files({}) && sandbox::confine_calls(sandbox::calls::of_filters));
-}
-
-}  // namespace
-
-int main() {
-  if (!confine())
-    return 5;
-  try {
-    return run();
-  } catch (...) {
-    return 3;  // Surfaces that cut themselves, for one.
-  }
 }

@@ -7,8 +7,8 @@
 
 #include <tetgen.h>
 
-#include "ops/tetgen/exchange.hpp"
-#include "sandbox/sandbox.hpp"
+#include "ops/mesher/jobs.hpp"
+#include "ops/mesher/tets_exchange.hpp"
 
 namespace {
 
@@ -36,11 +36,12 @@ void set_facets(tetgenio& in, const std::vector<std::uint32_t>& triangles) {
   }
 }
 
-int run() {
+}  // namespace
+
+int tedit::ops::fill_with_tets(std::uint32_t magic) {
   exchange_header header;
   constexpr std::uint32_t most = 10'000'000;
-  if (std::fread(&header, sizeof(header), 1, stdin) != 1 ||
-      header.magic != exchange_header{}.magic || header.points > most || header.cells > most)
+  if (!read_rest(header, magic) || header.points > most || header.cells > most)
     return 2;
   std::vector<double> points;
   std::vector<std::uint32_t> triangles;
@@ -68,23 +69,4 @@ int run() {
                   std::fwrite(out.tetrahedronlist, sizeof(int), corners, stdout) == corners &&
                   std::fflush(stdout) == 0;
   return ok ? 0 : 4;
-}
-
-/// It needs what it has open, and no file besides.
-bool confine() {
-  using namespace tedit;
-  return !sandbox::is_wanted() ||
-         (sandbox::confine_files({}) && sandbox::confine_calls(sandbox::calls::of_filters));
-}
-
-}  // namespace
-
-int main() {
-  if (!confine())
-    return 5;
-  try {
-    return run();
-  } catch (...) {
-    return 3;  // TetGen throws an int for most of its failures.
-  }
 }

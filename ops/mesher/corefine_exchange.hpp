@@ -5,7 +5,7 @@
 
 namespace tedit::ops {
 
-/// What passes between `tedit-boolean` and who started it, little-endian.
+/// What passes between `tedit-mesher` and who started it, little-endian.
 ///
 /// In: the header; for each of the two surfaces its points (3 doubles each) and triangles (3
 /// indices each); the planes, each a `corefine_plane` and then the indices of the first and of the

@@ -5,7 +5,7 @@
 
 namespace tedit::ops {
 
-/// What passes between `tedit-tetgen` and who started it, little-endian. In: header, points (3
+/// What passes between `tedit-mesher` and who started it, little-endian. In: header, points (3
 /// doubles each), triangles (3 indices each). Out: header, all points (input ones first), tets (4
 /// indices each).
 struct exchange_header {
