@@ -5,7 +5,7 @@
 
 #include "base/child_process.hpp"
 #include "ops/mesher/corefine_exchange.hpp"
-#include "ops/services/host_services.hpp"
+#include "ops/mesher/mesher.hpp"
 
 namespace tedit::ops {
 

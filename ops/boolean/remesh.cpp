@@ -7,7 +7,7 @@
 #include "mesh/box_tree.hpp"
 #include "mesh/distances.hpp"
 #include "mesh/pieces.hpp"
-#include "ops/services/host_services.hpp"
+#include "ops/mesher/mesher.hpp"
 
 namespace tedit::ops {
 

@@ -8,7 +8,7 @@
 #include "mesh/face_key.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
-#include "ops/services/host_services.hpp"
+#include "ops/mesher/mesher.hpp"
 #include "ops/mesher/tets_exchange.hpp"
 
 namespace tedit::ops {
