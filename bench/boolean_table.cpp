@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Random tools on real parts: what services::boolean makes of them.
 // usage: bench_boolean MESH UNIT PER_KIND SEED [KIND ...]
-// A line an edit: part | kind | index | outcome or error | deviation / size | worst q before, after |
-// tets touched | ms; and a summary a kind.
+// A line an edit: part | kind | index | outcome or error | deviation / size | worst q before, after
+// | tets touched | ms; and a summary a kind.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -62,8 +62,8 @@ public:
       return extruded(up, rectangle(uniform(2, 4) * size_, uniform(1.5, 3) * size_),
                       -uniform(0.3, 0.6) * through, 0, 0.8 * size_, boolean_mode::cut);
     if (kind == "slot_through")
-      return extruded(up, slot(uniform(3, 6) * size_, uniform(1.5, 2.5) * size_, n), -through, size_,
-                      0.8 * size_, boolean_mode::cut);
+      return extruded(up, slot(uniform(3, 6) * size_, uniform(1.5, 2.5) * size_, n), -through,
+                      size_, 0.8 * size_, boolean_mode::cut);
     if (kind == "plane") {
       const auto v = mesh_->facet(facets_[random_() % facets_.size()]).v[0];
       auto tool = half_space(extent_, mesh_->position(v), random_direction(), size_, "cut", host_);
@@ -86,8 +86,8 @@ public:
                       0.8 * size_, boolean_mode::cut);
     }
     // At an edge of the part.
-    const frame f = make_frame(mesh_->position(mesh_->facet(facet_).v[0]),
-                               normal_ + 0.4 * random_direction());
+    const frame f =
+      make_frame(mesh_->position(mesh_->facet(facet_).v[0]), normal_ + 0.4 * random_direction());
     return placement{revolve(f, rod(r, 2 * size_, -uniform(0.3, 1.3) * through - size_), n, s)};
   }
 
@@ -108,8 +108,8 @@ private:
     return {{0, top, ""}, {r, top, "top"}, {r, bottom, "wall"}, {0, bottom, "bottom"}};
   }
 
-  expected<placement> extruded(const frame& f, const profile& p, double from, double to, double size,
-                               boolean_mode mode) {
+  expected<placement> extruded(const frame& f, const profile& p, double from, double to,
+                               double size, boolean_mode mode) {
     auto tool = extrude(f, p, from, to, size, "tool", host_);
     if (!tool)
       return fail(tool.error());
@@ -174,8 +174,9 @@ struct tally {
 
 void one(const version_ptr& mesh, const std::string& part, const std::string& kind, int i,
          std::uint64_t seed, services& host, std::size_t faults, tally& sum) {
-  placer place(mesh, host, seed * 7919 + static_cast<std::uint64_t>(i) * 131 +
-                             std::hash<std::string>()(kind + part) % 100000);
+  placer place(mesh, host,
+               seed * 7919 + static_cast<std::uint64_t>(i) * 131 +
+                 std::hash<std::string>()(kind + part) % 100000);
   const auto where = place.make(kind);
   ++sum.tried;
   if (!where) {
@@ -190,8 +191,8 @@ void one(const version_ptr& mesh, const std::string& part, const std::string& ki
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   sum.ms.push_back(ms);
   if (!made) {
-    std::printf("%s|%s|%d|%s|||%.0f\n", part.c_str(), kind.c_str(), i,
-                made.error().message.c_str(), ms);
+    std::printf("%s|%s|%d|%s|||%.0f\n", part.c_str(), kind.c_str(), i, made.error().message.c_str(),
+                ms);
     ++sum.errors[made.error().message.substr(0, 60)];
     return;
   }
@@ -205,8 +206,8 @@ void one(const version_ptr& mesh, const std::string& part, const std::string& ki
   const bool good = made->worst_after >= std::min(0.1, made->worst_before);
   std::printf("%s|%s|%d|%s|%.1e|%.3f %.3f|%zu|%.0f\n", part.c_str(), kind.c_str(), i,
               report.ok() && whole ? "ok" : to_error(report).message.c_str(),
-              made->deviation / size, made->worst_before, made->worst_after,
-              made->touched.size(), ms);
+              made->deviation / size, made->worst_before, made->worst_after, made->touched.size(),
+              ms);
   ++sum.done;
   sum.good += good;
   sum.exact += made->deviation <= 2e-4 * size;
@@ -232,8 +233,7 @@ int run(int argc, char** argv) {
   for (const auto& kind : kinds) {
     tally sum;
     for (int i = 0; i < std::atoi(argv[3]); ++i)
-      one(mesh->version, part, kind, i, std::strtoull(argv[4], nullptr, 10), *host,
-          faults, sum);
+      one(mesh->version, part, kind, i, std::strtoull(argv[4], nullptr, 10), *host, faults, sum);
     std::ranges::sort(sum.ms);
     const auto at = [&](double share) {
       return sum.ms.empty() ? 0 : sum.ms[static_cast<std::size_t>(share * (sum.ms.size() - 1))];

@@ -17,8 +17,8 @@ ROOMS = ["base", "mesh", "fem", "edit", "ops", "protocol", "client", "client-qt/
 # Read by developers, integrators and operators alone: the kits of plugins, input decks and file headers, what is said
 # of bytes that two programs of one release send each other, logs; what "tedit doc" alone says.
 LEFT_OUT = re.compile(r"""
-    ops/(conformance|probe|sdk|tetgen)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
-  | ops/[a-z_]+/operation\. | ops/services/tetrahedralise
+    ops/(conformance|probe|sdk|mesher)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
+  | ops/[a-z_]+/operation\. | ops/tools/(profile_parameters|tools\.)
   | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/(vtu|obj|stl)_writer
   | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)
   | client/(recipes/|recipe_) | protocol/(forms|json)

@@ -512,6 +512,14 @@
         <source>Usually %1</source>
         <translation>Üblich %1</translation>
     </message>
+    <message>
+        <source>x; y; z, or empty: by the wall</source>
+        <translation>x; y; z, oder leer: nach der Fläche</translation>
+    </message>
+    <message>
+        <source>x; y; z in %1, or empty: by the wall</source>
+        <translation>x; y; z in %1, oder leer: nach der Fläche</translation>
+    </message>
 </context>
 <context>
     <name>operations</name>
@@ -778,6 +786,350 @@
     <message>
         <source>What becomes of a part that falls apart: the cut is refused, the largest piece of each body is kept, or all pieces stay.</source>
         <translation>Was aus einem Bauteil wird, das zerfällt: Der Schnitt wird abgelehnt, das größte Stück jedes Körpers bleibt, oder alle Stücke bleiben.</translation>
+    </message>
+    <message>
+        <source>Boss</source>
+        <translation>Ansatz</translation>
+    </message>
+    <message>
+        <source>Adds a round, rectangular, slotted or polygonal boss to a wall.</source>
+        <translation>Setzt einen runden, rechteckigen, langrunden oder vieleckigen Ansatz auf eine Fläche.</translation>
+    </message>
+    <message>
+        <source>The wall to put it on, or none where a place is given.</source>
+        <translation>Die Fläche, auf die er kommt; keine, wenn ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>How far it stands out over the place.</source>
+        <translation>Wie weit er über den Ort hinausragt.</translation>
+    </message>
+    <message>
+        <source>Outward</source>
+        <translation>Nach außen</translation>
+    </message>
+    <message>
+        <source>The direction that it grows in. Empty: across the wall.</source>
+        <translation>Die Richtung, in die er wächst. Leer: quer zur Fläche.</translation>
+    </message>
+    <message>
+        <source>Select the wall and give the place, or take its middle. On curved walls the boss goes down to the wall all around. Its top and sides are surfaces of their own.</source>
+        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Auf gewölbten Flächen reicht der Ansatz rundum bis zur Fläche hinab. Oberseite und Seiten werden eigene Flächen.</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Drills a hole: blind or through, with counterbore, countersink or for a thread.</source>
+        <translation>Bohrt ein Loch: als Sackloch oder durchgehend, mit Flach- oder Kegelsenkung oder für ein Gewinde.</translation>
+    </message>
+    <message>
+        <source>The wall to drill into, or none where a place is given.</source>
+        <translation>Die Fläche, in die gebohrt wird; keine, wenn ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The hole&apos;s axis, either way round: it is drilled into the material. Empty: across the wall.</source>
+        <translation>Die Achse des Lochs, gleich in welchem Sinn: gebohrt wird ins Material. Leer: quer zur Fläche.</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Of the hole.</source>
+        <translation>Des Lochs.</translation>
+    </message>
+    <message>
+        <source>Of its cylinder; 0 goes through all there is.</source>
+        <translation>Des Zylinders; 0 geht durch alles hindurch.</translation>
+    </message>
+    <message>
+        <source>For a thread</source>
+        <translation>Für ein Gewinde</translation>
+    </message>
+    <message>
+        <source>Takes the core diameter of this metric thread instead.</source>
+        <translation>Nimmt stattdessen den Kerndurchmesser dieses metrischen Gewindes.</translation>
+    </message>
+    <message>
+        <source>Tip angle</source>
+        <translation>Spitzenwinkel</translation>
+    </message>
+    <message>
+        <source>Of a blind hole&apos;s tip; 0 is flat, 118 degrees is usual.</source>
+        <translation>Der Spitze eines Sacklochs; 0 ist flach, üblich sind 118 Grad.</translation>
+    </message>
+    <message>
+        <source>Counterbore</source>
+        <translation>Flachsenkung</translation>
+    </message>
+    <message>
+        <source>Its diameter; 0: none.</source>
+        <translation>Ihr Durchmesser; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Counterbore depth</source>
+        <translation>Tiefe der Flachsenkung</translation>
+    </message>
+    <message>
+        <source>From the wall on.</source>
+        <translation>Von der Fläche an.</translation>
+    </message>
+    <message>
+        <source>Countersink</source>
+        <translation>Kegelsenkung</translation>
+    </message>
+    <message>
+        <source>Its diameter at the wall; 0: none.</source>
+        <translation>Ihr Durchmesser an der Fläche; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Countersink angle</source>
+        <translation>Winkel der Kegelsenkung</translation>
+    </message>
+    <message>
+        <source>Of the whole cone.</source>
+        <translation>Des ganzen Kegels.</translation>
+    </message>
+    <message>
+        <source>Select the wall and give the place, or take its middle. The hole gets surfaces of its own, so loads can be put on them. Holes may cut other holes, edges and fillets.</source>
+        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Das Loch bekommt eigene Flächen, auf die Lasten gesetzt werden können. Löcher dürfen andere Löcher, Kanten und Rundungen schneiden.</translation>
+    </message>
+    <message>
+        <source>sans</source>
+        <translation>serifenlos</translation>
+    </message>
+    <message>
+        <source>bold</source>
+        <translation>fett</translation>
+    </message>
+    <message>
+        <source>serif</source>
+        <translation>mit Serifen</translation>
+    </message>
+    <message>
+        <source>mono</source>
+        <translation>feste Breite</translation>
+    </message>
+    <message>
+        <source>Emboss text</source>
+        <translation>Text prägen</translation>
+    </message>
+    <message>
+        <source>Raises a line of text from a wall, or sinks it in.</source>
+        <translation>Hebt eine Zeile Text aus einer Fläche heraus oder senkt sie ein.</translation>
+    </message>
+    <message>
+        <source>The wall to write on, or none where a place is given.</source>
+        <translation>Die Fläche, auf die geschrieben wird; keine, wenn ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>One line.</source>
+        <translation>Eine Zeile.</translation>
+    </message>
+    <message>
+        <source>TEdit</source>
+        <translation>TEdit</translation>
+    </message>
+    <message>
+        <source>Letter height</source>
+        <translation>Schrifthöhe</translation>
+    </message>
+    <message>
+        <source>Of capitals.</source>
+        <translation>Der Großbuchstaben.</translation>
+    </message>
+    <message>
+        <source>How far it stands out of the wall; negative is sunk.</source>
+        <translation>Wie weit er aus der Fläche ragt; negativ ist eingesenkt.</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>Of the letters.</source>
+        <translation>Der Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Which way the letters stand. Empty: by the part&apos;s axes.</source>
+        <translation>Wohin die Buchstaben stehen. Leer: nach den Achsen des Teils.</translation>
+    </message>
+    <message>
+        <source>The direction that the text looks in. Empty: across the wall.</source>
+        <translation>Die Richtung, in die der Text blickt. Leer: quer zur Fläche.</translation>
+    </message>
+    <message>
+        <source>For names and numbers on flat walls. Letters that are small beside the part&apos;s tets make many small ones: a raised height of about a tenth of the letters does well.</source>
+        <translation>Für Namen und Nummern auf ebenen Flächen. Buchstaben, die klein gegen die Tets des Teils sind, ergeben viele kleine Tets: gut ist eine Höhe von etwa einem Zehntel der Schrifthöhe.</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>darunter</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>darüber</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Mit einer Ebene schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts the part along a plane and keeps one side.</source>
+        <translation>Schneidet das Teil entlang einer Ebene und behält eine Seite.</translation>
+    </message>
+    <message>
+        <source>A flat wall to cut along, or none where the plane is given.</source>
+        <translation>Eine ebene Fläche, entlang der geschnitten wird; keine, wenn die Ebene angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Which way the plane looks. Empty: as the wall does.</source>
+        <translation>Wohin die Ebene blickt. Leer: wie die Fläche.</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>How far the plane is moved against its normal.</source>
+        <translation>Wie weit die Ebene gegen ihre Normale verschoben wird.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Which side stays: below is what the normal points away from.</source>
+        <translation>Welche Seite bleibt: darunter ist, wovon die Normale wegweist.</translation>
+    </message>
+    <message>
+        <source>Select a wall and give an offset to cut a slice off, or give any plane by a point and its normal. The cut is a surface of its own.</source>
+        <translation>Wählen Sie eine Fläche und einen Abstand, um eine Scheibe abzuschneiden, oder geben Sie eine Ebene durch einen Punkt und ihre Normale an. Der Schnitt wird eine eigene Fläche.</translation>
+    </message>
+    <message>
+        <source>Pocket</source>
+        <translation>Tasche</translation>
+    </message>
+    <message>
+        <source>Cuts a round, rectangular, slotted or polygonal pocket into a wall.</source>
+        <translation>Schneidet eine runde, rechteckige, langrunde oder vieleckige Tasche in eine Fläche.</translation>
+    </message>
+    <message>
+        <source>The wall to cut into, or none where a place is given.</source>
+        <translation>Die Fläche, in die geschnitten wird; keine, wenn ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>How deep it goes; 0 goes through all there is.</source>
+        <translation>Wie tief sie geht; 0 geht durch alles hindurch.</translation>
+    </message>
+    <message>
+        <source>The direction that it is cut against. Empty: across the wall.</source>
+        <translation>Die Richtung, gegen die geschnitten wird. Leer: quer zur Fläche.</translation>
+    </message>
+    <message>
+        <source>Select the wall and give the place, or take its middle. The floor and the walls of the pocket are surfaces of their own.</source>
+        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Boden und Wände der Tasche werden eigene Flächen.</translation>
+    </message>
+    <message>
+        <source>furthest off what was asked for</source>
+        <translation>größte Abweichung vom Verlangten</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>The middle of the profile, on the wall. Empty: the middle of the selected wall.</source>
+        <translation>Die Mitte des Profils, auf der Fläche. Leer: die Mitte der gewählten Fläche.</translation>
+    </message>
+    <message>
+        <source>Where the hole&apos;s axis enters the wall. Empty: the middle of the selected wall.</source>
+        <translation>Wo die Achse des Lochs in die Fläche eintritt. Leer: die Mitte der gewählten Fläche.</translation>
+    </message>
+    <message>
+        <source>The middle of the text, on the wall. Empty: the middle of the selected wall.</source>
+        <translation>Die Mitte des Texts, auf der Fläche. Leer: die Mitte der gewählten Fläche.</translation>
+    </message>
+    <message>
+        <source>A point of the plane. Empty: the middle of the selected wall.</source>
+        <translation>Ein Punkt der Ebene. Leer: die Mitte der gewählten Fläche.</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>slot</source>
+        <translation>Langloch</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>What it looks like from above.</source>
+        <translation>Wie es von oben aussieht.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The circle&apos;s and the polygon&apos;s diameter, the rectangle&apos;s and the slot&apos;s length.</source>
+        <translation>Durchmesser von Kreis und Vieleck, Länge von Rechteck und Langloch.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Across the length of a rectangle or a slot; 0: a square, half the slot.</source>
+        <translation>Quer zur Länge von Rechteck oder Langloch; 0: ein Quadrat, beim Langloch die halbe Länge.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Of a polygon.</source>
+        <translation>Eines Vielecks.</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Which way the length goes. Empty: by the part&apos;s axes.</source>
+        <translation>Wohin die Länge zeigt. Leer: nach den Achsen des Teils.</translation>
     </message>
 </context>
 <context>
@@ -5230,6 +5582,298 @@
     <message>
         <source>a document that is there already has a name</source>
         <translation>ein Dokument, das es schon gibt, hat einen Namen</translation>
+    </message>
+    <message>
+        <source>FreeType does not start</source>
+        <translation>FreeType startet nicht</translation>
+    </message>
+    <message>
+        <source>Give 0 or a wider tip</source>
+        <translation>Geben Sie 0 oder eine weitere Spitze an</translation>
+    </message>
+    <message>
+        <source>Give a height; a negative one is sunk</source>
+        <translation>Geben Sie eine Höhe an; eine negative ist eingesenkt</translation>
+    </message>
+    <message>
+        <source>Give a width below its size</source>
+        <translation>Geben Sie eine Breite unter seiner Länge an</translation>
+    </message>
+    <message>
+        <source>Give counterbore_depth</source>
+        <translation>Geben Sie die Tiefe der Flachsenkung an</translation>
+    </message>
+    <message>
+        <source>Give it in UTF-8</source>
+        <translation>Geben Sie ihn in UTF-8 an</translation>
+    </message>
+    <message>
+        <source>Give some letters</source>
+        <translation>Geben Sie Buchstaben an</translation>
+    </message>
+    <message>
+        <source>Give text=...</source>
+        <translation>Geben Sie einen Text an</translation>
+    </message>
+    <message>
+        <source>Install the package fonts-dejavu-core where operations run</source>
+        <translation>Installieren Sie das Paket fonts-dejavu-core, wo die Operationen laufen</translation>
+    </message>
+    <message>
+        <source>Leave out control characters and letters of other scripts</source>
+        <translation>Lassen Sie Steuerzeichen und Buchstaben anderer Schriften weg</translation>
+    </message>
+    <message>
+        <source>Make it deeper; 0 is through</source>
+        <translation>Machen Sie es tiefer; 0 geht hindurch</translation>
+    </message>
+    <message>
+        <source>Make it wider, or 0</source>
+        <translation>Machen Sie sie weiter, oder 0</translation>
+    </message>
+    <message>
+        <source>Move the plane into the part, or keep its other side</source>
+        <translation>Verschieben Sie die Ebene in das Teil, oder behalten Sie die andere Seite</translation>
+    </message>
+    <message>
+        <source>Move the tool a little, or make it larger or smaller</source>
+        <translation>Verschieben Sie das Werkzeug ein wenig, oder machen Sie es größer oder kleiner</translation>
+    </message>
+    <message>
+        <source>Move the tool a little: something of it nearly meets an edge of the part</source>
+        <translation>Verschieben Sie das Werkzeug ein wenig: etwas davon trifft fast auf eine Kante des Teils</translation>
+    </message>
+    <message>
+        <source>Place it so that it cuts the part&apos;s surface</source>
+        <translation>Setzen Sie es so, dass es die Oberfläche des Teils schneidet</translation>
+    </message>
+    <message>
+        <source>Place it so that it meets one region</source>
+        <translation>Setzen Sie es so, dass es nur ein Gebiet trifft</translation>
+    </message>
+    <message>
+        <source>Place the tool elsewhere</source>
+        <translation>Setzen Sie das Werkzeug an eine andere Stelle</translation>
+    </message>
+    <message>
+        <source>Select the wall, or give the place: at_mm=10,20,5</source>
+        <translation>Wählen Sie die Fläche, oder geben Sie den Ort an: at_mm=10,20,5</translation>
+    </message>
+    <message>
+        <source>Set one of them to 0</source>
+        <translation>Setzen Sie eine davon auf 0</translation>
+    </message>
+    <message>
+        <source>a direction is not 0, 0, 0</source>
+        <translation>eine Richtung ist nicht 0, 0, 0</translation>
+    </message>
+    <message>
+        <source>a hole has a counterbore or a countersink, not both</source>
+        <translation>ein Loch hat eine Flach- oder eine Kegelsenkung, nicht beides</translation>
+    </message>
+    <message>
+        <source>a point is not finite</source>
+        <translation>ein Punkt ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a tip of less than 29 degrees is a needle</source>
+        <translation>eine Spitze unter 29 Grad ist eine Nadel</translation>
+    </message>
+    <message>
+        <source>a triangle has no face</source>
+        <translation>ein Dreieck gehört zu keiner Seite</translation>
+    </message>
+    <message>
+        <source>a triangle has no three corners</source>
+        <translation>ein Dreieck hat keine drei Ecken</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>hinzugefügt</translation>
+    </message>
+    <message>
+        <source>an edge has not one triangle on each side</source>
+        <translation>eine Kante hat nicht auf jeder Seite ein Dreieck</translation>
+    </message>
+    <message>
+        <source>bore bottom</source>
+        <translation>Grund der Bohrung</translation>
+    </message>
+    <message>
+        <source>counterbore floor</source>
+        <translation>Boden der Flachsenkung</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>geschnitten</translation>
+    </message>
+    <message>
+        <source>drilled</source>
+        <translation>gebohrt</translation>
+    </message>
+    <message>
+        <source>embossed</source>
+        <translation>geprägt</translation>
+    </message>
+    <message>
+        <source>furthest off what was asked for</source>
+        <translation>größte Abweichung vom Verlangten</translation>
+    </message>
+    <message>
+        <source>improving</source>
+        <translation>verbessern</translation>
+    </message>
+    <message>
+        <source>it has too few triangles, or not a face for each</source>
+        <translation>sie hat zu wenige Dreiecke oder nicht für jedes eine Seite</translation>
+    </message>
+    <message>
+        <source>it is not three finite numbers</source>
+        <translation>es sind keine drei endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>it is three numbers, as &quot;1, 2.5, 0&quot;</source>
+        <translation>es sind drei Zahlen, wie „1, 2.5, 0“</translation>
+    </message>
+    <message>
+        <source>it is turned inside out, or flat</source>
+        <translation>sie ist nach innen gekehrt oder flach</translation>
+    </message>
+    <message>
+        <source>letters of no height are none</source>
+        <translation>Buchstaben ohne Höhe sind keine</translation>
+    </message>
+    <message>
+        <source>meshing</source>
+        <translation>vernetzen</translation>
+    </message>
+    <message>
+        <source>neither a place nor a wall was given</source>
+        <translation>weder ein Ort noch eine Fläche wurde angegeben</translation>
+    </message>
+    <message>
+        <source>new surfaces: %1</source>
+        <translation>neue Flächen: %1</translation>
+    </message>
+    <message>
+        <source>nothing of the part would be left</source>
+        <translation>vom Teil bliebe nichts übrig</translation>
+    </message>
+    <message>
+        <source>surface %1 has no facet on the part&apos;s boundary</source>
+        <translation>Fläche %1 hat keine Facette auf dem Rand des Teils</translation>
+    </message>
+    <message>
+        <source>the counterbore has no depth</source>
+        <translation>die Flachsenkung hat keine Tiefe</translation>
+    </message>
+    <message>
+        <source>the counterbore is no wider than the hole</source>
+        <translation>die Flachsenkung ist nicht weiter als das Loch</translation>
+    </message>
+    <message>
+        <source>the countersink is no wider than the hole</source>
+        <translation>die Kegelsenkung ist nicht weiter als das Loch</translation>
+    </message>
+    <message>
+        <source>the font %1 cannot be read</source>
+        <translation>die Schrift %1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the font %1 has no outlines</source>
+        <translation>die Schrift %1 hat keine Umrisse</translation>
+    </message>
+    <message>
+        <source>the font %1 is damaged</source>
+        <translation>die Schrift %1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the font %1 is not there</source>
+        <translation>die Schrift %1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>the font has no letter for one of the text&apos;s</source>
+        <translation>die Schrift hat keinen Buchstaben für einen des Texts</translation>
+    </message>
+    <message>
+        <source>the hole is no deeper than its counterbore</source>
+        <translation>das Loch ist nicht tiefer als seine Flachsenkung</translation>
+    </message>
+    <message>
+        <source>the hole is no deeper than its countersink</source>
+        <translation>das Loch ist nicht tiefer als seine Kegelsenkung</translation>
+    </message>
+    <message>
+        <source>the mesher&apos;s answer is damaged</source>
+        <translation>die Antwort des Vernetzers ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the part&apos;s boundary is no clean surface where the tool is</source>
+        <translation>der Rand des Teils ist dort, wo das Werkzeug ist, keine saubere Fläche</translation>
+    </message>
+    <message>
+        <source>the plane leaves the part as it is, or nothing of it</source>
+        <translation>die Ebene lässt das Teil, wie es ist, oder nichts davon</translation>
+    </message>
+    <message>
+        <source>the result would be off what was asked for by %1 mm</source>
+        <translation>das Ergebnis wiche um %1 mm vom Verlangten ab</translation>
+    </message>
+    <message>
+        <source>the slot is wider than long</source>
+        <translation>das Langloch ist breiter als lang</translation>
+    </message>
+    <message>
+        <source>the tets around the tool would be too flat (q = %1)</source>
+        <translation>die Tets um das Werkzeug würden zu flach (q = %1)</translation>
+    </message>
+    <message>
+        <source>the text has nothing to emboss</source>
+        <translation>der Text hat nichts zu prägen</translation>
+    </message>
+    <message>
+        <source>the text is no UTF-8</source>
+        <translation>der Text ist kein UTF-8</translation>
+    </message>
+    <message>
+        <source>the tool and the part could not be cut with each other</source>
+        <translation>Werkzeug und Teil ließen sich nicht miteinander schneiden</translation>
+    </message>
+    <message>
+        <source>the tool changes nothing of the part</source>
+        <translation>das Werkzeug ändert nichts am Teil</translation>
+    </message>
+    <message>
+        <source>the tool crosses two regions of the part</source>
+        <translation>das Werkzeug schneidet zwei Gebiete des Teils</translation>
+    </message>
+    <message>
+        <source>the tool does not meet the part</source>
+        <translation>das Werkzeug trifft das Teil nicht</translation>
+    </message>
+    <message>
+        <source>the tool is no clean closed surface</source>
+        <translation>das Werkzeug ist keine saubere geschlossene Fläche</translation>
+    </message>
+    <message>
+        <source>the tool is no closed surface: %1</source>
+        <translation>das Werkzeug ist keine geschlossene Fläche: %1</translation>
+    </message>
+    <message>
+        <source>the tool would leave an edge at which two solids only touch</source>
+        <translation>das Werkzeug ließe eine Kante, an der zwei Körper sich nur berühren</translation>
+    </message>
+    <message>
+        <source>the volume that came out is not that of the tool</source>
+        <translation>das Volumen, das herauskam, ist nicht das des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>there is no text to emboss</source>
+        <translation>es gibt keinen Text zu prägen</translation>
+    </message>
+    <message>
+        <source>what the tool cuts could not be taken out of the part</source>
+        <translation>was das Werkzeug schneidet, ließ sich nicht aus dem Teil nehmen</translation>
     </message>
 </context>
 <context>

@@ -104,16 +104,16 @@ private:
     if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
       return fail(ec::empty_selection, "the tool changes nothing of the part",
                   "Place it so that it cuts the part's surface");
-    auto surface = label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_, how.steps);
+    auto surface =
+      label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_, how.steps);
     if (!surface)
       return fail(surface.error());
     const auto before = surface->mesh;
     clean_surface(surface->mesh, how.clean);
     const double deviation = deviation_of(before, surface->mesh);
     if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
-      return fail(ec::mesher_failed,
-                  "the result would be off what was asked for by " + number_text(1e3 * deviation) +
-                    " mm");
+      return fail(ec::mesher_failed, "the result would be off what was asked for by " +
+                                       number_text(1e3 * deviation) + " mm");
     run_.report(0.5, "meshing");
     return filled(*hollow, *surface, *cut, deviation);
   }
@@ -150,8 +150,7 @@ private:
     result.worst_before = worst_quality_before(*mesh_, *result.candidate, result.touched);
     result.worst_after = 1;
     for (const auto t : result.touched)
-      result.worst_after =
-        std::min(result.worst_after, radius_ratio(result.candidate->corners(t)));
+      result.worst_after = std::min(result.worst_after, radius_ratio(result.candidate->corners(t)));
     return result;
   }
 
@@ -167,8 +166,7 @@ private:
   }
 
   [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
-    return hollow.gone.empty() &&
-           std::abs(cut.volume_change) <= 1e-9 * size_ * size_ * size_;
+    return hollow.gone.empty() && std::abs(cut.volume_change) <= 1e-9 * size_ * size_ * size_;
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.

@@ -46,7 +46,7 @@ private:
   const tool_surface& tool_;
   boolean_mode mode_;
   std::vector<tet_id> crossed_;
-  std::vector<tet_id> within_;         ///< Wholly inside the tool.
+  std::vector<tet_id> within_;            ///< Wholly inside the tool.
   std::vector<std::uint8_t> is_crossed_;  ///< By tet slot.
   std::vector<std::uint8_t> is_inside_;   ///< By tet slot: of `within_`.
 };

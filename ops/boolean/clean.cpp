@@ -73,8 +73,7 @@ private:
   [[nodiscard]] vec3 at(std::uint32_t v) const { return mesh_.vertices[v].position; }
 
   [[nodiscard]] double longest_side(const triangle& t) const {
-    return std::max(
-      {mesh_.length(t[0], t[1]), mesh_.length(t[1], t[2]), mesh_.length(t[2], t[0])});
+    return std::max({mesh_.length(t[0], t[1]), mesh_.length(t[1], t[2]), mesh_.length(t[2], t[0])});
   }
 
   /// Does the triangle point where it should, and is it no needle of rounding errors?
@@ -139,8 +138,7 @@ private:
       for (const auto& e : edges()) {
         if (e.length > tolerance)
           break;
-        if (!mesh_.is_edge(e.a, e.b) ||
-            mesh_.length(e.a, e.b) > tolerance * mesh_.size(e.a, e.b))
+        if (!mesh_.is_edge(e.a, e.b) || mesh_.length(e.a, e.b) > tolerance * mesh_.size(e.a, e.b))
           continue;
         const bool first = goes_first(e.a, e.b);
         const auto u = first ? e.a : e.b;
@@ -194,8 +192,8 @@ private:
             std::max(settings_.off_plane, 1e-4) * size)
           return false;
     const auto middle = mesh_.split(u, v, place);
-    return middle != no_id && (stays ? weld_edge(middle, apex, tolerance)
-                                     : weld_edge(apex, middle, tolerance));
+    return middle != no_id &&
+           (stays ? weld_edge(middle, apex, tolerance) : weld_edge(apex, middle, tolerance));
   }
 
   /// Contracts a short edge where the triangles stay good ones.

@@ -7,8 +7,8 @@ namespace tedit::ops {
 
 /// How far cleaning may go. All lengths are shares of the local size.
 struct clean_settings {
-  double off_plane = 1e-4;  ///< Nothing moves further off the planes that it is in.
-  double weld = 0.03;       ///< Edges shorter than this go, whatever their triangles look like.
+  double off_plane = 1e-4;   ///< Nothing moves further off the planes that it is in.
+  double weld = 0.03;        ///< Edges shorter than this go, whatever their triangles look like.
   double least_size = 0.12;  ///< Where creases nearly meet, triangles get at most so much smaller.
 };
 

@@ -8,8 +8,8 @@ namespace tedit::ops {
 /// A plane on which points of both surfaces lie: they are moved there exactly, so that faces that
 /// should be flush are.
 struct shared_plane {
-  vec3 normal;        ///< Unit.
-  double offset = 0;  ///< m: points p with normal . p = offset.
+  vec3 normal;                                       ///< Unit.
+  double offset = 0;                                 ///< m: points p with normal . p = offset.
   std::array<std::vector<std::uint32_t>, 2> points;  ///< Of the first and the second surface.
 };
 

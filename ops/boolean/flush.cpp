@@ -133,8 +133,8 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
     if (!mesh.is_live_facet(f))
       continue;
     const auto& v = mesh.facet(f).v;
-    if (extent.meets(box_of(
-          std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
+    if (extent.meets(
+          box_of(std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
       near.push_back(f);
   }
   for (std::uint32_t face = 0; face < tool.names.size(); ++face) {

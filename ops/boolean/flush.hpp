@@ -9,8 +9,8 @@ namespace tedit::ops {
 
 /// A face of the tool that lies in a plane with facets of the part, and shall lie there exactly.
 struct flush_face {
-  vec3 normal;        ///< Unit, of the part's facets.
-  double offset = 0;  ///< m.
+  vec3 normal;                      ///< Unit, of the part's facets.
+  double offset = 0;                ///< m.
   std::vector<vertex_id> part;      ///< The corners of those facets.
   std::vector<std::uint32_t> tool;  ///< Points of the tool.
 };

@@ -29,7 +29,7 @@ public:
 
   struct vertex {
     vec3 position;
-    double size = 0;          ///< m: how long edges here should be.
+    double size = 0;           ///< m: how long edges here should be.
     std::int32_t origin = -1;  ///< The point of the part that it is, or -1.
     bool fixed = false;
   };

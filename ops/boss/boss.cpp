@@ -5,8 +5,8 @@ namespace tedit::ops {
 
 expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
                                const parameters& values, context& ctx) {
-  const auto where = placement_of(*mesh, picked, values, "direction",
-                                  std::get<double>(values.at("size")));
+  const auto where =
+    placement_of(*mesh, picked, values, "direction", std::get<double>(values.at("size")));
   if (!where)
     return fail(where.error());
   const double size = profile_size(*where, values);

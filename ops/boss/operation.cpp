@@ -17,10 +17,17 @@ public:
     d.selection.minimum = 0;
     d.selection.maximum = 1;
     d.parameters = ops::profile_parameters();
-    d.parameters.insert(d.parameters.begin() + 4,
-                        {"height", "Height", "How far it stands out over the place.",
-                         ops::parameter_type::real, "m", 1e-6, 10.0, {}, 0.005});
-    d.parameters.push_back(ops::at_parameter("The middle of the profile, on the wall."));
+    d.parameters.insert(d.parameters.begin() + 4, {"height",
+                                                   "Height",
+                                                   "How far it stands out over the place.",
+                                                   ops::parameter_type::real,
+                                                   "m",
+                                                   1e-6,
+                                                   10.0,
+                                                   {},
+                                                   0.005});
+    d.parameters.push_back(ops::at_parameter(
+      "Place", "The middle of the profile, on the wall. Empty: the middle of the selected wall."));
     d.parameters.push_back(ops::direction_parameter(
       "direction", "Outward", "The direction that it grows in. Empty: across the wall."));
     d.icon = ops::line_icon(R"(<path d="M3 20 V14 H8 V6 H16 V14 H21 V20 Z"/>)");

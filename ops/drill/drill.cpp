@@ -9,10 +9,19 @@ namespace tedit::ops {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, double>, 13> cores{
-  {{"M2", 1.6e-3}, {"M2.5", 2.05e-3}, {"M3", 2.5e-3}, {"M4", 3.3e-3}, {"M5", 4.2e-3},
-   {"M6", 5.0e-3}, {"M8", 6.8e-3}, {"M10", 8.5e-3}, {"M12", 10.2e-3}, {"M14", 12.0e-3},
-   {"M16", 14.0e-3}, {"M20", 17.5e-3}, {"M24", 21.0e-3}}};
+constexpr std::array<std::pair<const char*, double>, 13> cores{{{"M2", 1.6e-3},
+                                                                {"M2.5", 2.05e-3},
+                                                                {"M3", 2.5e-3},
+                                                                {"M4", 3.3e-3},
+                                                                {"M5", 4.2e-3},
+                                                                {"M6", 5.0e-3},
+                                                                {"M8", 6.8e-3},
+                                                                {"M10", 8.5e-3},
+                                                                {"M12", 10.2e-3},
+                                                                {"M14", 12.0e-3},
+                                                                {"M16", 14.0e-3},
+                                                                {"M20", 17.5e-3},
+                                                                {"M24", 21.0e-3}}};
 
 expected<void> check(const drill_shape& s) {
   const auto wrong = [](const std::string& why, const std::string& remedy) {

@@ -8,7 +8,7 @@ namespace tedit::ops {
 /// A hole as drills make it; lengths in m, 0: without that.
 struct drill_shape {
   double diameter = 0;
-  double depth = 0;  ///< Of the cylinder, from the place on; 0: through all there is.
+  double depth = 0;      ///< Of the cylinder, from the place on; 0: through all there is.
   double tip_angle = 0;  ///< rad, of the whole tip of a blind hole; 0: flat.
   double counterbore_diameter = 0;
   double counterbore_depth = 0;

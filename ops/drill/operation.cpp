@@ -27,20 +27,29 @@ public:
     d.selection.minimum = 0;
     d.selection.maximum = 1;
     d.parameters = {
-      ops::at_parameter("Where the hole's axis enters the wall."),
+      ops::at_parameter(
+        "Place", "Where the hole's axis enters the wall. Empty: the middle of the selected wall."),
       ops::direction_parameter("direction", "Axis",
                                "The hole's axis, either way round: it is drilled into the "
                                "material. Empty: across the wall."),
       length("diameter", "Diameter", "Of the hole.", 1e-6, 0.005),
       length("depth", "Depth", "Of its cylinder; 0 goes through all there is.", 0, 0),
-      {"thread", "For a thread", "Takes the core diameter of this metric thread instead.",
-       ops::parameter_type::choice, "", {}, {}, ops::threads(), std::string("none")},
+      {"thread",
+       "For a thread",
+       "Takes the core diameter of this metric thread instead.",
+       ops::parameter_type::choice,
+       "",
+       {},
+       {},
+       ops::threads(),
+       std::string("none")},
       angle("tip_angle", "Tip angle", "Of a blind hole's tip; 0 is flat, 118 degrees is usual.", 0,
             0),
       length("counterbore_diameter", "Counterbore", "Its diameter; 0: none.", 0, 0),
       length("counterbore_depth", "Counterbore depth", "From the wall on.", 0, 0),
       length("countersink_diameter", "Countersink", "Its diameter at the wall; 0: none.", 0, 0),
-      angle("countersink_angle", "Countersink angle", "Of the whole cone.", 0.17, 1.5707963267948966),
+      angle("countersink_angle", "Countersink angle", "Of the whole cone.", 0.17,
+            1.5707963267948966),
     };
     d.icon = ops::line_icon(
       R"(<path d="M4 10 H9 V19 H15 V10 H20"/><path d="M12 3 V14" stroke-dasharray="2 2.4"/>)");
@@ -55,12 +64,9 @@ public:
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     const auto number = [&](const char* id) { return std::get<double>(values.at(id)); };
-    ops::drill_shape shape{number("diameter"),
-                           number("depth"),
-                           number("tip_angle"),
-                           number("counterbore_diameter"),
-                           number("counterbore_depth"),
-                           number("countersink_diameter"),
+    ops::drill_shape shape{number("diameter"),          number("depth"),
+                           number("tip_angle"),         number("counterbore_diameter"),
+                           number("counterbore_depth"), number("countersink_diameter"),
                            number("countersink_angle")};
     if (const auto core = ops::thread_core(std::get<std::string>(values.at("thread"))))
       shape.diameter = *core;

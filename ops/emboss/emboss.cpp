@@ -35,14 +35,14 @@ expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
   const double gap = raised ? gap_below(*mesh, lifted, where.outward, radius) : 0;
   const double foot = gap > 1e-3 * where.size ? gap + 0.2 * edge : 0;
   const double above = clearance(*mesh, where.at, where.outward, radius) + 0.5 * edge;
-  const auto tool = extrude(make_frame(where.at, where.outward, what.up), *outlines,
-                            raised ? -foot : what.height, raised ? what.height : above, edge,
-                            "text", *ctx.host);
+  const auto tool =
+    extrude(make_frame(where.at, where.outward, what.up), *outlines, raised ? -foot : what.height,
+            raised ? what.height : above, edge, "text", *ctx.host);
   if (!tool)
     return fail(tool.error());
   const auto made = ctx.host->boolean(
-    mesh, *tool,
-    {raised ? boolean_mode::add : boolean_mode::cut, deviation_share * where.size}, ctx.run);
+    mesh, *tool, {raised ? boolean_mode::add : boolean_mode::cut, deviation_share * where.size},
+    ctx.run);
   if (!made)
     return fail(made.error());
   ctx.run.report(1, "embossed");

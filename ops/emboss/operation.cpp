@@ -20,17 +20,34 @@ public:
     d.parameters = {
       {"text", "Text", "One line.", text, "", {}, {}, {}, std::string("TEdit")},
       {"size", "Letter height", "Of capitals.", real, "m", 1e-5, 1.0, {}, 0.005},
-      {"height", "Height", "How far it stands out of the wall; negative is sunk.", real, "m", -1.0,
-       1.0, {}, 0.0005},
-      {"font", "Font", "Of the letters.", choice, "", {}, {}, {"sans", "bold", "serif", "mono"},
+      {"height",
+       "Height",
+       "How far it stands out of the wall; negative is sunk.",
+       real,
+       "m",
+       -1.0,
+       1.0,
+       {},
+       0.0005},
+      {"font",
+       "Font",
+       "Of the letters.",
+       choice,
+       "",
+       {},
+       {},
+       {"sans", "bold", "serif", "mono"},
        std::string("sans")},
-      ops::at_parameter("The middle of the text, on the wall."),
-      ops::direction_parameter("up", "Up", "Which way the letters stand. Empty: by the part's "
-                                           "axes."),
+      ops::at_parameter(
+        "Place", "The middle of the text, on the wall. Empty: the middle of the selected wall."),
+      ops::direction_parameter("up", "Up",
+                               "Which way the letters stand. Empty: by the part's "
+                               "axes."),
       ops::direction_parameter("direction", "Outward",
                                "The direction that the text looks in. Empty: across the wall."),
     };
-    d.icon = ops::line_icon(R"(<path d="M4 19 L10 5 L16 19 M6.2 14 H13.8"/><path d="M18 19 H21"/>)");
+    d.icon =
+      ops::line_icon(R"(<path d="M4 19 L10 5 L16 19 M6.2 14 H13.8"/><path d="M18 19 H21"/>)");
     d.guide =
       "For names and numbers on flat walls. Letters that are small beside the part's tets make "
       "many small ones: a raised height of about a tenth of the letters does well.";

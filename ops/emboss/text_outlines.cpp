@@ -27,11 +27,11 @@ std::optional<std::vector<char32_t>> code_points(const std::string& text) {
   std::vector<char32_t> result;
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i]);
-    const int more = first < 0x80        ? 0
-                     : first >> 5 == 6   ? 1
-                     : first >> 4 == 14  ? 2
-                     : first >> 3 == 30  ? 3
-                                         : -1;
+    const int more = first < 0x80       ? 0
+                     : first >> 5 == 6  ? 1
+                     : first >> 4 == 14 ? 2
+                     : first >> 3 == 30 ? 3
+                                        : -1;
     if (more < 0 || i + static_cast<std::size_t>(more) >= text.size())
       return std::nullopt;
     char32_t code = more == 0 ? first : first & (0x3fu >> more);
@@ -170,8 +170,8 @@ expected<profile> text_outlines(const std::string& text, const std::filesystem::
   if (FT_Load_Char(face.get(), U'H', how) != 0 || face->glyph->metrics.height <= 0)
     return fail(ec::io_error, "the font " + font.string() + " has no outlines");
   contour_taker taker(height / static_cast<double>(face->glyph->metrics.height), edge);
-  const FT_Outline_Funcs functions{&contour_taker::move,  &contour_taker::line,
-                                   &contour_taker::conic, &contour_taker::cubic, 0, 0};
+  const FT_Outline_Funcs functions{
+    &contour_taker::move, &contour_taker::line, &contour_taker::conic, &contour_taker::cubic, 0, 0};
   for (const auto letter : *letters) {
     const auto glyph = FT_Get_Char_Index(face.get(), letter);
     if (glyph == 0)

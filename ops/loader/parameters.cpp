@@ -66,8 +66,8 @@ std::string vector_text(vec3 v) {
 }
 
 /// A point or a direction in the one way to write it; empty where the operation may find it.
-expected<parameter_value> typed_vector(const parameter_description& p,
-                                       const parameter_value& given, double scale = 1) {
+expected<parameter_value> typed_vector(const parameter_description& p, const parameter_value& given,
+                                       double scale = 1) {
   const auto* text = std::get_if<std::string>(&given);
   if (text && text->find_first_not_of(' ') == std::string::npos &&
       p.default_value == parameter_value(std::string{}))
@@ -157,11 +157,11 @@ expected<parameters> in_metres(const operation_description& description, const p
       continue;
     if (result.contains(p.id))
       return wrong(p, "it is given twice, in m and in mm");
-    const auto value = is_vector(p) ? typed_vector(p, found->second, 1e-3) : typed(p, found->second);
+    const auto value =
+      is_vector(p) ? typed_vector(p, found->second, 1e-3) : typed(p, found->second);
     if (!value)
       return fail(value.error());
-    result[p.id] =
-      is_vector(p) ? *value : parameter_value(1e-3 * std::get<double>(*value));
+    result[p.id] = is_vector(p) ? *value : parameter_value(1e-3 * std::get<double>(*value));
     result.erase(p.id + "_mm");
   }
   return result;

@@ -227,8 +227,8 @@ result combine(std::uint32_t mode, const std::array<soup, 2>& in,
   for (int i = 0; i < 2; ++i) {
     exact[i] = exact_points(in[i], planes, i);
     if (!fan_builder(in[i], exact[i], mesh[i]).build(keeper.of[i], i == 1)) {
-      out.answer.status = i == 0 ? corefine_status::first_not_manifold
-                                 : corefine_status::second_not_manifold;
+      out.answer.status =
+        i == 0 ? corefine_status::first_not_manifold : corefine_status::second_not_manifold;
       return out;
     }
   }
@@ -253,8 +253,8 @@ bool read_planes(std::vector<plane_points>& planes, const std::array<soup, 2>& i
     if (std::fread(&row.plane, sizeof(row.plane), 1, stdin) != 1)
       return false;
     for (int i = 0; i < 2; ++i)
-      if (row.plane.points[i] > in[i].points.size() ||
-          !read_all(row.on[i], row.plane.points[i]) || !all_below(row.on[i], in[i].points.size()))
+      if (row.plane.points[i] > in[i].points.size() || !read_all(row.on[i], row.plane.points[i]) ||
+          !all_below(row.on[i], in[i].points.size()))
         return false;
   }
   return true;

@@ -33,6 +33,7 @@ int main() {
   try {
     return run();
   } catch (...) {
-    return 3;  // TetGen throws an int for most of its failures, CGAL for surfaces that cut themselves.
+    return 3;  // TetGen throws an int for most of its failures, CGAL for surfaces that cut
+               // themselves.
   }
 }

@@ -17,13 +17,27 @@ public:
     d.selection.minimum = 0;
     d.selection.maximum = 1;
     d.parameters = {
-      ops::at_parameter("A point of the plane."),
+      ops::at_parameter("Place", "A point of the plane. Empty: the middle of the selected wall."),
       ops::direction_parameter("normal", "Normal",
                                "Which way the plane looks. Empty: as the wall does."),
-      {"offset", "Offset", "How far the plane is moved against its normal.",
-       ops::parameter_type::real, "m", -10.0, 10.0, {}, 0.0},
-      {"keep", "Keep", "Which side stays: below is what the normal points away from.",
-       ops::parameter_type::choice, "", {}, {}, {"below", "above"}, std::string("below")},
+      {"offset",
+       "Offset",
+       "How far the plane is moved against its normal.",
+       ops::parameter_type::real,
+       "m",
+       -10.0,
+       10.0,
+       {},
+       0.0},
+      {"keep",
+       "Keep",
+       "Which side stays: below is what the normal points away from.",
+       ops::parameter_type::choice,
+       "",
+       {},
+       {},
+       {"below", "above"},
+       std::string("below")},
     };
     d.icon = ops::line_icon(
       R"(<path d="M4 20 V11 L20 5 V20 Z"/><path d="M2 12 L22 4" stroke-dasharray="2 2.4"/>)");

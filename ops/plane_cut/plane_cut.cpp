@@ -14,8 +14,7 @@ expected<edit_result> plane_cut(const version_ptr& mesh, vec3 at, vec3 normal, b
     return fail(tool.error());
   auto made = ctx.host->boolean(mesh, *tool, {boolean_mode::cut, deviation_share * size}, ctx.run);
   if (!made && made.error().code == ec::empty_selection)
-    return fail(ec::empty_selection,
-                "the plane leaves the part as it is, or nothing of it",
+    return fail(ec::empty_selection, "the plane leaves the part as it is, or nothing of it",
                 "Move the plane into the part, or keep its other side");
   if (!made)
     return fail(made.error());

@@ -17,10 +17,17 @@ public:
     d.selection.minimum = 0;
     d.selection.maximum = 1;
     d.parameters = ops::profile_parameters();
-    d.parameters.insert(d.parameters.begin() + 4,
-                        {"height", "Depth", "How deep it goes; 0 goes through all there is.",
-                         ops::parameter_type::real, "m", 0.0, 10.0, {}, 0.002});
-    d.parameters.push_back(ops::at_parameter("The middle of the profile, on the wall."));
+    d.parameters.insert(d.parameters.begin() + 4, {"height",
+                                                   "Depth",
+                                                   "How deep it goes; 0 goes through all there is.",
+                                                   ops::parameter_type::real,
+                                                   "m",
+                                                   0.0,
+                                                   10.0,
+                                                   {},
+                                                   0.002});
+    d.parameters.push_back(ops::at_parameter(
+      "Place", "The middle of the profile, on the wall. Empty: the middle of the selected wall."));
     d.parameters.push_back(ops::direction_parameter(
       "direction", "Outward", "The direction that it is cut against. Empty: across the wall."));
     d.icon = ops::line_icon(R"(<path d="M3 8 H8 V17 H16 V8 H21"/><path d="M3 8 V20 H21 V8"/>)");

@@ -5,8 +5,8 @@ namespace tedit::ops {
 
 expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picked,
                                  const parameters& values, context& ctx) {
-  const auto where = placement_of(*mesh, picked, values, "direction",
-                                  std::get<double>(values.at("size")));
+  const auto where =
+    placement_of(*mesh, picked, values, "direction", std::get<double>(values.at("size")));
   if (!where)
     return fail(where.error());
   const double size = profile_size(*where, values);
@@ -17,8 +17,8 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
   const double depth = height > 0 ? height : reach_along(*mesh, where->at, -where->outward);
   const double above =
     clearance(*mesh, where->at, where->outward, radius_of(*shape)) + 0.5 * where->size;
-  const auto tool = extrude(profile_frame(*where, values), *shape, -depth, above, size, "pocket",
-                            *ctx.host);
+  const auto tool =
+    extrude(profile_frame(*where, values), *shape, -depth, above, size, "pocket", *ctx.host);
   if (!tool)
     return fail(tool.error());
   const auto made =

@@ -50,8 +50,8 @@ namespace tedit::ops {
 // -- describing an operation ---------------------------------------------------
 
 /// What a parameter holds; choice is one of the texts in `choices`.
-/// A point and a direction are three numbers in the axes of the part, as the text "1, 2.5, 0"; empty
-/// where the operation finds one by itself. A point is in m.
+/// A point and a direction are three numbers in the axes of the part, as the text "1, 2.5, 0";
+/// empty where the operation finds one by itself. A point is in m.
 enum class parameter_type { boolean, integer, real, text, choice, point, direction };
 
 /// By type: bool, std::int64_t, double; std::string for all others.
@@ -125,8 +125,8 @@ struct selection {
 /// `std::get<double>(values.at("distance"))` needs no test.
 using parameters = std::map<std::string, parameter_value>;
 
-/// The three numbers of a point or a direction; nothing where it was left to the operation. The host
-/// has checked that they are finite, and those of a direction not all 0.
+/// The three numbers of a point or a direction; nothing where it was left to the operation. The
+/// host has checked that they are finite, and those of a direction not all 0.
 [[nodiscard]] inline std::optional<vec3> vector_of(const parameters& values,
                                                    const std::string& id) {
   const auto& text = std::get<std::string>(values.at(id));
@@ -193,8 +193,8 @@ struct boolean_result {
   version_ptr candidate;
   std::vector<tet_id> touched;  ///< Tets of the candidate that are new or changed.
   double volume_change = 0;     ///< m^3, by the boundary.
-  double deviation = 0;     ///< m: how far the surface is off what was asked for, at most.
-  double worst_before = 0;  ///< Radius ratio of the worst tet there.
+  double deviation = 0;         ///< m: how far the surface is off what was asked for, at most.
+  double worst_before = 0;      ///< Radius ratio of the worst tet there.
   double worst_after = 0;
   std::vector<std::optional<surface_id>> surfaces;  ///< That each face of the tool became.
 };
@@ -430,8 +430,8 @@ inline void add_services(std::vector<layout_fact>& facts) {
   facts.push_back(last("boolean_mode", boolean_mode::keep));
   const boolean_result made;
   const auto& [candidate, touched, change, deviation, before, after, surfaces] = made;
-  facts.push_back(of("boolean_result", made, candidate, touched, change, deviation, before, after,
-                     surfaces));
+  facts.push_back(
+    of("boolean_result", made, candidate, touched, change, deviation, before, after, surfaces));
   facts.push_back(table("services since 7.1", &services::boolean));
 }
 

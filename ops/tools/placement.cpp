@@ -24,11 +24,11 @@ box around(vec3 p, double reach) {
 
 }  // namespace
 
-parameter_description at_parameter(const std::string& help) {
+parameter_description at_parameter(const std::string& name, const std::string& help) {
   parameter_description p;
   p.id = "at";
-  p.name = "Place";
-  p.help = help + " Empty: the middle of the selected wall.";
+  p.name = name;
+  p.help = help;
   p.type = parameter_type::point;
   p.unit = "m";
   p.default_value = std::string();

@@ -8,8 +8,8 @@ namespace tedit::ops {
 
 /// Where a tool is placed.
 struct placement {
-  vec3 at;         ///< m.
-  vec3 outward;    ///< Unit: the direction that was given, else the wall's normal there.
+  vec3 at;          ///< m.
+  vec3 outward;     ///< Unit: the direction that was given, else the wall's normal there.
   double size = 0;  ///< m: the part's mean edge length around.
 };
 
@@ -20,8 +20,8 @@ struct placement {
                                                const parameters& values,
                                                const std::string& direction, double reach);
 
-/// The two descriptions.
-[[nodiscard]] parameter_description at_parameter(const std::string& help);
+/// The two descriptions: a place on a wall, and a direction that may be left to the operation.
+[[nodiscard]] parameter_description at_parameter(const std::string& name, const std::string& help);
 [[nodiscard]] parameter_description direction_parameter(const std::string& id,
                                                         const std::string& name,
                                                         const std::string& help);

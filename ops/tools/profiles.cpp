@@ -20,20 +20,6 @@ double width_of(const parameters& values) {
 
 }  // namespace
 
-std::vector<parameter_description> profile_parameters() {
-  using enum parameter_type;
-  return {
-    {"profile", "Profile", "What it looks like from above.", choice, "", {}, {},
-     {"circle", "rectangle", "slot", "polygon"}, std::string("circle")},
-    {"size", "Size", "The circle's and the polygon's diameter, the rectangle's and the slot's length.",
-     real, "m", 1e-6, 10.0, {}, 0.01},
-    {"width", "Width", "Across the length of a rectangle or a slot; 0: a square, half the slot.",
-     real, "m", 0.0, 10.0, {}, 0.0},
-    {"corners", "Corners", "Of a polygon.", integer, "", 3.0, 64.0, {}, std::int64_t{6}},
-    direction_parameter("along", "Along", "Which way the length goes. Empty: by the part's axes."),
-  };
-}
-
 expected<profile> profile_from(const parameters& values, double size) {
   const auto& kind = std::get<std::string>(values.at("profile"));
   const double length = number(values, "size");

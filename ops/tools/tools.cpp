@@ -15,8 +15,7 @@ std::vector<point2> arc(point2 centre, double radius, double from, double to, in
   std::vector<point2> points;
   for (int i = 0; i < edges; ++i) {
     const double angle = from + (to - from) * i / edges;
-    points.push_back(
-      {centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+    points.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
   }
   return points;
 }
@@ -191,8 +190,8 @@ profile slot(double length, double width, int segments) {
     o.points.insert(o.points.end(), round.begin(), round.end());
     o.side.insert(o.side.end(), round.size(), side);
     // The straight edge begins where the arc ends.
-    o.points.push_back({centre[0] + radius * std::cos(from + pi),
-                        centre[1] + radius * std::sin(from + pi)});
+    o.points.push_back(
+      {centre[0] + radius * std::cos(from + pi), centre[1] + radius * std::sin(from + pi)});
     o.side.push_back(side + 1);
   };
   add_end({x, 0}, -pi / 2, 0);
@@ -247,8 +246,7 @@ tool_surface revolve(const frame& place, const std::vector<section_point>& secti
     const ring r{static_cast<std::uint32_t>(tool.points.size()), radius <= 0};
     for (std::uint32_t i = 0; i < (r.point ? 1 : n); ++i) {
       const double angle = 2 * std::numbers::pi * i / n;
-      tool.points.push_back(
-        place.at(radius * std::cos(angle), radius * std::sin(angle), height));
+      tool.points.push_back(place.at(radius * std::cos(angle), radius * std::sin(angle), height));
     }
     return r;
   };
@@ -284,9 +282,8 @@ tool_surface revolve(const frame& place, const std::vector<section_point>& secti
     for (int i = 1; i <= parts; ++i) {
       const double t = static_cast<double>(i) / parts;
       const bool last = i == parts;
-      const ring below =
-        add_ring(last ? to.radius : from.radius + t * (to.radius - from.radius),
-                 last ? to.height : from.height + t * (to.height - from.height));
+      const ring below = add_ring(last ? to.radius : from.radius + t * (to.radius - from.radius),
+                                  last ? to.height : from.height + t * (to.height - from.height));
       join(above, below, face);
       above = below;
     }

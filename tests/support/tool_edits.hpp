@@ -16,8 +16,7 @@ class tool_edits : public ::testing::Test {
 protected:
   template <class Operation>
   expected<ops::edit_result> run(const Operation& apply, const ops::operation_description& about,
-                                 const version_ptr& mesh,
-                                 const std::vector<surface_id>& surfaces,
+                                 const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                                  const ops::parameters& given) {
     const auto values = ops::complete_parameters(about, given);
     if (!values)
@@ -32,8 +31,7 @@ protected:
     claim.volume_change = result.volume_change;
     claim.quality_floor = result.quality_floor;
     claim.bodies_added = result.bodies_added;
-    const auto done =
-      finish_edit(base, result.candidate, claim, result.improve, {}, {});
+    const auto done = finish_edit(base, result.candidate, claim, result.improve, {}, {});
     EXPECT_TRUE(done) << render(done.error());
     EXPECT_EQ(check_version(*result.candidate).total, check_version(*base).total);
   }

@@ -281,8 +281,9 @@ QWidget* operation_form::make_vector(const ops::parameter_description& parameter
   const QString unit = text(parameter.unit);
   const QString shown = shown_as(unit).name;
   box->setPlaceholderText(
-    shown.isEmpty() ? operation_form_phrases::tr("x; y; z, or empty: by the wall")
-                    : operation_form_phrases::tr("x; y; z in %1, or empty: by the wall").arg(shown));
+    shown.isEmpty()
+      ? operation_form_phrases::tr("x; y; z, or empty: by the wall")
+      : operation_form_phrases::tr("x; y; z in %1, or empty: by the wall").arg(shown));
   connect(box, &QLineEdit::textChanged, this, &operation_form::changed);
   fields_[parameter.id] = {
     [box, unit] { return ops::parameter_value(read_vector(box->text(), unit)); },

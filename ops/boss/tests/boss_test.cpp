@@ -63,8 +63,8 @@ TEST_F(Boss, CutOffAgainThePartIsWhatItWas) {
   const auto result = add({});
   ASSERT_TRUE(result) << render(result.error());
 
-  const auto tool = half_space(extent_of(*result->candidate), {0, 0, 0.2}, {0, 0, -1}, 0.1, "cut",
-                               *host_);
+  const auto tool =
+    half_space(extent_of(*result->candidate), {0, 0, 0.2}, {0, 0, -1}, 0.1, "cut", *host_);
   ASSERT_TRUE(tool);
   const auto back = host_->boolean(result->candidate, *tool, {}, {});
 

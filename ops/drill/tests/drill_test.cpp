@@ -35,8 +35,8 @@ TEST_F(Drill, AHoleThroughAPlateTakesOffItsPrism) {
   ASSERT_TRUE(result) << render(result.error());
   expect_good(plate_, *result);
   EXPECT_NEAR(result->volume_change, -0.2 * polygon_area(0.3, 24), 1e-8);
-  EXPECT_NEAR(area_of(*result->candidate, "bore"),
-              0.2 * 24 * 0.3 * std::sin(std::numbers::pi / 24), 1e-6);
+  EXPECT_NEAR(area_of(*result->candidate, "bore"), 0.2 * 24 * 0.3 * std::sin(std::numbers::pi / 24),
+              1e-6);
   EXPECT_EQ(result->candidate->surfaces().size(), 7u);
 }
 
@@ -60,8 +60,9 @@ TEST_F(Drill, ABlindHoleHasATip) {
 }
 
 TEST_F(Drill, ACounterboreAndACountersinkWidenItsMouth) {
-  const auto bore = drilled(
-    {.diameter = 0.2, .counterbore_diameter = 0.4, .counterbore_depth = 0.08}, {0.5, 0.5, 0.2}, up_);
+  const auto bore =
+    drilled({.diameter = 0.2, .counterbore_diameter = 0.4, .counterbore_depth = 0.08},
+            {0.5, 0.5, 0.2}, up_);
   const auto sink = drilled(
     {.diameter = 0.2, .countersink_diameter = 0.4, .countersink_angle = std::numbers::pi / 2},
     {0.5, 0.5, 0.2}, up_);
@@ -70,8 +71,8 @@ TEST_F(Drill, ACounterboreAndACountersinkWidenItsMouth) {
   ASSERT_TRUE(sink) << render(sink.error());
   expect_good(plate_, *bore);
   expect_good(plate_, *sink);
-  EXPECT_NEAR(bore->volume_change,
-              -0.08 * polygon_area(0.4, 24) - 0.12 * polygon_area(0.2, 24), 1e-8);
+  EXPECT_NEAR(bore->volume_change, -0.08 * polygon_area(0.4, 24) - 0.12 * polygon_area(0.2, 24),
+              1e-8);
   // A frustum 0.1 high with radii of 0.2 and 0.1, and the bore below.
   const double frustum = 0.1 / 3 * 7 * polygon_area(0.2, 24);
   EXPECT_NEAR(sink->volume_change, -frustum - 0.1 * polygon_area(0.2, 24), 1e-8);
@@ -90,8 +91,7 @@ TEST_F(Drill, WhatIsNoHoleIsToldBeforeAnythingIsCut) {
                              .countersink_diameter = 0.3,
                              .countersink_angle = 1.5},
                             {0.5, 0.5, 0.2}, up_);
-  const auto narrow =
-    drilled({.diameter = 0.2, .counterbore_diameter = 0.1}, {0.5, 0.5, 0.2}, up_);
+  const auto narrow = drilled({.diameter = 0.2, .counterbore_diameter = 0.1}, {0.5, 0.5, 0.2}, up_);
 
   ASSERT_FALSE(both);
   EXPECT_THAT(both.error().message, HasSubstr("not both"));
