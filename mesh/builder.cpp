@@ -315,7 +315,7 @@ expected<void> mesh_builder::link_face(std::span<const face_entry> entries,
   const int own = group.count(side::own);
   const int glued = group.count(side::glued);
   const int fresh = group.count(side::fresh);
-  if (fresh > 2 || fresh + walls + glued > 2 || walls + own + glued > 1 || (fresh == 2 && own))
+  if (fresh > 2 || fresh + walls + glued > 2 || walls + own + glued > 1)
     return refuse(" would lie in more than two tets");
   const auto* add = group.first(side::fresh);
   const auto* opposite = fresh == 2 ? group.second(side::fresh)
@@ -324,10 +324,12 @@ expected<void> mesh_builder::link_face(std::span<const face_entry> entries,
   if (add && opposite && add->key.odd == opposite->key.odd)
     return refuse(" has both its tets on one side");
   const auto* facet = group.first(side::own);
-  if (add && facet && add->key.odd != facet->key.odd)
+  if (fresh == 1 && facet && add->key.odd != facet->key.odd)
     return refuse(" would turn the boundary inside out");
   if (fresh == 2) {
     links.pairs.push_back({add->index, opposite->index, add->face, opposite->face});
+    if (facet)
+      links.vanished.push_back(facet->index);
   } else if (add && walls) {
     links.walls.push_back({add->index, opposite->index, add->face, opposite->face});
   } else if (add && glued) {

@@ -23,7 +23,8 @@ struct new_facet {
 
 /// One local change of topology. After it, every face of an added tet must lie against another
 /// added tet, against a kept tet at the cavity's wall, against a glued facet's tet, or be a
-/// boundary facet: one that a removed tet had (its surface is kept), or one named in `facets`.
+/// boundary facet: one that a removed tet had (its surface is kept), or one named in `facets`. A
+/// facet of a removed tet that comes to lie between two added ones goes.
 /// Faces of kept tets that lose their neighbour become boundary facets and must be named, too.
 struct cavity_change {
   std::vector<tet_id> removed;

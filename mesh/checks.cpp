@@ -91,39 +91,6 @@ std::string fan_fault(const mesh_version& mesh, vertex_id v, const std::vector<f
   return steps == next.size() ? "" : "more than one fan of facets meets there";
 }
 
-/// The number of components of the boundary; facets hang together at common vertices.
-/// Cost: O(facets).
-std::size_t boundary_components(const mesh_version& mesh) {
-  sparse_numbers parent(mesh.vertex_slots());
-  const auto root = [&](vertex_id v) {
-    while (parent[v] != v) {
-      parent.set(v, parent[parent[v]]);
-      v = parent[v];
-    }
-    return v;
-  };
-  std::size_t count = 0;
-  const auto& facets = mesh.data().facets;
-  for (std::size_t p = 0; p < facets.pages().size(); ++p)
-    for (const auto& f : facets.page_items(p)) {
-      if (f.tet == no_id)
-        continue;
-      for (const auto v : f.v)
-        if (parent[v] == sparse_numbers::none) {
-          parent.set(v, v);
-          ++count;
-        }
-      auto a = root(f.v[0]);
-      for (const auto v : {f.v[1], f.v[2]}) {
-        const auto b = root(v);
-        count -= a != b;
-        parent.set(std::max(a, b), std::min(a, b));
-        a = std::min(a, b);
-      }
-    }
-  return count;
-}
-
 void check_counts(const mesh_version& mesh, slot_checks& checks) {
   const auto compare = [&](const char* what, std::size_t counted, std::size_t stated) {
     if (counted != stated)
@@ -332,6 +299,37 @@ private:
 };
 
 }  // namespace
+
+std::size_t boundary_components(const mesh_version& mesh) {
+  sparse_numbers parent(mesh.vertex_slots());
+  const auto root = [&](vertex_id v) {
+    while (parent[v] != v) {
+      parent.set(v, parent[parent[v]]);
+      v = parent[v];
+    }
+    return v;
+  };
+  std::size_t count = 0;
+  const auto& facets = mesh.data().facets;
+  for (std::size_t p = 0; p < facets.pages().size(); ++p)
+    for (const auto& f : facets.page_items(p)) {
+      if (f.tet == no_id)
+        continue;
+      for (const auto v : f.v)
+        if (parent[v] == sparse_numbers::none) {
+          parent.set(v, v);
+          ++count;
+        }
+      auto a = root(f.v[0]);
+      for (const auto v : {f.v[1], f.v[2]}) {
+        const auto b = root(v);
+        count -= a != b;
+        parent.set(std::max(a, b), std::min(a, b));
+        a = std::min(a, b);
+      }
+    }
+  return count;
+}
 
 check_report check_version(const mesh_version& mesh) {
   check_report report;

@@ -61,6 +61,10 @@ struct edit_claim {
 [[nodiscard]] double worst_quality_before(const mesh_version& base, const mesh_version& candidate,
                                           const std::vector<tet_id>& touched);
 
+/// The number of components of the boundary; facets hang together at common vertices. A separate
+/// body is one more, and so is a closed void. Cost: O(facets).
+[[nodiscard]] std::size_t boundary_components(const mesh_version& mesh);
+
 /// One error out of a report: `postcondition_failed`, the first findings in the message.
 [[nodiscard]] error to_error(const check_report& report);
 

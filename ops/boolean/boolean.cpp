@@ -54,12 +54,16 @@ public:
     const cavity_finder finder(*mesh_, flush_.tool, request_.mode);
     std::optional<boolean_result> best;
     std::optional<error> last;
-    for (const auto& one : ways) {
+    for (std::size_t i = 0; i < ways.size(); ++i) {
       if (run_.cancel.cancelled())
         return fail(ec::cancelled, "the edit was cancelled");
-      auto made = try_way(finder, one);
+      // The first ones are nearly always the last.
+      const auto share = [](std::size_t tries) { return 1 - std::pow(0.25, tries); };
+      auto made = try_way(finder, ways[i], run_.part(share(i), share(i + 1)));
       if (!made) {
         last = made.error();
+        if (last->code == ec::cancelled)
+          return fail(*last);
         if (last->code != ec::mesher_failed)
           break;
         continue;
@@ -91,14 +95,15 @@ private:
     return kept(one) > kept(other);
   }
 
-  expected<boolean_result> try_way(const cavity_finder& finder, const way& how) {
+  expected<boolean_result> try_way(const cavity_finder& finder, const way& how,
+                                   const execution& run) {
     const auto hollow = finder.find(how.rings);
     if (!hollow)
       return fail(hollow.error());
-    run_.report(0.2, "cutting");
+    run.report(0.2, "cutting");
     const auto cut = hollow->tets.empty() ? expected<corefined>(corefined{})
                                           : corefine(hollow->surface, as_surface(flush_.tool),
-                                                     request_.mode, planes_in(*hollow), run_);
+                                                     request_.mode, planes_in(*hollow), run);
     if (!cut)
       return fail(cut.error());
     if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
@@ -114,24 +119,24 @@ private:
     if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
       return fail(ec::mesher_failed, "the result would be off what was asked for by " +
                                        number_text(1e3 * deviation) + " mm");
-    run_.report(0.5, "meshing");
-    return filled(*hollow, *surface, *cut, deviation);
+    run.report(0.5, "meshing");
+    return filled(*hollow, *surface, *cut, deviation, run);
   }
 
   expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,
-                                  const corefined& cut, double deviation) {
+                                  const corefined& cut, double deviation, const execution& run) {
     mesh_builder builder(mesh_);
-    auto made = replace_cavity(builder, hollow, surface, flush_.tool, run_);
+    auto made = replace_cavity(builder, hollow, surface, flush_.tool, run);
     if (!made)
       return fail(made.error());
     if (builder.tet_count() == 0)
       return fail(ec::empty_selection, "nothing of the part would be left");
-    run_.report(0.7, "improving");
-    if (const auto improved = improve(builder, made->tets, {}, run_); !improved)
+    run.report(0.7, "improving");
+    if (const auto improved = improve(builder, made->tets, {}, run.part(0.7, 0.8)); !improved)
       return fail(improved.error());
     auto result = frozen(builder);
     if (result.worst_after < std::min(wanted_quality, result.worst_before)) {
-      if (auto ok = mend(builder); !ok)
+      if (auto ok = mend(builder, run.part(0.8, 1)); !ok)
         return fail(ok.error());
       result = frozen(builder);
     }
@@ -155,12 +160,12 @@ private:
   }
 
   /// Edges of the boundary that may go without a change of shape go, too.
-  expected<void> mend(mesh_builder& builder) const {
+  expected<void> mend(mesh_builder& builder, const execution& run) const {
     tidy_settings settings;
     settings.tolerance = 0;
-    if (auto ok = tidy_cut(builder, builder.touched(), settings, run_); !ok)
+    if (auto ok = tidy_cut(builder, builder.touched(), settings, run.part(0, 0.5)); !ok)
       return fail(ok.error());
-    if (const auto improved = improve(builder, builder.touched(), {}, run_); !improved)
+    if (const auto improved = improve(builder, builder.touched(), {}, run.part(0.5, 1)); !improved)
       return fail(improved.error());
     return {};
   }

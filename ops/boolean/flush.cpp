@@ -86,6 +86,30 @@ part_side facets_in(const mesh_version& mesh, const std::vector<facet_id>& near,
   return result;
 }
 
+/// Does nothing of the part but facets of the plane itself reach into the layer on a face? By
+/// boxes: where in doubt there is something.
+bool is_clear(const mesh_version& mesh, const std::vector<facet_id>& near, const tool_surface& tool,
+              std::uint32_t face, const plane& at, double tolerance, double layer) {
+  box extent;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    if (tool.faces[i] == face)
+      for (const auto v : tool.triangles[i]) {
+        extent.add(tool.points[v]);
+        extent.add(tool.points[v] + layer * at.normal);
+      }
+  return std::ranges::none_of(near, [&](facet_id f) {
+    const auto& v = mesh.facet(f).v;
+    const std::array p{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+    double low = 1e300;
+    double high = -1e300;
+    for (const auto& q : p) {
+      low = std::min(low, dot(q, at.normal) - at.offset);
+      high = std::max(high, dot(q, at.normal) - at.offset);
+    }
+    return high > tolerance && low < layer && extent.meets(box_of(p));
+  });
+}
+
 /// The face moves out by `step`; what was beside it stays, and a wall closes the gap, in the faces
 /// of what was beside.
 void add_layer(tool_surface& tool, std::uint32_t face, vec3 step) {
@@ -127,7 +151,7 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
   box extent;
   for (const auto& p : tool.points)
     extent.add(p);
-  extent = extent.grown(tolerance);
+  extent = extent.grown(tolerance + layer);
   std::vector<facet_id> near;
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f))
@@ -147,7 +171,8 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
     const bool cut_outside = mode == boolean_mode::cut && !side.opposite;
     const bool stands_on = mode == boolean_mode::add && !side.same;
     const bool keeps_all = mode == boolean_mode::keep && !side.opposite;
-    if (cut_outside || stands_on || keeps_all) {
+    if ((cut_outside || stands_on || keeps_all) &&
+        is_clear(mesh, near, tool, face, *at, tolerance, layer)) {
       add_layer(result.tool, face, layer * at->normal);
       continue;
     }

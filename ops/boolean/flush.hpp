@@ -22,8 +22,8 @@ struct flush_tool {
 
 /// Faces of the tool that are flush with facets of the part, within `tolerance` (m). Where the two
 /// must not meet in a sheet of no thickness (a cut whose tool ends at the part's outside, an
-/// addition that stands on it) the tool gets a layer of `layer` (m) there, which changes nothing
-/// else; the others are told. Cost: O(facet slots).
+/// addition that stands on it) the tool gets a layer of `layer` (m) there, if nothing of
+/// the part reaches into it; the others are told. Cost: O(facet slots).
 [[nodiscard]] flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool,
                                     boolean_mode mode, double tolerance, double layer);
 

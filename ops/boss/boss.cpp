@@ -19,6 +19,8 @@ expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
   const double gap = gap_below(*mesh, where->at + 1e-4 * where->size * where->outward,
                                where->outward, radius_of(*shape));
   const double foot = gap > 1e-3 * where->size ? gap + 0.2 * where->size : 0;
+  if (auto ok = check_fineness(*where, size, foot + height + 2 * radius_of(*shape)); !ok)
+    return fail(ok.error());
   const auto tool =
     extrude(profile_frame(*where, values), *shape, -foot, height, size, "boss", *ctx.host);
   if (!tool)
@@ -28,7 +30,7 @@ expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
   if (!made)
     return fail(made.error());
   ctx.run.report(1, "added");
-  return as_edit(*made, *tool, as_set(picked));
+  return as_edit(*mesh, *made, *tool, as_set(picked));
 }
 
 }  // namespace tedit::ops

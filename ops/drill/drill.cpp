@@ -112,6 +112,8 @@ expected<edit_result> drill(const version_ptr& mesh, const placement& where,
   // A round wall of 24 edges is within 1.2 % of the cylinder's volume.
   const int segments = std::max(24, segments_of(shape.diameter, where.size));
   const double size = std::min(where.size, 3.14159 * shape.diameter / segments * 1.5);
+  if (auto ok = check_fineness(where, size, above + depth); !ok)
+    return fail(ok.error());
   const auto tool =
     revolve(make_frame(where.at, -in), section_of(shape, above, depth), segments, size);
   const auto made =
@@ -119,7 +121,7 @@ expected<edit_result> drill(const version_ptr& mesh, const placement& where,
   if (!made)
     return fail(made.error());
   ctx.run.report(1, "drilled");
-  return as_edit(*made, tool, picked);
+  return as_edit(*mesh, *made, tool, picked);
 }
 
 }  // namespace tedit::ops

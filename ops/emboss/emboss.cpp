@@ -26,6 +26,8 @@ expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
     return fail(font.error());
   // Strokes are about an eighth of a capital wide.
   const double edge = std::min(where.size, what.letter_height / 8);
+  if (auto ok = check_fineness(where, edge, std::abs(what.height)); !ok)
+    return fail(ok.error());
   const auto outlines = text_outlines(what.text, *font, what.letter_height, edge);
   if (!outlines)
     return fail(outlines.error());
@@ -46,7 +48,7 @@ expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
   if (!made)
     return fail(made.error());
   ctx.run.report(1, "embossed");
-  return as_edit(*made, *tool, picked);
+  return as_edit(*mesh, *made, *tool, picked);
 }
 
 }  // namespace tedit::ops

@@ -56,7 +56,8 @@ public:
       return fail(where.error());
     const vec3 at = where->at - std::get<double>(values.at("offset")) * where->outward;
     return ops::plane_cut(mesh, at, where->outward,
-                          std::get<std::string>(values.at("keep")) == "below", ctx);
+                          std::get<std::string>(values.at("keep")) == "below", ops::as_set(picked),
+                          ctx);
   }
 };
 

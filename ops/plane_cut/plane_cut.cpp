@@ -4,7 +4,7 @@
 namespace tedit::ops {
 
 expected<edit_result> plane_cut(const version_ptr& mesh, vec3 at, vec3 normal, bool keep_below,
-                                context& ctx) {
+                                const std::vector<surface_id>& picked, context& ctx) {
   const auto extent = extent_of(*mesh);
   const double size = local_size(*mesh, extent);
   const vec3 away = keep_below ? -normal : normal;
@@ -19,7 +19,7 @@ expected<edit_result> plane_cut(const version_ptr& mesh, vec3 at, vec3 normal, b
   if (!made)
     return fail(made.error());
   ctx.run.report(1, "cut");
-  return as_edit(*made, *tool, {});
+  return as_edit(*mesh, *made, *tool, picked);
 }
 
 }  // namespace tedit::ops

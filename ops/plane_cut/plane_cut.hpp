@@ -9,6 +9,7 @@ namespace tedit::ops {
 /// Errors: `empty_selection` where nothing or all of the part would go, those of
 /// `services::boolean`.
 [[nodiscard]] expected<edit_result> plane_cut(const version_ptr& mesh, vec3 at, vec3 normal,
-                                              bool keep_below, context& ctx);
+                                              bool keep_below,
+                                              const std::vector<surface_id>& picked, context& ctx);
 
 }  // namespace tedit::ops

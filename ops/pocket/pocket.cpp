@@ -17,6 +17,8 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
   const double depth = height > 0 ? height : reach_along(*mesh, where->at, -where->outward);
   const double above =
     clearance(*mesh, where->at, where->outward, radius_of(*shape)) + 0.5 * where->size;
+  if (auto ok = check_fineness(*where, size, depth + above + 2 * radius_of(*shape)); !ok)
+    return fail(ok.error());
   const auto tool =
     extrude(profile_frame(*where, values), *shape, -depth, above, size, "pocket", *ctx.host);
   if (!tool)
@@ -26,7 +28,7 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
   if (!made)
     return fail(made.error());
   ctx.run.report(1, "cut");
-  return as_edit(*made, *tool, as_set(picked));
+  return as_edit(*mesh, *made, *tool, as_set(picked));
 }
 
 }  // namespace tedit::ops

@@ -133,7 +133,8 @@ expected<wall_middle> middle_of(const mesh_version& mesh, surface_id surface) {
   }
   if (area == 0)
     return fail(ec::surface_not_found,
-                "surface " + std::to_string(surface) + " has no facet on the part's boundary");
+                "surface " + std::to_string(surface) + " has no facet on the part's boundary",
+                "Select a wall of the part");
   const vec3 centre = sum / area;
   const auto nearest = nearest_facet(
     mesh, centre, [&](const boundary_facet& facet) { return facet.surface == surface; });

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/number_range.hpp"
+#include "mesh/checks.hpp"
+
 namespace tedit::ops {
 
 namespace {
@@ -101,8 +104,26 @@ double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
   return most;
 }
 
-edit_result as_edit(const boolean_result& made, const tool_surface& tool,
-                    const std::vector<surface_id>& used) {
+expected<void> check_fineness(const placement& where, double edge, double length) {
+  // An edge has neighbours at most half as large again: so many steps lead to the part's own.
+  constexpr double finest = 1.0 / 200;
+  constexpr double longest = 1000;
+  if (edge >= finest * where.size && length <= longest * edge)
+    return {};
+  const double least = std::max(finest * where.size, length / longest);
+  return fail(ec::invalid_parameter,
+              "what is asked for is too small for the mesh there: its edges would measure " +
+                number_text(1e3 * edge) + " mm",
+              "Make it about " + number_text(std::ceil(least / edge)) + " times as large");
+}
+
+expected<edit_result> as_edit(const mesh_version& mesh, const boolean_result& made,
+                              const tool_surface& tool, const std::vector<surface_id>& used) {
+  if (boundary_components(*made.candidate) > boundary_components(mesh))
+    return fail(ec::invalid_argument,
+                made.volume_change > 0 ? "something of what is added would not touch the part"
+                                       : "the part would fall into pieces, or have a closed void",
+                "Move it, or make it larger or smaller");
   edit_result result;
   result.candidate = made.candidate;
   result.touched = made.touched;

@@ -37,9 +37,15 @@ struct placement {
 /// none are passed over.
 [[nodiscard]] double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius);
 
-/// The boolean as an edit, with what a person should know of it.
-[[nodiscard]] edit_result as_edit(const boolean_result& made, const tool_surface& tool,
-                                  const std::vector<surface_id>& used);
+/// Is what is asked for of a size that a mesh can have there? `edge` (m): how long its edges would
+/// be; `length` (m): how far they would have to reach. Errors: `invalid_parameter`.
+[[nodiscard]] expected<void> check_fineness(const placement& where, double edge, double length);
+
+/// The boolean as an edit, with what a person should know of it. Errors: `invalid_argument` where
+/// the part would fall apart, hold a closed void, or get a piece that does not touch it.
+[[nodiscard]] expected<edit_result> as_edit(const mesh_version& mesh, const boolean_result& made,
+                                            const tool_surface& tool,
+                                            const std::vector<surface_id>& used);
 
 /// How far a boolean of these operations may be off what was asked for where nothing else works:
 /// a share of the local edge length.

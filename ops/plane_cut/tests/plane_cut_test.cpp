@@ -13,8 +13,8 @@ protected:
 };
 
 TEST_F(PlaneCut, KeepsTheSideThatIsAskedFor) {
-  const auto below = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, true, ctx_);
-  const auto above = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, false, ctx_);
+  const auto below = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, true, {}, ctx_);
+  const auto above = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, false, {}, ctx_);
 
   ASSERT_TRUE(below) << render(below.error());
   ASSERT_TRUE(above) << render(above.error());
@@ -26,7 +26,7 @@ TEST_F(PlaneCut, KeepsTheSideThatIsAskedFor) {
 }
 
 TEST_F(PlaneCut, AlongACornersDiagonal) {
-  const auto result = plane_cut(block_, {0.5, 0.5, 0.5}, {1, 1, 1}, true, ctx_);
+  const auto result = plane_cut(block_, {0.5, 0.5, 0.5}, {1, 1, 1}, true, {}, ctx_);
 
   ASSERT_TRUE(result) << render(result.error());
   expect_good(block_, *result);
@@ -34,7 +34,7 @@ TEST_F(PlaneCut, AlongACornersDiagonal) {
 }
 
 TEST_F(PlaneCut, AlongGridPlanesOfTheMesh) {
-  const auto result = plane_cut(block_, {0.5, 0, 0}, {1, 0, 0}, true, ctx_);
+  const auto result = plane_cut(block_, {0.5, 0, 0}, {1, 0, 0}, true, {}, ctx_);
 
   ASSERT_TRUE(result) << render(result.error());
   expect_good(block_, *result);
@@ -43,11 +43,11 @@ TEST_F(PlaneCut, AlongGridPlanesOfTheMesh) {
 
 TEST_F(PlaneCut, BesideThePartChangesNothing) {
   for (const bool below : {true, false}) {
-    const auto result = plane_cut(block_, {0, 0, 2}, {0, 0, 1}, below, ctx_);
+    const auto result = plane_cut(block_, {0, 0, 2}, {0, 0, 1}, below, {}, ctx_);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ec::empty_selection) << render(result.error());
   }
-  const auto flush = plane_cut(block_, {0, 0, 1}, {0, 0, 1}, true, ctx_);
+  const auto flush = plane_cut(block_, {0, 0, 1}, {0, 0, 1}, true, {}, ctx_);
   ASSERT_FALSE(flush);
   EXPECT_EQ(flush.error().code, ec::empty_selection) << render(flush.error());
 }
