@@ -5875,6 +5875,38 @@
         <source>what the tool cuts could not be taken out of the part</source>
         <translation>was das Werkzeug schneidet, ließ sich nicht aus dem Teil nehmen</translation>
     </message>
+    <message>
+        <source>Make it about %1 times as large</source>
+        <translation>Machen Sie es etwa %1-mal so groß</translation>
+    </message>
+    <message>
+        <source>Make it thicker or shorter</source>
+        <translation>Machen Sie es dicker oder kürzer</translation>
+    </message>
+    <message>
+        <source>Move it, or make it larger or smaller</source>
+        <translation>Verschieben Sie es, oder machen Sie es größer oder kleiner</translation>
+    </message>
+    <message>
+        <source>Select a wall of the part</source>
+        <translation>Wählen Sie eine Fläche des Teils</translation>
+    </message>
+    <message>
+        <source>something of what is added would not touch the part</source>
+        <translation>etwas von dem, was hinzukommt, berührte das Teil nicht</translation>
+    </message>
+    <message>
+        <source>the part would fall into pieces, or have a closed void</source>
+        <translation>das Teil zerfiele in Stücke oder bekäme einen geschlossenen Hohlraum</translation>
+    </message>
+    <message>
+        <source>what is asked for is too small for the mesh there: its edges would measure %1 mm</source>
+        <translation>was verlangt ist, ist zu klein für das Netz dort: seine Kanten wären %1 mm lang</translation>
+    </message>
+    <message>
+        <source>what is asked for is too thin for its size: it would take more than %1 edges of %2 mm along it</source>
+        <translation>was verlangt ist, ist zu dünn für seine Größe: es bräuchte mehr als %1 Kanten von %2 mm der Länge nach</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

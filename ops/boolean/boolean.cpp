@@ -42,6 +42,9 @@ constexpr std::array ways{way{1, 2, {exact, 0.03, 0.12}}, way{2, 4, {exact, 0.03
                           way{1, 2, {exact, 0.06, 0.25}}, way{1, 3, {5e-3, 0.03, 0.12}},
                           way{2, 4, {2e-2, 0.06, 0.12}},  way{2, 4, {2e-2, 0.1, 0.3}}};
 
+constexpr std::size_t many_triangles = 8000;
+constexpr std::size_t many_tets = 30'000;
+
 class tool_boolean {
 public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool, const boolean_request& request,
@@ -52,13 +55,16 @@ public:
 
   expected<boolean_result> best() {
     const cavity_finder finder(*mesh_, flush_.tool, request_.mode);
+    // Somebody waits: a large tool is tried fewer times. Not by the clock: the same edit gives the
+    // same version everywhere.
+    const std::size_t tries = flush_.tool.triangles.size() > many_triangles ? 2 : ways.size();
     std::optional<boolean_result> best;
     std::optional<error> last;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t i = 0; i < tries; ++i) {
       if (run_.cancel.cancelled())
         return fail(ec::cancelled, "the edit was cancelled");
       // The first ones are nearly always the last.
-      const auto share = [](std::size_t tries) { return 1 - std::pow(0.25, tries); };
+      const auto share = [](std::size_t done) { return 1 - std::pow(0.25, done); };
       auto made = try_way(finder, ways[i], run_.part(share(i), share(i + 1)));
       if (!made) {
         last = made.error();
@@ -114,7 +120,9 @@ private:
     if (!surface)
       return fail(surface.error());
     const auto before = surface->mesh;
-    clean_surface(surface->mesh, how.clean);
+    clean_surface(surface->mesh, how.clean, run.cancel);
+    if (run.cancel.cancelled())
+      return fail(ec::cancelled, "the edit was cancelled");
     const double deviation = deviation_of(before, surface->mesh);
     if (deviation > std::max(request_.max_deviation, 2 * exact * size_))
       return fail(ec::mesher_failed, "the result would be off what was asked for by " +
@@ -135,7 +143,8 @@ private:
     if (const auto improved = improve(builder, made->tets, {}, run.part(0.7, 0.8)); !improved)
       return fail(improved.error());
     auto result = frozen(builder);
-    if (result.worst_after < std::min(wanted_quality, result.worst_before)) {
+    if (made->tets.size() < many_tets &&
+        result.worst_after < std::min(wanted_quality, result.worst_before)) {
       if (auto ok = mend(builder, run.part(0.8, 1)); !ok)
         return fail(ok.error());
       result = frozen(builder);

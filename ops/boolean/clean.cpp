@@ -26,7 +26,8 @@ constexpr double poor_flip_limit = 0.883;  // 28 degrees
 
 class cleaner {
 public:
-  cleaner(surface_mesh& mesh, const clean_settings& settings) : mesh_(mesh), settings_(settings) {
+  cleaner(surface_mesh& mesh, const clean_settings& settings, const cancel_token& cancel)
+      : mesh_(mesh), settings_(settings), cancel_(cancel) {
     for (const auto& v : mesh.vertices)
       size_before_.push_back(v.size);
   }
@@ -342,7 +343,7 @@ private:
   }
 
   void remesh(int rounds) {
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds && !cancel_.cancelled(); ++round) {
       contract_short(0.6);
       halve_long(1.45);
       turn_all();
@@ -430,13 +431,14 @@ private:
 
   surface_mesh& mesh_;
   clean_settings settings_;
+  const cancel_token& cancel_;
   std::vector<double> size_before_;
 };
 
 }  // namespace
 
-void clean_surface(surface_mesh& mesh, const clean_settings& settings) {
-  cleaner(mesh, settings).run();
+void clean_surface(surface_mesh& mesh, const clean_settings& settings, const cancel_token& cancel) {
+  cleaner(mesh, settings, cancel).run();
 }
 
 }  // namespace tedit::ops

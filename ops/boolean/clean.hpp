@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "base/execution.hpp"
 #include "ops/boolean/surface_mesh.hpp"
 
 namespace tedit::ops {
@@ -16,7 +17,8 @@ struct clean_settings {
 /// closer than `weld`; finds sizes from the vertices and from creases that nearly meet; contracts
 /// short edges, halves long ones, turns and moves what raises the worst triangle around. Creases
 /// and corners stay, labels stay, frozen faces stay. Source: the practice of isotropic remeshing
-/// (Botsch and Kobbelt 2004), with guards. Cost: O(faces) a round, a dozen rounds.
-void clean_surface(surface_mesh& mesh, const clean_settings& settings);
+/// (Botsch and Kobbelt 2004), with guards. Where it is cancelled the surface is left as it is then.
+/// Cost: O(faces) a round, a dozen rounds.
+void clean_surface(surface_mesh& mesh, const clean_settings& settings, const cancel_token& cancel);
 
 }  // namespace tedit::ops

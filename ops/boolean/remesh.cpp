@@ -132,10 +132,12 @@ private:
   }
 
   /// Points of the part want edges as they have; new ones what is less, that of the part's triangle
-  /// that they are in or that of the tool's.
+  /// that they are in or that of the tool's. What is added stands in the air, so that its triangles
+  /// may be as large as the tool's; what is cut lies among the part's tets.
   void set_sizes() {
     const auto part = mean_edges(hollow_.surface.points, hollow_.surface.triangles);
     const auto tool = mean_edges(tool_.points, tool_.triangles);
+    const bool in_air = mode_ == boolean_mode::add;
     auto& mesh = result_.mesh;
     std::vector<double> least(mesh.vertices.size(), 1e300);
     for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
@@ -145,7 +147,7 @@ private:
       const auto& lengths = of_part ? part : tool;
       const double mean = (lengths[t[0]] + lengths[t[1]] + lengths[t[2]]) / 3;
       for (const auto v : cut_.triangles[i])
-        least[v] = std::min(least[v], of_part ? mean : std::min(mean, size_));
+        least[v] = std::min(least[v], of_part || in_air ? mean : std::min(mean, size_));
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
       auto& vertex = mesh.vertices[v];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/boss/boss.hpp"
 
+#include <algorithm>
+
 namespace tedit::ops {
 
 expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
@@ -9,11 +11,11 @@ expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
     placement_of(*mesh, picked, values, "direction", std::get<double>(values.at("size")));
   if (!where)
     return fail(where.error());
-  const double size = profile_size(*where, values);
+  const double height = std::get<double>(values.at("height"));
+  const double size = std::min(profile_size(*where, values), 3 * height);
   const auto shape = profile_from(values, size);
   if (!shape)
     return fail(shape.error());
-  const double height = std::get<double>(values.at("height"));
   // On a wall that is flat there the foot is flush with it, which the boolean makes exact; on any
   // other one it goes down to where the wall is lowest.
   const double gap = gap_below(*mesh, where->at + 1e-4 * where->size * where->outward,

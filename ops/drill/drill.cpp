@@ -103,7 +103,8 @@ expected<edit_result> drill(const version_ptr& mesh, const placement& where,
   auto shape = given;
   const bool through = shape.depth == 0;
   const vec3 in = way_in(*mesh, where);
-  const double depth = through ? reach_along(*mesh, where.at, in) : shape.depth;
+  const double depth =
+    through ? depth_through(*mesh, where.at, -in, shape.diameter / 2) + where.size : shape.depth;
   if (through)
     shape.tip_angle = 0;
   const double widest =
@@ -112,7 +113,7 @@ expected<edit_result> drill(const version_ptr& mesh, const placement& where,
   // A round wall of 24 edges is within 1.2 % of the cylinder's volume.
   const int segments = std::max(24, segments_of(shape.diameter, where.size));
   const double size = std::min(where.size, 3.14159 * shape.diameter / segments * 1.5);
-  if (auto ok = check_fineness(where, size, above + depth); !ok)
+  if (auto ok = check_fineness(where, size, above + depth, 1000); !ok)
     return fail(ok.error());
   const auto tool =
     revolve(make_frame(where.at, -in), section_of(shape, above, depth), segments, size);

@@ -14,7 +14,9 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
   if (!shape)
     return fail(shape.error());
   const double height = std::get<double>(values.at("height"));
-  const double depth = height > 0 ? height : reach_along(*mesh, where->at, -where->outward);
+  const double depth =
+    height > 0 ? height
+               : depth_through(*mesh, where->at, where->outward, radius_of(*shape)) + where->size;
   const double above =
     clearance(*mesh, where->at, where->outward, radius_of(*shape)) + 0.5 * where->size;
   if (auto ok = check_fineness(*where, size, depth + above + 2 * radius_of(*shape)); !ok)

@@ -85,18 +85,6 @@ box extent_of(const mesh_version& mesh) {
   return extent;
 }
 
-double reach_along(const mesh_version& mesh, vec3 from, vec3 direction) {
-  const auto extent = extent_of(mesh);
-  double most = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const vec3 p{(corner & 1) != 0 ? extent.high.x : extent.low.x,
-                 (corner & 2) != 0 ? extent.high.y : extent.low.y,
-                 (corner & 4) != 0 ? extent.high.z : extent.low.z};
-    most = std::max(most, dot(p - from, direction));
-  }
-  return most + mean_edge(mesh, nullptr);
-}
-
 std::vector<ray_hit> ray_hits(const mesh_version& mesh, vec3 origin, vec3 direction) {
   std::vector<ray_hit> hits;
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {

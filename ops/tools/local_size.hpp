@@ -14,9 +14,6 @@ namespace tedit::ops {
 /// The box of the part's live vertices. Cost: O(vertex slots).
 [[nodiscard]] box extent_of(const mesh_version& mesh);
 
-/// How far the part's box reaches from a point along a unit direction, and one mean edge more; m.
-[[nodiscard]] double reach_along(const mesh_version& mesh, vec3 from, vec3 direction);
-
 /// Where a ray passes through the boundary.
 struct ray_hit {
   double distance = 0;  ///< m, along the unit direction.

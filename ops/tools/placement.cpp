@@ -92,6 +92,17 @@ double clearance(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
   return most;
 }
 
+double depth_through(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
+  const frame f = make_frame(at, out);
+  double most = 0;
+  for (int i = 0; i <= rim_points; ++i) {
+    const vec3 p = i < rim_points ? rim_point(f, radius, i) : at;
+    if (const auto hits = ray_hits(mesh, p, -out); !hits.empty())
+      most = std::max(most, hits.back().distance);
+  }
+  return most;
+}
+
 double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
   const frame f = make_frame(at, out);
   double most = 0;
@@ -104,17 +115,21 @@ double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
   return most;
 }
 
-expected<void> check_fineness(const placement& where, double edge, double length) {
-  // An edge has neighbours at most half as large again: so many steps lead to the part's own.
+expected<void> check_fineness(const placement& where, double edge, double length, int most_edges) {
   constexpr double finest = 1.0 / 200;
-  constexpr double longest = 1000;
-  if (edge >= finest * where.size && length <= longest * edge)
-    return {};
-  const double least = std::max(finest * where.size, length / longest);
-  return fail(ec::invalid_parameter,
-              "what is asked for is too small for the mesh there: its edges would measure " +
-                number_text(1e3 * edge) + " mm",
-              "Make it about " + number_text(std::ceil(least / edge)) + " times as large");
+  if (edge < finest * where.size)
+    return fail(
+      ec::invalid_parameter,
+      "what is asked for is too small for the mesh there: its edges would measure " +
+        number_text(1e3 * edge) + " mm",
+      "Make it about " + number_text(std::ceil(finest * where.size / edge)) + " times as large");
+  if (length > most_edges * edge)
+    return fail(ec::invalid_parameter,
+                "what is asked for is too thin for its size: it would take more than " +
+                  std::to_string(most_edges) + " edges of " + number_text(1e3 * edge) +
+                  " mm along it",
+                "Make it thicker or shorter");
+  return {};
 }
 
 expected<edit_result> as_edit(const mesh_version& mesh, const boolean_result& made,

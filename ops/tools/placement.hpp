@@ -33,13 +33,19 @@ struct placement {
 /// where all are. The rim is a circle of this radius around `at`, across `out`.
 [[nodiscard]] double clearance(const mesh_version& mesh, vec3 at, vec3 out, double radius);
 
+/// How far from `at` along -`out` the material ends for the last time, for any point of that rim,
+/// m.
+[[nodiscard]] double depth_through(const mesh_version& mesh, vec3 at, vec3 out, double radius);
+
 /// How far the points of that rim are off the material along -`out` at most, m; those that meet
 /// none are passed over.
 [[nodiscard]] double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius);
 
 /// Is what is asked for of a size that a mesh can have there? `edge` (m): how long its edges would
-/// be; `length` (m): how far they would have to reach. Errors: `invalid_parameter`.
-[[nodiscard]] expected<void> check_fineness(const placement& where, double edge, double length);
+/// be; `length` (m): how far they would have to reach, in at most so many. Errors:
+/// `invalid_parameter`.
+[[nodiscard]] expected<void> check_fineness(const placement& where, double edge, double length,
+                                            int most_edges = 250);
 
 /// The boolean as an edit, with what a person should know of it. Errors: `invalid_argument` where
 /// the part would fall apart, hold a closed void, or get a piece that does not touch it.

@@ -64,7 +64,10 @@ frame profile_frame(const placement& where, const parameters& values) {
   return f;
 }
 
-double profile_size(const placement& where, const parameters& values) {
+namespace {
+
+/// What the shape itself asks for.
+double size_for_shape(const placement& where, const parameters& values) {
   const auto& kind = std::get<std::string>(values.at("profile"));
   const double length = number(values, "size");
   if (kind == "circle")
@@ -76,6 +79,13 @@ double profile_size(const placement& where, const parameters& values) {
   if (kind == "rectangle")
     return std::min({where.size, length / 2, width_of(values) / 2});
   return std::min(where.size, length / 4);
+}
+
+}  // namespace
+
+double profile_size(const placement& where, const parameters& values) {
+  // What reaches far beyond the part needs no triangles like the part's there.
+  return std::max(size_for_shape(where, values), number(values, "size") / 60);
 }
 
 }  // namespace tedit::ops
