@@ -180,7 +180,7 @@ private:
   }
 
   [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
-    return hollow.gone.empty() && std::abs(cut.volume_change) <= 1e-9 * size_ * size_ * size_;
+    return hollow.gone.empty() && std::abs(cut.volume_change) <= 5e-7 * size_ * size_ * size_;
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.

@@ -38,8 +38,8 @@ TEST(Catalogue, EachFaultyPluginIsRefusedWithItsReason) {
   };
   EXPECT_THAT(refusal("newer_sdk.so"),
               HasSubstr("SDK " + sdk(sdk_minor + 1) + ", this host offers " + sdk(sdk_minor)));
-  EXPECT_THAT(refusal("next_sdk.so"),
-              HasSubstr("SDK " + std::to_string(sdk_major + 1) + ".0, this host offers"));
+  EXPECT_THAT(refusal("next_sdk.so"), HasSubstr("SDK " + std::to_string(sdk_major + 1) + "." +
+                                                std::to_string(sdk_minor) + ", this host offers"));
   EXPECT_THAT(refusal("last_sdk.so"), HasSubstr("SDK " + std::to_string(sdk_major - 1) + "."));
   EXPECT_THAT(refusal("other_compiler.so"), HasSubstr("built with gcc-1 libstdc++-1 strings-0"));
   EXPECT_THAT(refusal("no_layout.so"), HasSubstr("its descriptor is incomplete"));
