@@ -98,7 +98,7 @@ void main_window::make_view() {
   setStatusBar(truth_);
   rail_ = new QToolBar(tr("Operations"));
   rail_->setObjectName("rail");
-  rail_->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  rail_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   rail_->setMovable(false);
 }
 

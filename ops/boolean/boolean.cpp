@@ -45,6 +45,16 @@ constexpr std::array ways{way{1, 2, {exact, 0.03, 0.12}}, way{2, 4, {exact, 0.03
 constexpr std::size_t many_triangles = 8000;
 constexpr std::size_t many_tets = 30'000;
 
+double volume_of(const tool_surface& tool) {
+  double sum = 0;
+  for (const auto& t : tool.triangles) {
+    const vec3 origin = tool.points.front();
+    sum += dot(tool.points[t[0]] - origin,
+               cross(tool.points[t[1]] - origin, tool.points[t[2]] - origin));
+  }
+  return sum / 6;
+}
+
 class tool_boolean {
 public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool, const boolean_request& request,
@@ -180,7 +190,9 @@ private:
   }
 
   [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
-    return hollow.gone.empty() && std::abs(cut.volume_change) <= 5e-7 * size_ * size_ * size_;
+    // Points that were put on shared planes have moved by less than this amounts to.
+    const double least = 1e-6 * std::min(volume_of(flush_.tool), 1e-3 * total_volume(*mesh_));
+    return hollow.gone.empty() && std::abs(cut.volume_change) <= least;
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.
@@ -236,7 +248,6 @@ expected<void> validate(const tool_surface& tool) {
     if (!is_finite(p))
       return wrong("a point is not finite");
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  double volume = 0;
   for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
     const auto& t = tool.triangles[i];
     if (tool.faces[i] >= tool.names.size())
@@ -246,15 +257,12 @@ expected<void> validate(const tool_surface& tool) {
         return wrong("a triangle has no three corners");
       ++edges[{t[k], t[(k + 1) % 3]}];
     }
-    const vec3 origin = tool.points.front();
-    volume += dot(tool.points[t[0]] - origin,
-                  cross(tool.points[t[1]] - origin, tool.points[t[2]] - origin));
   }
   for (const auto& [edge, count] : edges)
     if (const auto back = edges.find({edge.second, edge.first});
         count != 1 || back == edges.end() || back->second != 1)
       return wrong("an edge has not one triangle on each side");
-  if (!(volume > 0))
+  if (!(volume_of(tool) > 0))
     return wrong("it is turned inside out, or flat");
   return {};
 }

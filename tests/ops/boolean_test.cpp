@@ -157,6 +157,16 @@ TEST_F(Boolean, ToolsThatMeetNothingOrTakeAllAreTold) {
             ec::empty_selection);
 }
 
+TEST_F(Boolean, WhatIsThereAlreadyIsNotAddedAgain) {
+  const auto tool = brick({0.3, 0.3, 1}, {0.4, 0.4, 0.2});
+  const auto added = made(block_, tool, boolean_mode::add);
+
+  const auto again = host_->boolean(added.candidate, tool, {boolean_mode::add, 0}, {});
+
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ec::empty_selection) << render(again.error());
+}
+
 TEST_F(Boolean, ToolsThatAreNoneAreTold) {
   const auto good = brick({0.3, 0.3, 0.6}, {0.4, 0.4, 1});
 

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QToolBar>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "client-qt/context/command_groups.hpp"
@@ -25,6 +26,17 @@ QString in_two_lines(QString name) {
   if (best >= 0)
     name[best] = '\n';
   return name;
+}
+
+/// All buttons as wide as the widest, so that icons stand below each other.
+void align(QToolBar& rail) {
+  int widest = 0;
+  for (auto* action : rail.actions())
+    if (const auto* button = rail.widgetForAction(action))
+      widest = std::max(widest, button->sizeHint().width());
+  for (auto* action : rail.actions())
+    if (auto* button = rail.widgetForAction(action))
+      button->setMinimumWidth(widest);
 }
 
 }  // namespace
@@ -77,6 +89,7 @@ void operations_tool::offer() {
     button->setIconText(in_two_lines(QString::fromStdString(one.about.name)));
     in_.rail.addAction(button);
   }
+  align(in_.rail);
   in_.buttons.refresh();
 }
 
