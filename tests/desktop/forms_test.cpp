@@ -158,6 +158,31 @@ TEST(OperationForm, APointAndACommaAreBothDecimal) {
   QLocale::setDefault(before);
 }
 
+TEST(OperationForm, APointIsThreeLengthsHoweverTheyAreParted) {
+  ops::operation_description about;
+  about.id = "placed";
+  about.parameters = {
+    {"at", "Place", "", ops::parameter_type::point, "m", {}, {}, {}, std::string()}};
+  operation_form form(about);
+  auto* field = form.findChild<QLineEdit*>("at");
+  ASSERT_NE(field, nullptr);
+  EXPECT_FALSE(field->placeholderText().isEmpty());
+  for (const auto* typed : {"10; -2,5; 30", "10 -2.5 30", "10, -2.5, 30", "10,-2.5,30",
+                            "1 cm; -2.5 mm; 3 cm", " 10 ;-2.5;30 "}) {
+    field->setText(typed);
+    const auto at = ops::vector_of(form.values(), "at");
+    ASSERT_TRUE(at.has_value()) << typed;
+    EXPECT_NEAR(norm(*at - vec3{0.01, -0.0025, 0.03}), 0, 1e-12) << typed;
+  }
+  // What is none goes on as it is: the host says what is wrong.
+  field->setText("10; 20");
+  EXPECT_EQ(std::get<std::string>(form.values().at("at")), "10; 20");
+  form.set_values({{"at", std::string("0.01, -0.0025, 0.03")}});
+  EXPECT_EQ(field->text(), QLocale().decimalPoint() == "," ? "10; -2,5; 30" : "10; -2.5; 30");
+  form.reset();
+  EXPECT_TRUE(field->text().isEmpty());
+}
+
 TEST(OperationForm, TheFirstFieldHasTheFocusOfTheForm) {
   operation_form form(one_length());
 

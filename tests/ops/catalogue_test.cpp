@@ -114,6 +114,41 @@ TEST(Parameters, LengthsMayBeGivenInMillimetres) {
   EXPECT_FALSE(complete_parameters(sample(), {{"layers_mm", 2.0}}).has_value());
 }
 
+operation_description placed() {
+  operation_description d;
+  d.id = "placed";
+  d.parameters = {
+    {"at", "", "", parameter_type::point, "m", {}, {}, {}, std::string()},
+    {"along", "", "", parameter_type::direction, "", {}, {}, {}, std::string("0, 0, 1")},
+  };
+  return d;
+}
+
+TEST(Parameters, PointsAndDirectionsAreThreeNumbers) {
+  const auto values = complete_parameters(placed(), {{"at_mm", std::string("10,-2.5  30")}});
+  ASSERT_TRUE(values.has_value()) << render(values.error());
+
+  const auto at = vector_of(*values, "at");
+  ASSERT_TRUE(at.has_value());
+  EXPECT_NEAR(norm(*at - vec3{0.01, -0.0025, 0.03}), 0, 1e-15);
+  EXPECT_EQ(vector_of(*values, "along"), (vec3{0, 0, 1}));
+  // Left to the operation, where its description lets it be empty.
+  EXPECT_EQ(vector_of(*complete_parameters(placed(), {}), "at"), std::nullopt);
+  EXPECT_FALSE(complete_parameters(placed(), {{"along", std::string(" ")}}).has_value());
+}
+
+TEST(Parameters, WhatIsNoPointOrDirectionIsRefused) {
+  for (const char* text :
+       {"1, 2", "1, 2, 3, 4", "1, 2, x", "1, 2, nan", "1, 2, inf", "1, 2, 1e31", "1, 2, 3 mm", ""})
+    for (const char* id : {"at", "along"}) {
+      const bool empty = *text == 0 && std::string_view(id) == "at";
+      EXPECT_EQ(complete_parameters(placed(), {{id, std::string(text)}}).has_value(), empty)
+        << id << " = " << text;
+    }
+  EXPECT_FALSE(complete_parameters(placed(), {{"along", std::string("0, 0, 0")}}).has_value());
+  EXPECT_FALSE(complete_parameters(placed(), {{"at", 1.0}}).has_value());
+}
+
 TEST(Parameters, WhatDoesNotFitIsRefusedByName) {
   const auto refused = [](const char* name, parameter_value value) {
     const auto values = complete_parameters(sample(), {{name, std::move(value)}});

@@ -82,15 +82,21 @@ QString text(const std::string& words) {
   return QString::fromStdString(words);
 }
 
+/// The three words of a point: between semicolons, or commas with blanks, or blanks, or commas.
+QStringList numbers_typed(const QString& typed) {
+  static const QRegularExpression comma_blank(",\\s+");
+  static const QRegularExpression blanks("\\s+");
+  if (typed.contains(';'))
+    return typed.split(';');
+  QString plain = typed.trimmed();
+  plain.replace(comma_blank, " ");
+  const auto words = plain.split(blanks, Qt::SkipEmptyParts);
+  return words.size() != 3 && typed.count(',') == 2 ? typed.split(',') : words;
+}
+
 /// What is typed, in SI units and as the host reads it.
 std::string read_vector(const QString& typed, const QString& si_unit) {
-  static const QRegularExpression between("[;\\s]+");
-  static const QRegularExpression comma_blank(",\\s+");
-  QString plain = typed;
-  plain.replace(comma_blank, " ");
-  auto words = plain.split(between, Qt::SkipEmptyParts);
-  if (words.size() != 3 && typed.count(',') == 2)
-    words = typed.split(',');
+  const auto words = numbers_typed(typed);
   if (words.size() != 3)
     return typed.trimmed().toStdString();
   QStringList numbers;
