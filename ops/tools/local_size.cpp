@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/changes.hpp"
 #include "mesh/distances.hpp"
 
 namespace tedit::ops {
@@ -83,6 +84,23 @@ box extent_of(const mesh_version& mesh) {
     if (mesh.is_live_vertex(v))
       extent.add(mesh.position(v));
   return extent;
+}
+
+std::vector<tet_id> changed_tets(const mesh_version& before, const mesh_version& after) {
+  std::vector<tet_id> result;
+  // Vertices of tets that stay do not move: a slot that was used again has new tets all around.
+  for_each_dirty_slot(before.data().tets, after.data().tets, [&](tet_id t) {
+    if (t >= after.tet_slots() || !after.is_live_tet(t))
+      return;
+    const auto same_corners = [&] {
+      return std::ranges::all_of(after.tet_at(t).v, [&](vertex_id v) {
+        return v < before.vertex_slots() && before.position(v) == after.position(v);
+      });
+    };
+    if (t >= before.tet_slots() || !(before.tet_at(t) == after.tet_at(t)) || !same_corners())
+      result.push_back(t);
+  });
+  return result;
 }
 
 std::vector<ray_hit> ray_hits(const mesh_version& mesh, vec3 origin, vec3 direction) {

@@ -14,6 +14,11 @@ namespace tedit::ops {
 /// The box of the part's live vertices. Cost: O(vertex slots).
 [[nodiscard]] box extent_of(const mesh_version& mesh);
 
+/// The live tets of `after` that are not those of `before`, or have another place for a corner:
+/// what several booleans have touched together. Cost: O(slots of pages that differ).
+[[nodiscard]] std::vector<tet_id> changed_tets(const mesh_version& before,
+                                               const mesh_version& after);
+
 /// Where a ray passes through the boundary.
 struct ray_hit {
   double distance = 0;  ///< m, along the unit direction.

@@ -90,6 +90,20 @@ TEST_F(Boolean, TheOrderOfDisjointCutsDoesNotMatter) {
   EXPECT_NEAR(total_volume(*forth.candidate), total_volume(*back.candidate), 1e-12);
 }
 
+TEST_F(Boolean, WhatSeveralHaveTouchedIsFoundAgain) {
+  const auto one = made(block_, rod({0.3, 0.3, -1}, {0, 0, 1}, 0.12, 3), boolean_mode::cut);
+  const auto both = made(one.candidate, brick({0.4, 0.4, 1}, {0.3, 0.3, 0.2}), boolean_mode::add);
+
+  edit_claim claim;
+  claim.touched = changed_tets(*block_, *both.candidate);
+  claim.volume_change = one.volume_change + both.volume_change;
+  claim.quality_floor = lowest_boolean_quality;
+
+  const auto report = check_edit(*block_, *both.candidate, claim);
+  EXPECT_TRUE(report.ok()) << to_error(report).message;
+  EXPECT_LT(claim.touched.size(), both.candidate->tet_count());
+}
+
 TEST_F(Boolean, AVoidInsideIsCutOut) {
   const auto cut = made(block_, brick({0.35, 0.35, 0.35}, {0.3, 0.3, 0.3}), boolean_mode::cut);
 
