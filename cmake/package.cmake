@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TEDIT_PACKAGE_NAME tedit)
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME tedit-dev)
 # What is found at run time only: the Vulkan loader; a software device, and a display where there is none.
-set(CPACK_DEBIAN_TEDIT_PACKAGE_DEPENDS libvulkan1)
+set(CPACK_DEBIAN_TEDIT_PACKAGE_DEPENDS "libvulkan1, fonts-dejavu-core")
 set(CPACK_DEBIAN_TEDIT_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, xvfb, qt6-translations-l10n")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "tedit (= ${PROJECT_VERSION}), g++, cmake (>= 3.25), libexpected-dev, libeigen3-dev, libcgal-dev, libgtest-dev, libprotobuf-dev, protobuf-compiler, libcaf-dev, libssl-dev, libspdlog-dev, libzstd-dev, pkg-config")
