@@ -789,15 +789,15 @@
     </message>
     <message>
         <source>Boss</source>
-        <translation>Ansatz</translation>
+        <translation>Auge</translation>
     </message>
     <message>
         <source>Adds a round, rectangular, slotted or polygonal boss to a wall.</source>
-        <translation>Setzt einen runden, rechteckigen, langrunden oder vieleckigen Ansatz auf eine Fläche.</translation>
+        <translation>Setzt ein rundes, rechteckiges, langrundes oder vieleckiges Auge auf eine Fläche.</translation>
     </message>
     <message>
         <source>The wall to put it on, or none where a place is given.</source>
-        <translation>Die Fläche, auf die er kommt; keine, wenn ein Ort angegeben ist.</translation>
+        <translation>Die Fläche, auf die es kommt; keine, wenn ein Ort angegeben ist.</translation>
     </message>
     <message>
         <source>Height</source>
@@ -805,7 +805,7 @@
     </message>
     <message>
         <source>How far it stands out over the place.</source>
-        <translation>Wie weit er über den Ort hinausragt.</translation>
+        <translation>Wie weit es über den Ort hinausragt.</translation>
     </message>
     <message>
         <source>Outward</source>
@@ -813,11 +813,11 @@
     </message>
     <message>
         <source>The direction that it grows in. Empty: across the wall.</source>
-        <translation>Die Richtung, in die er wächst. Leer: quer zur Fläche.</translation>
+        <translation>Die Richtung, in die es wächst. Leer: quer zur Fläche.</translation>
     </message>
     <message>
         <source>Select the wall and give the place, or take its middle. On curved walls the boss goes down to the wall all around. Its top and sides are surfaces of their own.</source>
-        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Auf gewölbten Flächen reicht der Ansatz rundum bis zur Fläche hinab. Oberseite und Seiten werden eigene Flächen.</translation>
+        <translation>Wählen Sie die Fläche und geben Sie den Ort an, oder nehmen Sie ihre Mitte. Auf gewölbten Flächen reicht das Auge rundum bis zur Fläche hinab. Oberseite und Seiten werden eigene Flächen.</translation>
     </message>
     <message>
         <source>Drill</source>
