@@ -5688,10 +5688,6 @@
         <translation>ein Dreieck hat keine drei Ecken</translation>
     </message>
     <message>
-        <source>added</source>
-        <translation>hinzugefügt</translation>
-    </message>
-    <message>
         <source>an edge has not one triangle on each side</source>
         <translation>eine Kante hat nicht auf jeder Seite ein Dreieck</translation>
     </message>
@@ -5702,18 +5698,6 @@
     <message>
         <source>counterbore floor</source>
         <translation>Boden der Flachsenkung</translation>
-    </message>
-    <message>
-        <source>cut</source>
-        <translation>geschnitten</translation>
-    </message>
-    <message>
-        <source>drilled</source>
-        <translation>gebohrt</translation>
-    </message>
-    <message>
-        <source>embossed</source>
-        <translation>geprägt</translation>
     </message>
     <message>
         <source>furthest off what was asked for</source>
@@ -5906,6 +5890,10 @@
     <message>
         <source>what is asked for is too thin for its size: it would take more than %1 edges of %2 mm along it</source>
         <translation>was verlangt ist, ist zu dünn für seine Größe: es bräuchte mehr als %1 Kanten von %2 mm der Länge nach</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>verbunden</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,7 @@ constexpr std::array ways{way{1, 2, {exact, 0.03, 0.12}}, way{2, 4, {exact, 0.03
                           way{1, 2, {exact, 0.06, 0.25}}, way{1, 3, {5e-3, 0.03, 0.12}},
                           way{2, 4, {2e-2, 0.06, 0.12}},  way{2, 4, {2e-2, 0.1, 0.3}}};
 
+/// Tools of more triangles are tried twice only, fillings of more tets are not mended besides.
 constexpr std::size_t many_triangles = 8000;
 constexpr std::size_t many_tets = 30'000;
 
@@ -190,9 +191,12 @@ private:
   }
 
   [[nodiscard]] bool changes_nothing(const cavity& hollow, const corefined& cut) const {
-    // Points that were put on shared planes have moved by less than this amounts to.
-    const double least = 1e-6 * std::min(volume_of(flush_.tool), 1e-3 * total_volume(*mesh_));
-    return hollow.gone.empty() && std::abs(cut.volume_change) <= least;
+    // Points that were put on shared planes have moved by less than this share of the tool amounts
+    // to, or of the part where the tool is a half-space. The part is measured last: it may be
+    // large.
+    const double change = std::abs(cut.volume_change);
+    return hollow.gone.empty() && change <= 1e-6 * volume_of(flush_.tool) &&
+           change <= 1e-9 * total_volume(*mesh_);
   }
 
   /// The tets' volume is that of the exact boolean, but for what may be off.

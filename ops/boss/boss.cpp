@@ -27,12 +27,7 @@ expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
     extrude(profile_frame(*where, values), *shape, -foot, height, size, "boss", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  const auto made =
-    ctx.host->boolean(mesh, *tool, {boolean_mode::add, deviation_share * where->size}, ctx.run);
-  if (!made)
-    return fail(made.error());
-  ctx.run.report(1, "added");
-  return as_edit(*mesh, *made, *tool, as_set(picked));
+  return apply_tool(mesh, *tool, boolean_mode::add, where->size, as_set(picked), ctx);
 }
 
 }  // namespace tedit::ops

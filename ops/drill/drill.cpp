@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace tedit::ops {
@@ -23,6 +24,15 @@ constexpr std::array<std::pair<const char*, double>, 13> cores{{{"M2", 1.6e-3},
                                                                 {"M20", 17.5e-3},
                                                                 {"M24", 21.0e-3}}};
 
+/// How deep the widened mouth reaches, m.
+double mouth_of(const drill_shape& s) {
+  if (s.counterbore_diameter > 0)
+    return s.counterbore_depth;
+  return s.countersink_diameter > 0
+           ? 0.5 * (s.countersink_diameter - s.diameter) / std::tan(s.countersink_angle / 2)
+           : 0;
+}
+
 expected<void> check(const drill_shape& s) {
   const auto wrong = [](const std::string& why, const std::string& remedy) {
     return fail(ec::invalid_parameter, why, remedy);
@@ -35,10 +45,7 @@ expected<void> check(const drill_shape& s) {
     return wrong("the counterbore has no depth", "Give counterbore_depth");
   if (s.countersink_diameter > 0 && s.countersink_diameter <= s.diameter)
     return wrong("the countersink is no wider than the hole", "Make it wider, or 0");
-  const double sink = s.countersink_diameter > 0 ? 0.5 * (s.countersink_diameter - s.diameter) /
-                                                     std::tan(s.countersink_angle / 2)
-                                                 : 0;
-  if (s.depth > 0 && s.depth <= sink)
+  if (s.depth > 0 && s.countersink_diameter > 0 && s.depth <= mouth_of(s))
     return wrong("the hole is no deeper than its countersink", "Make it deeper; 0 is through");
   if (s.tip_angle > 0 && s.tip_angle < 0.5)
     return wrong("a tip of less than 29 degrees is a needle", "Give 0 or a wider tip");
@@ -104,7 +111,9 @@ expected<edit_result> drill(const version_ptr& mesh, const placement& where,
   const bool through = shape.depth == 0;
   const vec3 in = way_in(*mesh, where);
   const double depth =
-    through ? depth_through(*mesh, where.at, -in, shape.diameter / 2) + where.size : shape.depth;
+    through ? std::max(depth_through(*mesh, where.at, -in, shape.diameter / 2), mouth_of(shape)) +
+                where.size
+            : shape.depth;
   if (through)
     shape.tip_angle = 0;
   const double widest =
@@ -112,17 +121,12 @@ expected<edit_result> drill(const version_ptr& mesh, const placement& where,
   const double above = clearance(*mesh, where.at, -in, widest) + 0.5 * where.size;
   // A round wall of 24 edges is within 1.2 % of the cylinder's volume.
   const int segments = std::max(24, segments_of(shape.diameter, where.size));
-  const double size = std::min(where.size, 3.14159 * shape.diameter / segments * 1.5);
+  const double size = std::min(where.size, 1.5 * std::numbers::pi * shape.diameter / segments);
   if (auto ok = check_fineness(where, size, above + depth, 1000); !ok)
     return fail(ok.error());
   const auto tool =
     revolve(make_frame(where.at, -in), section_of(shape, above, depth), segments, size);
-  const auto made =
-    ctx.host->boolean(mesh, tool, {boolean_mode::cut, deviation_share * where.size}, ctx.run);
-  if (!made)
-    return fail(made.error());
-  ctx.run.report(1, "drilled");
-  return as_edit(*mesh, *made, tool, picked);
+  return apply_tool(mesh, tool, boolean_mode::cut, where.size, picked, ctx);
 }
 
 }  // namespace tedit::ops

@@ -42,13 +42,8 @@ expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
             raised ? what.height : above, edge, "text", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  const auto made = ctx.host->boolean(
-    mesh, *tool, {raised ? boolean_mode::add : boolean_mode::cut, deviation_share * where.size},
-    ctx.run);
-  if (!made)
-    return fail(made.error());
-  ctx.run.report(1, "embossed");
-  return as_edit(*mesh, *made, *tool, picked);
+  return apply_tool(mesh, *tool, raised ? boolean_mode::add : boolean_mode::cut, where.size, picked,
+                    ctx);
 }
 
 }  // namespace tedit::ops

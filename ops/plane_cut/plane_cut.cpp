@@ -12,14 +12,11 @@ expected<edit_result> plane_cut(const version_ptr& mesh, vec3 at, vec3 normal, b
   const auto tool = half_space(extent, at, away, size, "cut", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  auto made = ctx.host->boolean(mesh, *tool, {boolean_mode::cut, deviation_share * size}, ctx.run);
-  if (!made && made.error().code == ec::empty_selection)
+  auto result = apply_tool(mesh, *tool, boolean_mode::cut, size, picked, ctx);
+  if (!result && result.error().code == ec::empty_selection)
     return fail(ec::empty_selection, "the plane leaves the part as it is, or nothing of it",
                 "Move the plane into the part, or keep its other side");
-  if (!made)
-    return fail(made.error());
-  ctx.run.report(1, "cut");
-  return as_edit(*mesh, *made, *tool, picked);
+  return result;
 }
 
 }  // namespace tedit::ops

@@ -25,12 +25,7 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
     extrude(profile_frame(*where, values), *shape, -depth, above, size, "pocket", *ctx.host);
   if (!tool)
     return fail(tool.error());
-  const auto made =
-    ctx.host->boolean(mesh, *tool, {boolean_mode::cut, deviation_share * where->size}, ctx.run);
-  if (!made)
-    return fail(made.error());
-  ctx.run.report(1, "cut");
-  return as_edit(*mesh, *made, *tool, as_set(picked));
+  return apply_tool(mesh, *tool, boolean_mode::cut, where->size, as_set(picked), ctx);
 }
 
 }  // namespace tedit::ops

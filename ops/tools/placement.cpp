@@ -14,9 +14,21 @@ namespace {
 
 constexpr int rim_points = 16;
 
-vec3 rim_point(const frame& f, double radius, int i) {
-  const double angle = 2 * std::numbers::pi * i / rim_points;
-  return f.at(radius * std::cos(angle), radius * std::sin(angle), 0);
+/// The most that `measure` makes of the hits of rays from a rim and its middle; those without any
+/// hit are passed over.
+template <class Measure>
+double most_at_rim(const mesh_version& mesh, vec3 middle, vec3 out, double radius, vec3 along,
+                   const Measure& measure) {
+  const frame f = make_frame(middle, out);
+  double most = 0;
+  for (int i = 0; i <= rim_points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / rim_points;
+    const double r = i < rim_points ? radius : 0;
+    const auto hits = ray_hits(mesh, f.at(r * std::cos(angle), r * std::sin(angle), 0), along);
+    if (!hits.empty())
+      most = std::max(most, measure(hits));
+  }
+  return most;
 }
 
 box around(vec3 p, double reach) {
@@ -81,38 +93,21 @@ bool in_material(const mesh_version& mesh, vec3 point) {
 }
 
 double clearance(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
-  const frame f = make_frame(at, out);
-  double most = 0;
-  for (int i = 0; i <= rim_points; ++i) {
-    const vec3 p = i < rim_points ? rim_point(f, radius, i) : at;
-    const auto hits = ray_hits(mesh, p, out);
-    if (!hits.empty() && hits.front().leaves)
-      most = std::max(most, hits.front().distance);
-  }
-  return most;
+  return most_at_rim(mesh, at, out, radius, out, [](const auto& hits) {
+    return hits.front().leaves ? hits.front().distance : 0;
+  });
 }
 
 double depth_through(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
-  const frame f = make_frame(at, out);
-  double most = 0;
-  for (int i = 0; i <= rim_points; ++i) {
-    const vec3 p = i < rim_points ? rim_point(f, radius, i) : at;
-    if (const auto hits = ray_hits(mesh, p, -out); !hits.empty())
-      most = std::max(most, hits.back().distance);
-  }
-  return most;
+  return most_at_rim(mesh, at, out, radius, -out,
+                     [](const auto& hits) { return hits.back().distance; });
 }
 
 double gap_below(const mesh_version& mesh, vec3 at, vec3 out, double radius) {
-  const frame f = make_frame(at, out);
-  double most = 0;
-  for (int i = 0; i <= rim_points; ++i) {
-    const vec3 p = i < rim_points ? rim_point(f, radius, i) : at;
-    const auto hits = ray_hits(mesh, p, -out);
-    if (!hits.empty() && !hits.front().leaves && hits.front().distance < 4 * radius)
-      most = std::max(most, hits.front().distance);
-  }
-  return most;
+  return most_at_rim(mesh, at, out, radius, -out, [&](const auto& hits) {
+    const auto& first = hits.front();
+    return !first.leaves && first.distance < 4 * radius ? first.distance : 0;
+  });
 }
 
 expected<void> check_fineness(const placement& where, double edge, double length, int most_edges) {
@@ -156,6 +151,16 @@ expected<edit_result> as_edit(const mesh_version& mesh, const boolean_result& ma
   result.figures.push_back(
     {"deviation_mm", 1e3 * made.deviation, "mm", "furthest off what was asked for"});
   return result;
+}
+
+expected<edit_result> apply_tool(const version_ptr& mesh, const tool_surface& tool,
+                                 boolean_mode mode, double size,
+                                 const std::vector<surface_id>& used, context& ctx) {
+  const auto made = ctx.host->boolean(mesh, tool, {mode, deviation_share * size}, ctx.run);
+  if (!made)
+    return fail(made.error());
+  ctx.run.report(1, "combined");
+  return as_edit(*mesh, *made, tool, used);
 }
 
 }  // namespace tedit::ops

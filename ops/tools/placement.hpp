@@ -53,6 +53,12 @@ struct placement {
                                             const tool_surface& tool,
                                             const std::vector<surface_id>& used);
 
+/// The tool cut from the part or united with it, as an edit. `size` (m): the part's mean edge
+/// there. Errors: those of `services::boolean` and of `as_edit`.
+[[nodiscard]] expected<edit_result> apply_tool(const version_ptr& mesh, const tool_surface& tool,
+                                               boolean_mode mode, double size,
+                                               const std::vector<surface_id>& used, context& ctx);
+
 /// How far a boolean of these operations may be off what was asked for where nothing else works:
 /// a share of the local edge length.
 inline constexpr double deviation_share = 0.02;

@@ -78,6 +78,15 @@ TEST_F(Drill, ACounterboreAndACountersinkWidenItsMouth) {
   EXPECT_NEAR(sink->volume_change, -frustum - 0.1 * polygon_area(0.2, 24), 1e-8);
 }
 
+TEST_F(Drill, ACounterboreDeeperThanThePartGoesThrough) {
+  const auto result = drilled(
+    {.diameter = 0.2, .counterbore_diameter = 0.4, .counterbore_depth = 0.9}, {0.5, 0.5, 0.2}, up_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(plate_, *result);
+  EXPECT_NEAR(result->volume_change, -0.2 * polygon_area(0.4, 24), 1e-8);
+}
+
 TEST_F(Drill, ThreadsHaveTheirCores) {
   EXPECT_EQ(thread_core("M6"), 5.0e-3);
   EXPECT_FALSE(thread_core("none"));
