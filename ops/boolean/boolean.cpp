@@ -46,6 +46,10 @@ constexpr std::array ways{way{1, 2, {exact, 0.03, 0.12}}, way{2, 4, {exact, 0.03
 constexpr std::size_t many_triangles = 8000;
 constexpr std::size_t many_tets = 30'000;
 
+/// After so many tries a mesh that is worse than this share of what is taken ends them.
+constexpr std::size_t hopeless_tries = 3;
+constexpr double hopeless = 0.2;
+
 double volume_of(const tool_surface& tool) {
   double sum = 0;
   for (const auto& t : tool.triangles) {
@@ -58,9 +62,14 @@ double volume_of(const tool_surface& tool) {
 
 class tool_boolean {
 public:
-  tool_boolean(const version_ptr& mesh, const tool_surface& tool, const boolean_request& request,
-               const execution& run)
-      : mesh_(mesh), request_(request), run_(run), size_(local_size(*mesh, tool)) {
+  tool_boolean(const version_ptr& mesh, const tool_surface& tool,
+               const std::vector<std::optional<surface_id>>& continues,
+               const boolean_request& request, const execution& run)
+      : mesh_(mesh),
+        continues_(continues),
+        request_(request),
+        run_(run),
+        size_(local_size(*mesh, tool)) {
     flush_ = make_flush(*mesh, tool, request.mode, flush_tolerance * size_, flush_layer * size_);
   }
 
@@ -88,6 +97,10 @@ public:
       if (!best || is_better(*made, *best))
         best = std::move(*made);
       if (best->worst_after >= std::min(wanted_quality, best->worst_before))
+        break;
+      // What is as flat as this after several tries does not come right.
+      if (i + 1 >= hopeless_tries &&
+          best->worst_after < hopeless * std::min(least_quality, best->worst_before))
         break;
     }
     if (!best) {
@@ -126,8 +139,8 @@ private:
     if (!hollow->tets.empty() && changes_nothing(*hollow, *cut))
       return fail(ec::empty_selection, "the tool changes nothing of the part",
                   "Place it so that it cuts the part's surface");
-    auto surface =
-      label_surface(*mesh_, *hollow, flush_.tool, *cut, request_.mode, size_, how.steps);
+    auto surface = label_surface(*mesh_, *hollow, flush_.tool, continues_, *cut, request_.mode,
+                                 size_, how.steps);
     if (!surface)
       return fail(surface.error());
     const auto before = surface->mesh;
@@ -162,6 +175,9 @@ private:
     }
     result.deviation = deviation;
     result.surfaces = std::move(made->surfaces);
+    for (std::size_t i = 0; i < continues_.size(); ++i)
+      if (continues_[i])
+        result.surfaces[i] = continues_[i];
     if (auto ok = volume_fits(hollow, cut, result); !ok)
       return fail(ok.error());
     return result;
@@ -234,6 +250,7 @@ private:
   }
 
   const version_ptr& mesh_;
+  const std::vector<std::optional<surface_id>>& continues_;
   const boolean_request& request_;
   const execution& run_;
   double size_ = 0;
@@ -272,10 +289,17 @@ expected<void> validate(const tool_surface& tool) {
 }
 
 expected<boolean_result> combine_with_tool(const version_ptr& mesh, const tool_surface& tool,
+                                           const std::vector<std::optional<surface_id>>& continues,
                                            const boolean_request& request, const execution& run) {
   if (auto ok = validate(tool); !ok)
     return fail(ok.error());
-  return tool_boolean(mesh, tool, request, run).best();
+  if (!continues.empty() && continues.size() != tool.names.size())
+    return fail(ec::invalid_argument, "not each face of the tool is told what it continues");
+  for (const auto& id : continues)
+    if (id && !mesh->find_surface(*id))
+      return fail(ec::surface_not_found,
+                  "the tool continues surface " + std::to_string(*id) + ", which is not there");
+  return tool_boolean(mesh, tool, continues, request, run).best();
 }
 
 }  // namespace tedit::ops

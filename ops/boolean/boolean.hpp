@@ -5,15 +5,15 @@
 
 namespace tedit::ops {
 
-/// `services::boolean`: see there. The steps: the tets that the tool crosses and a ring around are
-/// taken out; an exact boolean of their closed surface with the tool (CGAL, in a process of its
+/// `services::boolean_onto`: see there. The steps: the tets that the tool crosses and a ring around
+/// are taken out; an exact boolean of their closed surface with the tool (CGAL, in a process of its
 /// own); a surface that tets fit on; TetGen, in a process of its own; local improvement. Where the
 /// tets are not as good as before, or a step fails, again with more room and then with less
 /// exactness.
-[[nodiscard]] expected<boolean_result> combine_with_tool(const version_ptr& mesh,
-                                                         const tool_surface& tool,
-                                                         const boolean_request& request,
-                                                         const execution& run);
+[[nodiscard]] expected<boolean_result> combine_with_tool(
+  const version_ptr& mesh, const tool_surface& tool,
+  const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
+  const execution& run);
 
 /// Errors: `invalid_argument` for a tool that is not closed, is turned inside out, or has numbers
 /// that are not finite.

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <tuple>
 #include <unordered_map>
-
-#include "mesh/box_tree.hpp"
 
 namespace tedit::ops {
 
 namespace {
+
+/// A tool that reaches less far into a tet, as a share of it, only touches it.
+constexpr double reaches_in = 1e-6;
 
 using points3 = std::array<vec3, 3>;
 using points4 = std::array<vec3, 4>;
@@ -26,15 +29,16 @@ std::pair<double, double> extent_along(const Points& points, vec3 axis) {
   return {low, high};
 }
 
-/// By separating axes; where they only touch, they meet.
-bool meet(const points3& t, const points4& tet) {
+/// By separating axes. With a `share` of zero they meet where they only touch, too; else they must
+/// reach into each other by that share of the tet along every axis.
+bool meet(const points3& t, const points4& tet, double share = 0) {
   const auto apart = [&](vec3 axis) {
     const double length = norm(axis);
     if (length == 0)
       return false;
     const auto [low, high] = extent_along(t, axis);
     const auto [from, to] = extent_along(tet, axis);
-    const double slack = 1e-12 * (std::abs(low) + std::abs(high));
+    const double slack = 1e-12 * (std::abs(low) + std::abs(high)) - share * (to - from);
     return low > to + slack || high < from - slack;
   };
   const std::array edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
@@ -62,6 +66,13 @@ struct edge_key {
 points3 corners_of(const tool_surface& tool, std::size_t triangle) {
   const auto& t = tool.triangles[triangle];
   return {tool.points[t[0]], tool.points[t[1]], tool.points[t[2]]};
+}
+
+std::vector<box> boxes_of(const tool_surface& tool) {
+  std::vector<box> boxes;
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    boxes.push_back(box_of(corners_of(tool, i)));
+  return boxes;
 }
 
 bool holds(const tet& t, vertex_id v) {
@@ -174,6 +185,7 @@ cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool,
     : mesh_(mesh),
       tool_(tool),
       mode_(mode),
+      tree_(boxes_of(tool)),
       is_crossed_(mesh.tet_slots()),
       is_inside_(mesh.tet_slots()) {
   box extent;
@@ -188,14 +200,10 @@ cavity_finder::cavity_finder(const mesh_version& mesh, const tool_surface& tool,
 }
 
 void cavity_finder::find_crossed(const std::vector<tet_id>& near) {
-  std::vector<box> boxes;
-  for (std::size_t i = 0; i < tool_.triangles.size(); ++i)
-    boxes.push_back(box_of(corners_of(tool_, i)));
-  const box_tree tree(boxes);
   for (const auto t : near) {
     const auto corners = mesh_.corners(t);
-    if (tree.any_meeting(box_of(corners),
-                         [&](std::size_t i) { return meet(corners_of(tool_, i), corners); })) {
+    if (tree_.any_meeting(box_of(corners),
+                          [&](std::size_t i) { return meet(corners_of(tool_, i), corners); })) {
       crossed_.push_back(t);
       is_crossed_[t] = 1;
     }
@@ -238,16 +246,51 @@ void cavity_finder::sort_sides(const std::vector<tet_id>& near) {
   }
 }
 
-/// The one that the tool's surface crosses; an addition may hold no other one either.
+/// The one that the tool reaches into, or stands on with facets of its own; an addition may hold no
+/// other one either.
 expected<region_id> cavity_finder::region_of_edit() const {
-  auto changed = crossed_;
+  std::optional<region_id> region;
+  for (const auto& tets : {changed(), stuck_to()})
+    for (const auto t : tets) {
+      if (region && *region != mesh_.region_of(t))
+        return fail(ec::invalid_argument, "the tool crosses two regions of the part",
+                    "Place it so that it meets one region");
+      region = mesh_.region_of(t);
+    }
+  if (region)
+    return *region;
+  return crossed_.empty() ? region_id{0} : mesh_.region_of(crossed_.front());
+}
+
+/// Tets that the tool reaches into.
+std::vector<tet_id> cavity_finder::changed() const {
+  std::vector<tet_id> result;
   if (mode_ == boolean_mode::add)
-    changed.insert(changed.end(), within_.begin(), within_.end());
-  for (const auto t : changed)
-    if (mesh_.region_of(t) != mesh_.region_of(changed.front()))
-      return fail(ec::invalid_argument, "the tool crosses two regions of the part",
-                  "Place it so that it meets one region");
-  return changed.empty() ? region_id{0} : mesh_.region_of(changed.front());
+    result = within_;
+  for (const auto t : crossed_) {
+    const auto corners = mesh_.corners(t);
+    if (tree_.any_meeting(box_of(corners), [&](std::size_t i) {
+          return meet(corners_of(tool_, i), corners, reaches_in);
+        }))
+      result.push_back(t);
+  }
+  return result;
+}
+
+/// Tets with a facet whose corners are points of the tool.
+std::vector<tet_id> cavity_finder::stuck_to() const {
+  const auto less = [](vec3 a, vec3 b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::set<vec3, decltype(less)> points(tool_.points.begin(), tool_.points.end(), less);
+  std::vector<tet_id> result;
+  for (const auto t : crossed_)
+    for (const auto n : mesh_.neighbours(t))
+      if (is_facet(n) && std::ranges::all_of(mesh_.facet(n & ~facet_flag).v, [&](vertex_id v) {
+            return points.contains(mesh_.position(v));
+          }))
+        result.push_back(t);
+  return result;
 }
 
 expected<cavity> cavity_finder::find(int rings) const {
@@ -255,13 +298,16 @@ expected<cavity> cavity_finder::find(int rings) const {
   if (crossed_.empty() && (mode_ == boolean_mode::add || within_.empty()))
     return fail(ec::empty_selection, "the tool does not meet the part",
                 "Place it so that it cuts the part's surface");
-  growing_cavity grown(mesh_, crossed_);
-  if (mode_ == boolean_mode::add)
-    for (const auto t : within_)
-      grown.add(t);
   const auto region = region_of_edit();
   if (!region)
     return fail(region.error());
+  growing_cavity grown(mesh_, {});
+  for (const auto t : crossed_)
+    if (mesh_.region_of(t) == *region)
+      grown.add(t);
+  if (mode_ == boolean_mode::add)
+    for (const auto t : within_)
+      grown.add(t);
   for (int ring = 0; ring < rings; ++ring)
     grown.add_ring([&](tet_id t) {
       return (is_inside_[t] != 0) == keeps_inside && mesh_.region_of(t) == *region;

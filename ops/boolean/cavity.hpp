@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/box_tree.hpp"
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
@@ -41,10 +42,13 @@ private:
   void sort_sides(const std::vector<tet_id>& near);
   [[nodiscard]] bool is_within(tet_id t) const;
   [[nodiscard]] expected<region_id> region_of_edit() const;
+  [[nodiscard]] std::vector<tet_id> changed() const;
+  [[nodiscard]] std::vector<tet_id> stuck_to() const;
 
   const mesh_version& mesh_;
   const tool_surface& tool_;
   boolean_mode mode_;
+  box_tree tree_;  ///< Of the tool's triangles.
   std::vector<tet_id> crossed_;
   std::vector<tet_id> within_;            ///< Wholly inside the tool.
   std::vector<std::uint8_t> is_crossed_;  ///< By tet slot.

@@ -80,6 +80,8 @@ std::string why_not(corefine_status status) {
       return "the tool is no clean closed surface";
     case corefine_status::result_not_manifold:
       return "the tool would leave an edge at which two solids only touch";
+    case corefine_status::second_meets_itself:
+      return "the tool's surface passes through itself";
     default:
       return "the tool and the part could not be cut with each other";
   }
@@ -105,8 +107,13 @@ bool fits(const corefined& result, const closed_surface& first, const closed_sur
 expected<corefined> corefine(const closed_surface& first, const closed_surface& second,
                              boolean_mode mode, const std::vector<shared_plane>& planes,
                              const execution& run) {
+  child_limits limits;
+  // CGAL comes back in a hundredth of this, or not at all.
+  const auto triangles = first.triangles.size() + second.triangles.size();
+  limits.time =
+    std::min<std::chrono::milliseconds>(limits.time, std::chrono::milliseconds(3000 + triangles));
   const auto output =
-    run_child({mesher_program().string()}, question(first, second, mode, planes), {}, run);
+    run_child({mesher_program().string()}, question(first, second, mode, planes), limits, run);
   if (!output)
     return fail(output.error());
   answer_reader reader(*output);
@@ -114,6 +121,8 @@ expected<corefined> corefine(const closed_surface& first, const closed_surface& 
   corefined result;
   if (!reader.read(&answer, 1) || answer.magic != corefine_answer{}.magic)
     return fail(ec::mesher_failed, "the mesher's answer is damaged");
+  if (answer.status == corefine_status::second_meets_itself)
+    return fail(ec::invalid_argument, why_not(answer.status), "Make it smaller or less bent");
   if (answer.status != corefine_status::done)
     return fail(ec::mesher_failed, why_not(answer.status));
   if (!reader.read(result.points, answer.points) || !reader.read(result.origin, answer.points) ||

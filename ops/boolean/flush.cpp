@@ -143,6 +143,42 @@ void add_layer(tool_surface& tool, std::uint32_t face, vec3 step) {
   }
 }
 
+/// The part's facets near the tool, to find a face of the tool that is made of nothing but them.
+class facet_copies {
+public:
+  facet_copies(const mesh_version& mesh, const std::vector<facet_id>& near) {
+    for (const auto f : near) {
+      const auto& v = mesh.facet(f).v;
+      known_.insert(key({mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])}));
+    }
+  }
+
+  /// Its points are where the part's are: there is nothing to be made flush.
+  [[nodiscard]] bool hold_all_of(const tool_surface& tool, std::uint32_t face) const {
+    for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
+      const auto& t = tool.triangles[i];
+      if (tool.faces[i] == face &&
+          !known_.contains(key({tool.points[t[0]], tool.points[t[1]], tool.points[t[2]]})))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  using corner = std::array<double, 3>;
+  using triangle = std::array<corner, 3>;
+
+  static triangle key(const std::array<vec3, 3>& p) {
+    triangle t;
+    for (int i = 0; i < 3; ++i)
+      t[i] = {p[i].x, p[i].y, p[i].z};
+    std::ranges::sort(t);
+    return t;
+  }
+
+  std::set<triangle> known_;
+};
+
 }  // namespace
 
 flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolean_mode mode,
@@ -161,9 +197,10 @@ flush_tool make_flush(const mesh_version& mesh, const tool_surface& tool, boolea
           box_of(std::array{mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])})))
       near.push_back(f);
   }
+  const facet_copies copies(mesh, near);
   for (std::uint32_t face = 0; face < tool.names.size(); ++face) {
     const auto at = plane_of(tool, face);
-    if (!at)
+    if (!at || copies.hold_all_of(tool, face))
       continue;
     const auto side = facets_in(mesh, near, *at, tolerance);
     if (!side.same && !side.opposite)

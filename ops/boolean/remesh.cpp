@@ -38,10 +38,12 @@ std::vector<double> mean_edges(const std::vector<vec3>& points,
 class surface_labeller {
 public:
   surface_labeller(const mesh_version& mesh, const cavity& hollow, const tool_surface& tool,
-                   const corefined& cut, boolean_mode mode, double size, int free_steps)
+                   const std::vector<std::optional<surface_id>>& continues, const corefined& cut,
+                   boolean_mode mode, double size, int free_steps)
       : mesh_(mesh),
         hollow_(hollow),
         tool_(tool),
+        continues_(continues),
         cut_(cut),
         mode_(mode),
         size_(size),
@@ -79,6 +81,9 @@ private:
     for (const auto& side : hollow_.sides)
       if (side.behind == no_id)
         (void)label_of(mesh_.facet(side.facet).surface);
+    for (const auto& id : continues_)
+      if (id)
+        (void)label_of(*id);
     result_.labels.tool_faces = tool_.names.size();
     const auto first_of_tool = static_cast<std::int32_t>(result_.labels.part.size());
     for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
@@ -90,7 +95,10 @@ private:
         const vec3 normal =
           normalized(area_vector(tool_.points[t[0]], tool_.points[t[1]], tool_.points[t[2]]));
         f.normal = mode_ == boolean_mode::cut ? -normal : normal;
-        f.label = first_of_tool + static_cast<std::int32_t>(tool_.faces[of]);
+        const auto face = tool_.faces[of];
+        f.label = face < continues_.size() && continues_[face]
+                    ? label_of(*continues_[face])
+                    : first_of_tool + static_cast<std::int32_t>(face);
       } else {
         const auto& side = hollow_.sides[parent];
         f.normal = normal_of(hollow_.surface, parent);
@@ -178,6 +186,7 @@ private:
   const mesh_version& mesh_;
   const cavity& hollow_;
   const tool_surface& tool_;
+  const std::vector<std::optional<surface_id>>& continues_;
   const corefined& cut_;
   boolean_mode mode_;
   double size_;
@@ -217,9 +226,11 @@ compact_surface compact(const surface_mesh& mesh) {
 }  // namespace
 
 expected<labelled_surface> label_surface(const mesh_version& mesh, const cavity& hollow,
-                                         const tool_surface& tool, const corefined& cut,
-                                         boolean_mode mode, double size, int free_steps) {
-  return surface_labeller(mesh, hollow, tool, cut, mode, size, free_steps).label();
+                                         const tool_surface& tool,
+                                         const std::vector<std::optional<surface_id>>& continues,
+                                         const corefined& cut, boolean_mode mode, double size,
+                                         int free_steps) {
+  return surface_labeller(mesh, hollow, tool, continues, cut, mode, size, free_steps).label();
 }
 
 double deviation_of(const surface_mesh& before, const surface_mesh& after) {

@@ -5,9 +5,12 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <vector>
@@ -214,6 +217,27 @@ void collect(const surface& mesh, const parents& parent, const soup& first,
   }
 }
 
+/// Do triangles pass through each other? Such a surface bounds nothing, and CGAL may never come
+/// back from it. Triangles that have a corner's place in common only touch there: outlines may.
+bool meets_itself(const surface& mesh) {
+  std::vector<std::pair<face, face>> pairs;
+  pmp::self_intersections(mesh, std::back_inserter(pairs));
+  const auto places = [&](face f) {
+    std::array<point, 3> p;
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      p[k++] = mesh.point(v);
+    return p;
+  };
+  for (const auto& [a, b] : pairs) {
+    const auto one = places(a);
+    const auto two = places(b);
+    if (std::find_first_of(one.begin(), one.end(), two.begin(), two.end()) == one.end())
+      return true;
+  }
+  return false;
+}
+
 result combine(std::uint32_t mode, const std::array<soup, 2>& in,
                const std::vector<plane_points>& planes) {
   result out;
@@ -231,6 +255,10 @@ result combine(std::uint32_t mode, const std::array<soup, 2>& in,
         i == 0 ? corefine_status::first_not_manifold : corefine_status::second_not_manifold;
       return out;
     }
+  }
+  if (meets_itself(mesh[1])) {
+    out.answer.status = corefine_status::second_meets_itself;
+    return out;
   }
   out.answer.volume_before = CGAL::to_double(pmp::volume(mesh[0]));
   const auto told = CGAL::parameters::visitor(keeper);

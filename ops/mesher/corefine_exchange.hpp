@@ -33,6 +33,7 @@ enum class corefine_status : std::uint32_t {
   first_not_manifold,
   second_not_manifold,
   result_not_manifold,
+  second_meets_itself,
   failed,
 };
 

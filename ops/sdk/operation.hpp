@@ -234,6 +234,17 @@ public:
                                                          const tool_surface& tool,
                                                          const boolean_request& request,
                                                          const execution& run) = 0;
+
+  // -- since SDK 7.2 ---------------------------------------------------------------------------
+
+  /// The same with faces of the tool that become part of surfaces that the part has: face i of
+  /// `continues[i]`, of a new one where that is nothing. In the result such a face has that id,
+  /// whether anything of it is left or not. Errors: also `surface_not_found`, and
+  /// `invalid_argument` where there is not one entry a face.
+  [[nodiscard]] virtual expected<boolean_result> boolean_onto(
+    const version_ptr& mesh, const tool_surface& tool,
+    const std::vector<std::optional<surface_id>>& continues, const boolean_request& request,
+    const execution& run) = 0;
 };
 
 /// What `apply` works with beside its input.
@@ -305,7 +316,7 @@ inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// member or `services` a function, each at its end. No number of a release of the program is in a
 /// plugin: a patch release changes neither.
 inline constexpr std::uint32_t sdk_major = 7;
-inline constexpr std::uint32_t sdk_minor = 1;
+inline constexpr std::uint32_t sdk_minor = 2;
 
 #define TEDIT_TEXT_OF(x) #x
 #define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
@@ -433,6 +444,7 @@ inline void add_services(std::vector<layout_fact>& facts) {
   facts.push_back(
     of("boolean_result", made, candidate, touched, change, deviation, before, after, surfaces));
   facts.push_back(table("services since 7.1", &services::boolean));
+  facts.push_back(table("services since 7.2", &services::boolean_onto));
 }
 
 template <class Operation>

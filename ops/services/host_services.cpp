@@ -19,7 +19,14 @@ public:
 
   expected<boolean_result> boolean(const version_ptr& mesh, const tool_surface& tool,
                                    const boolean_request& request, const execution& run) override {
-    return combine_with_tool(mesh, tool, request, run);
+    return combine_with_tool(mesh, tool, {}, request, run);
+  }
+
+  expected<boolean_result> boolean_onto(const version_ptr& mesh, const tool_surface& tool,
+                                        const std::vector<std::optional<surface_id>>& continues,
+                                        const boolean_request& request,
+                                        const execution& run) override {
+    return combine_with_tool(mesh, tool, continues, request, run);
   }
 };
 

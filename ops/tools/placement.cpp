@@ -143,7 +143,7 @@ expected<edit_result> as_edit(const mesh_version& mesh, const boolean_result& ma
   result.surfaces_used = used;
   std::string names;
   for (std::size_t i = 0; i < made.surfaces.size(); ++i)
-    if (made.surfaces[i])
+    if (made.surfaces[i] && !mesh.find_surface(*made.surfaces[i]))
       names += (names.empty() ? "" : ", ") + std::to_string(*made.surfaces[i]) + " (" +
                tool.names[i] + ")";
   if (!names.empty())

@@ -227,5 +227,60 @@ TEST_F(Boolean, ACancelIsHeard) {
   EXPECT_EQ(result.error().code, ec::cancelled);
 }
 
+TEST_F(Boolean, AToolThatPassesThroughItselfIsRefused) {
+  // The top of a brick pulled down through its bottom at one corner.
+  auto tool = brick({0.3, 0.3, 0.5}, {0.4, 0.4, 1}, 0.4);
+  for (auto& p : tool.points)
+    if (p.z == 1.5 && p.x == 0.7 && p.y == 0.7)
+      p = {0.5, 0.5, 0.2};
+
+  const auto why = refusal(tool);
+
+  EXPECT_EQ(why.code, ec::invalid_argument);
+  EXPECT_THAT(why.message, HasSubstr("passes through itself"));
+}
+
+// -- faces that continue surfaces ----------------------------------------------------------
+
+TEST_F(Boolean, AFaceOfTheToolBecomesPartOfASurfaceThatIsThere) {
+  // A boss that stands flush on the top's border: its side at x = 0 goes on with the block's.
+  const auto tool = brick({0, 0.3, 0.9}, {0.3, 0.4, 0.4});
+  std::vector<std::optional<surface_id>> continues(tool.names.size());
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i) {
+    const auto& t = tool.triangles[i];
+    if (tool.points[t[0]].x == 0 && tool.points[t[1]].x == 0 && tool.points[t[2]].x == 0)
+      continues[tool.faces[i]] = 1;
+  }
+
+  const auto onto = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
+
+  ASSERT_TRUE(onto) << render(onto.error());
+  EXPECT_NEAR(total_volume(*onto->candidate), 1 + 0.3 * 0.4 * 0.3, 1e-9);
+  double area = 0;
+  for (const auto f : facets_of(*onto->candidate, std::vector<surface_id>{1}))
+    area += norm(area_vector(*onto->candidate, onto->candidate->facet(f)));
+  EXPECT_NEAR(area, 1 + 0.4 * 0.3, 1e-9);
+  for (std::size_t i = 0; i < continues.size(); ++i)
+    if (continues[i]) {
+      EXPECT_EQ(onto->surfaces[i], 1);
+    }
+}
+
+TEST_F(Boolean, FacesThatContinueNothingThatIsThereAreRefused) {
+  const auto tool = brick({0.2, 0.3, 0.9}, {0.3, 0.4, 0.4});
+  std::vector<std::optional<surface_id>> continues(tool.names.size());
+
+  continues[0] = 99;
+  const auto unknown = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
+  continues.pop_back();
+  const auto short_list = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
+
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ec::surface_not_found);
+  EXPECT_THAT(unknown.error().message, HasSubstr("surface 99"));
+  ASSERT_FALSE(short_list);
+  EXPECT_EQ(short_list.error().code, ec::invalid_argument);
+}
+
 }  // namespace
 }  // namespace tedit::ops

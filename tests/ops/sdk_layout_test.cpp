@@ -55,6 +55,7 @@ constexpr layout_fact frozen[] = {
   {"boolean_mode", 4, 0x2},
   {"boolean_result", 96, 0x3c7eb4507c08dfd5},
   {"services since 7.1", 0, 0x27b79fd2a94fc0e2},
+  {"services since 7.2", 0, 0x681bfb82a36518e9},
 };
 
 std::string text_of(const layout_fact& fact) {
