@@ -56,6 +56,9 @@ std::optional<wall_shape> fit_plane(const cloud& points) {
   wall_shape shape;
   shape.point = points.centre;
   shape.axis = normalized(points.area);
+  // The wall of a square hole has no direction at all.
+  if (shape.axis == vec3{})
+    return std::nullopt;
   for (const auto& p : points.points)
     if (!(std::abs(shape.distance(p)) <= flatness * points.size))
       return std::nullopt;
