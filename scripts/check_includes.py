@@ -33,7 +33,7 @@ ROOMS = {
     "compare": (("fem/load_case.hpp", "mesh", "base"), ()),
     "verification": (("fem", "mesh", "base"), ("Eigen/",)),
     "ops/sdk": (("mesh", "base"), ()),
-    "ops/shapes": (("ops/sdk", "mesh", "base"), ()),
+    "ops/shapes": (("ops/shapes/walls", "ops/tools", "ops/sdk", "mesh", "base"), ()),
     "ops/shapes/caps": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/walls": (("ops/sdk", "mesh", "base"), ()),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),

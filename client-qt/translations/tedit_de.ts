@@ -712,10 +712,6 @@
         <translation>Wo zwei Wände in einer scharfen Innenecke zusammenstoßen: Dort wächst die Spannung mit jedem feineren Netz, in einer Ausrundung nicht. Die Wände auf beiden Seiten anklicken. Eine Ausrundung braucht Platz: Wo eine Wand schmaler ist als sie, wird die Änderung mit dem größten Radius abgelehnt, der geht.</translation>
     </message>
     <message>
-        <source>Flat, cylindrical and conical surfaces move by exactly the depth and keep their names, so loads on them stay. Layers of tets come off any surface, but a layer is no length. A cut that would split the part is refused unless &quot;Pieces&quot; allows it.</source>
-        <translation>Ebene, zylindrische und kegelige Flächen gehen um genau die Tiefe zurück und behalten ihre Namen, Lasten darauf bleiben also. Lagen von Tetraedern lassen sich von jeder Fläche nehmen, eine Lage ist aber keine Länge. Ein Schnitt, der das Teil zerlegen würde, wird abgelehnt, wenn „Stücke“ ihn nicht erlaubt.</translation>
-    </message>
-    <message>
         <source>Pick one wall of the hole: what belongs to it is found. A countersink is filled only with &quot;Include the entry&quot;. The closed place becomes part of the surface around it where it continues that one, and is a surface of its own elsewhere.</source>
         <translation>Eine Wand des Lochs anklicken: Was dazugehört, wird gefunden. Eine Senkung wird nur mit „Senkung einbeziehen“ gefüllt. Wo die geschlossene Stelle die Fläche um sie fortsetzt, gehört sie zu dieser, sonst ist sie eine eigene.</translation>
     </message>
@@ -1130,6 +1126,10 @@
     <message>
         <source>Which way the length goes. Empty: by the part&apos;s axes.</source>
         <translation>Wohin die Länge zeigt. Leer: nach den Achsen des Teils.</translation>
+    </message>
+    <message>
+        <source>Surfaces of any form move by exactly the depth and keep their names, so loads on them stay. Beside a neighbour that runs on smoothly a step is left: select it, too, to move both. A cut that would split the part is refused unless &quot;Pieces&quot; allows it.</source>
+        <translation>Flächen jeder Form rücken um genau die Tiefe und behalten ihre Namen, also bleiben Lasten auf ihnen. Neben einer Nachbarfläche, die glatt weiterläuft, bleibt eine Stufe: auch sie auswählen, um beide zu bewegen. Ein Schnitt, der das Teil teilen würde, wird abgelehnt, außer „Stücke“ erlaubt ihn.</translation>
     </message>
 </context>
 <context>
@@ -2560,10 +2560,6 @@
         <translation>Weniger Flächen auswählen</translation>
     </message>
     <message>
-        <source>Select flat and round surfaces; erode takes layers of tets off any other</source>
-        <translation>Ebene und runde Flächen auswählen; „Abtragen“ nimmt Schichten von Tetraedern von jeder anderen</translation>
-    </message>
-    <message>
         <source>Select more surfaces, or take off a metric depth (parameter depth)</source>
         <translation>Mehr Flächen auswählen, oder eine Tiefe als Länge abtragen (Parameter Tiefe)</translation>
     </message>
@@ -3862,10 +3858,6 @@
     <message>
         <source>surface %1 is neither flat nor a round cylinder</source>
         <translation>Fläche %1 ist weder eben noch ein runder Zylinder</translation>
-    </message>
-    <message>
-        <source>surface %1 is neither flat nor a round cylinder or cone</source>
-        <translation>Fläche %1 ist weder eben noch ein runder Zylinder oder Kegel</translation>
     </message>
     <message>
         <source>surface %1 is not in this version of the mesh</source>
@@ -5894,6 +5886,86 @@
     <message>
         <source>combined</source>
         <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>Choose walls that lie within one region</source>
+        <translation>Wände auswählen, die in einem Bereich liegen</translation>
+    </message>
+    <message>
+        <source>Make it smaller or less bent</source>
+        <translation>Es kleiner oder weniger gebogen machen</translation>
+    </message>
+    <message>
+        <source>Move the wall further, or together with those that it runs on into</source>
+        <translation>Die Wand weiter bewegen oder zusammen mit denen, in die sie weiterläuft</translation>
+    </message>
+    <message>
+        <source>a step is left where the wall runs on smoothly, beside surface %1; select it, too, to move both</source>
+        <translation>wo die Wand glatt weiterläuft, bleibt eine Stufe, neben Fläche %1; auch sie auswählen, um beide zu bewegen</translation>
+    </message>
+    <message>
+        <source>a step of %1 is too small for a mesh whose edges measure %2 there</source>
+        <translation>eine Stufe von %1 ist zu klein für ein Netz, dessen Kanten dort %2 messen</translation>
+    </message>
+    <message>
+        <source>beyond surface %1</source>
+        <translation>jenseits von Fläche %1</translation>
+    </message>
+    <message>
+        <source>not each face of the tool is told what it continues</source>
+        <translation>nicht zu jeder Seite des Werkzeugs steht, was sie fortsetzt</translation>
+    </message>
+    <message>
+        <source>nothing of surface %1 would be left</source>
+        <translation>von Fläche %1 bliebe nichts übrig</translation>
+    </message>
+    <message>
+        <source>step beside %1</source>
+        <translation>Stufe neben %1</translation>
+    </message>
+    <message>
+        <source>surface %1 before</source>
+        <translation>Fläche %1 vorher</translation>
+    </message>
+    <message>
+        <source>surface %1 bends too sharply at %2 to be moved so far</source>
+        <translation>Fläche %1 ist bei %2 zu stark gebogen, um so weit bewegt zu werden</translation>
+    </message>
+    <message>
+        <source>surface %1 ends at another region, and the face between both would have to go with it</source>
+        <translation>Fläche %1 endet an einem anderen Bereich, und die Fläche zwischen beiden müsste mitgehen</translation>
+    </message>
+    <message>
+        <source>surface %1 prolonged</source>
+        <translation>Fläche %1 verlängert</translation>
+    </message>
+    <message>
+        <source>the part is only %1 thick</source>
+        <translation>das Teil ist nur %1 dick</translation>
+    </message>
+    <message>
+        <source>the part is only %1 thick between surfaces %2 and %3 at %4</source>
+        <translation>das Teil ist zwischen den Flächen %2 und %3 bei %4 nur %1 dick</translation>
+    </message>
+    <message>
+        <source>the tool continues surface %1, which is not there</source>
+        <translation>das Werkzeug setzt Fläche %1 fort, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s surface passes through itself</source>
+        <translation>die Oberfläche des Werkzeugs durchdringt sich selbst</translation>
+    </message>
+    <message>
+        <source>the wall would come to lie %1 mm off where it should</source>
+        <translation>die Wand käme %1 mm neben ihrem Platz zu liegen</translation>
+    </message>
+    <message>
+        <source>there are only %1 of space</source>
+        <translation>es sind nur %1 Platz</translation>
+    </message>
+    <message>
+        <source>there are only %1 of space between surfaces %2 and %3 at %4</source>
+        <translation>zwischen den Flächen %2 und %3 sind bei %4 nur %1 Platz</translation>
     </message>
 </context>
 <context>

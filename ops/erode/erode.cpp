@@ -7,6 +7,7 @@
 #include "ops/erode/depth.hpp"
 #include "ops/erode/layers.hpp"
 #include "ops/shapes/most_that_works.hpp"
+#include "ops/shapes/move_by_tool.hpp"
 #include "ops/shapes/walls/shift_walls.hpp"
 
 namespace tedit::ops {
@@ -85,27 +86,23 @@ expected<edit_result> eroded_by(const erosion& way, const version_ptr& mesh,
   return result;
 }
 
-/// Flat surfaces are cut free or lowered one by one; where that does not work they move together,
-/// with the fillets around them.
+/// Flat surfaces are cut free or lowered one by one, others move by their own vertices; where that
+/// does not work flat ones, too, with the fillets around them; else what lies below is cut off.
 expected<edit_result> lowered(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               bool flat, double depth, piece_policy policy, context& ctx) {
-  auto result = eroded_by(
-    [&](mesh_builder& to, erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
-    mesh, surfaces, policy);
-  const auto sound = result ? passes_if_doubtful(mesh, *result, ctx.run) : fail(result.error());
-  // A wall that is too thin stays so, whichever way is taken.
-  const bool limit = !sound && (sound.error().code == ec::invalid_argument ||
-                                sound.error().code == ec::empty_selection);
-  if (sound || !flat || limit || sound.error().code == ec::cancelled)
-    return result;
-  auto moved = eroded_by(
-    [&](mesh_builder& to, erosion_sum& sum) { return shift_in(to, surfaces, depth, ctx, sum); },
-    mesh, surfaces, policy);
-  if (moved && passes_if_doubtful(mesh, *moved, ctx.run))
-    return moved;
-  if (ctx.run.cancel.cancelled())
-    return fail(ec::cancelled, "the edit was cancelled");
-  return result;
+  const auto by_vertices = [&](mesh_builder& to, erosion_sum& sum) {
+    return shift_in(to, surfaces, depth, ctx, sum);
+  };
+  wall_ways all{surfaces, -depth, flat, {}};
+  if (flat)
+    all.ways.emplace_back([&] {
+      return eroded_by([&](mesh_builder& to,
+                           erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
+                       mesh, surfaces, policy);
+    });
+  all.ways.emplace_back([&] { return eroded_by(by_vertices, mesh, surfaces, policy); });
+  all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, -depth, ctx); });
+  return first_that_passes(mesh, all, ctx.run);
 }
 
 }  // namespace

@@ -48,8 +48,9 @@ public:
     d.icon = ops::line_icon(
       R"(<path d="M4 18 H20 V13 H4 Z"/><path d="M4 9 H20" stroke-dasharray="2 2.4"/><path d="M12 4 V11 M9.4 8.6 L12 11 L14.6 8.6"/>)");
     d.guide =
-      "Flat, cylindrical and conical surfaces move by exactly the depth and keep their names, so "
-      "loads on them stay. Layers of tets come off any surface, but a layer is no length. A cut "
+      "Surfaces of any form move by exactly the depth and keep their names, so loads on them stay. "
+      "Beside a neighbour that runs on smoothly a step is left: select it, too, to move both. A "
+      "cut "
       "that would split the part is refused unless \"Pieces\" allows it.";
     d.rank = 50;
     return d;

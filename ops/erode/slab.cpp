@@ -171,9 +171,8 @@ expected<void> slab::check(const std::unordered_set<tet_id>& inside) const {
   for (const auto t : inside) {
     for (const auto v : mesh_.tet_at(t).v)
       if (patch_.depth(mesh_.position(v)) < -std::max(zero_, 10 * patch_.deviation))
-        return fail(ec::invalid_argument, "the cut below surface " +
-                                            std::to_string(patch_.surface) +
-                                            " would run into material that rises beside it");
+        return fail(ec::cap_intersects, "the cut below surface " + std::to_string(patch_.surface) +
+                                          " would run into material that rises beside it");
     for (const auto behind : mesh_.neighbours(t)) {
       if (!is_facet(behind))
         continue;

@@ -8,6 +8,7 @@
 #include "mesh/pieces.hpp"
 #include "mesh/shift_patch.hpp"
 #include "ops/shapes/most_that_works.hpp"
+#include "ops/shapes/move_by_tool.hpp"
 #include "ops/shapes/walls/shift_walls.hpp"
 #include "ops/thicken/slab_shell.hpp"
 
@@ -172,25 +173,17 @@ expected<edit_result> raised_by(raising way, const version_ptr& mesh,
   return result;
 }
 
-/// Flat surfaces get a slab; where that does not work, as with a height far below the edge length,
-/// they move by their own vertices, with the fillets around them.
+/// Flat surfaces get a slab, others move by their own vertices; where that does not work, as with a
+/// height far below the edge length, flat ones, too, with the fillets around them; else what lies
+/// above is added.
 expected<edit_result> raised(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                              bool flat, double height, context& ctx) {
-  if (!flat)
-    return raised_by(raise_walls, mesh, surfaces, height, ctx);
-  auto slab = raised_by(raise_planes, mesh, surfaces, height, ctx);
-  const auto sound = slab ? passes_if_doubtful(mesh, *slab, ctx.run) : fail(slab.error());
-  // What is in the way stays there, whichever way is taken.
-  const bool limit =
-    !sound && (sound.error().code == ec::cap_intersects || sound.error().code == ec::not_a_hole);
-  if (sound || limit || sound.error().code == ec::cancelled)
-    return slab;
-  auto moved = raised_by(raise_walls, mesh, surfaces, height, ctx);
-  if (moved && passes_if_doubtful(mesh, *moved, ctx.run))
-    return moved;
-  if (ctx.run.cancel.cancelled())
-    return fail(ec::cancelled, "the edit was cancelled");
-  return slab;
+  wall_ways all{surfaces, height, flat, {}};
+  if (flat)
+    all.ways.emplace_back([&] { return raised_by(raise_planes, mesh, surfaces, height, ctx); });
+  all.ways.emplace_back([&] { return raised_by(raise_walls, mesh, surfaces, height, ctx); });
+  all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, height, ctx); });
+  return first_that_passes(mesh, all, ctx.run);
 }
 
 }  // namespace

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/distances.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
+#include "ops/shapes/walls/wall_tool.hpp"
+#include "tests/support/blocks.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/tube.hpp"
 
@@ -50,7 +53,9 @@ protected:
     if (!done)
       return nullptr;
     EXPECT_TRUE(check_version(*done->version).ok());
-    EXPECT_EQ(done->version->surfaces(), base->surfaces());
+    const auto& now = done->version->surfaces();
+    for (const auto& row : base->surfaces())
+      EXPECT_TRUE(std::ranges::count(now, row)) << "surface " << row.id << " is gone";
     return done->version;
   }
 
@@ -151,8 +156,8 @@ TEST_F(RoundWalls, AConeMovesAlongItsNormal) {
   EXPECT_NEAR(figure_of(*result, "thickness_change_worst_mm"), 100, 1e-6);
 }
 
-TEST_F(RoundWalls, HalfAWallIsRefusedAndTheOtherHalfNamed) {
-  const auto whole = tube_mesh({});
+/// The tube's inner wall in two halves: surfaces 1 (y < 0) and 5.
+version_ptr halved(const version_ptr& whole) {
   mesh_builder naming(whole);
   const auto half = naming.add_surface("half");
   for (const auto f : facets_of(*whole, std::vector<surface_id>{1})) {
@@ -160,17 +165,45 @@ TEST_F(RoundWalls, HalfAWallIsRefusedAndTheOtherHalfNamed) {
     if (whole->position(v[0]).y + whole->position(v[1]).y + whole->position(v[2]).y > 0)
       naming.set_surface(f, half);
   }
-  const auto base = naming.freeze();
+  return naming.freeze();
+}
 
-  const auto alone = shift(base, {1}, -0.1);
+TEST_F(RoundWalls, BothHalvesOfAWallMoveWithoutAStep) {
+  const auto base = halved(tube_mesh({}));
 
-  ASSERT_FALSE(alone);
-  EXPECT_EQ(alone.error().code, ec::invalid_argument);
-  EXPECT_THAT(alone.error().message, HasSubstr("surface 5 runs on flush with surface 1"));
-  EXPECT_THAT(alone.error().remedy, HasSubstr("Select surface 5, too"));
-  const auto both = finish(base, shift(base, {1, half}, -0.1));
+  const auto both = finish(base, shift(base, {1, 5}, -0.1));
+
   ASSERT_TRUE(both);
+  EXPECT_EQ(both->surfaces(), base->surfaces());
   EXPECT_NEAR(total_volume(*both), polygon(16, 2) - polygon(16, 1.1), 1e-9);
+}
+
+TEST_F(RoundWalls, HalfAWallMovesWithAStepAndTheOtherHalfIsNamed) {
+  const auto base = halved(tube_mesh({}));
+  for (const double distance : {-0.1, 0.1}) {
+    SCOPED_TRACE(distance);
+
+    const auto result = shift(base, {1}, distance);
+
+    const auto after = finish(base, result);
+    ASSERT_TRUE(after);
+    EXPECT_NEAR(total_volume(*after),
+                polygon(16, 2) - 0.5 * (polygon(16, 1) + polygon(16, 1 - distance)), 1e-9);
+    EXPECT_THAT(result->notices, ::testing::Contains(HasSubstr("beside surface 5; select it")));
+    EXPECT_NEAR(figure_of(*result, "thickness_change_mm"), 100, 1e-6);
+    // The other half's facets are where they were, and the steps are a surface of their own.
+    for (const auto f : facets_of(*after, std::vector<surface_id>{5}))
+      for (const auto v : after->facet(f).v) {
+        const vec3 p = after->position(v);
+        EXPECT_LE(std::hypot(p.x, p.y), 1 + 1e-9);
+        EXPECT_GE(std::hypot(p.x, p.y), std::cos(std::numbers::pi / 16) - 1e-9);
+      }
+    EXPECT_EQ(after->surfaces().back().name, "step beside 5");
+    double steps = 0;
+    for (const auto f : facets_of(*after, std::vector{after->surfaces().back().id}))
+      steps += norm(area_vector(*after, after->facet(f)));
+    EXPECT_NEAR(steps, 2 * 0.1 * 1, 1e-9);
+  }
 }
 
 TEST_F(RoundWalls, AWallThinnerThanTheDepthIsRefusedWithThePlace) {
@@ -182,8 +215,8 @@ TEST_F(RoundWalls, AWallThinnerThanTheDepthIsRefusedWithThePlace) {
 
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ec::invalid_argument);
-  EXPECT_THAT(result.error().message, HasSubstr("surface 1 cannot be moved so far"));
-  EXPECT_THAT(result.error().message, HasSubstr("leaves no room"));
+  EXPECT_THAT(result.error().message, HasSubstr("the part is only 490.4 mm thick"));  // cos 11.25
+  EXPECT_THAT(result.error().message, HasSubstr("between surfaces 1 and 2 at ("));
 }
 
 TEST_F(RoundWalls, ABoreIsNotNarrowedBeyondItsAxis) {
@@ -215,18 +248,121 @@ TEST_F(RoundWalls, WhatStandsInTheWayIsNamed) {
   ASSERT_TRUE(finish(base, near));
   ASSERT_FALSE(far);
   EXPECT_EQ(far.error().code, ec::invalid_argument);
-  EXPECT_THAT(far.error().message, HasSubstr("is in the way"));
+  EXPECT_THAT(far.error().message, HasSubstr("mm of space between surfaces 2 and 11 at ("));
 }
 
-TEST_F(RoundWalls, ASquareBossIsNotRound) {
+TEST_F(RoundWalls, ASquareBossMovesBothSidesOfItsCorners) {
   tube shape;
   shape.sides = 4;
   const auto base = tube_mesh(shape);
+  for (const double distance : {-0.1, 0.1}) {
+    const auto result = shift(base, {2}, distance);
 
-  const auto result = shift(base, {2}, -0.1);
+    // Its sides are sqrt(2) off the axis.
+    const auto after = finish(base, result);
+    ASSERT_TRUE(after);
+    EXPECT_NEAR(total_volume(*after), 4 * std::pow(std::sqrt(2.0) + distance, 2) - polygon(4, 1),
+                1e-9);
+    EXPECT_NEAR(figure_of(*result, "thickness_change_worst_mm"), 100, 1e-6);
+  }
+}
+
+TEST_F(RoundWalls, AWallOfFreeFormMovesAlongItsNormals) {
+  const auto height = [](double x, double y) {
+    return 1 + 0.1 * std::sin(3 * x) * std::cos(2 * y);
+  };
+  const auto base = test::box_mesh({8, 8, 4}, {2, 2, 1}, [&](vec3 p) {
+    return vec3{p.x, p.y, p.z * height(p.x, p.y)};
+  });
+  ASSERT_FALSE(fit_wall(*base, facets_of(*base, std::vector<surface_id>{6})));
+  for (const double distance : {-0.05, 0.05}) {
+    SCOPED_TRACE(distance);
+
+    const auto after = finish(base, shift(base, {6}, distance));
+
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->surfaces(), base->surfaces());
+    // Where the wall is off its border each point is as far from where it was.
+    for (const auto f : facets_of(*after, std::vector<surface_id>{6}))
+      for (const auto v : after->facet(f).v) {
+        const vec3 p = after->position(v);
+        if (std::min({p.x, p.y, 2 - p.x, 2 - p.y}) < 0.2)
+          continue;
+        double least = 1;
+        for (const auto g : facets_of(*base, std::vector<surface_id>{6})) {
+          const auto& c = base->facet(g).v;
+          least = std::min(least, point_to_triangle(p, base->position(c[0]), base->position(c[1]),
+                                                    base->position(c[2])));
+        }
+        EXPECT_NEAR(least, 0.05, 0.01 * 0.05);
+      }
+    // Sides stay where they were.
+    for (const auto f : facets_of(*after, std::vector<surface_id>{1}))
+      for (const auto v : after->facet(f).v)
+        EXPECT_NEAR(after->position(v).x, 0, 1e-12);
+  }
+}
+
+/// A unit cube of region 2 on the middle of a 3 x 3 x 1 block of region 1: what is left of the
+/// block's top is surface 8, a frame around the cube.
+version_ptr cube_on_block() {
+  const auto plain =
+    test::blocks({3, 3, 2}, [](int x, int y, int z) { return z == 0 || (x == 1 && y == 1); });
+  raw_mesh raw;
+  const auto level = [&](const std::array<vertex_id, 3>& v) {
+    return std::ranges::all_of(v, [&](vertex_id i) { return plain->position(i).z == 1; });
+  };
+  for (vertex_id v = 0; v < plain->vertex_slots(); ++v)
+    raw.positions.push_back(plain->position(v));
+  for (const auto t : test::all_tets(*plain)) {
+    raw.tets.push_back(plain->tet_at(t));
+    const auto c = plain->corners(t);
+    const bool upper = c[0].z + c[1].z + c[2].z + c[3].z > 4;
+    raw.tet_regions.push_back(upper ? 2 : 1);
+    for (int i = 0; upper && i < 4; ++i) {
+      const auto& v = plain->tet_at(t).v;
+      const auto& f = tet_faces[i];
+      const std::array<vertex_id, 3> face{v[f[0]], v[f[1]], v[f[2]]};
+      if (level(face) && !is_facet(plain->neighbours(t)[i]))
+        raw.triangles.push_back({face, 9, true});
+    }
+  }
+  for (facet_id f = 0; f < plain->facet_slots(); ++f) {
+    const auto& facet = plain->facet(f);
+    raw.triangles.push_back({facet.v, level(facet.v) ? 8 : facet.surface, true});
+  }
+  return build_version(std::move(raw), 1)->version;
+}
+
+TEST_F(RoundWalls, AWallBesideAnotherRegionMovesAlone) {
+  const auto base = cube_on_block();
+  ASSERT_EQ(base->data().interfaces.size(), 2u);
+
+  const auto after = finish(base, shift(base, {8}, -0.1));
+
+  ASSERT_TRUE(after);
+  EXPECT_NEAR(total_volume(*after), 10 - 0.1 * 8, 1e-9);
+  EXPECT_EQ(after->data().interfaces.size(), 2u);
+}
+
+TEST_F(RoundWalls, TheFourSidesOfASquareHoleAreNoPlane) {
+  // Their area vectors sum up to nothing, so that every point is as far off "the plane".
+  const auto base = test::blocks({3, 3, 1}, [](int x, int y, int) { return x != 1 || y != 1; });
+  ASSERT_FALSE(fit_wall(*base, facets_of(*base, std::vector<surface_id>{7}), round_enough));
+
+  const auto after = finish(base, shift(base, {7}, -0.1));
+
+  ASSERT_TRUE(after);
+  EXPECT_NEAR(total_volume(*after), 9 - 1.2 * 1.2, 1e-9);
+}
+
+TEST_F(RoundWalls, AStepFarSmallerThanTheMeshIsRefusedWithItsSize) {
+  const auto base = halved(tube_mesh({}));
+
+  const auto result = make_wall_tool(*base, *fit_walls(*base, {1}), -1e-4);
 
   ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, HasSubstr("surface 2 is neither flat nor a round"));
+  EXPECT_THAT(result.error().message, HasSubstr("a step of 0.1 mm is too small for a mesh"));
 }
 
 // -- real parts ------------------------------------------------------------------------
@@ -268,26 +404,31 @@ TEST_F(RoundWallsOfParts, BoresOfPartsChangeByTheDistance) {
   }
 }
 
-TEST_F(RoundWallsOfParts, EverySurfaceAloneMovesSoundlyOrIsRefusedByName) {
+TEST_F(RoundWallsOfParts, ASurfaceAloneMovesSoundlyOrIsRefusedByName) {
   const auto base = part("bracket_4040");
   ASSERT_TRUE(base);
   const auto id = base->id();
   int done = 0;
+  int tried = 0;
   for (const auto& row : base->surfaces()) {
     const auto shape = fit_wall(*base, facets_of(*base, std::vector{row.id}));
     if (shape && shape->type == wall_shape::kind::plane)
       continue;
+    if (row.id % 4 != 0 && row.id != 61 && row.id != 143)  // Those two touch themselves.
+      continue;
     SCOPED_TRACE(row.id);
+    ++tried;
     const auto result = shift(base, {row.id}, row.id % 2 ? -1e-4 : 1e-4);
     if (!result) {
-      EXPECT_EQ(result.error().code, ec::invalid_argument) << render(result.error());
-      EXPECT_THAT(result.error().message, HasSubstr("surface"));
+      EXPECT_THAT(result.error().code,
+                  ::testing::AnyOf(ec::invalid_argument, ec::postcondition_failed))
+        << render(result.error());
     } else if (finish(base, result)) {
       ++done;
     }
   }
   EXPECT_EQ(base->id(), id);
-  EXPECT_GT(done, 0);
+  EXPECT_GT(10 * done, 9 * tried);
 }
 
 }  // namespace

@@ -229,5 +229,20 @@ TEST_F(Stories, TheMostThatWorksIsThePartsAndWorks) {
   }
 }
 
+/// A number that moves with what is asked is none of the part's.
+TEST_F(Stories, WhatIsTooThinIsToldAlikeWhateverIsAskedFor) {
+  const auto base = part("heatsink_125");
+  ASSERT_TRUE(base);
+
+  const auto six = edit(base, "erode", {1}, {{"depth", 0.006}});
+  const auto eight = edit(base, "erode", {1}, {{"depth", 0.008}});
+
+  ASSERT_FALSE(six);
+  ASSERT_FALSE(eight);
+  // The material over a screw hole.
+  EXPECT_THAT(six.error().message, HasSubstr("only 0.9997 mm thick between surfaces 1 and 71 at"));
+  EXPECT_EQ(six.error().message, eight.error().message);
+}
+
 }  // namespace
 }  // namespace tedit::ops

@@ -34,8 +34,8 @@ public:
   carried_set find() {
     release_fillets();
     std::vector<surface_id> open;
-    for (const auto& [id, shape] : walls_)
-      if (shape.type == wall_shape::kind::plane)
+    for (const auto& [id, wall] : walls_)
+      if (wall.is(wall_shape::kind::plane))
         open.push_back(id);
     while (!open.empty()) {
       const auto from = open.back();
@@ -67,7 +67,7 @@ private:
   void release_fillets() {
     std::vector<surface_id> released;
     for (const auto& [id, wall] : walls_) {
-      if (wall.type != wall_shape::kind::cylinder)
+      if (!wall.is(wall_shape::kind::cylinder))
         continue;
       bool at_wall = false;
       bool at_rest = false;

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "ops/shapes/walls/shift_walls.hpp"
+#include "ops/shapes/walls/moving_walls.hpp"
 
 namespace tedit::ops {
 

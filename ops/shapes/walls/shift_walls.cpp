@@ -35,12 +35,6 @@ constexpr double least_sine = 0.05;
 constexpr double flush_tolerance = 0.1;
 constexpr int newton_steps = 30;
 
-std::string text_of(const char* format, double a) {
-  char text[96];
-  std::snprintf(text, sizeof(text), format, a);
-  return text;
-}
-
 /// A surface as the shift sees it: its exact shape where it has one.
 struct known_surface {
   std::optional<wall_shape> shape;
@@ -68,8 +62,8 @@ public:
   shifter(mesh_builder& mesh, const wall_set& walls, const carried_set& carried, double distance,
           const execution& run)
       : mesh_(mesh), walls_(walls), carried_(carried), distance_(distance), run_(run) {
-    for (const auto& [id, shape] : walls)
-      surfaces_.emplace(id, known_surface{shape, {}});
+    for (const auto& [id, wall] : walls)
+      surfaces_.emplace(id, known_surface{wall.exact, {}});
   }
 
   expected<void> shift() {
@@ -198,6 +192,8 @@ private:
       if (std::ranges::count(beside, id))
         continue;
       beside.push_back(id);
+      if (add_free_form(v, id, share, result))
+        continue;
       const auto& known = surface_of(id);
       condition next{known.shape, known.sheet ? &*known.sheet : nullptr, 0, id,
                      walls_.contains(id)};
@@ -216,11 +212,29 @@ private:
     return result;
   }
 
+  /// A moving wall without an exact shape: a plane for each of its normals at the vertex.
+  bool add_free_form(vertex_id v, surface_id id, double share,
+                     std::vector<condition>& result) const {
+    const auto wall = walls_.find(id);
+    if (wall == walls_.end() || wall->second.exact)
+      return false;
+    const auto normals = wall->second.normals.find(v);
+    if (normals == wall->second.normals.end())
+      return true;
+    for (const auto& normal : normals->second) {
+      wall_shape plane;
+      plane.point = mesh_.base()->position(v);
+      plane.axis = normal;
+      result.push_back({plane, nullptr, share * distance_, id, true});
+    }
+    return true;
+  }
+
   /// How far a vertex of a moving wall was off its shape at first, m.
   double offset_of(vertex_id v, surface_id wall) {
     const auto [row, fresh] = offsets_.try_emplace({v, wall}, 0.0);
     if (fresh && reached_ == 0)
-      row->second = walls_.at(wall).distance(mesh_.position(v));
+      row->second = walls_.at(wall).exact->distance(mesh_.position(v));
     return row->second;
   }
 
@@ -311,7 +325,7 @@ private:
 
   [[nodiscard]] tl::unexpected<error> no_room() const {
     std::string ids;
-    for (const auto& [id, shape] : walls_)
+    for (const auto& [id, wall] : walls_)
       ids += (ids.empty() ? "" : ", ") + std::to_string(id);
     return fail(ec::invalid_argument, (walls_.size() == 1 ? "surface " : "surfaces ") + ids +
                                         " cannot be moved so far: " + obstacle_);
@@ -328,115 +342,15 @@ private:
   std::map<std::pair<vertex_id, surface_id>, double> offsets_;
 };
 
-/// Does the wall have room for its shift? A boss has its radius, a bore likewise.
-expected<void> check_radii(const wall_set& walls, double distance) {
-  for (const auto& [id, shape] : walls)
-    if (shape.type == wall_shape::kind::cylinder &&
-        shape.radius + shape.side * distance <= 1e-3 * shape.radius)
-      return fail(
-        ec::invalid_argument,
-        "surface " + std::to_string(id) + " is round with a radius of " +
-          text_of("%.4g mm; it cannot be moved by as much towards its axis", 1e3 * shape.radius),
-        distance < 0 ? "" : "Fill the hole (fill_hole) instead");
-  return {};
-}
-
-/// Mean radius change of the cylinders, each fitted anew to where its vertices are now; nothing
-/// without.
-std::optional<double> radius_change(const mesh_version& after, const wall_set& walls) {
-  double sum = 0;
-  int round = 0;
-  for (const auto& [id, shape] : walls) {
-    if (shape.type != wall_shape::kind::cylinder)
-      continue;
-    const auto fitted = fit_wall(after, facets_of(after, std::vector{id}), round_enough);
-    if (!fitted || fitted->type != wall_shape::kind::cylinder)
-      return std::nullopt;
-    sum += fitted->radius - shape.radius;
-    ++round;
-  }
-  return round > 0 ? std::optional(sum / round) : std::nullopt;
-}
-
 }  // namespace
-
-expected<wall_set> fit_walls(const mesh_version& mesh, const std::vector<surface_id>& surfaces) {
-  wall_set walls;
-  for (const auto id : surfaces) {
-    const auto facets = facets_of(mesh, std::vector{id});
-    if (facets.empty())
-      return fail(ec::empty_selection,
-                  "surface " + std::to_string(id) +
-                    " has no outer side: it lies between two regions, or is gone already",
-                  "Select surfaces of the outside");
-    const auto shape = fit_wall(mesh, facets, round_enough);
-    if (!shape)
-      return fail(ec::invalid_argument,
-                  "surface " + std::to_string(id) + " is neither flat nor a round cylinder or cone",
-                  "Select flat and round surfaces; erode takes layers of tets off any other");
-    walls.emplace(id, *shape);
-  }
-  return walls;
-}
-
-expected<bool> all_flat(const mesh_builder& mesh, const std::vector<surface_id>& surfaces) {
-  for (const auto surface : surfaces) {
-    const auto patch = find_patch(mesh, surface);
-    if (!patch)
-      return fail(patch.error());
-    if (!patch->flat())
-      return false;
-  }
-  return true;
-}
 
 expected<void> shift_walls(mesh_builder& mesh, const wall_set& walls, double distance,
                            const execution& run) {
-  if (auto ok = check_radii(walls, distance); !ok)
+  if (auto ok = check_room(walls, distance); !ok)
     return fail(ok.error());
   auto moving = walls;
   const auto carried = find_carried(*mesh.base(), moving, distance);
   return shifter(mesh, moving, carried, distance, run).shift();
-}
-
-std::vector<figure> measure_shift(const mesh_version& base, const mesh_version& mesh,
-                                  const wall_set& selected, double distance) {
-  auto walls = selected;
-  find_carried(base, walls, distance);
-  double area = 0;
-  double mean = 0;
-  double worst = distance;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-    if (!mesh.is_live_facet(f))
-      continue;
-    const auto& facet = mesh.facet(f);
-    const auto wall = walls.find(facet.surface);
-    if (wall == walls.end())
-      continue;
-    const double share = norm(
-      area_vector(mesh.position(facet.v[0]), mesh.position(facet.v[1]), mesh.position(facet.v[2])));
-    area += share;
-    for (const auto v : facet.v) {
-      // Walls make no vertices of their own: each was on the wall before.
-      const double rise =
-        wall->second.distance(mesh.position(v)) - wall->second.distance(base.position(v));
-      mean += share * rise / 3;
-      if (std::abs(rise - distance) > std::abs(worst - distance))
-        worst = rise;
-    }
-  }
-  const double sign = distance < 0 ? -1 : 1;
-  const char* what = distance < 0 ? "thickness taken off" : "thickness put on";
-  std::vector<figure> figures;
-  if (area == 0)
-    return figures;
-  figures.push_back({"thickness_change_mm", sign * 1e3 * mean / area, "mm", what});
-  figures.push_back(
-    {"thickness_change_worst_mm", sign * 1e3 * worst, "mm",
-     distance < 0 ? "taken off at the least exact place" : "put on at the least exact place"});
-  if (const auto change = radius_change(mesh, walls))
-    figures.push_back({"radius_change_mm", 1e3 * *change, "mm", "change of the radius, fitted"});
-  return figures;
 }
 
 }  // namespace tedit::ops
