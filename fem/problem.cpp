@@ -10,6 +10,7 @@
 #include "fem/polled.hpp"
 #include "fem/problem_parts.hpp"
 #include "fem/quadratic.hpp"
+#include "mesh/flat.hpp"
 #include "mesh/morton.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
@@ -49,15 +50,6 @@ void number_nodes(const mesh_version& mesh, std::uint32_t spare, problem& p,
     p.nodes.emplace_back();
   }
   p.corner_count = p.nodes.size();
-}
-
-/// A tet whose volume is lost in the rounding of its coordinates cannot carry a stiffness.
-bool is_flat(const std::array<vec3, 4>& c, double volume) {
-  double longest2 = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j)
-      longest2 = std::max(longest2, dot(c[i] - c[j], c[i] - c[j]));
-  return std::abs(volume) <= 1e-10 * longest2 * std::sqrt(longest2);
 }
 
 /// Where a tet stands in the file that the mesh came from: what people can look up.
@@ -160,17 +152,19 @@ expected<void> check_shapes(const mesh_version& mesh, std::span<const tet_id> te
     else if (volume < 0)
       inverted.push_back(tets[i]);
   });
-  const auto refuse = [&](ec code, std::vector<tet_id> bad, const char* what) {
+  const auto refuse = [&](ec code, std::vector<tet_id> bad, const char* what, const char* remedy) {
     std::ranges::sort(bad, {}, [&](tet_id t) { return place_in_file(mesh, t); });
     const auto c = mesh.corners(bad.front());
     const vec3 at = 0.25 * (c[0] + c[1] + c[2] + c[3]);
     return fail(code, std::to_string(bad.size()) + " tets " + what + ": tet " + list_of(mesh, bad),
-                "Repair or remesh the part there", "first at " + place_text(at));
+                remedy, "first at " + place_text(at));
   };
   if (!inverted.empty())
-    return refuse(ec::inverted_tet, inverted, "are inverted (negative volume)");
+    return refuse(ec::inverted_tet, inverted, "are inverted (negative volume)",
+                  "Repair or remesh the part there");
   if (!flat.empty())
-    return refuse(ec::degenerate_tet, flat, "have zero volume (flat within rounding)");
+    return refuse(ec::degenerate_tet, flat, "have zero volume (flat within rounding)",
+                  "Improve the mesh (operation improve_mesh), or remesh the part there");
   return {};
 }
 

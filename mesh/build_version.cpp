@@ -262,11 +262,12 @@ private:
     for (const auto t : doubtful)
       if (!sign_is_sound(t) || volume(t) < 0)
         (sign_is_sound(t) ? inverted : flat).push_back(t);
-    warn_of(flat, "zero volume (flat within rounding)");
-    warn_of(inverted, "negative volume (inverted)");
+    warn_of(flat, "zero volume (flat within rounding)",
+            "the mesh is improved (operation improve_mesh) or the part is remeshed");
+    warn_of(inverted, "negative volume (inverted)", "the part is repaired or remeshed");
   }
 
-  void warn_of(const std::vector<tet_id>& bad, const char* what) {
+  void warn_of(const std::vector<tet_id>& bad, const char* what, const std::string& until) {
     if (bad.empty())
       return;
     vec3 at{};
@@ -274,8 +275,8 @@ private:
       at = at + 0.25 * raw_.positions[v];
     const auto count = bad.size() == 1 ? "1 tet has " : std::to_string(bad.size()) + " tets have ";
     warnings_.push_back(count + what + ", the first at " + place_text(at) +
-                        ": no stress can be computed until the part is repaired " +
-                        "or remeshed there (" + list_tets(bad) + ")");
+                        ": no stress can be computed until " + until + " there (" + list_tets(bad) +
+                        ")");
   }
 
   expected<void> link() {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "mesh/facet_pages.hpp"
+#include "ops/improve_mesh/flat_tets.hpp"
 
 namespace tedit::ops {
 
@@ -53,6 +54,28 @@ expected<void> check_tolerance(const mesh_version& mesh, double tolerance) {
               numbers);
 }
 
+/// All tets, or those around what is picked.
+expected<std::vector<tet_id>> region_of(const mesh_version& mesh, const selection& picked,
+                                        context& ctx) {
+  if (!picked.surfaces.empty())
+    return near_surfaces(mesh, picked.surfaces, ctx);
+  std::vector<tet_id> all;
+  for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live_tet(t))
+      all.push_back(t);
+  return all;
+}
+
+void tell(const flat_mending& flat, edit_result& result) {
+  if (flat.found == 0)
+    return;
+  result.figures.push_back(
+    {"flat_tets_mended", static_cast<double>(flat.mended), "", "tets without volume meshed anew"});
+  if (flat.mended < flat.found)
+    result.notices.push_back(std::to_string(flat.found - flat.mended) +
+                             " tets without volume are left: no mesh without them was found");
+}
+
 }  // namespace
 
 expected<edit_result> improve_mesh(const version_ptr& mesh, const selection& picked,
@@ -62,18 +85,22 @@ expected<edit_result> improve_mesh(const version_ptr& mesh, const selection& pic
   if (auto ok = check_tolerance(*mesh, settings.tolerance.absolute); !ok)
     return fail(ok.error());
   ctx.run.report(0.1, "finding the region");
+  auto region = region_of(*mesh, picked, ctx);
+  if (!region)
+    return fail(region.error());
+  mesh_builder builder(mesh);
+  const auto flat = mend_flat_tets(builder, *region, ctx);
+  if (!flat)
+    return fail(flat.error());
   edit_result result;
-  if (picked.surfaces.empty()) {
-    for (tet_id t = 0; t < mesh->tet_slots(); ++t)
-      if (mesh->is_live_tet(t))
-        result.touched.push_back(t);
-  } else {
-    auto region = near_surfaces(*mesh, picked.surfaces, ctx);
+  result.candidate = builder.freeze();
+  if (flat->mended > 0) {
+    region = region_of(*result.candidate, picked, ctx);
     if (!region)
       return fail(region.error());
-    result.touched = std::move(*region);
   }
-  result.candidate = mesh_builder(mesh).freeze();
+  result.touched = std::move(*region);
+  tell(*flat, result);
   result.surfaces_used = picked.surfaces;
   result.improve = improvement::thorough;
   result.thorough = settings;

@@ -5,9 +5,9 @@
 
 namespace tedit::ops {
 
-/// The version as it is, with the region that the host's optimizer shall work on: all tets, or
-/// those within three rings of the surfaces picked.
-/// Errors: `cancelled`. Cost: O(mesh).
+/// The version with its tets without volume meshed anew, and the region that the host's optimizer
+/// shall work on: all tets, or those within three rings of the surfaces picked.
+/// Errors: `cancelled`. Cost: O(mesh), and a child process for each place with such tets.
 [[nodiscard]] expected<edit_result> improve_mesh(const version_ptr& mesh, const selection& picked,
                                                  const thorough_settings& settings, context& ctx);
 

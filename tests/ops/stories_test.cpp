@@ -11,6 +11,7 @@
 #include "mesh/features/surface_shape.hpp"
 #include "mesh/features/wall_shape.hpp"
 #include "mesh/finish_edit.hpp"
+#include "mesh/flat.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/loader/catalogue.hpp"
 #include "ops/services/host_services.hpp"
@@ -234,14 +235,39 @@ TEST_F(Stories, WhatIsTooThinIsToldAlikeWhateverIsAskedFor) {
   const auto base = part("heatsink_125");
   ASSERT_TRUE(base);
 
-  const auto six = edit(base, "erode", {1}, {{"depth", 0.006}});
-  const auto eight = edit(base, "erode", {1}, {{"depth", 0.008}});
+  context ctx;  // Without a search for the most that works.
+  ctx.host = host_.get();
+  const auto six = run_operation(plugins_, "erode", base, {{1}}, {{"depth", 0.006}}, ctx);
+  const auto eight = run_operation(plugins_, "erode", base, {{1}}, {{"depth", 0.008}}, ctx);
 
   ASSERT_FALSE(six);
   ASSERT_FALSE(eight);
   // The material over a screw hole.
   EXPECT_THAT(six.error().message, HasSubstr("only 0.9997 mm thick between surfaces 1 and 71 at"));
   EXPECT_EQ(six.error().message, eight.error().message);
+}
+
+/// As imported it cannot be solved: three tets have no volume.
+TEST_F(Stories, APartWithFlatTetsIsMendedByImprovingItsMesh) {
+  const auto imported = import_mesh(
+    std::filesystem::path(TEDIT_TEST_DATA "/parts/base_so101/base_so101.coarse.msh"), "mm");
+  ASSERT_TRUE(imported);
+  const auto& base = imported->version;
+  const auto flat = [](const mesh_version& mesh) {
+    std::size_t count = 0;
+    for (tet_id t = 0; t < mesh.tet_slots(); ++t)
+      if (mesh.is_live_tet(t))
+        count += is_flat(mesh.corners(t), signed_volume(mesh.corners(t)));
+    return count;
+  };
+  ASSERT_EQ(flat(*base), 3U);
+
+  const auto made = edit(base, "improve_mesh", {}, {});
+
+  ASSERT_TRUE(made) << render(made.error());
+  EXPECT_EQ(flat(*made->version), 0U);
+  EXPECT_NEAR(total_volume(*made->version), total_volume(*base), 1e-12 * total_volume(*base));
+  EXPECT_EQ(made->version->surfaces(), base->surfaces());
 }
 
 }  // namespace
