@@ -45,6 +45,9 @@ struct window_context {
   banner& messages;
   log_panel& log;
   truth_line& truth;
+  /// Takes a click on the part for what is open instead of for the selection: true if it did. May
+  /// be empty.
+  std::function<bool(const picked_point&)> takes_place = {};
 
   /// For commands that need a part.
   [[nodiscard]] std::function<bool()> has_part() const {

@@ -520,6 +520,10 @@
         <source>x; y; z in %1, or empty: by the wall</source>
         <translation>x; y; z in %1, oder leer: nach der Fläche</translation>
     </message>
+    <message>
+        <source>click the part, or x; y; z in %1</source>
+        <translation>das Teil anklicken oder x; y; z in %1</translation>
+    </message>
 </context>
 <context>
     <name>operations</name>
@@ -1130,6 +1134,10 @@
     <message>
         <source>Surfaces of any form move by exactly the depth and keep their names, so loads on them stay. Beside a neighbour that runs on smoothly a step is left: select it, too, to move both. A cut that would split the part is refused unless &quot;Pieces&quot; allows it.</source>
         <translation>Flächen jeder Form rücken um genau die Tiefe und behalten ihre Namen, also bleiben Lasten auf ihnen. Neben einer Nachbarfläche, die glatt weiterläuft, bleibt eine Stufe: auch sie auswählen, um beide zu bewegen. Ein Schnitt, der das Teil teilen würde, wird abgelehnt, außer „Stücke“ erlaubt ihn.</translation>
+    </message>
+    <message>
+        <source>tets without volume meshed anew</source>
+        <translation>Tetraeder ohne Volumen neu vernetzt</translation>
     </message>
 </context>
 <context>
@@ -2078,10 +2086,6 @@
     <message>
         <source>%1, ... (%2 in all)</source>
         <translation>%1, ... (%2 insgesamt)</translation>
-    </message>
-    <message>
-        <source>%1, the first at %2: no stress can be computed until the part is repaired or remeshed there (%3)</source>
-        <translation>%1, der erste bei %2: keine Spannung lässt sich rechnen, bis das Bauteil dort repariert oder neu vernetzt ist (%3)</translation>
     </message>
     <message>
         <source>%1: area of surface %2 is now %3 mm2 (%4)%5</source>
@@ -5966,6 +5970,30 @@
     <message>
         <source>there are only %1 of space between surfaces %2 and %3 at %4</source>
         <translation>zwischen den Flächen %2 und %3 sind bei %4 nur %1 Platz</translation>
+    </message>
+    <message>
+        <source>%1 tets without volume are left: no mesh without them was found</source>
+        <translation>%1 Tetraeder ohne Volumen sind geblieben: ohne sie fand sich kein Netz</translation>
+    </message>
+    <message>
+        <source>tets without volume meshed anew</source>
+        <translation>Tetraeder ohne Volumen neu vernetzt</translation>
+    </message>
+    <message>
+        <source>Improve the mesh (operation improve_mesh), or remesh the part there</source>
+        <translation>Das Netz verbessern (Operation improve_mesh) oder das Teil dort neu vernetzen</translation>
+    </message>
+    <message>
+        <source>%1, the first at %2: no stress can be computed until %3 there (%4)</source>
+        <translation>%1, der erste bei %2: keine Spannung lässt sich berechnen, bis dort %3 (%4)</translation>
+    </message>
+    <message>
+        <source>the mesh is improved (operation improve_mesh) or the part is remeshed</source>
+        <translation>das Netz verbessert (Operation improve_mesh) oder das Teil neu vernetzt ist</translation>
+    </message>
+    <message>
+        <source>the part is repaired or remeshed</source>
+        <translation>das Teil repariert oder neu vernetzt ist</translation>
     </message>
 </context>
 <context>

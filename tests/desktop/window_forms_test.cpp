@@ -7,9 +7,13 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include <map>
+
 #include "client-qt/tools/history/history_strip.hpp"
 #include "client-qt/tools/loads/load_editor.hpp"
 #include "client-qt/tools/loads/loads_panel.hpp"
+#include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/operations/operation_form.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -196,6 +200,66 @@ TEST_F(Forms, SurfacesThatAreClickedBecomeThoseOfTheLoadAndEscClosesItsFormFirst
   EXPECT_FALSE(picked().empty());
   press_esc();
   EXPECT_TRUE(picked().empty());
+}
+
+/// The place that the open form has, m; far away without one.
+vec3 place_of(const operation_form& form) {
+  const auto typed = QString::fromStdString(std::get<std::string>(form.values().at("at")));
+  const auto numbers = typed.split(',');
+  return numbers.size() == 3
+           ? vec3{numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble()}
+           : vec3{9, 9, 9};
+}
+
+TEST_F(Forms, AClickWhileAFormHasAPlaceIsThatPlaceOnThatWall) {
+  open_plate(false);
+  ASSERT_TRUE(window->context().all_commands.trigger("op.drill"));
+  auto* form = window->findChild<operation_form*>();
+  ASSERT_TRUE(form);
+  // Places around which nothing but one wall is, of the wall that has most of them.
+  const auto wall_at = [&](QPointF at) {
+    const auto hit = view().pick_at(at);
+    return hit ? hit->surface : 0;
+  };
+  std::map<surface_id, std::vector<QPointF>> places;
+  for (int x = 40; x < view().width() - 40; x += 10)
+    for (int y = 40; y < view().height() - 40; y += 10) {
+      const QPointF at(x, y);
+      const auto wall = wall_at(at);
+      if (wall == wall_at(at + QPointF(15, 0)) && wall == wall_at(at - QPointF(15, 0)) &&
+          wall == wall_at(at + QPointF(0, 15)) && wall == wall_at(at - QPointF(0, 15)))
+        places[wall].push_back(at);
+    }
+  places.erase(0);
+  ASSERT_FALSE(places.empty());
+  const auto& [wall, clear] =
+    *std::ranges::max_element(places, {}, [](const auto& row) { return row.second.size(); });
+  ASSERT_GE(clear.size(), 3U);
+  const auto click_at = [&](QPointF at) {
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, at.toPoint());
+    const auto hit = view().pick_at(at);
+    return hit ? hit->at : vec3{};
+  };
+
+  const auto first = click_at(clear[clear.size() / 2]);
+
+  EXPECT_EQ(picked(), std::vector{wall});
+  EXPECT_LT(norm(place_of(*form) - first), 2e-3);  // A pixel is about a millimetre.
+  auto& preview = window->tools().operations.panel().preview();
+  ASSERT_TRUE(wait([&] { return !preview.is_busy() && (preview.shown() || preview.refusal()); }));
+  ASSERT_TRUE(preview.shown()) << render(*preview.refusal());
+
+  // With the preview in sight, elsewhere on the wall: it stays selected, the place moves.
+  const auto then = click_at(clear.front());
+  EXPECT_EQ(picked(), std::vector{wall});
+  EXPECT_GT(norm(place_of(*form) - first), 5e-3);
+  EXPECT_LT(norm(place_of(*form) - then), 2e-3);
+
+  // Shift adds to the selection as ever; once the form is closed a click selects.
+  const auto second = place_of(*form);
+  click_surface(wall == 98 ? 7 : 98, Qt::ShiftModifier);
+  EXPECT_EQ(place_of(*form), second);
+  EXPECT_TRUE(window->context().picked.contains(wall));
 }
 
 TEST_F(Forms, EscClosesThePaletteAndLeavesAListBeforeItDropsTheSelection) {

@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QWhatsThis>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -287,7 +288,9 @@ QWidget* operation_form::make_vector(const ops::parameter_description& parameter
   const QString unit = text(parameter.unit);
   const QString shown = shown_as(unit).name;
   box->setPlaceholderText(
-    shown.isEmpty()
+    parameter.type == ops::parameter_type::point
+      ? operation_form_phrases::tr("click the part, or x; y; z in %1").arg(shown)
+    : shown.isEmpty()
       ? operation_form_phrases::tr("x; y; z, or empty: by the wall")
       : operation_form_phrases::tr("x; y; z in %1, or empty: by the wall").arg(shown));
   connect(box, &QLineEdit::textChanged, this, &operation_form::changed);
@@ -317,6 +320,22 @@ void operation_form::set_values(const ops::parameters& values) {
   for (const auto& [id, value] : values)
     if (const auto found = fields_.find(id); found != fields_.end())
       found->second.set(value);
+}
+
+bool operation_form::has_place() const {
+  return std::ranges::count(about_.parameters, ops::parameter_type::point,
+                            &ops::parameter_description::type) > 0;
+}
+
+void operation_form::set_place(const vec3& at) {
+  const auto place = std::ranges::find(about_.parameters, ops::parameter_type::point,
+                                       &ops::parameter_description::type);
+  if (place == about_.parameters.end())
+    return;
+  QStringList numbers;
+  for (const double x : {at.x, at.y, at.z})
+    numbers.append(QString::number(1e-6 * std::round(1e6 * x), 'g', 12));
+  fields_.at(place->id).set(numbers.join(", ").toStdString());
 }
 
 void operation_form::reset() {

@@ -26,6 +26,10 @@ public:
   /// Takes values over; those of unknown parameters are passed over.
   void set_values(const ops::parameters& values);
   void reset();
+  /// Whether a click on the part can give a parameter its place.
+  [[nodiscard]] bool has_place() const;
+  /// The first such parameter becomes this, m, to the micrometre.
+  void set_place(const vec3& at);
 
 signals:
   void changed();

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "client-qt/context/command_groups.hpp"
+#include "client-qt/model/probes.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
 
 namespace tedit::desktop {
@@ -50,6 +51,7 @@ operations_tool::operations_tool(window_context& in)
       panel_->choose({});
   });
   connect(panel_, &context_panel::place_wanted, &in_.view.framing(), &part_framing::fit);
+  in_.takes_place = [this](const picked_point& at) { return take_place(at); };
   add_commands();
 }
 
@@ -66,6 +68,24 @@ void operations_tool::add_commands() {
       panel_->choose({});
     return open;
   });
+}
+
+/// A click while the form has a place means that place, on that wall.
+bool operations_tool::take_place(const picked_point& at) {
+  auto* form = panel_->form();
+  const auto* head = in_.part.head();
+  if (panel_->chosen().isEmpty() || !form || !form->has_place() || !head || !head->surface)
+    return false;
+  auto wanted = make_probe(0, at.surface, at.vertices, at.weights, *head->surface);
+  if (panel_->preview().shown()) {
+    // What is drawn is the preview, whose triangles may be others; it is not drawn deformed.
+    wanted.place.at = at.at;
+    if (const auto place = locate(wanted, *head->surface))
+      wanted.place.at = place->at;
+  }
+  in_.picked.set({at.surface});
+  form->set_place(wanted.place.at);
+  return true;
 }
 
 /// From the catalogue: operations of plugins that this program never saw are there as well.

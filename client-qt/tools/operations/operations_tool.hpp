@@ -22,6 +22,7 @@ public:
 private:
   void add_commands();
   void offer();
+  [[nodiscard]] bool take_place(const picked_point& at);
 
   window_context& in_;
   context_panel* panel_;

@@ -47,9 +47,14 @@ void selection_tool::click(const std::optional<picked_point>& at, Qt::KeyboardMo
   if (!picks_)
     return;
   const auto* head = in_.part.head();  // A preview may have others.
-  if (at && head && head->surface && head->surface->surfaces().contains(at->surface))
-    in_.picked.click(at->surface, modifiers & Qt::ShiftModifier);
-  else if (!at && !(modifiers & Qt::ShiftModifier))
+  const bool adds = modifiers & Qt::ShiftModifier;
+  const bool of_head =
+    at && head && head->surface && head->surface->surfaces().contains(at->surface);
+  if (of_head && !adds && in_.takes_place && in_.takes_place(*at))
+    return;
+  if (of_head)
+    in_.picked.click(at->surface, adds);
+  else if (!at && !adds)
     in_.picked.clear();
 }
 
