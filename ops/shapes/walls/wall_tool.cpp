@@ -32,6 +32,8 @@ constexpr double along_face = 1e-3;
 /// How far beyond it the tool goes, in edges.
 constexpr double beyond = 0.3;
 constexpr int tool_newton_steps = 12;
+/// Demands that meet at less than this sine are one.
+constexpr double least_tool_sine = 0.2;
 
 std::string millimetres(double length) {
   char text[32];
@@ -219,35 +221,34 @@ private:
   side_rule rule_at(const border_edge& border) {
     const auto& facet = mesh_.facet(facets_[border.inner]);
     const auto outer = across_[3 * border.inner + border.edge];
-    side_rule rule;
-    rule.neighbour = mesh_.facet(outer).surface;
     const vec3 a = mesh_.position(facet.v[border.edge]);
     const vec3 b = mesh_.position(facet.v[(border.edge + 1) % 3]);
     const vec3 middle = 0.5 * (a + b);
     const auto& wall = shape_of(facet.surface);
-    const auto& beside = shape_of(rule.neighbour);
     const vec3 n = wall ? wall->normal(middle) : normal_of(facets_[border.inner]);
-    const vec3 away = normalized(cross(b - a, n));
+    side_rule rule;
+    rule.neighbour = mesh_.facet(outer).surface;
+    rule.shape.point = middle;
+    rule.shape.axis = normalized(cross(b - a, n));
+    const auto& beside = shape_of(rule.neighbour);
     const vec3 other = beside ? beside->normal(middle) : normal_of(outer);
     const double bend = std::atan2(norm(cross(n, other)), dot(n, other));
-    const bool rises = material_angle(mesh_, facets_[border.inner], border.edge) > std::numbers::pi;
-    rule.shape.point = middle;
-    rule.shape.axis = away;
     if (bend < (wall && beside ? smooth_exact : smooth_facets)) {
       result_.smooth.insert(rule.neighbour);
       return rule;
     }
-    const bool one_solid = mesh_.region_of(facet.tet) == mesh_.region_of(mesh_.facet(outer).tet);
-    const bool is_upright =
-      beside && one_solid && std::abs(bend - 0.5 * std::numbers::pi) < upright;
-    const bool goes_along = distance_ > 0 ? !rises : rises;
-    if (goes_along) {
-      if (is_upright)
+    const bool rises = material_angle(mesh_, facets_[border.inner], border.edge) > std::numbers::pi;
+    if (distance_ > 0 ? !rises : rises) {
+      const bool one_solid = mesh_.region_of(facet.tet) == mesh_.region_of(mesh_.facet(outer).tet);
+      if (beside && one_solid && std::abs(bend - 0.5 * std::numbers::pi) < upright)
         return {side_rule::kind::prolong, *beside, 0, rule.neighbour};
       return rule;
     }
-    const auto past = distance_past(a, b, n, away);
-    return past ? side_rule{side_rule::kind::past, rule.shape, *past, rule.neighbour} : rule;
+    if (const auto past = distance_past(a, b, n, rule.shape.axis)) {
+      rule.type = side_rule::kind::past;
+      rule.target = *past;
+    }
+    return rule;
   }
 
   /// How far the tool has to go beside the wall until it is out of the part, or in its material;
@@ -274,11 +275,15 @@ private:
     return most + std::min(beyond * edge_, 0.5 * room);
   }
 
-  [[nodiscard]] vec3 place_of(const sheet_vertex& vertex) const {
-    struct demand {
-      wall_shape shape;
-      double target = 0;
-    };
+  /// A shape that a place shall be so far off, m.
+  struct demand {
+    wall_shape shape;
+    double target = 0;
+  };
+
+  /// Of the walls that the vertex lies on, then of the sides there; those that lead past the part
+  /// come last, as they need not be met exactly.
+  [[nodiscard]] std::vector<demand> demands_at(const sheet_vertex& vertex) const {
     const vec3 start = mesh_.position(vertex.v);
     std::vector<demand> demands;
     for (const auto id : vertex.walls) {
@@ -299,28 +304,40 @@ private:
         const auto& rule = borders_[i].rule;
         if ((rule.type == side_rule::kind::past) != past)
           continue;
-        auto shape = rule.shape;
-        if (rule.type != side_rule::kind::prolong)
-          shape.point = start;
-        demands.push_back(
-          {shape, rule.type == side_rule::kind::prolong ? shape.distance(start) : rule.target});
+        const bool goes_on = rule.type == side_rule::kind::prolong;
+        demand side{rule.shape, goes_on ? rule.shape.distance(start) : rule.target};
+        if (!goes_on)
+          side.shape.point = start;
+        demands.push_back(side);
       }
+    return demands;
+  }
+
+  /// The shortest step that meets the demands to first order, the first ones first.
+  [[nodiscard]] static vec3 step_to(const std::vector<demand>& demands, vec3 x) {
+    std::vector<vec3> basis;
+    vec3 move;
+    for (const auto& d : demands) {
+      const vec3 slope = d.shape.normal(x);
+      const double missing = d.target - d.shape.distance(x) - dot(slope, move);
+      vec3 rest = slope;
+      for (const auto& b : basis)
+        rest = rest - dot(rest, b) * b;
+      const double size = norm(rest);
+      if (size < least_tool_sine || basis.size() == 3)
+        continue;
+      basis.push_back(rest / size);
+      move += missing / size * basis.back();
+    }
+    return move;
+  }
+
+  [[nodiscard]] vec3 place_of(const sheet_vertex& vertex) const {
+    const auto demands = demands_at(vertex);
+    const vec3 start = mesh_.position(vertex.v);
     vec3 x = start;
     for (int n = 0; n < tool_newton_steps; ++n) {
-      std::vector<vec3> basis;
-      vec3 move;
-      for (const auto& d : demands) {
-        const vec3 slope = d.shape.normal(x);
-        const double missing = d.target - d.shape.distance(x) - dot(slope, move);
-        vec3 rest = slope;
-        for (const auto& b : basis)
-          rest = rest - dot(rest, b) * b;
-        const double size = norm(rest);
-        if (size < 0.2 || basis.size() == 3)
-          continue;
-        basis.push_back(rest / size);
-        move += missing / size * basis.back();
-      }
+      const vec3 move = step_to(demands, x);
       x += move;
       if (norm(move) <= 1e-12 * norm(x - start))
         break;
