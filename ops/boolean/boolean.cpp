@@ -48,7 +48,7 @@ constexpr std::size_t many_tets = 30'000;
 
 /// After so many tries a mesh that is worse than this share of what is taken ends them.
 constexpr std::size_t hopeless_tries = 3;
-constexpr double hopeless = 0.2;
+constexpr double hopeless = 0.02;
 
 double volume_of(const tool_surface& tool) {
   double sum = 0;
