@@ -8,9 +8,10 @@
 namespace tedit::ops {
 
 /// Moves walls of any form by `distance` (m, outward; negative: into the material): what lies
-/// between them and where they go is cut off or added (`make_wall_tool`, `services::boolean`). What
-/// is left of each keeps its id. Errors: those of both, and `invalid_argument` where the part would
-/// fall into pieces. Cost: that of a boolean with a tool as large as the walls.
+/// between them and where they go is cut off or added (`make_wall_tool`, `services::boolean_onto`).
+/// What is left of each keeps its id. Errors: those of both, `invalid_argument` where the part
+/// would fall into pieces or nothing of a wall would be left, those of `passes`. Cost: that of a
+/// boolean with a tool as large as the walls.
 [[nodiscard]] expected<edit_result> move_by_tool(const version_ptr& mesh,
                                                  const std::vector<surface_id>& surfaces,
                                                  double distance, context& ctx);
