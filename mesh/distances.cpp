@@ -32,4 +32,22 @@ double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c) {
     {segments_apart(p, p, a, b), segments_apart(p, p, b, c), segments_apart(p, p, c, a)});
 }
 
+std::optional<triangle_hit> ray_through(const std::array<vec3, 3>& triangle, vec3 origin,
+                                        vec3 direction) {
+  const vec3 one = triangle[1] - triangle[0];
+  const vec3 two = triangle[2] - triangle[0];
+  const vec3 across = cross(direction, two);
+  const double det = dot(one, across);
+  if (det == 0)
+    return std::nullopt;
+  const vec3 from = origin - triangle[0];
+  const double u = dot(from, across) / det;
+  const vec3 q = cross(from, one);
+  const double v = dot(direction, q) / det;
+  const double distance = dot(two, q) / det;
+  if (!(u >= 0 && v >= 0 && u + v <= 1 && distance >= 0))
+    return std::nullopt;
+  return triangle_hit{distance, dot(cross(one, two), direction) > 0};
+}
+
 }  // namespace tedit

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "mesh/vec3.hpp"
 
 namespace tedit {
@@ -10,5 +13,16 @@ namespace tedit {
 
 /// The distance of a point from a triangle, m; that may be flat or a point. Cost: O(1).
 [[nodiscard]] double point_to_triangle(vec3 p, vec3 a, vec3 b, vec3 c);
+
+/// Where a ray passes through a triangle.
+struct triangle_hit {
+  double distance = 0;  ///< m, along the unit direction; never behind the origin.
+  bool leaves = false;  ///< The ray goes with the triangle's normal.
+};
+
+/// Nothing where it does not, or lies in the triangle's plane. Source: Moeller and Trumbore 1997.
+/// Cost: O(1).
+[[nodiscard]] std::optional<triangle_hit> ray_through(const std::array<vec3, 3>& triangle,
+                                                      vec3 origin, vec3 direction);
 
 }  // namespace tedit

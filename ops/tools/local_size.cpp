@@ -108,21 +108,8 @@ std::vector<ray_hit> ray_hits(const mesh_version& mesh, vec3 origin, vec3 direct
   for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
     if (!mesh.is_live_facet(f))
       continue;
-    // Moeller and Trumbore 1997.
-    const auto p = corners_of(mesh, f);
-    const vec3 one = p[1] - p[0];
-    const vec3 two = p[2] - p[0];
-    const vec3 across = cross(direction, two);
-    const double det = dot(one, across);
-    if (det == 0)
-      continue;
-    const vec3 from = origin - p[0];
-    const double u = dot(from, across) / det;
-    const vec3 q = cross(from, one);
-    const double v = dot(direction, q) / det;
-    const double distance = dot(two, q) / det;
-    if (u >= 0 && v >= 0 && u + v <= 1 && distance >= 0)
-      hits.push_back({distance, f, dot(cross(one, two), direction) > 0});
+    if (const auto hit = ray_through(corners_of(mesh, f), origin, direction))
+      hits.push_back({hit->distance, f, hit->leaves});
   }
   std::ranges::sort(hits, {}, &ray_hit::distance);
   return hits;

@@ -2,31 +2,10 @@
 #include "ops/shapes/walls/near_boundary.hpp"
 
 #include <algorithm>
-#include <optional>
+
+#include "mesh/distances.hpp"
 
 namespace tedit::ops {
-
-namespace {
-
-/// Moeller and Trumbore 1997.
-std::optional<near_boundary::crossing> hit(const std::array<vec3, 3>& p, vec3 from,
-                                           vec3 direction) {
-  const vec3 one = p[1] - p[0];
-  const vec3 two = p[2] - p[0];
-  const vec3 across = cross(direction, two);
-  const double det = dot(one, across);
-  if (det == 0)
-    return std::nullopt;
-  const vec3 start = from - p[0];
-  const double u = dot(start, across) / det;
-  const vec3 q = cross(start, one);
-  const double v = dot(direction, q) / det;
-  if (!(u >= 0 && v >= 0 && u + v <= 1))
-    return std::nullopt;
-  return near_boundary::crossing{dot(two, q) / det, dot(cross(one, two), direction) > 0, no_id};
-}
-
-}  // namespace
 
 near_boundary::near_boundary(const mesh_version& mesh, const box& where)
     : mesh_(mesh), tree_(collect(where)) {}
@@ -35,11 +14,9 @@ std::vector<near_boundary::crossing> near_boundary::along(vec3 from, vec3 direct
                                                           double reach) const {
   std::vector<crossing> result;
   (void)tree_.any_meeting(box_of(std::array{from, from + reach * direction}), [&](std::size_t i) {
-    auto found = hit(corners(facets_[i]), from, direction);
-    if (found && found->distance >= 0 && found->distance <= reach) {
-      found->facet = facets_[i];
-      result.push_back(*found);
-    }
+    const auto hit = ray_through(corners(facets_[i]), from, direction);
+    if (hit && hit->distance <= reach)
+      result.push_back({hit->distance, hit->leaves, facets_[i]});
     return false;
   });
   std::ranges::sort(result, {}, &crossing::distance);
