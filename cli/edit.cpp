@@ -84,6 +84,12 @@ int run_edit(const edit_options& options, session& s) {
   if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
     notice(s, "note: " + render(can.error()));
   const auto plugins = ops::load_default_catalogue();
+  if (const auto offered = plugins.find(request.operation)) {
+    auto filled = with_files((*offered)->description, std::move(request.parameters));
+    if (!filled)
+      return print_error(s, filled.error());
+    request.parameters = std::move(*filled);
+  }
   const auto outcome = make_edit(plugins, imported->version, request, load_cases,
                                  place_of(options, s), make_execution(s));
   if (!outcome)

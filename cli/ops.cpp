@@ -30,6 +30,10 @@ const char* type_name(ops::parameter_type type) {
       return "point";
     case ops::parameter_type::direction:
       return "direction";
+    case ops::parameter_type::vector:
+      return "vector";
+    case ops::parameter_type::file:
+      return "file";
   }
   return "text";
 }

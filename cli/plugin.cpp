@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/attachment.hpp"
 #include "cli/command.hpp"
 #include "cli/number_option.hpp"
 #include "cli/parameters.hpp"
@@ -102,6 +103,13 @@ expected<ops::conformance_settings> settings_of(const test_options& options) {
   if (!values)
     return fail(values.error());
   settings.selected = options.selected;
+  for (auto& [name, value] : *values)
+    if (const auto& text = std::get<std::string>(value); text.starts_with('@')) {
+      auto content = attach_file(text.substr(1));
+      if (!content)
+        return fail(content.error());
+      value = std::move(*content);
+    }
   settings.values = std::move(*values);
   settings.limit = std::chrono::milliseconds(static_cast<std::int64_t>(1000 * options.limit_s));
   return settings;
@@ -166,7 +174,9 @@ void add_test(CLI::App& plugin, action& chosen) {
     ->add_option("--select", options->selected,
                  "Surfaces of the part that the operation accepts, separated by commas")
     ->delimiter(',');
-  command->add_option("--set", options->pairs, "A parameter as NAME=VALUE; may be repeated");
+  command->add_option(
+    "--set", options->pairs,
+    "A parameter as NAME=VALUE, the content of a file as NAME=@PATH; may be repeated");
   command->add_option("--limit", options->limit_s, "Seconds for one call of the plugin")
     ->capture_default_str()
     ->check(number_in({0.1, 3600, "s"}));

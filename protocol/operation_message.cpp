@@ -25,6 +25,10 @@ v1::Parameter::Type type_to(ops::parameter_type type) {
       return v1::Parameter::POINT;
     case ops::parameter_type::direction:
       return v1::Parameter::DIRECTION;
+    case ops::parameter_type::vector:
+      return v1::Parameter::VECTOR;
+    case ops::parameter_type::file:
+      return v1::Parameter::FILE;
   }
   return v1::Parameter::TYPE_UNSPECIFIED;
 }
@@ -43,6 +47,10 @@ ops::parameter_type type_from(v1::Parameter::Type type) {
       return ops::parameter_type::point;
     case v1::Parameter::DIRECTION:
       return ops::parameter_type::direction;
+    case v1::Parameter::VECTOR:
+      return ops::parameter_type::vector;
+    case v1::Parameter::FILE:
+      return ops::parameter_type::file;
     default:
       return ops::parameter_type::text;
   }

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 
+#include "base/attachment.hpp"
 #include "client/recipe.hpp"
 #include "client/recipes/values.hpp"
 #include "client/recipes/window_rules.hpp"
@@ -231,9 +232,19 @@ private:
         into[id] = number_from(given, range, name);
       else if (given.is_string())
         into[id] = text_from(given, name);
+      else if (given.is_object() && given.size() == 1 && given.contains("file"))
+        into[id] = content_of(text_from(given["file"], name + ": \"file\""), name);
       else
-        refuse(name + " must be a number, a text, true or false");
+        refuse(name + " must be a number, a text, true or false, or {\"file\": \"PATH\"}");
     }
+  }
+
+  /// A file's content goes with the recipe, as a load case in another file does.
+  [[nodiscard]] std::string content_of(const std::string& path, words what) const {
+    auto text = attach_file((folder_ / path).string());
+    if (!text)
+      refuse(what + ": " + text.error().message, text.error().remedy);
+    return std::move(*text);
   }
 
   const json& body_;

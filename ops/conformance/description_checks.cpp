@@ -69,9 +69,11 @@ std::string units(plugin_trial& b) {
     "N/m", "N m", "Pa",  "N/m^3", "J",   "W", "K",   "m/s", "m/s^2", "J/m^3",  "1"};
   for (const auto& p : b.description().parameters) {
     const bool number = p.type == parameter_type::real || p.type == parameter_type::integer;
-    if (p.type == parameter_type::point && p.unit != "m")
-      throw failure{"the point " + p.id + " has the unit \"" + p.unit + "\"", "Give it m"};
-    if (p.unit.empty() || p.type == parameter_type::point || (number && si.contains(p.unit)))
+    const bool place = p.type == parameter_type::point || p.type == parameter_type::vector;
+    if (place && p.unit != "m")
+      throw failure{"the point or vector " + p.id + " has the unit \"" + p.unit + "\"",
+                    "Give it m"};
+    if (p.unit.empty() || place || (number && si.contains(p.unit)))
       continue;
     if (!number)
       throw failure{"parameter " + p.id + " is no number and has the unit \"" + p.unit + "\"",

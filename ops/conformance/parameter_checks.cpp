@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/attachment.hpp"
 #include "ops/conformance/kit.hpp"
 #include "ops/loader/catalogue.hpp"
 
@@ -68,26 +69,39 @@ std::string at_limits(plugin_trial& b) {
   return std::to_string(answered) + " values answered";
 }
 
+/// Of every byte, as a binary file that means nothing.
+std::string rubbish() {
+  std::string bytes(1000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<char>(i * i * 31 + i / 7);
+  return bytes;
+}
+
 std::string hostile(plugin_trial& b) {
   b.load();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<parameter_value> values{std::nan(""),
-                                            infinity,
-                                            -infinity,
-                                            1e300,
-                                            -1e300,
-                                            5e-324,
-                                            0.0,
-                                            -1.0,
-                                            std::numeric_limits<std::int64_t>::max(),
-                                            std::numeric_limits<std::int64_t>::min(),
-                                            std::int64_t{0},
-                                            std::string(),
-                                            std::string(1 << 20, 'x'),
-                                            std::string("\xff\x01\n%n%s"),
-                                            std::string("0, 0, 0"),
-                                            std::string("1e30, -1e30, 1e-30"),
-                                            true};
+  const std::vector<parameter_value> values{
+    std::nan(""),
+    infinity,
+    -infinity,
+    1e300,
+    -1e300,
+    5e-324,
+    0.0,
+    -1.0,
+    std::numeric_limits<std::int64_t>::max(),
+    std::numeric_limits<std::int64_t>::min(),
+    std::int64_t{0},
+    std::string(),
+    std::string(1 << 20, 'x'),
+    std::string("\xff\x01\n%n%s"),
+    std::string("0, 0, 0"),
+    std::string("1e30, -1e30, 1e-30"),
+    attachment_text({"empty.stl", ""}),
+    attachment_text({"rubbish.stl", rubbish()}),
+    attachment_text({"no_end.stl", "solid part\nfacet nor"}),
+    attachment_text({"no_end.svg", "<svg><path d=\"M 1e99"}),
+    true};
   int answered = 0;
   for (const auto& p : b.description().parameters)
     for (const auto& value : values)

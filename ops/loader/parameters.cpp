@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "base/attachment.hpp"
 #include "base/number_range.hpp"
 #include "ops/loader/catalogue.hpp"
 
@@ -45,7 +46,8 @@ bool parse_number(const std::string& text, T& value) {
 }
 
 bool is_vector(const parameter_description& p) {
-  return p.type == parameter_type::point || p.type == parameter_type::direction;
+  return p.type == parameter_type::point || p.type == parameter_type::direction ||
+         p.type == parameter_type::vector;
 }
 
 /// Three numbers with commas or blanks between; exactly those.
@@ -81,6 +83,19 @@ expected<parameter_value> typed_vector(const parameter_description& p, const par
   if (p.type == parameter_type::direction && norm(*v) == 0)
     return wrong(p, "a direction is not 0, 0, 0");
   return parameter_value(vector_text(scale * *v));
+}
+
+/// The content of a file, or nothing where that is the default.
+expected<parameter_value> typed_file(const parameter_description& p, const parameter_value& given) {
+  const auto* text = std::get_if<std::string>(&given);
+  if (!text)
+    return wrong(p, "it is the content of a file");
+  if (text->empty() && p.default_value == parameter_value(std::string{}))
+    return given;
+  if (const auto file = read_attachment(*text); !file)
+    return fail(ec::invalid_parameter, "parameter " + p.id + ": " + file.error().message,
+                file.error().remedy);
+  return given;
 }
 
 /// A value given as text takes the parameter's type.
@@ -123,7 +138,10 @@ expected<parameter_value> typed(const parameter_description& p, const parameter_
       return wrong(p, "it is a text");
     case parameter_type::point:
     case parameter_type::direction:
+    case parameter_type::vector:
       return typed_vector(p, given);
+    case parameter_type::file:
+      return typed_file(p, given);
   }
   return wrong(p, "its type is unknown");
 }
@@ -152,7 +170,8 @@ expected<parameters> in_metres(const operation_description& description, const p
   parameters result = given;
   for (const auto& p : description.parameters) {
     const auto found = result.find(p.id + "_mm");
-    const bool length = p.type == parameter_type::real || p.type == parameter_type::point;
+    const bool length = p.type == parameter_type::real || p.type == parameter_type::point ||
+                        p.type == parameter_type::vector;
     if (p.unit != "m" || !length || found == result.end())
       continue;
     if (result.contains(p.id))

@@ -51,8 +51,20 @@ namespace tedit::ops {
 
 /// What a parameter holds; choice is one of the texts in `choices`.
 /// A point and a direction are three numbers in the axes of the part, as the text "1, 2.5, 0";
-/// empty where the operation finds one by itself. A point is in m.
-enum class parameter_type { boolean, integer, real, text, choice, point, direction };
+/// empty where the operation finds one by itself. A point is in m. A vector is a way in m: unlike a
+/// point it is no place, so that a click on the part does not give it. A file is its content
+/// (`base/attachment.hpp`), never a path.
+enum class parameter_type {
+  boolean,
+  integer,
+  real,
+  text,
+  choice,
+  point,
+  direction,
+  vector,  ///< Since SDK 7.3, as is `file`.
+  file
+};
 
 /// By type: bool, std::int64_t, double; std::string for all others.
 using parameter_value = std::variant<bool, std::int64_t, double, std::string>;
@@ -125,8 +137,8 @@ struct selection {
 /// `std::get<double>(values.at("distance"))` needs no test.
 using parameters = std::map<std::string, parameter_value>;
 
-/// The three numbers of a point or a direction; nothing where it was left to the operation. The
-/// host has checked that they are finite, and those of a direction not all 0.
+/// The three numbers of a point, a direction or a vector; nothing where it was left to the
+/// operation. The host has checked that they are finite, and those of a direction not all 0.
 [[nodiscard]] inline std::optional<vec3> vector_of(const parameters& values,
                                                    const std::string& id) {
   const auto& text = std::get<std::string>(values.at(id));
@@ -313,10 +325,10 @@ public:
 inline constexpr std::uint32_t plugin_magic = 0x54454450;  // "TEDP"
 /// A host takes plugins of its own major number and at most its own minor number. The major number
 /// goes up with any change of what plugins were compiled with; the minor one when `context` gets a
-/// member or `services` a function, each at its end. No number of a release of the program is in a
-/// plugin: a patch release changes neither.
+/// member, `services` a function or `parameter_type` a kind, each at its end. No number of a
+/// release of the program is in a plugin: a patch release changes neither.
 inline constexpr std::uint32_t sdk_major = 7;
-inline constexpr std::uint32_t sdk_minor = 2;
+inline constexpr std::uint32_t sdk_minor = 3;
 
 #define TEDIT_TEXT_OF(x) #x
 #define TEDIT_TEXT(x) TEDIT_TEXT_OF(x)
@@ -400,6 +412,7 @@ inline void add_description(std::vector<layout_fact>& facts) {
                      choices, default_value, instead));
   facts.push_back(last("parameter_type", parameter_type::choice));
   facts.push_back(last("parameter_type since 7.1", parameter_type::direction));
+  facts.push_back(last("parameter_type since 7.3", parameter_type::file));
 }
 
 inline void add_edit(std::vector<layout_fact>& facts) {

@@ -47,9 +47,11 @@ void choose_value(const ops::parameter_description& p, const number_source& numb
       values[p.id] = p.choices[below(numbers, p.choices.size())];
       break;
     case ops::parameter_type::text:
+    case ops::parameter_type::file:
       break;
     case ops::parameter_type::point:
-    case ops::parameter_type::direction: {
+    case ops::parameter_type::direction:
+    case ops::parameter_type::vector: {
       // Most points are left to the wall: few of those in the air meet the part.
       if (p.type == ops::parameter_type::point && below(numbers, 4) != 0)
         break;

@@ -21,6 +21,7 @@
 #include "client-qt/model/operation_words.hpp"
 #include "client-qt/model/quantities.hpp"
 #include "client-qt/model/typed_quantity.hpp"
+#include "client-qt/tools/operations/file_field.hpp"
 
 namespace tedit::desktop {
 
@@ -145,6 +146,14 @@ QString what_it_is(const ops::parameter_description& parameter) {
   return result;
 }
 
+QString vector_hint(ops::parameter_type type, const QString& unit) {
+  if (type == ops::parameter_type::point)
+    return operation_form_phrases::tr("click the part, or x; y; z in %1").arg(unit);
+  if (type == ops::parameter_type::vector)
+    return operation_form_phrases::tr("x; y; z in %1").arg(unit);
+  return operation_form_phrases::tr("x; y; z, or empty: by the wall");
+}
+
 }  // namespace
 
 operation_form::operation_form(const ops::operation_description& about, QWidget* parent)
@@ -205,7 +214,10 @@ QWidget* operation_form::make_field(const ops::parameter_description& parameter)
       return make_choice(parameter);
     case ops::parameter_type::point:
     case ops::parameter_type::direction:
+    case ops::parameter_type::vector:
       return make_vector(parameter);
+    case ops::parameter_type::file:
+      return make_file(parameter);
     default:
       return make_text(parameter);
   }
@@ -281,18 +293,13 @@ QWidget* operation_form::make_text(const ops::parameter_description& parameter) 
   return box;
 }
 
-/// Three numbers, those of a point in the unit that lengths are shown in. What cannot be read goes
-/// on as it is: the host says what is wrong with it.
+/// Three numbers, those of a point or a vector in the unit that lengths are shown in. What cannot
+/// be read goes on as it is: the host says what is wrong with it.
 QWidget* operation_form::make_vector(const ops::parameter_description& parameter) {
   auto* box = new QLineEdit;
   const QString unit = text(parameter.unit);
   const QString shown = shown_as(unit).name;
-  box->setPlaceholderText(
-    parameter.type == ops::parameter_type::point
-      ? operation_form_phrases::tr("click the part, or x; y; z in %1").arg(shown)
-    : shown.isEmpty()
-      ? operation_form_phrases::tr("x; y; z, or empty: by the wall")
-      : operation_form_phrases::tr("x; y; z in %1, or empty: by the wall").arg(shown));
+  box->setPlaceholderText(vector_hint(parameter.type, shown));
   connect(box, &QLineEdit::textChanged, this, &operation_form::changed);
   fields_[parameter.id] = {
     [box, unit] { return ops::parameter_value(read_vector(box->text(), unit)); },
@@ -301,6 +308,17 @@ QWidget* operation_form::make_vector(const ops::parameter_description& parameter
         box->setText(vector_words(*s, unit));
     }};
   return box;
+}
+
+QWidget* operation_form::make_file(const ops::parameter_description& parameter) {
+  auto* field = new file_field;
+  connect(field, &file_field::changed, this, &operation_form::changed);
+  fields_[parameter.id] = {[field] { return ops::parameter_value(field->content()); },
+                           [field](const ops::parameter_value& v) {
+                             if (const auto* s = std::get_if<std::string>(&v))
+                               field->set_content(*s);
+                           }};
+  return field;
 }
 
 ops::parameters operation_form::values() const {

@@ -52,6 +52,7 @@ private:
   [[nodiscard]] QWidget* make_real(const ops::parameter_description& parameter);
   [[nodiscard]] QWidget* make_choice(const ops::parameter_description& parameter);
   [[nodiscard]] QWidget* make_text(const ops::parameter_description& parameter);
+  [[nodiscard]] QWidget* make_file(const ops::parameter_description& parameter);
   [[nodiscard]] QWidget* make_vector(const ops::parameter_description& parameter);
 
   ops::operation_description about_;

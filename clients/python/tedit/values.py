@@ -2,6 +2,7 @@
 """Plain Python values as the protocol's messages."""
 from __future__ import annotations
 
+import base64
 import json
 import os
 import pathlib
@@ -12,7 +13,8 @@ from google.protobuf import json_format
 
 from .v1 import load_case_pb2, operation_pb2, report_pb2
 
-Value = typing.Union[bool, int, float, str]
+#: A path stands for what is in its file.
+Value = typing.Union[bool, int, float, str, "os.PathLike[str]"]
 #: A message, its JSON as a dictionary, or the path of a file (docs/load_cases.md).
 LoadCaseLike = typing.Union[load_case_pb2.LoadCase, typing.Mapping[str, typing.Any], str, "os.PathLike[str]"]
 #: What becomes of loads whose surface an edit takes away: "drop", "move", "refuse", or a message.
@@ -27,14 +29,21 @@ def make_edit_id() -> str:
 
 
 def parameter(value: Value) -> operation_pb2.ParameterValue:
-    """Lengths and the like are in the SI unit that the catalogue states."""
+    """Lengths and the like are in the SI unit that the catalogue states; a `pathlib.Path` is read, its content is sent."""
     if isinstance(value, bool):  # Which is an int, too.
         return operation_pb2.ParameterValue(boolean=value)
     if isinstance(value, int):
         return operation_pb2.ParameterValue(integer=value)
     if isinstance(value, str):
         return operation_pb2.ParameterValue(text=value)
+    if isinstance(value, os.PathLike):
+        return operation_pb2.ParameterValue(text=attachment(*contents(value)))
     return operation_pb2.ParameterValue(real=value)
+
+
+def attachment(data: bytes, name: str) -> str:
+    """What a parameter of the kind FILE takes."""
+    return f"data:{name.translate({ord(c): '_' for c in ';,'})};base64,{base64.b64encode(data).decode()}"
 
 
 def load_case(given: LoadCaseLike) -> load_case_pb2.LoadCase:

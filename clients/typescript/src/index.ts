@@ -8,4 +8,4 @@ export type { CallOptions, SocketLike } from "./link.js";
 export { Arrays, type TypedArray } from "./streams.js";
 export { Field, Surface, type TriangleMesh } from "./surface.js";
 export * as v1 from "./v1.js";
-export { makeEditId, type Parameters, type Policy, type SurfaceId, type Value } from "./values.js";
+export { makeEditId, type AttachedFile, type Parameters, type Policy, type SurfaceId, type Value } from "./values.js";

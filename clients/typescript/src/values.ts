@@ -5,7 +5,12 @@ import { InvalidArgument } from "./errors.js";
 import { LoadCaseSchema, LoadPolicy_Kind, type LoadCase, type LoadPolicySchema, type ParameterValueSchema } from "./v1.js";
 
 /** Lengths and the like are in the SI unit that the catalogue states. */
-export type Value = boolean | number | string;
+export type Value = boolean | number | string | AttachedFile;
+/** For a parameter of the kind FILE. */
+export interface AttachedFile {
+  readonly name: string;
+  readonly bytes: Uint8Array;
+}
 export type Parameters = Readonly<Record<string, Value>>;
 /** What becomes of loads whose surface an edit takes away. */
 export type Policy = "drop" | "move" | "refuse" | MessageInitShape<typeof LoadPolicySchema>;
@@ -20,8 +25,15 @@ export function makeEditId(): string {
 export function toParameter(value: Value): MessageInitShape<typeof ParameterValueSchema> {
   if (typeof value === "boolean") return { kind: { case: "boolean", value } };
   if (typeof value === "string") return { kind: { case: "text", value } };
+  if (typeof value === "object") return { kind: { case: "text", value: toAttachment(value) } };
   // A parameter that is a real number takes a whole one, too, but not the other way round.
   return Number.isSafeInteger(value) ? { kind: { case: "integer", value: BigInt(value) } } : { kind: { case: "real", value } };
+}
+
+function toAttachment(file: AttachedFile): string {
+  let binary = "";
+  for (const byte of file.bytes) binary += String.fromCharCode(byte);
+  return `data:${file.name.replace(/[;,]/g, "_")};base64,${btoa(binary)}`;
 }
 
 export function toParameters(values: Parameters): Record<string, MessageInitShape<typeof ParameterValueSchema>> {
