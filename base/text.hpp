@@ -20,4 +20,13 @@ namespace tedit {
 /// A number as `printf` writes it with one format such as "%.4g"; at most 63 characters.
 [[nodiscard]] std::string format_number(const char* format, double value);
 
+/// "1, 2, 3".
+template <class Numbers>
+[[nodiscard]] std::string list_of(const Numbers& numbers, std::string_view between = ", ") {
+  std::string text;
+  for (const auto number : numbers)
+    text += (text.empty() ? std::string() : std::string(between)) + std::to_string(number);
+  return text;
+}
+
 }  // namespace tedit

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/number_option.hpp"
 #include "mesh/features/select.hpp"
@@ -53,13 +54,6 @@ expected<selection_query> query_of(const select_options& options) {
   return query;
 }
 
-std::string list_of(const std::vector<surface_id>& ids) {
-  std::string text;
-  for (const auto id : ids)
-    text += (text.empty() ? "" : ",") + std::to_string(id);
-  return text;
-}
-
 nlohmann::ordered_json to_json(const found_feature& found) {
   nlohmann::ordered_json json;
   json["kind"] = kind_name(found.kind);
@@ -80,7 +74,7 @@ std::string describe(const found_feature& found) {
     text += ", diameter " + pretty(1e3 * found.diameter) + " mm at (" +
             pretty(1e3 * found.centre.x) + ", " + pretty(1e3 * found.centre.y) + ", " +
             pretty(1e3 * found.centre.z) + ") mm";
-  return text + ": --surfaces " + list_of(found.surfaces) + "\n";
+  return text + ": --surfaces " + list_of(found.surfaces, ",") + "\n";
 }
 
 int run_select(const select_options& options, session& s) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "base/text.hpp"
 #include "compare/load_differences.hpp"
 
 #include <algorithm>
@@ -15,14 +16,6 @@ std::string number(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
-}
-
-template <class Id>
-std::string list_of(const std::vector<Id>& ids) {
-  std::string result;
-  for (const auto id : ids)
-    result += (result.empty() ? "" : ", ") + std::to_string(id);
-  return result;
 }
 
 /// What a load case says, by the names of its file: one row for each number and name.

@@ -262,6 +262,15 @@ surface_id mesh_builder::add_surface(std::string name) {
   return id;
 }
 
+void mesh_builder::restore_surface(surface_id id, std::string name) {
+  auto& rows = counts_.surfaces;
+  const auto at = std::ranges::lower_bound(rows, id, {}, &surface_info::id);
+  if (at != rows.end() && at->id == id)
+    return;
+  rows.insert(at, {id, std::move(name)});
+  largest_surface_ = std::max(largest_surface_, id);
+}
+
 expected<std::vector<mesh_builder::face_entry>> mesh_builder::faces_of_change(
   const cavity_change& change) const {
   const std::unordered_set<tet_id> removed(change.removed.begin(), change.removed.end());

@@ -158,6 +158,9 @@ private:
   expected<boolean_result> filled(const cavity& hollow, const labelled_surface& surface,
                                   const corefined& cut, double deviation, const execution& run) {
     mesh_builder builder(mesh_);
+    for (std::size_t i = 0; i < continues_.size(); ++i)
+      if (continues_[i])
+        builder.restore_surface(*continues_[i], flush_.tool.names[i]);
     auto made = replace_cavity(builder, hollow, surface, flush_.tool, run);
     if (!made)
       return fail(made.error());
@@ -295,10 +298,6 @@ expected<boolean_result> combine_with_tool(const version_ptr& mesh, const tool_s
     return fail(ok.error());
   if (!continues.empty() && continues.size() != tool.names.size())
     return fail(ec::invalid_argument, "not each face of the tool is told what it continues");
-  for (const auto& id : continues)
-    if (id && !mesh->find_surface(*id))
-      return fail(ec::surface_not_found,
-                  "the tool continues surface " + std::to_string(*id) + ", which is not there");
   return tool_boolean(mesh, tool, continues, request, run).best();
 }
 

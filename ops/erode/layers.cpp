@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "mesh/optimize/smooth_surface.hpp"
 
 namespace tedit::ops {
@@ -37,13 +38,6 @@ std::unordered_set<tet_id> layer_below(const mesh_builder& mesh,
     for (const auto t : mesh.star(v))
       layer.insert(t);
   return layer;
-}
-
-std::string list_of(const std::vector<surface_id>& ids) {
-  std::string text;
-  for (const auto id : ids)
-    text += (text.empty() ? "" : ", ") + std::to_string(id);
-  return text;
 }
 
 tl::unexpected<error> nothing_to_take(const std::vector<surface_id>& surfaces, int layer) {

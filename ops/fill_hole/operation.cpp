@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/fill_hole/fill_hole.hpp"
+#include "ops/shapes/features/fill_holes.hpp"
 
 namespace {
 

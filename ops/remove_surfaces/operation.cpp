@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/remove_surfaces/remove_surfaces.hpp"
+#include "ops/shapes/features/remove_protrusion.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    return ops::remove_surfaces(mesh, picked.surfaces, std::get<bool>(values.at("exact")), ctx);
+    return ops::remove_protrusion(mesh, picked.surfaces, std::get<bool>(values.at("exact")), ctx);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "base/number_range.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/distances.hpp"
@@ -57,13 +58,6 @@ measured measure(const mesh_version& after, const std::vector<surface_id>& surfa
 
 bool is_of_mesher(const error& e) {
   return e.code == ec::mesher_failed || e.code == ec::not_a_hole || e.code == ec::degenerate_tet;
-}
-
-std::string list_of(const std::set<surface_id>& ids) {
-  std::string text;
-  for (const auto id : ids)
-    text += (text.empty() ? "" : ", ") + std::to_string(id);
-  return text;
 }
 
 void add_figures(const measured& off, double depth, bool taken, edit_result& result) {

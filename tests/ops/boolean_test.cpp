@@ -266,18 +266,20 @@ TEST_F(Boolean, AFaceOfTheToolBecomesPartOfASurfaceThatIsThere) {
     }
 }
 
-TEST_F(Boolean, FacesThatContinueNothingThatIsThereAreRefused) {
+TEST_F(Boolean, AFaceBringsASurfaceBackThatThePartNoLongerHas) {
   const auto tool = brick({0.2, 0.3, 0.9}, {0.3, 0.4, 0.4});
   std::vector<std::optional<surface_id>> continues(tool.names.size());
 
   continues[0] = 99;
-  const auto unknown = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
+  const auto back = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
   continues.pop_back();
   const auto short_list = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
 
-  ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().code, ec::surface_not_found);
-  EXPECT_THAT(unknown.error().message, HasSubstr("surface 99"));
+  ASSERT_TRUE(back) << render(back.error());
+  const auto* row = back->candidate->find_surface(99);
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->name, tool.names[0]);
+  EXPECT_EQ(back->surfaces[0], 99);
   ASSERT_FALSE(short_list);
   EXPECT_EQ(short_list.error().code, ec::invalid_argument);
 }

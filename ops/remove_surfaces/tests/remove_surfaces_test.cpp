@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/remove_surfaces/remove_surfaces.hpp"
+#include "ops/shapes/features/remove_protrusion.hpp"
 
 #include <cmath>
 
@@ -51,7 +51,7 @@ struct removed {
 removed take_off(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                  bool exact = false) {
   context ctx;
-  removed result{remove_surfaces(mesh, surfaces, exact, ctx)};
+  removed result{remove_protrusion(mesh, surfaces, exact, ctx)};
   if (result.edit) {
     edit_claim claim;
     claim.touched = result.edit->touched;
@@ -181,7 +181,7 @@ TEST(RemoveSurfaces, CancelStopsTheEdit) {
   context ctx;
   ctx.run.cancel.cancel();
 
-  const auto result = remove_surfaces(mesh, {6}, false, ctx);
+  const auto result = remove_protrusion(mesh, {6}, false, ctx);
 
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ec::cancelled);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/remove_surfaces/levels.hpp"
+#include "ops/shapes/features/levels.hpp"
 
 #include <algorithm>
 #include <cstdio>

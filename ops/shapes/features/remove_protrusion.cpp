@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/remove_surfaces/remove_surfaces.hpp"
+#include "ops/shapes/features/remove_protrusion.hpp"
 
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/text.hpp"
 #include "mesh/level_set.hpp"
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/quality.hpp"
-#include "ops/remove_surfaces/levels.hpp"
+#include "ops/shapes/features/levels.hpp"
 
 namespace tedit::ops {
 
@@ -180,18 +181,11 @@ private:
   std::vector<std::unordered_set<vertex_id>> sheets_;
 };
 
-std::string list_of(const std::vector<surface_id>& ids) {
-  std::string text;
-  for (const auto id : ids)
-    text += (text.empty() ? "" : ", ") + std::to_string(id);
-  return text;
-}
-
 }  // namespace
 
-expected<edit_result> remove_surfaces(const version_ptr& mesh,
-                                      const std::vector<surface_id>& surfaces, bool exact,
-                                      context& ctx) {
+expected<edit_result> remove_protrusion(const version_ptr& mesh,
+                                        const std::vector<surface_id>& surfaces, bool exact,
+                                        context& ctx) {
   if (ctx.run.cancel.cancelled())
     return fail(ec::cancelled, "the edit was cancelled");
   ctx.run.report(0.05, "finding the foot");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/fill_hole/gates.hpp"
+#include "ops/shapes/features/plug_gates.hpp"
 
 #include <algorithm>
 #include <cmath>

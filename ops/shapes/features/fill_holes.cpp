@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ops/fill_hole/fill_hole.hpp"
+#include "ops/shapes/features/fill_holes.hpp"
 
 #include <algorithm>
 #include <optional>
 
+#include "base/text.hpp"
 #include "mesh/quality.hpp"
-#include "ops/fill_hole/gates.hpp"
 #include "ops/shapes/caps/caps.hpp"
+#include "ops/shapes/features/plug_gates.hpp"
 
 namespace tedit::ops {
 
@@ -90,13 +91,6 @@ private:
   const mesh_version& mesh_;
   mesh_builder& builder_;
 };
-
-std::string list_of(const std::vector<surface_id>& ids) {
-  std::string text;
-  for (const auto id : ids)
-    text += (text.empty() ? "" : ", ") + std::to_string(id);
-  return text;
-}
 
 }  // namespace
 

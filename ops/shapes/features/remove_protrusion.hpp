@@ -11,8 +11,8 @@ namespace tedit::ops {
 /// surface gets the id of the one around the foot, or its own. Errors: `not_a_protrusion`,
 /// `empty_selection`, `invalid_argument` where the part would fall apart, `degenerate_tet`,
 /// `cancelled`. Cost: O(protrusion), and a pass over the boundary.
-[[nodiscard]] expected<edit_result> remove_surfaces(const version_ptr& mesh,
-                                                    const std::vector<surface_id>& surfaces,
-                                                    bool exact, context& ctx);
+[[nodiscard]] expected<edit_result> remove_protrusion(const version_ptr& mesh,
+                                                      const std::vector<surface_id>& surfaces,
+                                                      bool exact, context& ctx);
 
 }  // namespace tedit::ops

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/move/move.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/features_on_plate.hpp"
+
+namespace tedit::ops {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Move : public test::features_on_plate {
+protected:
+  expected<edit_result> moved(const version_ptr& mesh, surface_id pick, vec3 by,
+                              bool copy = false) {
+    return move_features(mesh, {pick}, by, copy, ctx_);
+  }
+};
+
+TEST_F(Move, AHoleIsClosedWhereItWasAndKeepsItsNumberWhereItGoes) {
+  const auto mesh = with_hole({0.3, 0.5, 0.2});
+  const auto bore = surface_named(*mesh, "bore");
+
+  const auto result = moved(mesh, bore, {0.4, 0.1, 0});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, 0, 1e-9);
+  EXPECT_EQ(surface_named(*result->candidate, "bore"), bore);
+  EXPECT_NEAR(area_of(*result->candidate, "bore"), area_of(*mesh, "bore"), 1e-9);
+  EXPECT_LT(norm(middle_of_surface(*result->candidate, bore) - vec3{0.7, 0.6, 0.1}), 1e-6);
+}
+
+TEST_F(Move, ACopyLeavesTheHoleAndHasWallsOfItsOwn) {
+  const auto mesh = with_hole({0.3, 0.5, 0.2});
+  const auto bore = surface_named(*mesh, "bore");
+
+  const auto result = moved(mesh, bore, {0.4, 0, 0}, true);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, -hole_volume(0.2), 1e-9);
+  EXPECT_EQ(result->candidate->surfaces().size(), mesh->surfaces().size() + 1);
+  EXPECT_LT(norm(middle_of_surface(*result->candidate, bore) - vec3{0.3, 0.5, 0.1}), 1e-6);
+}
+
+TEST_F(Move, AThroughHoleGoesThroughWhereThePartIsThicker) {
+  // A block of 0.4 x 0.4 x 0.1 on the plate's right side.
+  const auto mesh = with_boss(with_hole({0.25, 0.5, 0.2}), {0.5, 0.3, 0.2}, {0.9, 0.7, 0.3});
+
+  const auto result = moved(mesh, surface_named(*mesh, "bore"), {0.45, 0, 0});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, hole_volume(0.2) - hole_volume(0.3), 1e-8);
+}
+
+TEST_F(Move, ABossMovesWithItsNumbers) {
+  const auto mesh = with_boss(plate_, {0.15, 0.35, 0.2}, {0.35, 0.65, 0.3});
+  const auto top = surface_named(*mesh, "boss top");
+
+  const auto result = moved(mesh, top, {0.45, 0, 0});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, 0, 1e-9);
+  EXPECT_EQ(surface_named(*result->candidate, "boss top"), top);
+  EXPECT_LT(norm(middle_of_surface(*result->candidate, top) - vec3{0.7, 0.5, 0.3}), 1e-6);
+}
+
+TEST_F(Move, WhatCannotBeIsRefusedByName) {
+  const auto mesh = with_hole({0.3, 0.5, 0.2});
+  const auto bore = surface_named(*mesh, "bore");
+
+  const auto nowhere = moved(mesh, bore, {});
+  const auto outside = moved(mesh, bore, {3, 0, 0});
+  const auto wall = moved(mesh, 6, {0.1, 0, 0});
+
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(nowhere.error().message, HasSubstr("stay where it is"));
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().code, ec::empty_selection);
+  ASSERT_FALSE(wall);
+  EXPECT_THAT(wall.error().message, HasSubstr("neither to a hole nor to a boss"));
+}
+
+}  // namespace
+}  // namespace tedit::ops

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/pattern/pattern.hpp"
+
+#include <numbers>
+
+#include "ops/shapes/features/place_copies.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// More copies than this are a mistake in typing: each takes a boolean.
+constexpr int most_copies = 500;
+
+expected<void> check_count(int copies) {
+  if (copies < 1)
+    return fail(ec::invalid_parameter, "a pattern of one is what is there already",
+                "Give a count of 2 or more");
+  if (copies > most_copies)
+    return fail(ec::invalid_parameter,
+                std::to_string(copies) + " copies are more than the 500 that one edit makes",
+                "Give a smaller count");
+  return {};
+}
+
+}  // namespace
+
+expected<std::vector<motion>> grid_motions(const grid_pattern& grid) {
+  if (auto ok = check_count(grid.count * grid.rows - 1); !ok)
+    return fail(ok.error());
+  if ((grid.count > 1 && norm(grid.step) == 0) || (grid.rows > 1 && norm(grid.row_step) == 0))
+    return fail(ec::invalid_parameter, "the copies would lie in the same place",
+                "Give the way from one to the next: step_mm=20,0,0");
+  std::vector<motion> result;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int i = 0; i < grid.count; ++i)
+      if (row + i > 0)
+        result.push_back(shift_by(i * grid.step + row * grid.row_step));
+  return result;
+}
+
+expected<std::vector<motion>> ring_motions(vec3 point, vec3 axis, int count, double angle) {
+  if (auto ok = check_count(count - 1); !ok)
+    return fail(ok.error());
+  constexpr double whole = 2 * std::numbers::pi;
+  const bool all_around = std::abs(angle) > whole * (1 - 1e-6);
+  if (angle == 0)
+    return fail(ec::invalid_parameter, "the copies would lie in the same place",
+                "Give the angle from the first to the last");
+  const double step = all_around ? std::copysign(whole, angle) / count : angle / (count - 1);
+  std::vector<motion> result;
+  for (int i = 1; i < count; ++i)
+    result.push_back(turn_around(point, axis, i * step));
+  return result;
+}
+
+expected<edit_result> repeat_features(const version_ptr& mesh,
+                                      const std::vector<surface_id>& picked,
+                                      const std::vector<motion>& motions, context& ctx) {
+  const auto features = pick_features(*mesh, picked, ctx);
+  if (!features)
+    return fail(features.error());
+  return place_copies({mesh, mesh}, *features, motions, ctx);
+}
+
+}  // namespace tedit::ops

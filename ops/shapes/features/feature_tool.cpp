@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/shapes/features/feature_tool.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "mesh/features/hole.hpp"
+#include "mesh/features/select.hpp"
+#include "ops/shapes/caps/caps.hpp"
+#include "ops/tools/local_size.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// How far a hole's shape reaches out of the part and a boss's into it, in local edges.
+constexpr double out_of_part = 0.5;
+constexpr double into_part = 0.2;
+/// What is nearer than this share of the local edge lies on the part's surface.
+constexpr double on_surface = 1e-3;
+
+/// The hole, else the boss, that one surface belongs to.
+expected<found_feature> feature_of(const mesh_version& mesh, surface_id pick,
+                                   const execution& run) {
+  auto hole = select_surfaces(mesh, {.kind = feature_kind::hole, .surfaces = {pick}}, run);
+  if (hole)
+    return std::move(hole->front());
+  if (hole.error().code == ec::cancelled || hole.error().code == ec::surface_not_found)
+    return fail(hole.error());
+  auto boss = select_surfaces(mesh, {.kind = feature_kind::protrusion, .surfaces = {pick}}, run);
+  if (boss)
+    return std::move(boss->front());
+  if (boss.error().code == ec::cancelled)
+    return fail(boss.error());
+  return fail(ec::not_a_protrusion,
+              "surface " + std::to_string(pick) + " belongs neither to a hole nor to a boss",
+              "Pick a wall of a hole, or a side of a boss that stands free");
+}
+
+/// Lids whose triangles hang together: over an edge of the part a rim has one for each side.
+std::vector<lid> lids_of(const tool_surface& tool, std::size_t first_triangle) {
+  std::vector<std::uint32_t> root(tool.points.size());
+  std::iota(root.begin(), root.end(), 0U);
+  const auto find = [&](std::uint32_t p) {
+    while (root[p] != p)
+      p = root[p] = root[root[p]];
+    return p;
+  };
+  for (std::size_t i = first_triangle; i < tool.triangles.size(); ++i)
+    for (int k = 1; k < 3; ++k)
+      root[find(tool.triangles[i][k])] = find(tool.triangles[i][0]);
+  std::map<std::uint32_t, lid> by_root;
+  std::map<std::uint32_t, std::set<std::array<std::uint32_t, 2>>> edges;
+  for (std::size_t i = first_triangle; i < tool.triangles.size(); ++i) {
+    const auto& t = tool.triangles[i];
+    const auto of = find(t[0]);
+    auto& one = by_root[of];
+    one.normal += area_vector(tool.points[t[0]], tool.points[t[1]], tool.points[t[2]]);
+    for (int k = 0; k < 3; ++k) {
+      one.points.push_back(t[k]);
+      if (edges[of].erase({t[(k + 1) % 3], t[k]}) == 0)
+        edges[of].insert({t[k], t[(k + 1) % 3]});
+    }
+  }
+  std::vector<lid> result;
+  for (auto& [of, one] : by_root) {
+    std::ranges::sort(one.points);
+    one.points.erase(std::ranges::unique(one.points).begin(), one.points.end());
+    one.rim.assign(edges[of].begin(), edges[of].end());
+    one.normal = normalized(one.normal);
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+expected<feature_tool> close_feature(const mesh_version& mesh, const shell& part, boolean_mode mode,
+                                     services& host) {
+  auto plug = close_shell(mesh, part, 1.0, host);
+  if (!plug)
+    return fail(plug.error());
+  feature_tool result;
+  result.mode = mode;
+  result.tool.points = std::move(plug->surface.points);
+  result.tool.triangles = std::move(plug->surface.triangles);
+  std::map<surface_id, std::uint32_t> faces;
+  for (std::size_t i = 0; i < plug->shell_triangles; ++i) {
+    const auto id = mesh.facet(part.facets[i]).surface;
+    const auto [found, is_new] = faces.emplace(id, static_cast<std::uint32_t>(faces.size()));
+    if (is_new) {
+      const auto* row = mesh.find_surface(id);
+      result.tool.names.push_back(row && !row->name.empty() ? row->name
+                                                            : "copy of " + std::to_string(id));
+      result.surfaces.emplace_back(id);
+    }
+    result.tool.faces.push_back(found->second);
+  }
+  result.tool.faces.resize(result.tool.triangles.size(),
+                           static_cast<std::uint32_t>(result.tool.names.size()));
+  result.tool.names.emplace_back("lid");
+  result.surfaces.emplace_back();
+  // The plug of a hole looks outward; round a boss everything is the other way round.
+  if (mode == boolean_mode::add)
+    for (auto& t : result.tool.triangles)
+      std::swap(t[1], t[2]);
+  result.lids = lids_of(result.tool, plug->shell_triangles);
+  return result;
+}
+
+/// How far the material goes on along `out` from the points, at most, m.
+double way_out(const mesh_version& mesh, const std::vector<vec3>& points, vec3 out) {
+  double most = 0;
+  for (const auto& p : points)
+    if (const auto hits = ray_hits(mesh, p, out); !hits.empty() && hits.front().leaves)
+      most = std::max(most, hits.front().distance);
+  return most;
+}
+
+/// How far from the points the material begins along `in`, at most, m; points with none within
+/// `reach` are passed over.
+double way_in(const mesh_version& mesh, const std::vector<vec3>& points, vec3 in, double reach,
+              double size) {
+  double most = 0;
+  for (const auto& p : points) {
+    const auto hits = ray_hits(mesh, p - 0.1 * on_surface * size * in, in);
+    if (!hits.empty() && !hits.front().leaves && hits.front().distance < reach)
+      most = std::max(most, hits.front().distance);
+  }
+  return most;
+}
+
+double layer_on(const mesh_version& mesh, const feature_tool& feature, const tool_surface& tool,
+                const lid& one, vec3 normal, double size) {
+  std::vector<vec3> rim;
+  box extent;
+  for (const auto& edge : one.rim) {
+    rim.push_back(tool.points[edge[0]]);
+    extent.add(rim.back());
+  }
+  if (feature.mode == boolean_mode::cut)
+    return way_out(mesh, rim, normal) + out_of_part * size;
+  const double gap = way_in(mesh, rim, normal, norm(extent.high - extent.low), size);
+  return gap > on_surface * size ? gap + into_part * size : 0;
+}
+
+/// Lifts the lid by `step` and closes the sides.
+void raise(tool_surface& tool, const lid& one, vec3 step, bool mirrored) {
+  std::map<std::uint32_t, std::uint32_t> raised;
+  const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
+  for (const auto v : one.points) {
+    raised[v] = static_cast<std::uint32_t>(tool.points.size());
+    tool.points.push_back(tool.points[v] + step);
+  }
+  const std::set<std::uint32_t> own(one.points.begin(), one.points.end());
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    if (tool.faces[i] == lid_face && own.contains(tool.triangles[i][0]))
+      for (auto& v : tool.triangles[i])
+        v = raised.at(v);
+  const auto sides = static_cast<std::uint32_t>(tool.names.size());
+  for (auto [a, b] : one.rim) {
+    if (mirrored)
+      std::swap(a, b);
+    tool.triangles.push_back({a, b, raised.at(b)});
+    tool.triangles.push_back({a, raised.at(b), raised.at(a)});
+    tool.faces.insert(tool.faces.end(), 2, sides);
+  }
+}
+
+}  // namespace
+
+expected<picked_features> pick_features(const mesh_version& mesh,
+                                        const std::vector<surface_id>& picked, context& ctx) {
+  picked_features result;
+  std::set<surface_id> all;
+  std::optional<boolean_mode> mode;
+  for (const auto pick : picked) {
+    if (all.contains(pick))
+      continue;
+    const auto found = feature_of(mesh, pick, ctx.run);
+    if (!found)
+      return fail(found.error());
+    const auto is = found->kind == feature_kind::hole ? boolean_mode::cut : boolean_mode::add;
+    if (mode.value_or(is) != is)
+      return fail(ec::invalid_argument, "holes and bosses are selected together",
+                  "Take one kind at a time");
+    mode = is;
+    all.insert(found->surfaces.begin(), found->surfaces.end());
+  }
+  result.mode = mode.value_or(boolean_mode::cut);
+  result.surfaces.assign(all.begin(), all.end());
+  for (const auto& part : find_shells(mesh, facets_of(mesh, result.surfaces))) {
+    auto tool = close_feature(mesh, part, result.mode, *ctx.host);
+    if (!tool)
+      return fail(tool.error());
+    result.tools.push_back(std::move(*tool));
+  }
+  return result;
+}
+
+tool_surface placed(const mesh_version& mesh, const feature_tool& feature, const motion& way,
+                    double size) {
+  tool_surface tool = feature.tool;
+  for (auto& p : tool.points)
+    p = way(p);
+  if (way.mirrors)
+    for (auto& t : tool.triangles)
+      std::swap(t[1], t[2]);
+  std::vector<double> layers;
+  for (const auto& one : feature.lids)
+    layers.push_back(layer_on(mesh, feature, tool, one, way.turned(one.normal), size));
+  const bool raises = std::ranges::any_of(layers, [](double layer) { return layer > 0; });
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (layers[i] > 0)
+      raise(tool, feature.lids[i], layers[i] * way.turned(feature.lids[i].normal), way.mirrors);
+  if (raises)
+    tool.names.emplace_back("sides");
+  return tool;
+}
+
+}  // namespace tedit::ops
