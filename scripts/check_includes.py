@@ -37,6 +37,7 @@ ROOMS = {
     "ops/shapes/caps": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/walls": (("ops/sdk", "mesh", "base"), ()),
     "ops/shapes/features": (("ops/shapes/caps", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ()),
+    "ops/shapes/isosurface": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),
     "ops/loader": (("sandbox", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/tools": (("ops/sdk", "mesh", "base"), ()),
@@ -45,6 +46,8 @@ ROOMS = {
     "ops/services": (("ops/boolean", "ops/mesher", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/conformance": (("sandbox", "ops/loader", "ops/services", "ops/sdk", "mesh", "base"), ()),
     "ops/probe": (("sandbox", "ops/loader", "ops/sdk", "mesh", "base"), ()),
+    "ops/hollow": (("ops/shapes/isosurface", "ops/shapes/rounding", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/combine": (("ops/tools", "ops/sdk", "mesh/io", "mesh", "base"), ("CGAL/",)),
     "ops/": (
         ("ops/shapes/caps", "ops/shapes/features", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),

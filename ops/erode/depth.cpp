@@ -8,7 +8,6 @@
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/shift_patch.hpp"
 #include "ops/erode/slab.hpp"
-#include "ops/shapes/walls/shift_walls.hpp"
 
 namespace tedit::ops {
 
@@ -114,24 +113,8 @@ void measure(const mesh_builder& mesh, const std::vector<surface_patch>& done, d
 
 }  // namespace
 
-expected<void> shift_in(mesh_builder& mesh, const std::vector<surface_id>& surfaces, double depth,
-                        context& ctx, erosion_sum& sum) {
-  const auto walls = fit_walls(*mesh.base(), surfaces);
-  if (!walls)
-    return fail(walls.error());
-  if (auto ok = shift_walls(mesh, *walls, -depth, ctx.run); !ok)
-    return fail(ok.error());
-  sum.figures = measure_shift(*mesh.base(), *mesh.freeze(), *walls, -depth);
-  return {};
-}
-
 expected<void> erode_depth(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
                            double depth, context& ctx, erosion_sum& sum) {
-  const auto flat = all_flat(mesh, surfaces);
-  if (!flat)
-    return fail(flat.error());
-  if (!*flat)
-    return shift_in(mesh, surfaces, depth, ctx, sum);
   std::vector<surface_patch> done;
   bool cut = false;
   for (const auto surface : surfaces) {

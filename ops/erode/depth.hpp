@@ -7,15 +7,9 @@ namespace tedit::ops {
 
 /// Lowers each surface by `depth` (m), one after the other on the evolving mesh, then mends the
 /// cuts. Each gets a new surface at its floor; below a rising neighbour the wall continues that
-/// neighbour's surface where it is coplanar, else it gets one of its own. A selection with round
-/// surfaces moves as a whole (`shift_walls`). Errors: see `erode`.
+/// neighbour's surface where it is coplanar, else it gets one of its own. Errors: see `erode`.
 [[nodiscard]] expected<void> erode_depth(mesh_builder& mesh,
                                          const std::vector<surface_id>& surfaces, double depth,
                                          context& ctx, erosion_sum& sum);
-
-/// Moves the surfaces as a whole by their own vertices, whatever their shape: `shift_walls`.
-/// Errors: those of `fit_walls` and `shift_walls`.
-[[nodiscard]] expected<void> shift_in(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
-                                      double depth, context& ctx, erosion_sum& sum);
 
 }  // namespace tedit::ops

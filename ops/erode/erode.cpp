@@ -8,7 +8,7 @@
 #include "ops/erode/layers.hpp"
 #include "ops/shapes/most_that_works.hpp"
 #include "ops/shapes/move_by_tool.hpp"
-#include "ops/shapes/walls/shift_walls.hpp"
+#include "ops/shapes/move_by_vertices.hpp"
 
 namespace tedit::ops {
 
@@ -90,9 +90,6 @@ expected<edit_result> eroded_by(const erosion& way, const version_ptr& mesh,
 /// does not work flat ones, too, with the fillets around them; else what lies below is cut off.
 expected<edit_result> lowered(const version_ptr& mesh, const std::vector<surface_id>& surfaces,
                               bool flat, double depth, piece_policy policy, context& ctx) {
-  const auto by_vertices = [&](mesh_builder& to, erosion_sum& sum) {
-    return shift_in(to, surfaces, depth, ctx, sum);
-  };
   wall_ways all{surfaces, -depth, flat, {}};
   if (flat)
     all.ways.emplace_back([&] {
@@ -100,7 +97,7 @@ expected<edit_result> lowered(const version_ptr& mesh, const std::vector<surface
                            erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
                        mesh, surfaces, policy);
     });
-  all.ways.emplace_back([&] { return eroded_by(by_vertices, mesh, surfaces, policy); });
+  all.ways.emplace_back([&] { return move_by_vertices(mesh, surfaces, -depth, ctx.run); });
   all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, -depth, ctx); });
   return first_that_passes(mesh, all, ctx.run);
 }

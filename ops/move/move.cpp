@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/move/move.hpp"
 
-#include "mesh/optimize/improve.hpp"
 #include "ops/shapes/features/fill_holes.hpp"
 #include "ops/shapes/features/place_copies.hpp"
 #include "ops/shapes/features/remove_protrusion.hpp"
+#include "ops/shapes/improved.hpp"
 
 namespace tedit::ops {
 
@@ -20,10 +20,10 @@ expected<copy_source> without(const version_ptr& mesh, const picked_features& fe
                       : remove_protrusion(mesh, features.surfaces, true, first);
   if (!gone)
     return fail(gone.error());
-  mesh_builder builder(gone->candidate);
-  if (const auto improved = improve(builder, gone->touched, {}, first.run); !improved)
-    return fail(improved.error());
-  return copy_source{mesh, builder.freeze(), gone->volume_change, true};
+  const auto rest = improved(*gone, first.run);
+  if (!rest)
+    return fail(rest.error());
+  return copy_source{mesh, *rest, gone->volume_change, true};
 }
 
 }  // namespace

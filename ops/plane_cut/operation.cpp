@@ -11,8 +11,8 @@ public:
     ops::operation_description d;
     d.id = "plane_cut";
     d.name = "Cut by a plane";
-    d.summary = "Cuts the part along a plane and keeps one side.";
-    d.version = "1.0.0";
+    d.summary = "Cuts the part along a plane and keeps one side, or both as bodies of their own.";
+    d.version = "1.1.0";
     d.selection.help = "A flat wall to cut along, or none where the plane is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
@@ -31,12 +31,12 @@ public:
        0.0},
       {"keep",
        "Keep",
-       "Which side stays: below is what the normal points away from.",
+       "Which side stays: below is what the normal points away from; both: in two.",
        ops::parameter_type::choice,
        "",
        {},
        {},
-       {"below", "above"},
+       {"below", "above", "both"},
        std::string("below")},
     };
     d.icon = ops::line_icon(
@@ -55,12 +55,14 @@ public:
     if (!where)
       return fail(where.error());
     const vec3 at = where->at - std::get<double>(values.at("offset")) * where->outward;
-    return ops::plane_cut(mesh, at, where->outward,
-                          std::get<std::string>(values.at("keep")) == "below", ops::as_set(picked),
-                          ctx);
+    const auto& keep = std::get<std::string>(values.at("keep"));
+    const auto side = keep == "below"   ? ops::kept_side::below
+                      : keep == "above" ? ops::kept_side::above
+                                        : ops::kept_side::both;
+    return ops::plane_cut(mesh, at, where->outward, side, ops::as_set(picked), ctx);
   }
 };
 
 }  // namespace
 
-TEDIT_PLUGIN("plane_cut", "1.0.0", plane_cut_operation)
+TEDIT_PLUGIN("plane_cut", "1.1.0", plane_cut_operation)

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.hpp"
 #include "base/number_range.hpp"
+#include "base/text.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/distances.hpp"
 #include "ops/shapes/most_that_works.hpp"

@@ -9,7 +9,7 @@
 #include "mesh/shift_patch.hpp"
 #include "ops/shapes/most_that_works.hpp"
 #include "ops/shapes/move_by_tool.hpp"
-#include "ops/shapes/walls/shift_walls.hpp"
+#include "ops/shapes/move_by_vertices.hpp"
 #include "ops/thicken/slab_shell.hpp"
 
 namespace tedit::ops {
@@ -142,27 +142,12 @@ expected<void> raise_planes(mesh_builder& mesh, const std::vector<surface_id>& s
   return {};
 }
 
-/// Round surfaces, with flat ones beside them: all move at once.
-expected<void> raise_walls(mesh_builder& mesh, const std::vector<surface_id>& surfaces,
-                           double height, context& ctx, edit_result& result) {
-  const auto walls = fit_walls(*mesh.base(), surfaces);
-  if (!walls)
-    return fail(walls.error());
-  if (auto ok = shift_walls(mesh, *walls, height, ctx.run); !ok)
-    return fail(ok.error());
-  result.figures = measure_shift(*mesh.base(), *mesh.freeze(), *walls, height);
-  return {};
-}
-
-using raising = expected<void> (*)(mesh_builder&, const std::vector<surface_id>&, double, context&,
-                                   edit_result&);
-
-expected<edit_result> raised_by(raising way, const version_ptr& mesh,
-                                const std::vector<surface_id>& surfaces, double height,
-                                context& ctx) {
+expected<edit_result> raised_as_slabs(const version_ptr& mesh,
+                                      const std::vector<surface_id>& surfaces, double height,
+                                      context& ctx) {
   mesh_builder builder(mesh);
   edit_result result;
-  if (auto ok = way(builder, surfaces, height, ctx, result); !ok)
+  if (auto ok = raise_planes(builder, surfaces, height, ctx, result); !ok)
     return fail(ok.error());
   result.candidate = builder.freeze();
   result.touched = builder.touched();
@@ -180,8 +165,8 @@ expected<edit_result> raised(const version_ptr& mesh, const std::vector<surface_
                              bool flat, double height, context& ctx) {
   wall_ways all{surfaces, height, flat, {}};
   if (flat)
-    all.ways.emplace_back([&] { return raised_by(raise_planes, mesh, surfaces, height, ctx); });
-  all.ways.emplace_back([&] { return raised_by(raise_walls, mesh, surfaces, height, ctx); });
+    all.ways.emplace_back([&] { return raised_as_slabs(mesh, surfaces, height, ctx); });
+  all.ways.emplace_back([&] { return move_by_vertices(mesh, surfaces, height, ctx.run); });
   all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, height, ctx); });
   return first_that_passes(mesh, all, ctx.run);
 }

@@ -13,8 +13,8 @@ protected:
 };
 
 TEST_F(PlaneCut, KeepsTheSideThatIsAskedFor) {
-  const auto below = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, true, {}, ctx_);
-  const auto above = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, false, {}, ctx_);
+  const auto below = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, kept_side::below, {}, ctx_);
+  const auto above = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, kept_side::above, {}, ctx_);
 
   ASSERT_TRUE(below) << render(below.error());
   ASSERT_TRUE(above) << render(above.error());
@@ -25,8 +25,29 @@ TEST_F(PlaneCut, KeepsTheSideThatIsAskedFor) {
   EXPECT_NEAR(area_of(*below->candidate, "cut"), 1, 1e-12);
 }
 
+TEST_F(PlaneCut, InTwoEachSideHasACutOfItsOwnAndTheOldSurfacesAreOnBoth) {
+  const auto result = plane_cut(block_, {0, 0, 0.3}, {0, 0, 1}, kept_side::both, {}, ctx_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(block_, *result);
+  const auto& after = *result->candidate;
+  EXPECT_NEAR(result->volume_change, 0, 1e-12);
+  EXPECT_NEAR(total_volume(after), 1, 1e-12);
+  EXPECT_EQ(result->bodies_added, 1u);
+  EXPECT_NEAR(area_of(after, "cut below"), 1, 1e-12);
+  EXPECT_NEAR(area_of(after, "cut above"), 1, 1e-12);
+  EXPECT_EQ(after.surfaces().size(), 6u + 2);
+  // Side walls are on both bodies: 1 x 1 m each.
+  for (const surface_id side : {1, 2, 3, 4}) {
+    double area = 0;
+    for (const auto f : facets_of(after, std::array{side}))
+      area += norm(area_vector(after, after.facet(f)));
+    EXPECT_NEAR(area, 1, 1e-12) << side;
+  }
+}
+
 TEST_F(PlaneCut, AlongACornersDiagonal) {
-  const auto result = plane_cut(block_, {0.5, 0.5, 0.5}, {1, 1, 1}, true, {}, ctx_);
+  const auto result = plane_cut(block_, {0.5, 0.5, 0.5}, {1, 1, 1}, kept_side::below, {}, ctx_);
 
   ASSERT_TRUE(result) << render(result.error());
   expect_good(block_, *result);
@@ -34,7 +55,7 @@ TEST_F(PlaneCut, AlongACornersDiagonal) {
 }
 
 TEST_F(PlaneCut, AlongGridPlanesOfTheMesh) {
-  const auto result = plane_cut(block_, {0.5, 0, 0}, {1, 0, 0}, true, {}, ctx_);
+  const auto result = plane_cut(block_, {0.5, 0, 0}, {1, 0, 0}, kept_side::below, {}, ctx_);
 
   ASSERT_TRUE(result) << render(result.error());
   expect_good(block_, *result);
@@ -42,12 +63,12 @@ TEST_F(PlaneCut, AlongGridPlanesOfTheMesh) {
 }
 
 TEST_F(PlaneCut, BesideThePartChangesNothing) {
-  for (const bool below : {true, false}) {
-    const auto result = plane_cut(block_, {0, 0, 2}, {0, 0, 1}, below, {}, ctx_);
+  for (const auto side : {kept_side::below, kept_side::above, kept_side::both}) {
+    const auto result = plane_cut(block_, {0, 0, 2}, {0, 0, 1}, side, {}, ctx_);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ec::empty_selection) << render(result.error());
   }
-  const auto flush = plane_cut(block_, {0, 0, 1}, {0, 0, 1}, true, {}, ctx_);
+  const auto flush = plane_cut(block_, {0, 0, 1}, {0, 0, 1}, kept_side::below, {}, ctx_);
   ASSERT_FALSE(flush);
   EXPECT_EQ(flush.error().code, ec::empty_selection) << render(flush.error());
 }

@@ -12,7 +12,7 @@ namespace tedit::ops {
 namespace {
 
 /// A bent foot must lie on a quadric within this share of the protrusion's size.
-constexpr double smooth_share = 0.01;
+constexpr double quadric_share = 0.01;
 
 expected<level> curved_level(const mesh_version& mesh, const protrusion& feature,
                              const foot& stands_on, level result) {
@@ -22,7 +22,7 @@ expected<level> curved_level(const mesh_version& mesh, const protrusion& feature
   double off = 0;
   for (const auto& p : around)
     off = std::max(off, result.curved ? result.curved->distance(p) : feature.size);
-  if (off > smooth_share * feature.size) {
+  if (off > quadric_share * feature.size) {
     return fail(ec::not_a_protrusion,
                 "what the selected surfaces stand on at " + place_text(result.point) +
                   " is neither flat nor evenly curved",

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ops/shapes/isosurface/isosurface.hpp"
+#include "ops/shapes/rounding/surface_tree.hpp"
+
+namespace tedit::ops {
+
+/// The space that a shell encloses, as a field: below 0 where the part is further than the
+/// thickness from its walls. Through open walls it reaches out of the part by `overlap`.
+class shell_field {
+public:
+  /// `thickness`, `overlap` (less than that): m. Cost: O(n log n) in the facets.
+  shell_field(const mesh_version& mesh, const std::vector<surface_id>& open, double thickness,
+              double overlap);
+  ~shell_field();
+
+  /// Cost: O(log n).
+  [[nodiscard]] field_sample at(vec3 p) const;
+
+private:
+  struct nearest_tree;
+
+  double thickness_;
+  double overlap_;
+  closed_surface boundary_;
+  std::unique_ptr<surface_tree> sides_;
+  std::unique_ptr<nearest_tree> closed_;
+  std::unique_ptr<nearest_tree> open_;  ///< Null where no wall is open.
+};
+
+}  // namespace tedit::ops

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/resize_bore/resize_bore.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/number_range.hpp"
+#include "mesh/features/surface_shape.hpp"
+#include "mesh/pieces.hpp"
+#include "ops/shapes/improved.hpp"
+#include "ops/shapes/most_that_works.hpp"
+#include "ops/shapes/move_by_tool.hpp"
+#include "ops/shapes/move_by_vertices.hpp"
+#include "ops/shapes/walls/moving_walls.hpp"
+#include "ops/tools/local_size.hpp"
+
+namespace tedit::ops {
+
+namespace {
+
+/// Halves of one bore differ by less than this share of the radius.
+constexpr double same = 1e-3;
+
+std::optional<wall_shape> cylinder_of(const mesh_version& mesh, surface_id id) {
+  const auto shape = fit_wall(mesh, facets_of(mesh, std::array{id}), round_enough);
+  return shape && shape->type == wall_shape::kind::cylinder ? shape : std::nullopt;
+}
+
+bool is_same_cylinder(const wall_shape& a, const wall_shape& b) {
+  const vec3 between = b.point - a.point;
+  return a.side == b.side && std::abs(a.radius - b.radius) <= same * a.radius &&
+         norm(cross(a.axis, b.axis)) <= same &&
+         norm(between - dot(between, a.axis) * a.axis) <= same * a.radius;
+}
+
+std::string diameter_text(double diameter) {
+  return number_text(1e3 * diameter) + " mm";
+}
+
+/// What a refusal says of the change of the diameter, said of the diameter.
+error about_diameter(error refused, double now, double sign) {
+  if (!refused.most)
+    return refused;
+  refused.most->value = now + sign * refused.most->value;
+  refused.remedy = "Take " + diameter_text(refused.most->value) + ": the " +
+                   (sign > 0 ? "largest" : "smallest") + " diameter that works here";
+  return refused;
+}
+
+expected<edit_result> resized(const version_ptr& mesh, const round_wall& wall, double diameter,
+                              context& ctx) {
+  const double now = 2 * wall.shape.radius;
+  const double sign = diameter > now ? 1 : -1;
+  auto result = at_most(
+    mesh, {"diameter", "change of the diameter", std::abs(diameter - now)},
+    [&](double change, context& trial) {
+      // A pin grows outward, a bore into the material.
+      const double distance = wall.shape.side * sign * change / 2;
+      const wall_ways ways{
+        wall.surfaces,
+        distance,
+        false,
+        {[&] { return move_by_vertices(mesh, wall.surfaces, distance, trial.run); },
+         [&] { return move_by_tool(mesh, wall.surfaces, distance, trial); }}};
+      return first_that_passes(mesh, ways, trial.run);
+    },
+    ctx);
+  if (!result)
+    return fail(about_diameter(result.error(), now, sign));
+  return result;
+}
+
+/// Of all bores together, by what the last version has of them.
+void measure(const mesh_version& after, const std::vector<round_wall>& walls, double diameter,
+             edit_result& result) {
+  double off = 0;
+  for (const auto& wall : walls)
+    for (const auto f : facets_of(after, wall.surfaces))
+      for (const auto v : after.facet(f).v) {
+        const vec3 d = after.position(v) - wall.shape.point;
+        const double r = norm(d - dot(d, wall.shape.axis) * wall.shape.axis);
+        off = std::max(off, std::abs(2 * r - diameter));
+      }
+  result.figures = {{"diameter_mm", 1e3 * diameter, "mm", "diameter now"},
+                    {"diameter_off_mm", 1e3 * off, "mm", "furthest off it at any vertex"}};
+}
+
+}  // namespace
+
+expected<round_wall> round_wall_of(const mesh_version& mesh, surface_id picked) {
+  const auto shape = cylinder_of(mesh, picked);
+  if (!shape)
+    return fail(ec::invalid_argument, "surface " + std::to_string(picked) + " is no round cylinder",
+                "Pick the wall of a round bore or pin; erode and thicken move walls of any form");
+  std::set<surface_id> parts{picked};
+  std::vector<surface_id> open{picked};
+  while (!open.empty()) {
+    const auto id = open.back();
+    open.pop_back();
+    for (const auto& [other, joint] : shape_of(mesh, id).joints) {
+      if (parts.contains(other))
+        continue;
+      const auto beside = cylinder_of(mesh, other);
+      if (beside && is_same_cylinder(*shape, *beside)) {
+        parts.insert(other);
+        open.push_back(other);
+      }
+    }
+  }
+  return round_wall{*shape, {parts.begin(), parts.end()}};
+}
+
+expected<edit_result> resize_bores(const version_ptr& mesh, const std::vector<surface_id>& picked,
+                                   double diameter, context& ctx) {
+  std::vector<round_wall> walls;
+  std::set<surface_id> known;
+  for (const auto id : picked) {
+    if (known.contains(id))
+      continue;
+    auto wall = round_wall_of(*mesh, id);
+    if (!wall)
+      return fail(wall.error());
+    if (std::abs(2 * wall->shape.radius - diameter) <= same * wall->shape.radius)
+      return fail(ec::invalid_parameter,
+                  "surface " + std::to_string(id) + " has a diameter of " +
+                    diameter_text(2 * wall->shape.radius) + " already",
+                  "Give another diameter");
+    known.insert(wall->surfaces.begin(), wall->surfaces.end());
+    walls.push_back(std::move(*wall));
+  }
+  std::optional<edit_result> result;
+  for (const auto& wall : walls) {
+    const auto start = result ? improved(*result, ctx.run) : expected<version_ptr>(mesh);
+    if (!start)
+      return fail(start.error());
+    auto next = resized(*start, wall, diameter, ctx);
+    if (!next)
+      return next;
+    if (result)
+      next->quality_floor = std::min(next->quality_floor, result->quality_floor);
+    result = std::move(*next);
+  }
+  if (walls.size() > 1) {
+    result->touched = changed_tets(*mesh, *result->candidate);
+    result->volume_change = boundary_volume_change(*mesh, *result->candidate);
+  }
+  result->surfaces_used.assign(known.begin(), known.end());
+  measure(*result->candidate, walls, diameter, *result);
+  return std::move(*result);
+}
+
+}  // namespace tedit::ops

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "ops/resize_bore/resize_bore.hpp"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "tests/support/features_on_plate.hpp"
+
+namespace tedit::ops {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ResizeBore : public test::features_on_plate {
+protected:
+  static double figure_of(const edit_result& result, const std::string& id) {
+    const auto found = std::ranges::find(result.figures, id, &figure::id);
+    return found == result.figures.end() ? -1 : found->value;
+  }
+
+  /// Of a prism through the plate with the corners of the bore's 24-gon.
+  static double volume_of(double d) { return hole_volume(0.2) * d * d / (diameter * diameter); }
+};
+
+TEST_F(ResizeBore, ABoreBecomesWiderAndKeepsItsNumber) {
+  const auto mesh = with_hole({0.5, 0.5, 0.2});
+  const auto bore = surface_named(*mesh, "bore");
+
+  const auto result = resize_bores(mesh, {bore}, 0.3, ctx_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, volume_of(0.2) - volume_of(0.3), 1e-5);
+  EXPECT_EQ(surface_named(*result->candidate, "bore"), bore);
+  EXPECT_EQ(result->candidate->surfaces().size(), mesh->surfaces().size());
+  EXPECT_LT(figure_of(*result, "diameter_off_mm"), 1e-3);
+}
+
+TEST_F(ResizeBore, ABoreBecomesNarrower) {
+  const auto mesh = with_hole({0.5, 0.5, 0.2});
+
+  const auto result = resize_bores(mesh, {surface_named(*mesh, "bore")}, 0.12, ctx_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, volume_of(0.2) - volume_of(0.12), 1e-5);
+}
+
+TEST_F(ResizeBore, TwoBoresAtOnceAreOneEdit) {
+  const auto one = with_hole({0.25, 0.5, 0.2});
+  const auto mesh = with_hole_in(one, {0.75, 0.5, 0.2});
+  std::vector<surface_id> bores;
+  for (const auto& row : mesh->surfaces())
+    if (row.name == "bore")
+      bores.push_back(row.id);
+  ASSERT_EQ(bores.size(), 2u);
+
+  const auto result = resize_bores(mesh, bores, 0.26, ctx_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(mesh, *result);
+  EXPECT_NEAR(result->volume_change, 2 * (volume_of(0.2) - volume_of(0.26)), 1e-5);
+}
+
+TEST_F(ResizeBore, WhatIsNoBoreOrHasThatDiameterIsRefused) {
+  const auto mesh = with_hole({0.5, 0.5, 0.2});
+
+  const auto flat = resize_bores(mesh, {6}, 0.3, ctx_);
+  const auto same = resize_bores(mesh, {surface_named(*mesh, "bore")}, 0.2, ctx_);
+
+  ASSERT_FALSE(flat);
+  EXPECT_THAT(flat.error().message, HasSubstr("surface 6 is no round cylinder"));
+  ASSERT_FALSE(same);
+  EXPECT_THAT(same.error().message, HasSubstr("a diameter of 200 mm already"));
+}
+
+TEST_F(ResizeBore, TheLargestThatCanBeIsSaidAsADiameter) {
+  const auto mesh = with_hole({0.5, 0.5, 0.2});
+  ctx_.search_s = 30;
+
+  const auto result = resize_bores(mesh, {surface_named(*mesh, "bore")}, 1.2, ctx_);
+
+  ASSERT_FALSE(result);
+  ASSERT_TRUE(result.error().most) << render(result.error());
+  EXPECT_EQ(result.error().most->parameter, "diameter");
+  EXPECT_GT(result.error().most->value, 0.5);
+  EXPECT_LT(result.error().most->value, 1.0);
+  EXPECT_THAT(result.error().remedy, HasSubstr("largest diameter that works here"));
+}
+
+}  // namespace
+}  // namespace tedit::ops
