@@ -46,7 +46,7 @@ ROOMS = {
     "ops/services": (("ops/boolean", "ops/mesher", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/conformance": (("sandbox", "ops/loader", "ops/services", "ops/sdk", "mesh", "base"), ()),
     "ops/probe": (("sandbox", "ops/loader", "ops/sdk", "mesh", "base"), ()),
-    "ops/hollow": (("ops/shapes/isosurface", "ops/shapes/rounding", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
+    "ops/hollow": (("ops/shapes/isosurface", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/combine": (("ops/tools", "ops/sdk", "mesh/io", "mesh", "base"), ("CGAL/",)),
     "ops/": (
         ("ops/shapes/caps", "ops/shapes/features", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),

@@ -41,13 +41,14 @@ std::string size_text(const box& b) {
 }  // namespace
 
 expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
-                              const combine_settings& settings, context& ctx) {
+                              const combine_settings& settings,
+                              const std::vector<surface_id>& picked, context& ctx) {
   const auto place = frame_of(settings);
   const double scale = settings.unit * settings.scale;
   for (auto& p : surface.points)
     p = place.at(scale * p.x, scale * p.y, scale * p.z);
   const double size = local_size(*mesh, surface);
-  auto result = apply_tool(mesh, surface, settings.mode, size, {}, ctx);
+  auto result = apply_tool(mesh, surface, settings.mode, size, picked, ctx);
   if (!result && result.error().code == ec::empty_selection) {
     box extent;
     for (const auto& p : surface.points)

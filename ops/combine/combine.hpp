@@ -21,6 +21,7 @@ struct combine_settings {
 /// have in common. Errors: `empty_selection`, `invalid_argument` and the others of
 /// `services::boolean`.
 [[nodiscard]] expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
-                                            const combine_settings& settings, context& ctx);
+                                            const combine_settings& settings,
+                                            const std::vector<surface_id>& picked, context& ctx);
 
 }  // namespace tedit::ops

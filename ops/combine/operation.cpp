@@ -33,7 +33,7 @@ public:
     return d;
   }
 
-  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection&,
+  expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
     const auto& text = std::get<std::string>(values.at("file"));
@@ -58,7 +58,7 @@ public:
     settings.at = ops::vector_of(values, "at").value_or(vec3{});
     settings.direction = ops::vector_of(values, "direction").value_or(vec3{0, 0, 1});
     settings.turn = std::get<double>(values.at("turn"));
-    return ops::combine(mesh, std::move(*surface), settings, ctx);
+    return ops::combine(mesh, std::move(*surface), settings, ops::as_set(picked), ctx);
   }
 
 private:

@@ -133,6 +133,7 @@ std::vector<finding> faults_of(const mesh_version& base, const edit_result& edit
   claim.touched = edit.touched;
   claim.volume_change = edit.volume_change;
   claim.quality_floor = 0;
+  claim.bodies_added = edit.bodies_added;
   const auto& candidate = *edit.candidate;
   const auto before = check_version(base).findings;
   std::vector<finding> result;

@@ -9,6 +9,7 @@
 #include "base/number_range.hpp"
 #include "mesh/checks.hpp"
 #include "ops/hollow/shell_field.hpp"
+#include "ops/hollow/untangle.hpp"
 #include "ops/tools/placement.hpp"
 #include "ops/tools/tools.hpp"
 
@@ -16,26 +17,43 @@ namespace tedit::ops {
 
 namespace {
 
-/// Cells of the grid a wall thickness; and how far the void reaches out of an open wall, both as
-/// shares of the thickness.
-constexpr double cell_share = 0.6;
+/// How far the void reaches out of an open wall, as a share of the thickness.
 constexpr double overlap_share = 0.4;
+
+/// The inside's triangles measure what the part's do, but for very thin or thick walls: as shares
+/// of the thickness, and of the part's mean edge. More cells than that make more triangles than
+/// anybody waits for.
+constexpr double finest_cell = 0.6;
+constexpr double coarsest_cell = 1.5;
+constexpr double edge_share = 0.7;
+constexpr double most_cells = 60'000;
+/// How many cells of unit size a surface of unit area runs through.
+constexpr double cells_an_area = 1.5;
+/// Smaller voids stay full: in cells.
+constexpr double least_cells = 8;
 
 /// Where a surface came out that is not clean, the grid is put elsewhere: as shares of a cell that
 /// no plane of a part is likely to meet twice.
 constexpr std::array<vec3, 4> grids{vec3{0.1317, 0.2719, 0.4133}, vec3{0.5773, 0.7071, 0.8391},
                                     vec3{0.3819, 0.6537, 0.1931}, vec3{0.8147, 0.0437, 0.6121}};
 
-double volume_of(const closed_surface& s) {
+using corner_triples = std::vector<std::array<std::uint32_t, 3>>;
+
+double enclosed_volume(const std::vector<vec3>& points, const corner_triples& triangles) {
   double sum = 0;
-  const vec3 o = s.points.front();
-  for (const auto& t : s.triangles)
-    sum += dot(s.points[t[0]] - o, cross(s.points[t[1]] - o, s.points[t[2]] - o));
+  const vec3 o = points.front();
+  for (const auto& t : triangles)
+    sum += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
   return sum / 6;
 }
 
-/// The pieces of a surface that hang together, of at least that volume (m^3).
-std::vector<closed_surface> large_pieces(const closed_surface& all, double least) {
+/// All pieces of a surface that hang together and have at least that volume (m^3), as one tool.
+struct void_tool {
+  tool_surface tool;
+  std::size_t pieces = 0;
+};
+
+void_tool large_pieces(const closed_surface& all, double least) {
   std::vector<std::uint32_t> root(all.points.size());
   std::iota(root.begin(), root.end(), 0U);
   const auto find = [&](std::uint32_t p) {
@@ -46,33 +64,37 @@ std::vector<closed_surface> large_pieces(const closed_surface& all, double least
   for (const auto& t : all.triangles)
     for (int k = 1; k < 3; ++k)
       root[find(t[k])] = find(t[0]);
-  std::map<std::uint32_t, closed_surface> pieces;
+  std::map<std::uint32_t, corner_triples> pieces;
+  for (const auto& t : all.triangles)
+    pieces[find(t[0])].push_back(t);
+  void_tool result;
+  result.tool.names = {"inside"};
   std::vector<std::uint32_t> place(all.points.size(), no_id);
-  for (const auto& t : all.triangles) {
-    auto& piece = pieces[find(t[0])];
-    auto& to = piece.triangles.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      if (place[t[k]] == no_id) {
-        place[t[k]] = static_cast<std::uint32_t>(piece.points.size());
-        piece.points.push_back(all.points[t[k]]);
+  for (auto& [of, piece] : pieces) {
+    if (enclosed_volume(all.points, piece) < least)
+      continue;
+    ++result.pieces;
+    for (auto t : piece) {
+      for (auto& v : t) {
+        if (place[v] == no_id) {
+          place[v] = static_cast<std::uint32_t>(result.tool.points.size());
+          result.tool.points.push_back(all.points[v]);
+        }
+        v = place[v];
       }
-      to[k] = place[t[k]];
+      result.tool.triangles.push_back(t);
+      result.tool.faces.push_back(0);
     }
   }
-  std::vector<closed_surface> result;
-  for (auto& [of, piece] : pieces)
-    if (volume_of(piece) >= least)
-      result.push_back(std::move(piece));
   return result;
 }
 
-tool_surface as_tool(closed_surface surface) {
-  tool_surface tool;
-  tool.points = std::move(surface.points);
-  tool.triangles = std::move(surface.triangles);
-  tool.faces.assign(tool.triangles.size(), 0);
-  tool.names = {"inside"};
-  return tool;
+double boundary_area(const mesh_version& mesh) {
+  double sum = 0;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f))
+      sum += norm(area_vector(mesh, mesh.facet(f)));
+  return sum;
 }
 
 class hollower {
@@ -96,65 +118,69 @@ private:
     return settings_.drain_diameter > 0 ? std::vector<surface_id>{} : picked_;
   }
 
+  /// The edge of the grid's cells, m. Errors: `invalid_parameter` where there would be too many.
+  expected<double> cell() const {
+    const double t = settings_.thickness;
+    const double edge = edge_share * local_size(*mesh_, extent_of(*mesh_));
+    const double size = std::clamp(edge, finest_cell * t, coarsest_cell * t);
+    const double least = std::sqrt(cells_an_area * boundary_area(*mesh_) / most_cells);
+    if (size >= least)
+      return size;
+    const double thickness = least / (edge >= least ? coarsest_cell : finest_cell);
+    return fail(
+      ec::invalid_parameter,
+      "walls of " + number_text(1e3 * t) +
+        " mm are too thin for a part of this size: they would take too many tets",
+      "Take a thickness of at least " + number_text(std::ceil(1e4 * thickness) / 10) + " mm");
+  }
+
   expected<void> cut_inside() {
+    const auto size = cell();
+    if (!size)
+      return fail(size.error());
     const shell_field field(*mesh_, open_walls(), settings_.thickness,
                             overlap_share * settings_.thickness);
     std::optional<error> last;
     for (const auto& shift : grids) {
-      const auto surface = inside_of(field, shift);
-      if (!surface)
-        return fail(surface.error());
-      last = cut_pieces(*surface);
-      if (!last || last->code == ec::cancelled)
+      const auto inside = inside_of(field, *size, shift);
+      last = inside ? cut(*inside) : inside.error();
+      if (!last || (last->code != ec::mesher_failed && last->code != ec::postcondition_failed))
         break;
     }
     return last ? expected<void>(fail(*last)) : expected<void>();
   }
 
-  expected<std::vector<closed_surface>> inside_of(const shell_field& field, const vec3& shift) {
-    const double cell = cell_share * settings_.thickness;
+  expected<void_tool> inside_of(const shell_field& field, double size, const vec3& shift) {
     isosurface_settings grid;
     grid.extent = extent_of(*mesh_).grown(settings_.thickness);
-    grid.cell = cell;
+    grid.cell = size;
     grid.shift = shift;
     ctx_.run.report(0.05, "looking for the inside");
-    const auto surface =
-      isosurface([&](vec3 p) { return field.at(p); }, grid, ctx_.run.part(0.05, 0.3));
-    if (!surface)
-      return fail(surface.error());
-    auto pieces = surface->triangles.empty() ? std::vector<closed_surface>{}
-                                             : large_pieces(*surface, 8 * cell * cell * cell);
-    if (pieces.empty())
+    auto contour = isosurface([&](vec3 p) { return field.at(p); }, grid, ctx_.run.part(0.05, 0.3));
+    if (!contour)
+      return fail(contour.error());
+    if (!untangle(*contour))
+      return fail(ec::mesher_failed, "the inside's surface passes through itself",
+                  "Take another thickness");
+    auto inside = large_pieces(contour->surface, least_cells * size * size * size);
+    if (inside.pieces == 0)
       return fail(ec::invalid_argument,
                   "nothing of the part is thicker than twice " +
                     number_text(1e3 * settings_.thickness) + " mm",
                   "Take a smaller thickness");
-    return pieces;
+    return inside;
   }
 
-  /// All or none of them.
-  std::optional<error> cut_pieces(const std::vector<closed_surface>& pieces) {
-    auto next = mesh_;
-    double change = 0;
-    double deviation = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const auto tool = as_tool(pieces[i]);
-      const double size = local_size(*mesh_, tool);
-      const auto share = [&](std::size_t n) {
-        return 0.3 + 0.6 * double(n) / double(pieces.size());
-      };
-      const auto made = ctx_.host->boolean(next, tool, {boolean_mode::cut, deviation_share * size},
-                                           ctx_.run.part(share(i), share(i + 1)));
-      if (!made)
-        return made.error();
-      next = made->candidate;
-      change += made->volume_change;
-      deviation = std::max(deviation, made->deviation);
-    }
-    now_ = next;
-    change_ = change;
-    deviation_ = deviation;
-    voids_ = pieces.size();
+  std::optional<error> cut(const void_tool& inside) {
+    const double size = local_size(*mesh_, inside.tool);
+    auto made = ctx_.host->boolean(mesh_, inside.tool, {boolean_mode::cut, deviation_share * size},
+                                   ctx_.run.part(0.3, 0.9));
+    if (!made)
+      return made.error();
+    now_ = made->candidate;
+    change_ = made->volume_change;
+    deviation_ = made->deviation;
+    voids_ = inside.pieces;
     return std::nullopt;
   }
 

@@ -7,7 +7,8 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <unordered_map>
 
 namespace tedit::ops {
 
@@ -22,72 +23,133 @@ kernel::Point_3 point(vec3 p) {
   return {p.x, p.y, p.z};
 }
 
+vec3 place(const kernel::Point_3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+/// Outward directions at the edges and corners of the boundary by which a nearest point there tells
+/// inside from outside: of an edge the sum of both facets' normals, of a corner the sum by the
+/// facets' angles. Source: Baerentzen & Aanaes, "Signed distance computation using the angle
+/// weighted pseudonormal", 2005.
+class pseudo_normals {
+public:
+  explicit pseudo_normals(const mesh_version& mesh) : mesh_(mesh) {
+    for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
+      if (!mesh.is_live_facet(f))
+        continue;
+      const auto& v = mesh.facet(f).v;
+      const vec3 n = normalized(area_vector(mesh, mesh.facet(f)));
+      for (int k = 0; k < 3; ++k) {
+        const vec3 at = mesh.position(v[k]);
+        const vec3 a = normalized(mesh.position(v[(k + 1) % 3]) - at);
+        const vec3 b = normalized(mesh.position(v[(k + 2) % 3]) - at);
+        corners_[v[k]] += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * n;
+        edges_[key(v[k], v[(k + 1) % 3])] += n;
+      }
+    }
+  }
+
+  /// At the point of a facet nearest to some other point.
+  [[nodiscard]] vec3 at(facet_id f, vec3 nearest) const {
+    const auto& v = mesh_.facet(f).v;
+    std::array<double, 3> share{};
+    const vec3 whole = area_vector(mesh_, mesh_.facet(f));
+    for (int k = 0; k < 3; ++k)
+      share[k] =
+        dot(area_vector(nearest, mesh_.position(v[(k + 1) % 3]), mesh_.position(v[(k + 2) % 3])),
+            whole) /
+        dot(whole, whole);
+    constexpr double none = 1e-9;
+    for (int k = 0; k < 3; ++k)
+      if (share[k] > 1 - none)
+        return corners_.at(v[k]);
+    for (int k = 0; k < 3; ++k)
+      if (share[k] < none)
+        return edges_.at(key(v[(k + 1) % 3], v[(k + 2) % 3]));
+    return whole;
+  }
+
+private:
+  static std::uint64_t key(vertex_id a, vertex_id b) {
+    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+  }
+
+  const mesh_version& mesh_;
+  std::unordered_map<vertex_id, vec3> corners_;
+  std::unordered_map<std::uint64_t, vec3> edges_;
+};
+
 }  // namespace
 
-struct shell_field::nearest_tree {
-  explicit nearest_tree(triangles all)
-      : surface(std::move(all)), boxes(surface.begin(), surface.end()) {
-    boxes.accelerate_distance_queries();
+/// Some facets of the boundary.
+class shell_field::wall_tree {
+public:
+  wall_tree(const mesh_version& mesh, std::vector<facet_id> facets,
+            std::shared_ptr<const pseudo_normals> normals)
+      : facets_(std::move(facets)), normals_(std::move(normals)) {
+    for (const auto f : facets_) {
+      const auto& v = mesh.facet(f).v;
+      triangles_.emplace_back(point(mesh.position(v[0])), point(mesh.position(v[1])),
+                              point(mesh.position(v[2])));
+    }
+    boxes_.insert(triangles_.begin(), triangles_.end());
+    boxes_.accelerate_distance_queries();
   }
 
-  [[nodiscard]] vec3 to(vec3 p) const {
-    const auto q = boxes.closest_point(point(p));
-    return {q.x(), q.y(), q.z()};
+  struct nearest {
+    vec3 at;
+    double distance = 1e300;
+    bool inside = false;  ///< The other point lies in the part, where these facets are nearest.
+  };
+
+  [[nodiscard]] nearest to(vec3 p) const {
+    const auto [q, which] = boxes_.closest_point_and_primitive(point(p));
+    const vec3 at = place(q);
+    const auto f = facets_[static_cast<std::size_t>(which - triangles_.begin())];
+    return {at, norm(p - at), dot(p - at, normals_->at(f, at)) < 0};
   }
 
-  triangles surface;
-  tree boxes;
+private:
+  std::vector<facet_id> facets_;
+  std::shared_ptr<const pseudo_normals> normals_;
+  triangles triangles_;
+  tree boxes_;
 };
 
 shell_field::shell_field(const mesh_version& mesh, const std::vector<surface_id>& open,
                          double thickness, double overlap)
     : thickness_(thickness), overlap_(overlap) {
-  std::map<vertex_id, std::uint32_t> place;
-  triangles kept;
-  triangles left_open;
-  for (facet_id f = 0; f < mesh.facet_slots(); ++f) {
-    if (!mesh.is_live_facet(f))
-      continue;
-    auto& t = boundary_.triangles.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      const auto v = mesh.facet(f).v[k];
-      const auto [found, is_new] = place.emplace(v, static_cast<std::uint32_t>(place.size()));
-      if (is_new)
-        boundary_.points.push_back(mesh.position(v));
-      t[k] = found->second;
-    }
-    const bool is_open = std::ranges::count(open, mesh.facet(f).surface) > 0;
-    (is_open ? left_open : kept)
-      .emplace_back(point(boundary_.points[t[0]]), point(boundary_.points[t[1]]),
-                    point(boundary_.points[t[2]]));
-  }
-  sides_ = std::make_unique<surface_tree>(boundary_);
+  std::vector<facet_id> kept;
+  std::vector<facet_id> left_open;
+  for (facet_id f = 0; f < mesh.facet_slots(); ++f)
+    if (mesh.is_live_facet(f))
+      (std::ranges::count(open, mesh.facet(f).surface) > 0 ? left_open : kept).push_back(f);
+  const auto normals = std::make_shared<const pseudo_normals>(mesh);
   if (!kept.empty())
-    closed_ = std::make_unique<nearest_tree>(std::move(kept));
+    closed_ = std::make_unique<wall_tree>(mesh, std::move(kept), normals);
   if (!left_open.empty())
-    open_ = std::make_unique<nearest_tree>(std::move(left_open));
+    open_ = std::make_unique<wall_tree>(mesh, std::move(left_open), normals);
 }
 
 shell_field::~shell_field() = default;
 
 field_sample shell_field::at(vec3 p) const {
-  const bool inside = sides_->winding(p, {1, 0, 0}) > 0;
-  field_sample result{-1e300, {}};
-  if (closed_) {
-    const vec3 away = p - closed_->to(p);
-    const double distance = norm(away);
-    const bool grows = open_ || inside;
-    result = grows ? field_sample{thickness_ - distance, -normalized(away)}
-                   : field_sample{thickness_ + distance, normalized(away)};
-  }
-  if (open_) {
-    const vec3 away = p - open_->to(p);
-    const double distance = norm(away);
-    const double beyond = (inside ? -distance : distance) - overlap_;
-    if (beyond > result.value)
-      result = {beyond, inside ? -normalized(away) : normalized(away)};
-  }
-  return result;
+  const auto wall = closed_ ? closed_->to(p) : wall_tree::nearest{};
+  const auto opening = open_ ? open_->to(p) : wall_tree::nearest{};
+  const bool inside = wall.distance < opening.distance ? wall.inside : opening.inside;
+  if (!open_)
+    return inside ? field_sample{thickness_ - wall.distance, normalized(wall.at - p)}
+                  : field_sample{thickness_ + wall.distance, normalized(p - wall.at)};
+  const vec3 away = normalized(p - opening.at);
+  const field_sample beyond = inside ? field_sample{-opening.distance - overlap_, -away}
+                                     : field_sample{opening.distance - overlap_, away};
+  if (!closed_)
+    return beyond;
+  // Beyond an open wall the others go on as they stand where it is.
+  const vec3 from = inside ? p : opening.at;
+  const auto beside = inside ? wall : closed_->to(from);
+  const field_sample within{thickness_ - beside.distance, normalized(beside.at - from)};
+  return beyond.value > within.value ? beyond : within;
 }
 
 }  // namespace tedit::ops

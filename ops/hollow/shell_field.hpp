@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "ops/shapes/isosurface/isosurface.hpp"
-#include "ops/shapes/rounding/surface_tree.hpp"
 
 namespace tedit::ops {
 
@@ -21,14 +20,12 @@ public:
   [[nodiscard]] field_sample at(vec3 p) const;
 
 private:
-  struct nearest_tree;
+  class wall_tree;
 
   double thickness_;
   double overlap_;
-  closed_surface boundary_;
-  std::unique_ptr<surface_tree> sides_;
-  std::unique_ptr<nearest_tree> closed_;
-  std::unique_ptr<nearest_tree> open_;  ///< Null where no wall is open.
+  std::unique_ptr<wall_tree> closed_;
+  std::unique_ptr<wall_tree> open_;  ///< Null where no wall is open.
 };
 
 }  // namespace tedit::ops

@@ -9,8 +9,8 @@ namespace tedit::ops {
 
 namespace {
 
-/// More copies than this are a mistake in typing: each takes a boolean.
-constexpr int most_copies = 500;
+/// More copies than this are a mistake in typing.
+constexpr int most_copies = 1000;
 
 expected<void> check_count(int copies) {
   if (copies < 1)
@@ -18,7 +18,7 @@ expected<void> check_count(int copies) {
                 "Give a count of 2 or more");
   if (copies > most_copies)
     return fail(ec::invalid_parameter,
-                std::to_string(copies) + " copies are more than the 500 that one edit makes",
+                std::to_string(copies) + " copies are more than the 1000 that one edit makes",
                 "Give a smaller count");
   return {};
 }

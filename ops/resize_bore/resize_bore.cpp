@@ -43,8 +43,11 @@ error about_diameter(error refused, double now, double sign) {
   if (!refused.most)
     return refused;
   refused.most->value = now + sign * refused.most->value;
-  refused.remedy = "Take " + diameter_text(refused.most->value) + ": the " +
-                   (sign > 0 ? "largest" : "smallest") + " diameter that works here";
+  const bool is_limit = refused.remedy.find("the most that works") != std::string::npos;
+  refused.remedy = "Take a diameter of " + diameter_text(refused.most->value) +
+                   (!is_limit  ? ", which works here"
+                    : sign > 0 ? ": the largest that works here"
+                               : ": the smallest that works here");
   return refused;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/shapes/move_by_vertices.hpp"
 
-#include "mesh/checks.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/pieces.hpp"
 #include "ops/shapes/walls/shift_walls.hpp"
 
 namespace tedit::ops {

@@ -75,7 +75,7 @@ protected:
     auto surface = read_surface(file);
     if (!surface)
       return fail(surface.error());
-    return combine(block_, std::move(*surface), settings, ctx_);
+    return combine(block_, std::move(*surface), settings, {}, ctx_);
   }
 
   version_ptr block_ = test::box_mesh({6, 6, 6}, {0.1, 0.1, 0.1});

@@ -41,17 +41,17 @@ TEST(Isosurface, ABoxHasItsEdgesAndCorners) {
   const auto surface = isosurface([&](vec3 p) { return box_field(p, half); }, settings, {});
 
   ASSERT_TRUE(surface) << render(surface.error());
-  EXPECT_NEAR(volume_of(*surface), 8 * half.x * half.y * half.z, 1e-6);
+  EXPECT_NEAR(volume_of(surface->surface), 8 * half.x * half.y * half.z, 1e-6);
   double furthest = 0;
-  for (const auto& p : surface->points)
+  for (const auto& p : surface->surface.points)
     furthest = std::max(furthest, norm(p));
   EXPECT_NEAR(furthest, norm(half), 1e-6);
 }
 
 TEST(Isosurface, ASphereIsWithinItsChordError) {
   isosurface_settings settings;
-  settings.extent.add({-1, -1, -1});
-  settings.extent.add({1, 1, 1});
+  settings.extent.add(vec3{-1, -1, -1});
+  settings.extent.add(vec3{1, 1, 1});
   settings.cell = 0.1;
 
   const auto surface = isosurface(
@@ -61,15 +61,15 @@ TEST(Isosurface, ASphereIsWithinItsChordError) {
     settings, {});
 
   ASSERT_TRUE(surface) << render(surface.error());
-  for (const auto& p : surface->points)
+  for (const auto& p : surface->surface.points)
     EXPECT_NEAR(norm(p), 1, 0.1 * 0.1 / 2);
-  EXPECT_NEAR(volume_of(*surface), 4 * std::numbers::pi / 3, 0.02);
+  EXPECT_NEAR(volume_of(surface->surface), 4 * std::numbers::pi / 3, 0.02);
 }
 
 TEST(Isosurface, MoreCellsThanAllowedAreRefused) {
   isosurface_settings settings;
-  settings.extent.add({-1, -1, -1});
-  settings.extent.add({1, 1, 1});
+  settings.extent.add(vec3{-1, -1, -1});
+  settings.extent.add(vec3{1, 1, 1});
   settings.cell = 0.01;
   settings.most_cells = 1000;
 

@@ -13,9 +13,11 @@ struct copy_source {
   bool keeps_ids = false;  ///< The walls of the (only) copy get the ids of what they are copies of.
 };
 
-/// Makes the features again where each motion brings them, one after the other. Errors: those of
+/// Makes the features again where each motion brings them: many at once, those that overlap one
+/// after the other. Errors: `invalid_parameter` for more than 100 of the latter; those of
 /// `services::boolean_onto` naming which copy, `invalid_argument` where the part would fall into
-/// pieces or a boss would not touch it, `cancelled`. Cost: a boolean for each feature and motion.
+/// pieces or a boss would not touch it, `cancelled`. Cost: a boolean for 4000 triangles of
+/// tools, at least, and a test of each pair of copies.
 [[nodiscard]] expected<edit_result> place_copies(const copy_source& from,
                                                  const picked_features& features,
                                                  const std::vector<motion>& motions, context& ctx);

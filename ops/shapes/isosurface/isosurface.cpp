@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace tedit::ops {
 
@@ -25,6 +26,10 @@ struct grid_point {
   }
   [[nodiscard]] grid_point plus(int dx, int dy, int dz) const { return {x + dx, y + dy, z + dz}; }
   [[nodiscard]] grid_point corner(int i) const { return plus(i & 1, i >> 1 & 1, i >> 2 & 1); }
+  /// The cell whose corner i this is.
+  [[nodiscard]] grid_point minus(int i) const {
+    return plus(-(i & 1), -(i >> 1 & 1), -(i >> 2 & 1));
+  }
 };
 
 /// Of a cell: its edges by their corners (bit 0: x, 1: y, 2: z), four for each axis.
@@ -83,10 +88,7 @@ struct crossing {
 
 /// The point with the least squared distance from the planes of the crossings, as near to their
 /// middle as can be where these leave it free; within the cell.
-vec3 sharp_point(const std::vector<crossing>& crossings, vec3 low, double cell) {
-  vec3 middle;
-  for (const auto& c : crossings)
-    middle += c.at / static_cast<double>(crossings.size());
+vec3 sharp_point(const std::vector<crossing>& crossings, vec3 middle, vec3 low, double cell) {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   for (const auto& c : crossings) {
@@ -116,7 +118,7 @@ public:
       settings.extent.low - 2 * settings.cell * vec3{1, 1, 1} + settings.cell * settings.shift;
   }
 
-  expected<closed_surface> contour() {
+  expected<contoured_surface> contour() {
     const vec3 size = settings_.extent.high - origin_;
     const double longest = std::max({size.x, size.y, size.z}) / settings_.cell + 3;
     if (longest > 1 << 19)
@@ -126,11 +128,12 @@ public:
       span *= 2;
     if (auto ok = collect({}, span); !ok)
       return fail(ok.error());
+    complete_cells();
     for (const auto& cell : cells_)
       place_vertices(cell);
     for (const auto& cell : cells_)
       add_quads(cell);
-    return std::move(result_);
+    return contoured_surface{std::move(result_), std::move(middles_)};
   }
 
 private:
@@ -178,6 +181,26 @@ private:
     return {};
   }
 
+  /// Adds all cells around a crossed edge: a field that changes faster than the place does (at the
+  /// rim of an open wall) may have hidden some, and the surface would have a hole there.
+  void complete_cells() {
+    std::unordered_set<std::uint64_t> known;
+    for (const auto& cell : cells_)
+      known.insert(cell.key());
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      for (const auto& edge : cell_edges) {
+        const auto cell = cells_[i];
+        if (inside(cell.corner(edge[0])) == inside(cell.corner(edge[1])))
+          continue;
+        const int axis = edge[0] ^ edge[1];  // Its bit.
+        const auto start = cell.corner(edge[0]);
+        for (int corner = 0; corner < 8; ++corner)
+          if (const auto beside = start.minus(corner);
+              (corner & axis) == 0 && known.insert(beside.key()).second)
+            cells_.push_back(beside);
+      }
+  }
+
   /// By halving and, where the field is straight, at once.
   crossing find_crossing(grid_point a, grid_point b) {
     vec3 p = place(a);
@@ -216,7 +239,11 @@ private:
       for (int e = 0; e < 12; ++e)
         if (pieces[e] == piece)
           vertices[e] = static_cast<std::uint32_t>(result_.points.size());
-      result_.points.push_back(sharp_point(crossings, place(cell), settings_.cell));
+      vec3 middle;
+      for (const auto& c : crossings)
+        middle += c.at / static_cast<double>(crossings.size());
+      result_.points.push_back(sharp_point(crossings, middle, place(cell), settings_.cell));
+      middles_.push_back(middle);
     }
   }
 
@@ -264,12 +291,13 @@ private:
   std::vector<grid_point> cells_;
   std::unordered_map<std::uint64_t, std::array<std::uint32_t, 12>> vertices_;
   closed_surface result_;
+  std::vector<vec3> middles_;
 };
 
 }  // namespace
 
-expected<closed_surface> isosurface(const distance_field& field,
-                                    const isosurface_settings& settings, const execution& run) {
+expected<contoured_surface> isosurface(const distance_field& field,
+                                       const isosurface_settings& settings, const execution& run) {
   return contourer(field, settings, run).contour();
 }
 

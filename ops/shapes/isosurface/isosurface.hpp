@@ -24,14 +24,23 @@ struct isosurface_settings {
   std::size_t most_cells = 400'000;  ///< Through which the surface runs.
 };
 
+/// What `isosurface` gives.
+struct contoured_surface {
+  closed_surface surface;
+  /// For each point the middle of where the surface crosses its cell: a safer place, that knows no
+  /// creases.
+  std::vector<vec3> middles;
+};
+
 /// The closed surface around the inside, with its edges and corners where the field has creases;
-/// each piece of it is a manifold. Flat faces lie in their planes to rounding. Errors:
+/// each piece of it is a manifold. Flat faces lie in their planes to rounding. Where creases come
+/// closer to each other than a cell it may pass through itself. Errors:
 /// `invalid_parameter` where more cells would be needed, `cancelled`. Cost: O(cells that the
 /// surface runs through), some ten samples each. Source: Ju et al., "Dual contouring of Hermite
 /// data", 2002; a vertex for each piece of the surface in a cell: Nielson, "Dual marching cubes",
 /// 2004.
-[[nodiscard]] expected<closed_surface> isosurface(const distance_field& field,
-                                                  const isosurface_settings& settings,
-                                                  const execution& run);
+[[nodiscard]] expected<contoured_surface> isosurface(const distance_field& field,
+                                                     const isosurface_settings& settings,
+                                                     const execution& run);
 
 }  // namespace tedit::ops
