@@ -120,7 +120,8 @@ void add_edit(CLI::App& app, action& chosen) {
   command->add_option("--surfaces", options->request.surfaces, "Surface ids, separated by commas")
     ->delimiter(',');
   command->add_option("--param", options->pairs,
-                      "A parameter as NAME=VALUE, a length also as NAME_mm=VALUE; may be repeated");
+                      "A parameter as NAME=VALUE, a length also as NAME_mm=VALUE, a file as "
+                      "NAME=PATH; may be repeated");
   command->add_option("--load-case", options->load_case,
                       "Say what the edit does to this load case (JSON)");
   command

@@ -52,7 +52,7 @@ endforeach()
 set(plugin_headers
     ops/sdk/operation.hpp ops/tools/tools.hpp
     # Documented beside it.
-    base/parallel.hpp mesh/checks.hpp mesh/features/hole.hpp mesh/features/rims.hpp mesh/quality.hpp
+    base/attachment.hpp base/parallel.hpp mesh/checks.hpp mesh/features/hole.hpp mesh/features/rims.hpp mesh/quality.hpp
     # For tests of plugins.
     mesh/finish_edit.hpp mesh/io/import.hpp ops/services/host_services.hpp tests/support/meshes.hpp)
 set(node_headers node/node.hpp fem/calculix_deck.hpp)

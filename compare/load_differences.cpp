@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "base/text.hpp"
 #include "compare/load_differences.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <map>
+
+#include "base/text.hpp"
 
 namespace tedit {
 

@@ -8,6 +8,7 @@
 #include "client/recipe.hpp"
 #include "mesh/formats.hpp"
 #include "protocol/convert.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace tedit::client {
 namespace {
@@ -90,6 +91,26 @@ TEST(RecipeReader, AnApplyStepIsAnEditOfTheSelection) {
   EXPECT_EQ(step(R"({"apply": "erode", "parameters": {"depth": 0.002, "layers": 1},
                      "loads": "move"})"),
             recipe_step(apply_step{request}));
+}
+
+TEST(RecipeReader, AFileOfAParameterIsReadWithTheRecipe) {
+  const test::scratch_folder folder;
+  std::ofstream(folder.path() / "knob.stl") << "foobar";
+  const auto read = [&](const std::string& value) {
+    return recipe_from_json(
+      R"([{"edit": {"operation": "combine", "parameters": {"file": )" + value + "}}}]",
+      folder.path());
+  };
+
+  const auto good = read(R"({"file": "knob.stl"})");
+
+  ASSERT_TRUE(good) << render(good.error());
+  EXPECT_EQ(std::get<edit_step>(good->steps.front()).request.parameters,
+            (ops::parameters{{"file", std::string("data:knob.stl;base64,Zm9vYmFy")}}));
+  EXPECT_THAT(read(R"({"file": "none.stl"})").error().message, HasSubstr("is not there"));
+  for (const auto* wrong :
+       {R"({"path": "knob.stl"})", R"({"file": 3})", "[1]", R"({"file": "knob.stl", "more": 1})"})
+    EXPECT_FALSE(read(wrong)) << wrong;
 }
 
 /// Each kind of the window once, as docs/recipes.md has it.

@@ -14,11 +14,14 @@
 #include <QVBoxLayout>
 #include <QtTest/QtTest>
 
+#include <fstream>
+
 #include "client-qt/model/part_volume.hpp"
 #include "client-qt/tools/documents/welcome_page.hpp"
 #include "client-qt/tools/operations/operation_form.hpp"
 #include "client-qt/widgets/tall_scroll.hpp"
 #include "client-qt/widgets/wheel_guard.hpp"
+#include "tests/support/scratch.hpp"
 
 namespace tedit::desktop {
 namespace {
@@ -181,6 +184,47 @@ TEST(OperationForm, APointIsThreeLengthsHoweverTheyAreParted) {
   EXPECT_EQ(field->text(), QLocale().decimalPoint() == "," ? "10; -2,5; 30" : "10; -2.5; 30");
   form.reset();
   EXPECT_TRUE(field->text().isEmpty());
+}
+
+TEST(OperationForm, AVectorIsTypedAndNoClickGivesIt) {
+  ops::operation_description about;
+  about.id = "moved";
+  about.parameters = {
+    {"by", "By", "", ops::parameter_type::vector, "m", {}, {}, {}, std::string("0, 0, 0")}};
+  operation_form form(about);
+  auto* field = form.findChild<QLineEdit*>("by");
+  ASSERT_NE(field, nullptr);
+
+  field->setText("10; 0; -5");
+
+  EXPECT_LT(norm(*ops::vector_of(form.values(), "by") - vec3{0.01, 0, -0.005}), 1e-12);
+  EXPECT_FALSE(form.has_place());
+}
+
+TEST(OperationForm, AFileIsItsContentUntilAnotherPathIsTyped) {
+  const test::scratch_folder folder;
+  const auto path = (folder.path() / "knob.stl").string();
+  std::ofstream(path) << "foobar";
+  ops::operation_description about;
+  about.id = "combined";
+  about.parameters = {
+    {"file", "File", "", ops::parameter_type::file, "", {}, {}, {}, std::string()}};
+  operation_form form(about);
+  auto* field = form.findChild<QWidget*>("file")->findChild<QLineEdit*>();
+  ASSERT_NE(field, nullptr);
+  const auto value = [&] { return std::get<std::string>(form.values().at("file")); };
+
+  EXPECT_EQ(value(), "");
+  field->setText(QString::fromStdString(path));
+  EXPECT_EQ(value(), "data:knob.stl;base64,Zm9vYmFy");
+  // What a recipe or the last edit gave is shown by its name, and is what it was.
+  form.set_values({{"file", std::string("data:logo.stl;base64,Zm9v")}});
+  EXPECT_EQ(field->text(), "logo.stl");
+  EXPECT_EQ(value(), "data:logo.stl;base64,Zm9v");
+  // A path to nothing goes on as it is: the host says that it is no file.
+  field->clear();
+  QTest::keyClicks(field, "nowhere");
+  EXPECT_EQ(value(), "nowhere");
 }
 
 TEST(OperationForm, TheFirstFieldHasTheFocusOfTheForm) {

@@ -120,6 +120,8 @@ operation_description placed() {
   d.parameters = {
     {"at", "", "", parameter_type::point, "m", {}, {}, {}, std::string()},
     {"along", "", "", parameter_type::direction, "", {}, {}, {}, std::string("0, 0, 1")},
+    {"by", "", "", parameter_type::vector, "m", {}, {}, {}, std::string("0, 0, 0")},
+    {"shape", "", "", parameter_type::file, "", {}, {}, {}, std::string()},
   };
   return d;
 }
@@ -135,6 +137,27 @@ TEST(Parameters, PointsAndDirectionsAreThreeNumbers) {
   // Left to the operation, where its description lets it be empty.
   EXPECT_EQ(vector_of(*complete_parameters(placed(), {}), "at"), std::nullopt);
   EXPECT_FALSE(complete_parameters(placed(), {{"along", std::string(" ")}}).has_value());
+}
+
+TEST(Parameters, AVectorIsAWayInMetresAndMayBeZero) {
+  const auto values = complete_parameters(placed(), {{"by_mm", std::string("10, 0, -5")}});
+  ASSERT_TRUE(values.has_value()) << render(values.error());
+
+  EXPECT_LT(norm(*vector_of(*values, "by") - vec3{0.01, 0, -0.005}), 1e-15);
+  EXPECT_EQ(vector_of(*complete_parameters(placed(), {}), "by"), vec3{});
+  EXPECT_FALSE(complete_parameters(placed(), {{"by", std::string("1, 2")}}).has_value());
+}
+
+TEST(Parameters, AFileIsItsContentAndNeverAPath) {
+  const std::string content = "data:a.stl;base64,Zm9v";
+  const auto values = complete_parameters(placed(), {{"shape", content}});
+  const auto path = complete_parameters(placed(), {{"shape", std::string("/etc/passwd")}});
+
+  ASSERT_TRUE(values.has_value()) << render(values.error());
+  EXPECT_EQ(std::get<std::string>(values->at("shape")), content);
+  ASSERT_FALSE(path.has_value());
+  EXPECT_THAT(render(path.error()), HasSubstr("shape: it is not the content of a file"));
+  EXPECT_FALSE(complete_parameters(placed(), {{"shape", 3.0}}).has_value());
 }
 
 TEST(Parameters, WhatIsNoPointOrDirectionIsRefused) {

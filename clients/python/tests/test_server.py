@@ -97,6 +97,19 @@ class Editing(unittest.TestCase):
         np.testing.assert_array_equal(shown.surface(head).mesh.points, self.part.wait_surface().mesh.points)
         self.assertEqual(shown.report.volume_change_m3, done.report.volume_change_m3)
 
+    def test_a_path_is_sent_as_what_is_in_its_file(self):
+        knob = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "knob.stl"
+        corners = ((-20, -20, 40), (20, -20, 40), (0, 30, 40), (0, 0, 80))  # mm; it stands on and in the plate.
+        faces = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+        lines = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % corners[i] for i in face) + "endloop\nendfacet\n" for face in faces]
+        knob.write_text("solid knob\n" + "".join(lines) + "endsolid knob\n")
+        before = self.part.head
+        self.part.edit("combine", [], {"file": knob})
+        self.assertGreater(self.part.head.tets, before.tets)
+        with self.assertRaises(errors.InvalidParameter) as refused:
+            self.part.edit("combine", [], {"file": str(knob)})  # A text is a text.
+        self.assertIn("not the content of a file", str(refused.exception))
+
     def test_stress_arrives_and_follows(self):
         self.part.set_load_case(LOADS)
         solved = self.part.solve()

@@ -26,6 +26,11 @@ function arraysOf(all: Record<string, [TypedArray, number]>): Arrays {
   return new Arrays(7n, new Map(Object.entries(all).map(([name, [values, components]]) => [name, { values, components }])));
 }
 
+test("a file is sent as its name and content", () => {
+  const bytes = new TextEncoder().encode("foobar");
+  assert.deepEqual(toParameter({ name: "a;b.stl", bytes }), { kind: { case: "text", value: "data:a_b.stl;base64,Zm9vYmFy" } });
+});
+
 test("arrays stand where they are said to, in the memory of the stream", () => {
   const stream = new IncomingStream(announce(40n, u32("slots", 3n, 0n), { name: "values", type: FLOAT64, components: 3, items: 1n, offset: 16n }));
   const data = new Uint8Array(40);

@@ -83,7 +83,8 @@ private:
   struct joined_tool {
     tool_surface tool;
     std::vector<std::optional<surface_id>> continues;
-    double size = 1e300;  ///< m: the least of the part's mean edges there.
+    std::vector<std::size_t> first_face;  ///< Of each copy.
+    double size = 1e300;                  ///< m: the least of the part's mean edges there.
   };
 
   [[nodiscard]] joined_tool join(std::span<const copy_job> jobs) const {
@@ -98,6 +99,7 @@ private:
         all.tool.triangles.push_back({points + t[0], points + t[1], points + t[2]});
       for (const auto face : one.faces)
         all.tool.faces.push_back(faces + face);
+      all.first_face.push_back(faces);
       all.tool.names.insert(all.tool.names.end(), one.names.begin(), one.names.end());
       all.continues.resize(all.tool.names.size());
       if (from_.keeps_ids)
@@ -116,6 +118,8 @@ private:
                                         {mode, deviation_share * all.size}, run);
     if (!made)
       return fail(of_copy(made.error(), jobs.front()));
+    if (jobs.size() > 1 && !all_made(all, *made))
+      return fail(ec::empty_selection, "one of the copies does not meet the part");
     if (boundary_components(*made->candidate) > bodies_)
       return fail(of_copy(
         {ec::invalid_argument,
@@ -131,6 +135,20 @@ private:
         fresh_ += (fresh_.empty() ? "" : ", ") + std::to_string(*made->surfaces[i]) + " (" +
                   all.tool.names[i] + ")";
     return {};
+  }
+
+  /// Has something of each copy become a surface?
+  static bool all_made(const joined_tool& all, const boolean_result& made) {
+    for (std::size_t i = 0; i < all.first_face.size(); ++i) {
+      const auto last =
+        i + 1 < all.first_face.size() ? all.first_face[i + 1] : made.surfaces.size();
+      bool any = false;
+      for (auto face = all.first_face[i]; face < last; ++face)
+        any = any || made.surfaces[face].has_value();
+      if (!any)
+        return false;
+    }
+    return true;
   }
 
   [[nodiscard]] error of_copy(error e, const copy_job& job) const {
