@@ -38,6 +38,7 @@ ROOMS = {
     "ops/shapes/walls": (("ops/sdk", "mesh", "base"), ()),
     "ops/shapes/features": (("ops/shapes/caps", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ()),
     "ops/shapes/isosurface": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
+    "ops/shapes/outlines": (("ops/tools", "ops/sdk", "mesh", "base"), ("pugixml",)),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),
     "ops/loader": (("sandbox", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/tools": (("ops/sdk", "mesh", "base"), ()),
@@ -49,7 +50,7 @@ ROOMS = {
     "ops/hollow": (("ops/shapes/isosurface", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/combine": (("ops/tools", "ops/sdk", "mesh/io", "mesh", "base"), ("CGAL/",)),
     "ops/": (
-        ("ops/shapes/caps", "ops/shapes/features", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
+        ("ops/shapes/caps", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),

@@ -19,7 +19,7 @@ packages=(
   # libraries
   libcaf-dev libboost-dev libboost-system-dev libprotobuf-dev protobuf-compiler libspdlog-dev
   libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev
-  libtet1.5-dev libfreetype-dev fonts-dejavu-core libsqlite3-dev libzstd-dev libxxhash-dev nlohmann-json3-dev libssl-dev
+  libtet1.5-dev libfreetype-dev libpugixml-dev fonts-dejavu-core libsqlite3-dev libzstd-dev libxxhash-dev nlohmann-json3-dev libssl-dev
   libseccomp-dev
   # Vulkan: loader, shader compiler, the software device and the validation layers
   libvulkan-volk-dev libvulkan-dev glslang-tools spirv-tools mesa-vulkan-drivers

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ops/shapes/outlines/svg_outlines.hpp"
+
 namespace tedit::ops {
 
 expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
@@ -13,7 +15,7 @@ expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
     return fail(where.error());
   const double height = std::get<double>(values.at("height"));
   const double size = std::min(profile_size(*where, values), 3 * height);
-  const auto shape = profile_from(values, size);
+  const auto shape = profile_or_file(values, size);
   if (!shape)
     return fail(shape.error());
   // On a wall that is flat there the foot is flush with it, which the boolean makes exact; on any

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/features/wall_shape.hpp"
 #include "ops/emboss/text_outlines.hpp"
+#include "ops/shapes/outlines/svg_outlines.hpp"
 #include "ops/tools/profiles.hpp"
 
 namespace tedit::ops {
@@ -13,35 +15,107 @@ vec3 text_up(vec3 outward) {
   return std::abs(outward.z) < 0.9 ? vec3{0, 0, 1} : vec3{0, 1, 0};
 }
 
-expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
-                             const emboss_text& what, const std::vector<surface_id>& picked,
-                             context& ctx) {
+namespace {
+
+expected<profile> outlines_of(const emboss_text& what, double edge) {
+  if (what.logo)
+    return svg_outlines(*what.logo, what.letter_height, edge);
   if (what.text.find_first_not_of(" \t") == std::string::npos)
     return fail(ec::invalid_parameter, "there is no text to emboss", "Give text=...");
-  if (what.height == 0)
-    return fail(ec::invalid_parameter, "letters of no height are none",
-                "Give a height; a negative one is sunk");
   const auto font = font_file(what.font);
   if (!font)
     return fail(font.error());
+  return text_outlines(what.text, *font, what.letter_height, edge);
+}
+
+/// From where to where the letters reach, m, outward of the place.
+struct letter_reach {
+  double from = 0;
+  double to = 0;
+};
+
+/// Letters straight through what the wall does below them.
+expected<letter_reach> straight(const mesh_version& mesh, const placement& where,
+                                const emboss_text& what, double radius, double edge) {
+  if (what.height < 0)
+    return letter_reach{what.height, clearance(mesh, where.at, where.outward, radius) + 0.5 * edge};
+  const vec3 lifted = where.at + 1e-4 * where.size * where.outward;
+  const double gap = gap_below(mesh, lifted, where.outward, radius);
+  return letter_reach{gap > 1e-3 * where.size ? -gap - 0.2 * edge : 0, what.height};
+}
+
+/// The cylinder of the selected wall.
+std::optional<wall_shape> round_wall(const mesh_version& mesh,
+                                     const std::vector<surface_id>& picked) {
+  if (picked.empty())
+    return std::nullopt;
+  constexpr fit_limits round_enough{3e-3, true, false};
+  const auto shape = fit_wall(mesh, facets_of(mesh, std::array{picked.front()}), round_enough);
+  return shape && shape->type == wall_shape::kind::cylinder ? shape : std::nullopt;
+}
+
+/// Letters that follow a cylinder: the wall's triangles lie off it by the height of their arcs.
+/// Errors: `invalid_parameter` where they would reach the axis.
+expected<letter_reach> around(const wall_shape& round, const placement& where,
+                              const emboss_text& what, double edge) {
+  const double arc = where.size * where.size / (8 * round.radius);
+  const double below = 2 * arc + 0.2 * edge;
+  const letter_reach reach = what.height > 0 ? letter_reach{-below, what.height}
+                                             : letter_reach{what.height, below + 0.3 * edge};
+  const double inward = round.side > 0 ? -reach.from : reach.to;
+  if (inward > 0.8 * round.radius)
+    return fail(ec::invalid_parameter,
+                "letters of that height would reach the middle of the round wall",
+                "Take a smaller height");
+  return reach;
+}
+
+/// Bends what stands on the plane that touches the cylinder at the place around it.
+void wrap(const wall_shape& round, const placement& where, tool_surface& tool) {
+  const vec3 normal = round.normal(where.at);
+  const vec3 across = cross(round.axis, normal);
+  const vec3 foot = where.at - round.side * round.radius * normal;  // On the axis.
+  for (auto& p : tool.points) {
+    const vec3 d = p - where.at;
+    const double angle = round.side * dot(d, across) / round.radius;
+    const double height = round.radius + round.side * dot(d, normal);
+    p = foot + dot(d, round.axis) * round.axis +
+        height * round.side * (std::cos(angle) * normal + std::sin(angle) * across);
+  }
+}
+
+}  // namespace
+
+expected<edit_result> emboss(const version_ptr& mesh, const placement& where,
+                             const emboss_text& what, const std::vector<surface_id>& picked,
+                             context& ctx) {
+  if (what.height == 0)
+    return fail(ec::invalid_parameter, "letters of no height are none",
+                "Give a height; a negative one is sunk");
   // Strokes are about an eighth of a capital wide.
-  const double edge = std::min(where.size, what.letter_height / 8);
+  const double edge = std::min(where.size, what.letter_height / (what.logo ? 24 : 8));
   if (auto ok = check_fineness(where, edge, std::abs(what.height)); !ok)
     return fail(ok.error());
-  const auto outlines = text_outlines(what.text, *font, what.letter_height, edge);
+  const auto outlines = outlines_of(what, edge);
   if (!outlines)
     return fail(outlines.error());
-  const double radius = radius_of(*outlines);
   const bool raised = what.height > 0;
-  const vec3 lifted = where.at + 1e-4 * where.size * where.outward;
-  const double gap = raised ? gap_below(*mesh, lifted, where.outward, radius) : 0;
-  const double foot = gap > 1e-3 * where.size ? gap + 0.2 * edge : 0;
-  const double above = clearance(*mesh, where.at, where.outward, radius) + 0.5 * edge;
-  const auto tool =
-    extrude(make_frame(where.at, where.outward, what.up), *outlines, raised ? -foot : what.height,
-            raised ? what.height : above, edge, "text", *ctx.host);
+  const auto round = what.wraps ? round_wall(*mesh, picked) : std::nullopt;
+  placement on = where;
+  if (round) {
+    on.at = round->project(where.at);
+    on.outward = round->normal(where.at);
+  }
+  const auto reach = round ? around(*round, where, what, edge)
+                           : straight(*mesh, where, what, radius_of(*outlines), edge);
+  if (!reach)
+    return fail(reach.error());
+  auto tool = extrude(make_frame(on.at, on.outward, what.up), *outlines, reach->from, reach->to,
+                      edge, what.logo ? "logo" : "text", *ctx.host);
   if (!tool)
     return fail(tool.error());
+  if (round)
+    wrap(*round, on, *tool);
   return apply_tool(mesh, *tool, raised ? boolean_mode::add : boolean_mode::cut, where.size, picked,
                     ctx);
 }

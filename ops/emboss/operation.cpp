@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/emboss/emboss.hpp"
+#include "ops/shapes/outlines/svg_outlines.hpp"
 
 namespace {
 
@@ -11,15 +12,23 @@ public:
     using enum ops::parameter_type;
     ops::operation_description d;
     d.id = "emboss";
-    d.name = "Emboss text";
-    d.summary = "Raises a line of text from a wall, or sinks it in.";
-    d.version = "1.0.0";
+    d.name = "Emboss text or logo";
+    d.summary = "Raises a line of text or a logo from a wall, or sinks it in.";
+    d.version = "1.1.0";
     d.selection.help = "The wall to write on, or none where a place is given.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
     d.parameters = {
       {"text", "Text", "One line.", text, "", {}, {}, {}, std::string("TEdit")},
-      {"size", "Letter height", "Of capitals.", real, "m", 1e-5, 1.0, {}, 0.005},
+      {"size",
+       "Letter height",
+       "Of capitals; of a logo its longer side.",
+       real,
+       "m",
+       1e-5,
+       1.0,
+       {},
+       0.005},
       {"height",
        "Height",
        "How far it stands out of the wall; negative is sunk.",
@@ -45,6 +54,16 @@ public:
                                "axes."),
       ops::direction_parameter("direction", "Outward",
                                "The direction that the text looks in. Empty: across the wall."),
+      {"wrap",
+       "Around round walls",
+       "Letters on a selected round wall follow it; else they stand straight on it.",
+       boolean,
+       "",
+       {},
+       {},
+       {},
+       true},
+      ops::outline_file_parameter("A logo instead of the text: the filled shapes of an SVG."),
     };
     d.icon =
       ops::line_icon(R"(<path d="M4 19 L10 5 L16 19 M6.2 14 H13.8"/><path d="M18 19 H21"/>)");
@@ -63,6 +82,13 @@ public:
     what.font = std::get<std::string>(values.at("font"));
     what.letter_height = std::get<double>(values.at("size"));
     what.height = std::get<double>(values.at("height"));
+    what.wraps = std::get<bool>(values.at("wrap"));
+    if (const auto& logo = std::get<std::string>(values.at("file")); !logo.empty()) {
+      auto file = read_attachment(logo);
+      if (!file)
+        return fail(file.error());
+      what.logo = std::move(*file);
+    }
     if (what.text.size() > 200)
       return fail(ec::invalid_parameter, "the text is longer than 200 bytes", "Give a shorter one");
     const auto where =
@@ -79,4 +105,4 @@ public:
 
 }  // namespace
 
-TEDIT_PLUGIN("emboss", "1.0.0", emboss_operation)
+TEDIT_PLUGIN("emboss", "1.1.0", emboss_operation)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/pocket/pocket.hpp"
 
+#include "ops/shapes/outlines/svg_outlines.hpp"
+
 namespace tedit::ops {
 
 expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picked,
@@ -10,7 +12,7 @@ expected<edit_result> cut_pocket(const version_ptr& mesh, const selection& picke
   if (!where)
     return fail(where.error());
   const double size = profile_size(*where, values);
-  const auto shape = profile_from(values, size);
+  const auto shape = profile_or_file(values, size);
   if (!shape)
     return fail(shape.error());
   const double height = std::get<double>(values.at("height"));

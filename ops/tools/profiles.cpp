@@ -78,7 +78,7 @@ double size_for_shape(const placement& where, const parameters& values) {
   }
   if (kind == "rectangle")
     return std::min({where.size, length / 2, width_of(values) / 2});
-  return std::min(where.size, length / 4);
+  return std::min(where.size, length / (kind == "polygon" ? 4 : 24));
 }
 
 }  // namespace

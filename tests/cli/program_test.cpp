@@ -133,20 +133,6 @@ TEST(Edit, WritesAMeshThatReadsBackAndSolves) {
   EXPECT_LE(solve.parsed()["true_relative_residual"], 1e-6);
 }
 
-TEST(Edit, APathOfAFileParameterIsReadHere) {
-  const auto none = run("edit --json " + plate + " --op combine --param file=/nowhere/knob.stl");
-  const auto other =
-    run("edit --json " + plate +
-        " --op combine --param file=" TEDIT_TEST_DATA "/parts/ctc01_plate/features.json");
-
-  EXPECT_THAT(none.parsed()["error"].value("message", ""),
-              HasSubstr("/nowhere/knob.stl is not there"));
-  EXPECT_NE(none.status, 0);
-  EXPECT_NE(other.status, 0);
-  EXPECT_THAT(other.parsed()["error"].value("message", ""),
-              HasSubstr("\"features.json\" is of no kind that can be combined"));
-}
-
 TEST(Edit, LoadsOfARemovedSurfaceFollowThePolicy) {
   const auto loads = scratch("bore.json");
   std::ifstream in(plate_loads);

@@ -18,6 +18,7 @@ protected:
                       {"width", 0.0},
                       {"corners", std::int64_t{6}},
                       {"along", std::string()},
+                      {"file", std::string()},
                       {"height", 0.25},
                       {"at", std::string()},
                       {"direction", std::string()}};

@@ -15,6 +15,7 @@ protected:
                       {"width", 0.3},
                       {"corners", std::int64_t{6}},
                       {"along", std::string()},
+                      {"file", std::string()},
                       {"height", 0.1},
                       {"at", std::string()},
                       {"direction", std::string()}};
