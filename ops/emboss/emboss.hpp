@@ -10,12 +10,12 @@ namespace tedit::ops {
 
 struct emboss_text {
   std::string text;                     ///< UTF-8, one line.
-  std::optional<attachment> logo = {};  ///< An SVG instead of the text.
   std::string font = "sans";            ///< As `font_file` takes it.
   double letter_height = 0;             ///< m, of capitals; of a logo its longer side.
   double height = 0;                    ///< m; negative is sunk.
-  bool wraps = true;                    ///< Around a selected wall that is a round cylinder.
   vec3 up;                              ///< Which way the letters stand; zero: by the part's axes.
+  std::optional<attachment> logo = {};  ///< An SVG instead of the text.
+  bool wraps = true;                    ///< Around a selected wall that is a round cylinder.
 };
 
 /// Up for a wall that nobody gave one for: the part's z axis, on level walls its y axis.

@@ -84,13 +84,13 @@ TEST(SvgOutlines, ShapesHaveTheirAreas) {
     {R"(<rect x="1" y="1" width="8" height="4"/>)", 0.5},
     {R"(<rect width="8" height="8" rx="2"/>)", 1 - (4 - pi) / 16},
     {R"(<path d="M0 0 A 4 4 0 0 1 8 0 Z"/>)", pi / 8},
-    {R"(<g transform="rotate(30) scale(3)"><g transform="translate(7 8)"><rect width="8" height="8" transform="rotate(-30)"/></g></g>)",
+    {R"svg(<g transform="rotate(30) scale(3)"><g transform="translate(7 8)"><rect width="8" height="8" transform="rotate(-30)"/></g></g>)svg",
      1}};
   for (const auto& [body, area] : areas) {
     const auto shape = svg_outlines(picture(body), 1, 0.005);
     ASSERT_TRUE(shape) << body << ": " << render(shape.error());
     ASSERT_THAT(shape->outlines, SizeIs(1)) << body;
-    EXPECT_NEAR(area_of(shape->outlines[0]), area, 1e-4) << body;
+    EXPECT_NEAR(area_of(shape->outlines[0]), area, 5e-4) << body;  // Arcs as cubic curves.
   }
 }
 

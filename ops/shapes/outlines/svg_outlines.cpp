@@ -186,7 +186,7 @@ point2 on_curve(point2 from, const curve_piece& p, double t) {
   return result;
 }
 
-double distance(point2 a, point2 b) {
+double gap_of(point2 a, point2 b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
@@ -194,20 +194,20 @@ double distance(point2 a, point2 b) {
 std::vector<point2> flattened(const curved_outline& outline, double edge) {
   std::vector<point2> points{outline.start};
   const auto add = [&](point2 p) {
-    if (distance(points.back(), p) > 1e-3 * edge)
+    if (gap_of(points.back(), p) > 1e-3 * edge)
       points.push_back(p);
   };
   point2 from = outline.start;
   for (const auto& piece : outline.pieces) {
-    const double length = distance(from, piece.first) + distance(piece.first, piece.second) +
-                          distance(piece.second, piece.end);
+    const double length = gap_of(from, piece.first) + gap_of(piece.first, piece.second) +
+                          gap_of(piece.second, piece.end);
     const double steps = piece.straight ? 1 : std::ceil(length / edge);
     const int n = static_cast<int>(std::clamp(steps, 1.0, double(most_edges)));
     for (int i = 1; i <= n; ++i)
       add(on_curve(from, piece, double(i) / n));
     from = piece.end;
   }
-  while (points.size() > 1 && distance(points.back(), points.front()) <= 1e-3 * edge)
+  while (points.size() > 1 && gap_of(points.back(), points.front()) <= 1e-3 * edge)
     points.pop_back();
   return points;
 }
@@ -232,12 +232,21 @@ expected<profile> as_profile(const attachment& file, std::vector<curved_outline>
                              double edge) {
   point2 low{1e300, 1e300};
   point2 high{-1e300, -1e300};
-  for (const auto& outline : all)
-    for (const auto& piece : outline.pieces)
-      for (int k = 0; k < 2; ++k) {
-        low[k] = std::min(low[k], piece.end[k]);
-        high[k] = std::max(high[k], piece.end[k]);
-      }
+  const auto add = [&](point2 p) {
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  };
+  for (const auto& outline : all) {
+    point2 from = outline.start;
+    add(from);
+    for (const auto& piece : outline.pieces) {
+      for (int i = 1; i <= 16; ++i)
+        add(on_curve(from, piece, i / 16.0));
+      from = piece.end;
+    }
+  }
   const double longest = std::max(high[0] - low[0], high[1] - low[1]);
   if (!(longest > 0) || !std::isfinite(longest))
     return no_shapes(file);
