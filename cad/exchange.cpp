@@ -34,7 +34,15 @@ std::string name_of(const json& from) {
   return std::string(cut_text(name, longest_name));
 }
 
+/// A hundred thousand faces have less.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+
 expected<json> load(const std::filesystem::path& file) {
+  std::error_code code;
+  const auto size = std::filesystem::file_size(file, code);
+  if (!code && size > most_bytes)
+    return fail(ec::bad_input, "the part has more faces than can be taken",
+                "Import its solids one by one");
   std::ifstream in(file);
   auto read = json::parse(in, nullptr, false);
   if (read.is_discarded())

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cad/import.hpp"
 
+#include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -26,7 +29,11 @@ class private_folder {
 public:
   private_folder() {
     std::error_code code;
-    std::string name = (fs::temp_directory_path(code) / "tedit-import-XXXXXX").string();
+    remove_left_ones();
+    std::string name = (fs::temp_directory_path(code) / prefix).string();
+    // As long for each process: Gmsh's mesh depends on where things lie in memory.
+    const auto number = std::to_string(getpid());
+    name += std::string(7 - std::min<std::size_t>(7, number.size()), '0') + number + "-XXXXXX";
     if (!code && mkdtemp(name.data()) != nullptr)
       path_ = name;
   }
@@ -41,6 +48,24 @@ public:
   [[nodiscard]] const fs::path& path() const { return path_; }
 
 private:
+  static constexpr std::string_view prefix = "tedit-import-";
+
+  /// Those of imports that were killed.
+  static void remove_left_ones() {
+    std::error_code code;
+    for (const auto& item : fs::directory_iterator(fs::temp_directory_path(code), code)) {
+      const auto name = item.path().filename().string();
+      if (!name.starts_with(prefix))
+        continue;
+      const pid_t owner = std::atoi(name.c_str() + prefix.size());
+      struct stat about {};
+      if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH &&
+          lstat(item.path().c_str(), &about) == 0 && S_ISDIR(about.st_mode) &&
+          about.st_uid == geteuid())
+        fs::remove_all(item.path(), code);
+    }
+  }
+
   fs::path path_;
 };
 
@@ -93,7 +118,10 @@ expected<part_facts> read_part(const import_request& request, file_kind kind,
 
 /// The last surface that Gmsh named in what it printed.
 std::optional<int> last_surface_of(const fs::path& folder) {
-  const auto said = text_of(folder / log_file);
+  constexpr std::streamoff enough = 65536;
+  std::ifstream in(folder / log_file, std::ios::binary | std::ios::ate);
+  in.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(in.tellg()) - enough));
+  const std::string said{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   constexpr std::string_view words = "Meshing surface ";
   const auto at = said.rfind(words);
   if (at == std::string::npos || said.find("Done meshing 2D", at) != std::string::npos)
@@ -112,9 +140,8 @@ error about_mesher(const program_end& end, const part_facts& facts, const fs::pa
     why.message +=
       ", at surface " + std::to_string(*surface) + (name.empty() ? "" : " (" + name + ")");
   }
-  why.remedy =
-    "Try another --size; if none works, simplify that face in the CAD program (short "
-    "edges, gaps)";
+  why.remedy = std::string("Try another --size; if none works, simplify ") +
+               (surface ? "that face" : "the part") + " in the CAD program (short edges, gaps)";
   return why;
 }
 

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -37,7 +38,10 @@ std::vector<std::string> fields_of(std::string_view line) {
   std::vector<std::string> fields;
   while (true) {
     const auto tab = line.find('\t');
-    fields.push_back(to_utf8(line.substr(0, tab)));
+    auto field = to_utf8(line.substr(0, tab));
+    std::ranges::replace_if(
+      field, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    fields.push_back(std::move(field));
     if (tab == std::string_view::npos)
       return fields;
     line.remove_prefix(tab + 1);

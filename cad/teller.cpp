@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/process.hpp"
 #include "cad/exchange.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -41,6 +42,10 @@ teller::teller(const program_call& call) : line_(fcntl(STDOUT_FILENO, F_DUPFD_CL
   setvbuf(stdout, nullptr, _IOLBF, 4096);  // Its last words are wanted when it dies.
 }
 
+void teller::close_others() const {
+  close_files_except({line_});
+}
+
 void teller::send(const std::string& line) const {
   std::size_t done = 0;
   while (done < line.size()) {
@@ -65,6 +70,7 @@ void teller::refuse(const error& why) const {
 void confine(const program_call& call, const std::filesystem::path& file, const teller& tells) {
   const rlimit time{call.cpu_seconds, call.cpu_seconds + 2};
   setrlimit(RLIMIT_CPU, &time);
+  tells.close_others();
   if (!sandbox::is_wanted())
     return;
   sandbox::reach reach;

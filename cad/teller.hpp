@@ -30,6 +30,10 @@ public:
   /// Ends this program with a refusal that a person reads.
   [[noreturn]] void refuse(const error& why) const;
 
+  /// Closes all files but the standard streams and the line: whoever started this program may have
+  /// left some open.
+  void close_others() const;
+
 private:
   void send(const std::string& line) const;
   int line_ = -1;

@@ -4,6 +4,8 @@
 #include <sys/personality.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -17,6 +19,13 @@ namespace {
 
 using namespace tedit;
 using namespace tedit::cad;
+
+/// What may be moved for what, in terms of the thinnest wall.
+struct cleaning_step {
+  double most;
+  double flat;
+};
+constexpr std::array cleaning_steps{cleaning_step{0.01, 0.15}, cleaning_step{0.05, 0.07}};
 
 void tell_what_is_gone(const surface_mesh& faces, const part_facts& facts, mesh_report& report) {
   std::set<int> there;
@@ -36,10 +45,13 @@ void mesh(const program_call& call, const std::string& size, const teller& tells
   const auto as_made = part.mesh_faces(fineness_of(size));
   auto faces = as_made;
   tells.stage(0.4, "collapsing short edges");
-  // Of the thinnest wall: what is smaller carries nothing.
-  constexpr double noise_share = 0.05;
-  const auto cleaned = clean_surface(faces, noise_share * part.thinnest_wall());
-  mesh_report report{part.size(), cleaned.collapsed, cleaned.flipped, cleaned.moved, {}};
+  mesh_report report{part.size(), 0, 0, 0, {}};
+  for (const auto& step : cleaning_steps) {
+    const auto done = clean_surface(faces, step.most * part.thinnest_wall(), step.flat);
+    report.collapsed += done.collapsed;
+    report.flipped += done.flipped;
+    report.moved_mm = std::max(report.moved_mm, done.moved);
+  }
   tells.stage(0.45, "filling the solids with tets");
   if (!part.fill(faces)) {
     tells.stage(0.6, "filling the solids with tets once more, as the surface was");
@@ -76,7 +88,7 @@ void lie_still(char** argv) {
   const int now = personality(ask);
   if (now >= 0 && (now & ADDR_NO_RANDOMIZE) == 0 &&
       personality(static_cast<unsigned long>(now) | ADDR_NO_RANDOMIZE) >= 0)
-    execv("/proc/self/exe", argv);
+    execv(argv[0], argv);
 }
 
 }  // namespace

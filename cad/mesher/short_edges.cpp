@@ -13,10 +13,6 @@ namespace {
 using vertex = std::uint32_t;
 using corners = std::array<vertex, 3>;
 
-/// An edge below this share of its longest neighbour makes tets of a quality that nothing mends.
-constexpr double short_share = 0.15;
-/// Triangles (2 r_in / R_circ) below this are flat.
-constexpr double flat_quality = 0.15;
 /// A triangle may turn by so much, in terms of the cosine (about 37 degrees).
 constexpr double least_cosine = 0.8;
 constexpr int most_sweeps = 12;
@@ -33,7 +29,8 @@ double quality(const vec3& a, const vec3& b, const vec3& c) {
 
 class cleaner {
 public:
-  cleaner(surface_mesh& mesh, double most) : mesh_(mesh), most_(most), of_(mesh.points.size()) {
+  cleaner(surface_mesh& mesh, double most, double flat)
+      : mesh_(mesh), most_(most), flat_(flat), of_(mesh.points.size()) {
     live_.assign(mesh.triangles.size(), true);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       link(t);
@@ -129,9 +126,9 @@ private:
       longest = length[i] > length[longest] ? i : longest;
       shortest = length[i] < length[shortest] ? i : shortest;
     }
-    if (quality_of(c) >= flat_quality)
+    if (quality_of(c) >= flat_)
       return;
-    if (length[shortest] < short_share * length[longest] && length[shortest] <= most_ &&
+    if (length[shortest] < flat_ * length[longest] && length[shortest] <= most_ &&
         collapse(c[shortest], c[(shortest + 1) % 3]))
       return;
     if (!flip(t, c[longest], c[(longest + 1) % 3]))
@@ -191,7 +188,7 @@ private:
       const vec3 was = normal_of(c);
       std::ranges::replace(c, gone, kept);
       after = std::min(after, quality_of(c));
-      if (q > flat_quality && dot(was, normal_of(c)) < least_cosine)
+      if (q > flat_ && dot(was, normal_of(c)) < least_cosine)
         return std::nullopt;
     }
     return after > before ? std::optional(after) : std::nullopt;
@@ -243,7 +240,7 @@ private:
     const vertex c = opposite(corners_of(t), a, b);
     const vec3 along = point(b) - point(a);
     const double height = norm(cross(along, point(c) - point(a))) / norm(along);
-    if (height > most_ || height > flat_quality * norm(along))
+    if (height > most_ || height > flat_ * norm(along))
       return false;
     const auto beside = around(a, b);
     const auto of_c = neighbours(c);
@@ -286,6 +283,7 @@ private:
 
   surface_mesh& mesh_;
   double most_;
+  double flat_;
   std::vector<std::vector<std::uint32_t>> of_;  ///< Triangles of each point.
   std::vector<bool> live_;
   cleaning done_;
@@ -293,8 +291,8 @@ private:
 
 }  // namespace
 
-cleaning clean_surface(surface_mesh& mesh, double most) {
-  return cleaner(mesh, most).run();
+cleaning clean_surface(surface_mesh& mesh, double most, double flat) {
+  return cleaner(mesh, most, flat).run();
 }
 
 }  // namespace tedit::cad

@@ -28,10 +28,11 @@ struct cleaning {
     0;  ///< mm: how far a point went, or a triangle's corner was off its edge, at most.
 };
 
-/// Collapses edges that are much shorter than those around, and flips or drops flat triangles: a
-/// mesher of volumes builds tets without volume on them. No edge longer than `most` (mm) is
-/// collapsed, and nothing moves further. Closed surfaces stay closed; a face that is narrower than
-/// that may go. Deterministic. Cost: O(n log n).
-[[nodiscard]] cleaning clean_surface(surface_mesh& mesh, double most);
+/// Mends triangles whose quality (2 r_in / R_circ) is below `flat`, as a mesher of volumes builds
+/// tets without volume on them: collapses edges that are shorter than that share of their
+/// neighbours, flips or drops what is flat. No edge longer than `most` (mm) is collapsed, and no
+/// step moves anything further. Closed surfaces stay closed; a face that is narrower than that may
+/// go. Deterministic. Cost: O(n log n).
+[[nodiscard]] cleaning clean_surface(surface_mesh& mesh, double most, double flat);
 
 }  // namespace tedit::cad

@@ -8,6 +8,7 @@ namespace {
 
 /// A folder of programs of which the reader is a script.
 std::string with_reader(const std::string& script) {
+  std::filesystem::remove(scratch("tedit-cad-reader"));  // Maybe a link of a run before.
   const auto reader = write_scratch("tedit-cad-reader", "#!/bin/sh\n" + script);
   std::filesystem::permissions(reader, std::filesystem::perms::owner_all);
   const auto mesher = scratch("tedit-cad-mesher");
@@ -94,6 +95,24 @@ TEST(Mesher, ThatTakesTooLongSaysWhatItWasDoing) {
   EXPECT_THAT(said["message"].get<std::string>(), HasSubstr(" took longer than 2 s while "));
 }
 
+TEST(Mesher, ThatDiesSaysAtWhichSurface) {
+  TEDIT_NEEDS_CAD();
+  const auto folder = with_reader(
+    "echo 'Info    : [ 10%] Meshing surface 1 (Plane, Frontal-Delaunay)' >> $1/messages.txt\n"
+    "printf 'S\\t0.2\\tmeshing the surfaces\\n'\n"
+    "kill -ABRT $$\n");
+  std::filesystem::remove(folder + "/tedit-cad-reader");
+  std::filesystem::create_symlink(TEDIT_BIN "/tedit-cad-reader", folder + "/tedit-cad-reader");
+  const libexec programs(folder);
+
+  const auto said = refusal_of(cad_parts + "box.step", 1);
+
+  EXPECT_EQ(said["code"], "mesher_failed");
+  EXPECT_EQ(said["message"],
+            "the mesher died while meshing the surfaces (signal 6), at surface 1 (left wall)");
+  EXPECT_THAT(said["remedy"].get<std::string>(), HasSubstr("simplify that face"));
+}
+
 struct refused_file {
   const char* name;
   std::string content;
@@ -162,10 +181,11 @@ TEST(Import, RefusesASuffixThatNoFormatHasBeforeTheWork) {
             "there is no file format \"step\" to write");
 }
 
-TEST(Import, LeavesNoFolderBehind) {
+TEST(Import, LeavesNoFolderBehindAndTakesAwayThatOfOneThatWasKilled) {
   TEDIT_NEEDS_CAD();
   const auto folder = scratch("tmp");
-  std::filesystem::create_directories(folder);
+  // No process has such a number: the kernel's largest is 4194304.
+  std::filesystem::create_directories(folder / "tedit-import-4194305-abcdef" / "inner");
   setenv("TMPDIR", folder.c_str(), 1);
   run("import " + cad_parts + "box.step");
   run("import " + cad_parts + "elsewhere.step");

@@ -53,7 +53,7 @@ surface_mesh prism(const std::vector<vec3>& polygon) {
 TEST(CleanSurface, LeavesAGoodSurfaceAlone) {
   auto mesh = prism({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
 
-  const auto done = clean_surface(mesh, 0.05);
+  const auto done = clean_surface(mesh, 0.05, 0.15);
 
   EXPECT_EQ(done.collapsed + done.flipped, 0U);
   EXPECT_EQ(mesh.triangles.size(), 12U);
@@ -65,7 +65,7 @@ TEST(CleanSurface, TakesAwayAFaceThatIsNarrowerThanWhatMayGo) {
   auto mesh = prism({{0, 0, 0}, {0.99, 0, 0}, {1, 0.01, 0}, {1, 1, 0}, {0, 1, 0}});
   ASSERT_TRUE(is_closed(mesh));
 
-  const auto done = clean_surface(mesh, 0.05);
+  const auto done = clean_surface(mesh, 0.05, 0.15);
 
   EXPECT_TRUE(is_closed(mesh));
   EXPECT_EQ(done.collapsed, 2U);  // Its edge below and its edge above.
@@ -78,7 +78,7 @@ TEST(CleanSurface, TakesAwayAFaceThatIsNarrowerThanWhatMayGo) {
 TEST(CleanSurface, KeepsAFaceThatIsWiderThanWhatMayGo) {
   auto mesh = prism({{0, 0, 0}, {0.99, 0, 0}, {1, 0.01, 0}, {1, 1, 0}, {0, 1, 0}});
 
-  EXPECT_EQ(clean_surface(mesh, 0.01).collapsed, 0U);
+  EXPECT_EQ(clean_surface(mesh, 0.01, 0.15).collapsed, 0U);
 
   EXPECT_TRUE(is_closed(mesh));
   EXPECT_EQ(std::ranges::count(mesh.triangles, 4, &surface_mesh::triangle::surface), 2);
@@ -94,7 +94,7 @@ TEST(CleanSurface, FlipsAFlatTriangleWithinAFace) {
                         {{{0, 2, 8}, 1}, {{2, 1, 8}, 1}, {{1, 0, 8}, 1}, {{0, 3, 2}, 1}});
   ASSERT_TRUE(is_closed(mesh));
 
-  const auto done = clean_surface(mesh, 0.001);
+  const auto done = clean_surface(mesh, 0.001, 0.15);
 
   EXPECT_EQ(done.flipped, 1U);
   EXPECT_TRUE(is_closed(mesh));
@@ -110,7 +110,7 @@ TEST(CleanSurface, DropsAFlatTriangleAtAnEdgeOfThePart) {
                         {{{1, 0, 8}, 1}, {{0, 3, 8}, 1}, {{3, 2, 8}, 1}, {{2, 1, 8}, 1}});
   ASSERT_TRUE(is_closed(mesh));
 
-  const auto done = clean_surface(mesh, 0.05);
+  const auto done = clean_surface(mesh, 0.05, 0.15);
 
   EXPECT_EQ(done.flipped, 1U);
   EXPECT_NEAR(done.moved, 0.01, 1e-12);
@@ -123,7 +123,7 @@ TEST(CleanSurface, NeverPinchesOffAPart) {
   // A bar of 0.02 x 0.02 x 1 is all short edges: collapsing one would leave no volume.
   auto mesh = prism({{0, 0, 0}, {0.02, 0, 0}, {0.02, 0.02, 0}, {0, 0.02, 0}});
 
-  const auto done = clean_surface(mesh, 0.05);
+  const auto done = clean_surface(mesh, 0.05, 0.15);
 
   EXPECT_LE(done.moved, 0.05);
   EXPECT_TRUE(is_closed(mesh));
