@@ -194,12 +194,13 @@ expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts) {
 }
 
 std::string sentence_on_gone(const std::vector<int>& gone) {
+  constexpr std::size_t most_named = 10;
   std::string ids;
-  for (std::size_t i = 0; i < std::min<std::size_t>(gone.size(), 10); ++i)
+  for (std::size_t i = 0; i < std::min(gone.size(), most_named); ++i)
     ids += (i > 0 ? ", " : "") + std::to_string(gone[i]);
-  return std::to_string(gone.size()) +
-         " surfaces are narrower than a twentieth of the wall and went " +
-         "into their neighbours: " + ids + (gone.size() > 10 ? ", ..." : "");
+  return "faces that are narrower than a twentieth of the wall went into their neighbours (" +
+         std::to_string(gone.size()) + "): surface " + ids +
+         (gone.size() > most_named ? ", ..." : "");
 }
 
 expected<void> mesh_part(const import_request& request, const fs::path& folder, imported_part& part,

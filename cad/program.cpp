@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 #include "base/child_process.hpp"
 #include "base/misdeed.hpp"
@@ -105,6 +106,22 @@ stop listen(int from, clock::time_point deadline, listener& to, const execution&
   }
 }
 
+/// A program that closed its line may still be there: its status, once it has ended or was ended.
+int wait_for(pid_t pid, clock::time_point deadline, stop& stopped, const execution& run) {
+  constexpr timespec pause{0, 1'000'000};
+  int status = 0;
+  while (waitpid(pid, &status, WNOHANG) == 0) {
+    if (stopped == stop::none && run.cancel.cancelled())
+      stopped = stop::cancel;
+    if (stopped == stop::none && clock::now() >= deadline)
+      stopped = stop::time;
+    if (stopped != stop::none)
+      kill(pid, SIGKILL);
+    nanosleep(&pause, nullptr);
+  }
+  return status;
+}
+
 std::string while_doing(const program_end& end) {
   return end.doing.empty() ? " before it began" : " while " + end.doing;
 }
@@ -137,6 +154,27 @@ error reason_of(int status, const std::string& what, const program_end& end,
           {}};
 }
 
+struct running {
+  pid_t pid = -1;
+  unique_fd line;
+};
+
+running start(const std::string& name, const std::filesystem::path& folder,
+              const std::vector<std::string>& arguments, const program_limits& limits) {
+  std::vector<std::string> command{path_of(name).string(), folder.string(),
+                                   std::to_string(limits.time.count()),
+                                   std::to_string(limits.file_bytes)};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  std::array<int, 2> ends{};
+  const unique_fd nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  if (!nothing || pipe2(ends.data(), O_CLOEXEC) != 0)
+    return {};
+  running made{-1, unique_fd(ends[0])};
+  const unique_fd to(ends[1]);
+  made.pid = start_program(command, nothing.get(), to.get(), {limits.time, limits.memory_bytes});
+  return made;
+}
+
 }  // namespace
 
 expected<void> find_program(const std::string& name) {
@@ -154,39 +192,25 @@ program_end run_program(const std::string& name, const std::string& what,
                         const std::vector<std::string>& arguments, const program_limits& limits,
                         const execution& run) {
   program_end end;
-  std::vector<std::string> command{path_of(name).string(), folder.string(),
-                                   std::to_string(limits.time.count()),
-                                   std::to_string(limits.file_bytes)};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  std::array<int, 2> ends{};
-  const unique_fd nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const bool piped = pipe2(ends.data(), O_CLOEXEC) == 0;
-  unique_fd from(piped ? ends[0] : -1);
-  unique_fd to(piped ? ends[1] : -1);
-  const auto pid = piped && nothing ? start_program(command, nothing.get(), to.get(),
-                                                    {limits.time, limits.memory_bytes})
-                                    : -1;
-  if (pid < 0) {
+  const auto child = start(name, folder, arguments, limits);
+  if (child.pid < 0) {
     end.why = {ec::service_unavailable,
                what + " cannot be started: " + std::strerror(errno),
                "Close other programs, or raise the limits of open files and processes",
                {}};
     return end;
   }
-  to.reset();
+  const auto deadline = clock::now() + limits.time;
   listener hears(end, run);
-  const auto stopped = listen(from.get(), clock::now() + limits.time, hears, run);
-  if (stopped != stop::none)
-    kill(pid, SIGKILL);
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  end.done = stopped == stop::none && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (stopped == stop::cancel)
+  auto stopped = listen(child.line.get(), deadline, hears, run);
+  const int status = wait_for(child.pid, deadline, stopped, run);
+  const bool refused = !end.why.message.empty();
+  end.done = stopped == stop::none && !refused && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (stopped == stop::cancel) {
     end.why = {ec::cancelled, "the import was cancelled", "", {}};
-  else if (stopped == stop::time)
+  } else if (stopped == stop::time) {
     end.why = time_is_up(what, end, limits);
-  else if (!end.done && end.why.message.empty()) {
+  } else if (!end.done && !refused) {
     end.why = reason_of(status, what, end, limits);
     end.died = end.why.code == ec::bad_input;
   }

@@ -27,6 +27,59 @@ bool is_same(double a, double b) {
   return std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b)) + 1e-9;
 }
 
+/// The nodes of the current model, by their places.
+class nodes_of_mesh {
+public:
+  nodes_of_mesh() {
+    std::vector<std::size_t> tags;
+    std::vector<double> parameters;
+    gmsh::model::mesh::getNodes(tags, at, parameters, -1, -1, false, false);
+    for (std::size_t i = 0; i < tags.size(); ++i)
+      index_[tags[i]] = static_cast<std::int32_t>(i);
+  }
+
+  /// The corners of each element of this type on an entity.
+  template <std::size_t Corners>
+  [[nodiscard]] std::vector<std::array<std::int32_t, Corners>> of_elements(int type,
+                                                                           int entity) const {
+    std::vector<std::size_t> elements;
+    std::vector<std::size_t> nodes;
+    gmsh::model::mesh::getElementsByType(type, elements, nodes, entity);
+    std::vector<std::array<std::int32_t, Corners>> result(elements.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      result[i / Corners][i % Corners] = index_.at(nodes[i]);
+    return result;
+  }
+
+  std::vector<double> at;  ///< Three for each node.
+
+private:
+  std::map<std::size_t, std::int32_t> index_;
+};
+
+/// The triangles as a model of their own.
+void add_surfaces(const surface_mesh& faces,
+                  const std::map<int, std::vector<std::size_t>>& nodes_of) {
+  for (const auto& [surface, nodes] : nodes_of)
+    gmsh::model::addDiscreteEntity(2, surface);
+  std::vector<bool> is_there(faces.points.size(), false);
+  for (const auto& [surface, nodes] : nodes_of) {
+    std::vector<std::size_t> tags;
+    std::vector<double> at;
+    for (const auto tag : nodes) {
+      if (is_there[tag - 1])
+        continue;
+      is_there[tag - 1] = true;
+      const auto& p = faces.points[tag - 1];
+      tags.push_back(tag);
+      at.insert(at.end(), {p.x, p.y, p.z});
+    }
+    gmsh::model::mesh::addNodes(2, surface, tags, at);
+  }
+  for (const auto& [surface, nodes] : nodes_of)
+    gmsh::model::mesh::addElementsByType(surface, triangle_type, {}, nodes);
+}
+
 template <class T>
 void put(std::ofstream& out, const T* first, std::size_t count) {
   out.write(reinterpret_cast<const char*>(first), static_cast<std::streamsize>(count * sizeof(T)));
@@ -124,28 +177,21 @@ surface_mesh gmsh_part::mesh_faces(const fineness& size) {
   gmsh::model::mesh::generate(1);
   tells_.stage(0.2, "meshing the surfaces");
   gmsh::model::mesh::generate(2);
-  std::vector<std::size_t> tags;
-  std::vector<double> at;
-  std::vector<double> parameters;
-  gmsh::model::mesh::getNodes(tags, at, parameters, -1, -1, false, false);
+  const nodes_of_mesh nodes;
   surface_mesh mesh;
-  std::map<std::size_t, std::uint32_t> index;
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    index[tags[i]] = static_cast<std::uint32_t>(i);
-    mesh.points.push_back({at[3 * i], at[3 * i + 1], at[3 * i + 2]});
-  }
+  for (std::size_t i = 0; i < nodes.at.size(); i += 3)
+    mesh.points.push_back({nodes.at[i], nodes.at[i + 1], nodes.at[i + 2]});
   for (int face = 1; face <= static_cast<int>(facts_.faces.size()); ++face) {
-    std::vector<std::size_t> triangles;
-    std::vector<std::size_t> nodes;
-    gmsh::model::mesh::getElementsByType(triangle_type, triangles, nodes, face);
+    const auto triangles = nodes.of_elements<3>(triangle_type, face);
     if (triangles.empty())
       tells_.refuse({ec::mesher_failed,
                      "Gmsh made no triangles on " + surface_words(face),
                      "Try another --size, or mend that face in the CAD program",
                      {}});
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      mesh.triangles.push_back(
-        {{index[nodes[3 * i]], index[nodes[3 * i + 1]], index[nodes[3 * i + 2]]}, face});
+    for (const auto& [a, b, c] : triangles)
+      mesh.triangles.push_back({{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                                 static_cast<std::uint32_t>(c)},
+                                face});
   }
   return mesh;
 }
@@ -153,25 +199,10 @@ surface_mesh gmsh_part::mesh_faces(const fineness& size) {
 bool gmsh_part::fill(const surface_mesh& faces) {
   gmsh::model::add("filled");
   std::map<int, std::vector<std::size_t>> nodes_of;
-  std::vector<int> home(faces.points.size(), 0);
   for (const auto& one : faces.triangles)
-    for (const auto v : one.v) {
+    for (const auto v : one.v)
       nodes_of[one.surface].push_back(v + std::size_t{1});
-      home[v] = home[v] == 0 ? one.surface : home[v];
-    }
-  for (const auto& [surface, nodes] : nodes_of)
-    gmsh::model::addDiscreteEntity(2, surface);
-  std::map<int, std::pair<std::vector<std::size_t>, std::vector<double>>> points_of;
-  for (std::size_t v = 0; v < home.size(); ++v)
-    if (home[v] != 0) {
-      auto& [tags, at] = points_of[home[v]];
-      tags.push_back(v + 1);
-      at.insert(at.end(), {faces.points[v].x, faces.points[v].y, faces.points[v].z});
-    }
-  for (const auto& [surface, points] : points_of)
-    gmsh::model::mesh::addNodes(2, surface, points.first, points.second);
-  for (const auto& [surface, nodes] : nodes_of)
-    gmsh::model::mesh::addElementsByType(surface, triangle_type, {}, nodes);
+  add_surfaces(faces, nodes_of);
   for (const auto& [solid, around] : faces_of_) {
     std::vector<int> left;
     for (const auto face : around)
@@ -181,55 +212,45 @@ bool gmsh_part::fill(const surface_mesh& faces) {
     gmsh::model::geo::addVolume({solid}, solid);
   }
   gmsh::model::geo::synchronize();
+  bool done = false;
   try {
     gmsh::model::mesh::generate(3);
+    done = write(faces);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (...) {
-    return false;
+    done = false;  // It says why in its messages.
   }
-  return write(nodes_of);
+  gmsh::model::remove();
+  return done;
 }
 
-bool gmsh_part::write(const std::map<int, std::vector<std::size_t>>& surfaces) const {
-  std::vector<std::size_t> tags;
-  std::vector<double> at;
-  std::vector<double> parameters;
-  gmsh::model::mesh::getNodes(tags, at, parameters, -1, -1, false, false);
-  std::map<std::size_t, std::int32_t> index;  // Gmsh numbers nodes anew.
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    index[tags[i]] = static_cast<std::int32_t>(i);
-  const auto corners = [&](int type, int entity) {
-    std::vector<std::size_t> elements;
-    std::vector<std::size_t> nodes;
-    gmsh::model::mesh::getElementsByType(type, elements, nodes, entity);
-    return nodes;
-  };
-  mesh_header header;
-  header.points = tags.size();
+bool gmsh_part::write(const surface_mesh& faces) const {
+  const nodes_of_mesh nodes;  // Gmsh has numbered them anew.
   std::vector<std::array<std::int32_t, 4>> triangles;
-  for (const auto& [surface, was] : surfaces) {
-    const auto nodes = corners(triangle_type, surface);
-    if (nodes.size() != was.size())
-      return false;
-    for (std::size_t i = 0; i < nodes.size(); i += 3)
-      triangles.push_back(
-        {index.at(nodes[i]), index.at(nodes[i + 1]), index.at(nodes[i + 2]), surface});
-  }
+  std::set<int> surfaces;  // Gmsh does not know those that went.
+  for (const auto& one : faces.triangles)
+    surfaces.insert(one.surface);
+  for (const auto surface : surfaces)
+    for (const auto& [a, b, c] : nodes.of_elements<3>(triangle_type, surface))
+      triangles.push_back({a, b, c, surface});
   std::vector<std::array<std::int32_t, 5>> tets;
   for (const auto& [solid, around] : faces_of_) {
-    const auto nodes = corners(tet_type, solid);
-    if (nodes.empty())
+    const auto filled = nodes.of_elements<4>(tet_type, solid);
+    if (filled.empty())
       return false;
-    for (std::size_t i = 0; i < nodes.size(); i += 4)
-      tets.push_back({index.at(nodes[i]), index.at(nodes[i + 1]), index.at(nodes[i + 2]),
-                      index.at(nodes[i + 3]), solid});
+    for (const auto& [a, b, c, d] : filled)
+      tets.push_back({a, b, c, d, solid});
   }
+  if (triangles.size() != faces.triangles.size())
+    return false;
+  mesh_header header;
+  header.points = nodes.at.size() / 3;
   header.triangles = triangles.size();
   header.tets = tets.size();
   std::ofstream out(call_.folder / mesh_file, std::ios::binary);
   put(out, &header, 1);
-  put(out, at.data(), at.size());
+  put(out, nodes.at.data(), nodes.at.size());
   put(out, triangles.data(), triangles.size());
   put(out, tets.data(), tets.size());
   return static_cast<bool>(out.flush());

@@ -40,8 +40,8 @@ public:
 
 private:
   void check() const;
-  /// The mesh as it is, with the triangles of these surfaces.
-  [[nodiscard]] bool write(const std::map<int, std::vector<std::size_t>>& surfaces) const;
+  /// Writes the mesh as it is; false where a solid has no tets, or a face lost triangles.
+  [[nodiscard]] bool write(const surface_mesh& faces) const;
   void set_sizes(const fineness& size);
   [[nodiscard]] std::string surface_words(int tag) const;
 

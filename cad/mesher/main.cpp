@@ -36,6 +36,17 @@ void tell_what_is_gone(const surface_mesh& faces, const part_facts& facts, mesh_
       report.gone.push_back(face);
 }
 
+mesh_report clean(surface_mesh& faces, const gmsh_part& part) {
+  mesh_report report{part.size(), 0, 0, 0, {}};
+  for (const auto& step : cleaning_steps) {
+    const auto done = clean_surface(faces, step.most * part.thinnest_wall(), step.flat);
+    report.collapsed += done.collapsed;
+    report.flipped += done.flipped;
+    report.moved_mm = std::max(report.moved_mm, done.moved);
+  }
+  return report;
+}
+
 void mesh(const program_call& call, const std::string& size, const teller& tells) {
   tells.stage(0.02, "loading the shape into Gmsh");
   const auto facts = load_facts(call.folder);
@@ -45,13 +56,7 @@ void mesh(const program_call& call, const std::string& size, const teller& tells
   const auto as_made = part.mesh_faces(fineness_of(size));
   auto faces = as_made;
   tells.stage(0.4, "collapsing short edges");
-  mesh_report report{part.size(), 0, 0, 0, {}};
-  for (const auto& step : cleaning_steps) {
-    const auto done = clean_surface(faces, step.most * part.thinnest_wall(), step.flat);
-    report.collapsed += done.collapsed;
-    report.flipped += done.flipped;
-    report.moved_mm = std::max(report.moved_mm, done.moved);
-  }
+  auto report = clean(faces, part);
   tells.stage(0.45, "filling the solids with tets");
   if (!part.fill(faces)) {
     tells.stage(0.6, "filling the solids with tets once more, as the surface was");

@@ -144,6 +144,23 @@ TEST(ImportedAssembly, OfSolidsThatOverlapSaysSo) {
   EXPECT_THAT(part["warnings"][0].get<std::string>(), HasSubstr("solids overlap (1)"));
 }
 
+TEST(ImportedPart, LosesAFaceThatIsTooNarrowAndNamesIt) {
+  TEDIT_NEEDS_CAD();
+  // The box with the edge at x = 10, y = 0 cut off by 0.01 mm.
+  const auto part = import_part(cad_parts + "narrow_face.brep --size coarse");
+
+  ASSERT_EQ(part["warnings"].size(), 1U);
+  const auto said = part["warnings"][0].get<std::string>();
+  ASSERT_THAT(said, HasSubstr("went into their neighbours (1): surface "));
+  const int gone = std::stoi(said.substr(said.rfind(' ')));
+  EXPECT_EQ(part["surfaces"].size(), 6U);
+  for (const auto& surface : part["surfaces"])
+    EXPECT_NE(surface["id"], gone);
+  EXPECT_NEAR(part["surface_moved_m"].get<double>(), std::sqrt(2.0) * 1e-5, 1e-9);
+  EXPECT_GT(part["radius_ratio"]["min"].get<double>(), 0.2);
+  EXPECT_NEAR(part["volume_m3"].get<double>(), 6e-6, 6e-6 * 1e-3);
+}
+
 TEST(ImportedPart, IsEditedAndKeepsItsNames) {
   TEDIT_NEEDS_CAD();
   const auto mesh = scratch("block.msh").string();

@@ -50,6 +50,13 @@ TEST(Reader, ThatHangsIsEndedAtItsTime) {
   EXPECT_THAT(said["remedy"].get<std::string>(), HasSubstr("--time-limit"));
 }
 
+TEST(Reader, ThatClosesItsLineAndHangsIsEndedAtItsTime) {
+  const libexec programs(with_reader(std::string(transferring) + "\nexec sleep 60 >&-\n"));
+
+  EXPECT_EQ(refusal_of(cad_parts + "box.step --time-limit 1", 1)["message"],
+            "the reader took longer than 1 s while transferring the model");
+}
+
 TEST(Reader, ThatExitsWithoutAWordIsNoSuccess) {
   const libexec programs(with_reader("exit 3\n"));
 
