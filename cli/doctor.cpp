@@ -9,6 +9,7 @@
 
 #include "base/child_process.hpp"
 #include "base/forked_call.hpp"
+#include "cad/program.hpp"
 #include "cli/command.hpp"
 #include "cli/config.hpp"
 #include "cli/logging.hpp"
@@ -31,6 +32,14 @@ check_row check_program(const std::string& name, const std::string& what) {
   const auto path = executable_folder() / name;
   const bool there = access(path.c_str(), X_OK) == 0;
   return {name, there, there ? path.string() : "missing: " + what};
+}
+
+/// A build without the libraries leaves both out.
+check_row check_cad() {
+  for (const auto* name : {"tedit-cad-reader", "tedit-cad-mesher"})
+    if (const auto there = cad::find_program(name); !there)
+      return {"CAD files", true, "not read here: " + there.error().message};
+  return {"CAD files", true, "STEP, IGES and BREP are read"};
 }
 
 /// By doing it, in a copy of this process.
@@ -61,6 +70,7 @@ std::vector<check_row> check_all(const doctor_options& options, const cancel_tok
   rows.push_back(check_sandbox(options));
   rows.push_back(check_program("tedit-mesher", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
+  rows.push_back(check_cad());
   for (const auto& device : fem::list_devices())
     rows.push_back({"device " + device.name, true, device.kind + ", " + device.driver});
   const auto plugins = ops::load_default_catalogue();

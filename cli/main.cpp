@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
   app.add_flag("-q,--quiet", session.quiet, "No progress and notices on stderr");
 
   tedit::cli::add_info(app, chosen);
+  tedit::cli::add_import(app, chosen);
   tedit::cli::add_edit(app, chosen);
   tedit::cli::add_convert(app, chosen);
   tedit::cli::add_solve(app, chosen);

@@ -6,7 +6,7 @@ set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
 set(CPACK_PACKAGE_CONTACT "The TEdit maintainers <maintainers@tedit.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "change a meshed part, see its stress at once")
 set(CPACK_PACKAGE_DESCRIPTION
-    "TEdit edits parts that already have a tetrahedral mesh, CAD surface ids and load cases (close a drill hole,
+    "TEdit edits parts that already have a tetrahedral mesh (or a STEP, IGES or BREP file), CAD surface ids and load cases (close a drill hole,
 thin a plate, take off a rib) and shows the new stress field at once, without remeshing. A server with
 worker processes, a command line, a desktop client, and operations as plugins.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

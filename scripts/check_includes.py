@@ -12,6 +12,10 @@ import sys
 WIRE = ("compare/comparison.hpp", "edit/report.hpp", "fem/load_case.hpp", "fem/quantities.hpp", "fem/receipt.hpp", "fem/solve_report.hpp", "ops/sdk", "mesh", "base")
 CLIENT_QT_BELOW = ("client-qt/net", "client", "protocol", *WIRE)
 
+# Their headers have no folder.
+OPENCASCADE = ("BRep", "GProp_", "IGES", "Interface_", "NCollection_", "Quantity_", "STEP", "Standard_", "Step", "TColStd_", "TCollection_",
+               "TDF_", "TDataStd_", "TDocStd_", "TopExp", "TopLoc_", "TopTools_", "TopoDS", "Transfer", "XCAF", "XSControl_")
+
 # room: (other rooms or single headers of theirs, third-party prefixes). The longest room that is a prefix of a path
 # owns it.
 ROOMS = {
@@ -52,6 +56,10 @@ ROOMS = {
     "ops/": (
         ("ops/shapes/caps", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
+    "cad": (("edit", "ops/loader", "ops/sdk", "mesh/io", "mesh", "base"), ("nlohmann/",)),
+    "cad/teller.cpp": (("cad", "sandbox", "base"), ()),
+    "cad/reader": (("cad", "base"), OPENCASCADE),
+    "cad/mesher": (("cad", "mesh", "base"), ("gmsh.h",)),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
     "client/recipes": (("client", "protocol", *WIRE), ("nlohmann/",)),
@@ -67,7 +75,7 @@ ROOMS = {
     ),
     "node": (("actors", "fem", *WIRE), ("caf/",)),
     "cli": (
-        ("certs", "tls", "sandbox", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
+        ("cad", "certs", "tls", "sandbox", "actors/links", "actors", "client", "protocol", "compare", "edit", "verification", "fem", "ops/conformance",
          "ops/loader", "ops/services", "ops/sdk", "mesh/io", "mesh", "base", "actors/gateway/users.hpp"),
         ("CLI/", "nlohmann/", "spdlog/", "fmt/", "toml++/"),
     ),

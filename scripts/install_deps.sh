@@ -21,6 +21,8 @@ packages=(
   libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev
   libtet1.5-dev libfreetype-dev libpugixml-dev fonts-dejavu-core libsqlite3-dev libzstd-dev libxxhash-dev nlohmann-json3-dev libssl-dev
   libseccomp-dev
+  # CAD files in (the build works without)
+  libocct-data-exchange-dev libocct-ocaf-dev libocct-modeling-algorithms-dev libgmsh-dev
   # Vulkan: loader, shader compiler, the software device and the validation layers
   libvulkan-volk-dev libvulkan-dev glslang-tools spirv-tools mesa-vulkan-drivers
   vulkan-validationlayers

@@ -21,6 +21,10 @@ bin=$work/root/usr/bin
 "$bin/tedit" --quiet edit "$source/examples/ctc01_plate/ctc01_plate.coarse.msh" \
   --op fill_hole --surfaces 1,2 -o "$work/closed.msh"
 test -s "$work/closed.msh"
+if [ -x "$build/bin/tedit-cad-reader" ]; then
+  "$bin/tedit" --quiet import "$source/tests/data/cad/box.step" --size coarse -o "$work/box.msh"
+  test -s "$work/box.msh"
+fi
 test -s "$work/root/usr/share/man/man1/tedit.1"
 test -s "$work/root/usr/share/bash-completion/completions/tedit"
 if [ -d "$build/share/doc/tedit/html" ]; then

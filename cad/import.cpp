@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cad/import.hpp"
+
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "base/stopwatch.hpp"
+#include "cad/file_kind.hpp"
+#include "mesh/build_version.hpp"
+#include "mesh/io/file.hpp"
+
+namespace tedit::cad {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The only place where the two programs may write; gone with the import.
+class private_folder {
+public:
+  private_folder() {
+    std::error_code code;
+    remove_left_ones();
+    std::string name = (fs::temp_directory_path(code) / prefix).string();
+    // As long for each process: Gmsh's mesh depends on where things lie in memory.
+    const auto number = std::to_string(getpid());
+    name += std::string(7 - std::min<std::size_t>(7, number.size()), '0') + number + "-XXXXXX";
+    if (!code && mkdtemp(name.data()) != nullptr)
+      path_ = name;
+  }
+  ~private_folder() {
+    std::error_code code;
+    if (!path_.empty())
+      fs::remove_all(path_, code);
+  }
+  private_folder(const private_folder&) = delete;
+  private_folder& operator=(const private_folder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+  static constexpr std::string_view prefix = "tedit-import-";
+
+  /// Those of imports that were killed.
+  static void remove_left_ones() {
+    std::error_code code;
+    for (const auto& item : fs::directory_iterator(fs::temp_directory_path(code), code)) {
+      const auto name = item.path().filename().string();
+      if (!name.starts_with(prefix))
+        continue;
+      const pid_t owner = std::atoi(name.c_str() + prefix.size());
+      struct stat about {};
+      if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH &&
+          lstat(item.path().c_str(), &about) == 0 && S_ISDIR(about.st_mode) &&
+          about.st_uid == geteuid())
+        fs::remove_all(item.path(), code);
+    }
+  }
+
+  fs::path path_;
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Where the geometry is in other files the reader finds nothing, and cannot say why.
+error with_other_files(error why, const fs::path& file) {
+  const auto others = files_referred_to(text_of(file));
+  if (others.empty())
+    return why;
+  std::string names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(others.size(), 3); ++i)
+    names += (i > 0 ? ", " : "") + others[i];
+  why.message = "the file has no solid of its own: it refers to " + std::to_string(others.size()) +
+                (others.size() == 1 ? " other file (" : " other files (") + names +
+                (others.size() > 3 ? ", ...)" : ")");
+  why.remedy =
+    "Export the assembly as one STEP file with all geometry in it, not as one file for "
+    "each part";
+  return why;
+}
+
+/// Reads the CAD file; a STEP file that costs the reader its life is tried without annotations.
+expected<part_facts> read_part(const import_request& request, file_kind kind,
+                               const fs::path& folder, const execution& run) {
+  const auto file = fs::absolute(request.file).string();
+  const auto read = [&](const char* how) {
+    return run_program("tedit-cad-reader", "the reader", folder,
+                       {file, std::string(name_of(kind)), how}, request.limits, run);
+  };
+  auto end = read("with-annotations");
+  if (end.died && kind == file_kind::step) {
+    const auto first = end;
+    end = read("without-annotations");
+    if (end.died)
+      end.why.message = first.why.message + ", and once more without annotations" +
+                        (end.doing == first.doing ? "" : ", while " + end.doing);
+  }
+  if (end.done)
+    return load_facts(folder);
+  if (kind == file_kind::step && !end.died && end.why.code == ec::bad_input)
+    end.why = with_other_files(std::move(end.why), request.file);
+  if (end.why.where.empty())
+    end.why.where = request.file.string();
+  return fail(std::move(end.why));
+}
+
+/// The last surface that Gmsh named in what it printed.
+std::optional<int> last_surface_of(const fs::path& folder) {
+  constexpr std::streamoff enough = 65536;
+  std::ifstream in(folder / log_file, std::ios::binary | std::ios::ate);
+  in.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(in.tellg()) - enough));
+  const std::string said{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  constexpr std::string_view words = "Meshing surface ";
+  const auto at = said.rfind(words);
+  if (at == std::string::npos || said.find("Done meshing 2D", at) != std::string::npos)
+    return std::nullopt;
+  return std::atoi(said.c_str() + at + words.size());
+}
+
+error about_mesher(const program_end& end, const part_facts& facts, const fs::path& folder) {
+  auto why = end.why;
+  const auto surface = last_surface_of(folder);
+  if (!end.died)
+    return why;
+  why.code = ec::mesher_failed;
+  if (surface && *surface >= 1 && *surface <= static_cast<int>(facts.faces.size())) {
+    const auto& name = facts.faces[static_cast<std::size_t>(*surface) - 1].name;
+    why.message +=
+      ", at surface " + std::to_string(*surface) + (name.empty() ? "" : " (" + name + ")");
+  }
+  why.remedy = std::string("Try another --size; if none works, simplify ") +
+               (surface ? "that face" : "the part") + " in the CAD program (short edges, gaps)";
+  return why;
+}
+
+/// What lies in the file, taken piece by piece.
+class byte_reader {
+public:
+  explicit byte_reader(std::span<const char> bytes) : bytes_(bytes) {}
+
+  template <class T>
+  bool take(std::vector<T>& into, std::uint64_t count) {
+    if (count > (bytes_.size() - at_) / sizeof(T))
+      return false;
+    into.resize(count);
+    std::memcpy(into.data(), bytes_.data() + at_, count * sizeof(T));
+    at_ += count * sizeof(T);
+    return true;
+  }
+
+private:
+  std::span<const char> bytes_;
+  std::size_t at_ = 0;
+};
+
+expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts) {
+  const auto bytes = read_file(folder / mesh_file);
+  if (!bytes)
+    return fail(bytes.error());
+  byte_reader from(*bytes);
+  std::vector<mesh_header> header;
+  raw_mesh raw;
+  std::vector<std::array<std::int32_t, 4>> triangles;
+  std::vector<std::array<std::int32_t, 5>> tets;
+  if (!from.take(header, 1) || header[0].magic != mesh_header{}.magic ||
+      !from.take(raw.positions, header[0].points) || !from.take(triangles, header[0].triangles) ||
+      !from.take(tets, header[0].tets))
+    return fail(ec::internal, "the mesher's answer is damaged", "Try again");
+  const auto corner = [](std::int32_t v) { return static_cast<vertex_id>(v); };
+  for (const auto& t : triangles)
+    raw.triangles.push_back({{corner(t[0]), corner(t[1]), corner(t[2])}, t[3], true});
+  for (const auto& t : tets) {
+    raw.tets.push_back({{corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3])}});
+    raw.tet_regions.push_back(t[4]);
+  }
+  for (std::size_t i = 0; i < facts.faces.size(); ++i)
+    if (!facts.faces[i].name.empty())
+      raw.surface_names.push_back({static_cast<surface_id>(i + 1), facts.faces[i].name});
+  for (std::size_t i = 0; i < facts.solids.size(); ++i)
+    raw.region_names.push_back({static_cast<region_id>(i + 1), facts.solids[i].name});
+  return raw;
+}
+
+std::string sentence_on_gone(const std::vector<int>& gone) {
+  constexpr std::size_t most_named = 10;
+  std::string ids;
+  for (std::size_t i = 0; i < std::min(gone.size(), most_named); ++i)
+    ids += (i > 0 ? ", " : "") + std::to_string(gone[i]);
+  return "faces that are narrower than a twentieth of the wall went into their neighbours (" +
+         std::to_string(gone.size()) + "): surface " + ids +
+         (gone.size() > most_named ? ", ..." : "");
+}
+
+expected<void> mesh_part(const import_request& request, const fs::path& folder, imported_part& part,
+                         const execution& run) {
+  const auto end = run_program("tedit-cad-mesher", "the mesher", folder, {request.size},
+                               request.limits, run.part(0, 0.9));
+  if (!end.done)
+    return fail(about_mesher(end, part.facts, folder));
+  run.report(0.9, "building the mesh");
+  auto report = load_report(folder);
+  auto raw = load_mesh(folder, part.facts);
+  if (!report || !raw)
+    return fail(report ? raw.error() : report.error());
+  constexpr double millimetre = 1e-3;
+  auto built = build_version(std::move(*raw), millimetre, slot_order::along_curve);
+  if (!built)
+    return fail(built.error());
+  part.version = std::move(built->version);
+  part.report = std::move(*report);
+  std::ranges::copy(built->warnings, std::back_inserter(part.warnings));
+  if (!part.report.gone.empty())
+    part.warnings.push_back(sentence_on_gone(part.report.gone));
+  return {};
+}
+
+}  // namespace
+
+expected<imported_part> import_part(const import_request& request, const execution& run) {
+  const auto kind = kind_of(request.file);
+  if (!kind)
+    return fail(kind.error());
+  for (const auto* name : {"tedit-cad-reader", "tedit-cad-mesher"})
+    if (auto there = find_program(name); !there)
+      return fail(there.error());
+  const private_folder folder;
+  if (folder.path().empty())
+    return fail(ec::io_error,
+                std::string("no temporary folder can be made: ") + std::strerror(errno),
+                "Set TMPDIR to a folder with room that you may write to");
+  stopwatch clock;
+  imported_part part;
+  auto facts = read_part(request, *kind, folder.path(), run.part(0, 0.3));
+  if (!facts)
+    return fail(facts.error());
+  part.read_ms = clock.restart();
+  part.facts = std::move(*facts);
+  part.warnings = part.facts.notices;
+  if (auto meshed = mesh_part(request, folder.path(), part, run.part(0.3, 1)); !meshed) {
+    auto why = meshed.error();
+    if (why.where.empty())
+      why.where = request.file.string();
+    return fail(std::move(why));
+  }
+  part.mesh_ms = clock.milliseconds();
+  return part;
+}
+
+}  // namespace tedit::cad

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/stopwatch.hpp"
+#include "cad/import.hpp"
+#include "cad/repair.hpp"
+#include "cli/command.hpp"
+#include "cli/mesh_report.hpp"
+#include "mesh/io/formats.hpp"
+#include "sandbox/sandbox.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+struct import_options {
+  cad::import_request request;
+  std::string output;
+  unsigned time_limit_s = 120;
+  unsigned memory_mb = 4096;
+};
+
+/// "#rrggbb", as HTML and CSS have it.
+nlohmann::ordered_json colour_word(const std::optional<cad::colour>& looks) {
+  if (!looks)
+    return nullptr;
+  char text[8];
+  const auto byte = [&](int i) {
+    return static_cast<unsigned>(std::lround(255 * std::clamp((*looks)[i], 0.0, 1.0)));
+  };
+  std::snprintf(text, sizeof(text), "#%02x%02x%02x", byte(0), byte(1), byte(2));
+  return text;
+}
+
+/// The rows of `tedit info` with what CAD says of them.
+template <class Facts>
+void add_colours(nlohmann::ordered_json& rows, const std::vector<Facts>& facts) {
+  for (auto& row : rows) {
+    const auto place = row["id"].get<std::int64_t>() - 1;
+    const bool is_known = place >= 0 && place < static_cast<std::int64_t>(facts.size());
+    row["colour"] = is_known ? colour_word(facts[static_cast<std::size_t>(place)].looks) : nullptr;
+  }
+}
+
+struct stage_times {
+  double read = 0;
+  double mesh = 0;
+  double repair = 0;
+  double total = 0;
+};
+
+nlohmann::ordered_json to_json(const cad::imported_part& part, const mesh_report& report,
+                               const stage_times& ms) {
+  auto json = to_json(*part.version, report);
+  add_colours(json["surfaces"], part.facts.faces);
+  add_colours(json["regions"], part.facts.solids);
+  double volume_mm3 = 0;
+  for (std::size_t i = 0; i < part.facts.solids.size(); ++i)
+    volume_mm3 += part.facts.solids[i].volume_mm3;
+  json["cad_volume_m3"] = 1e-9 * volume_mm3;
+  json["length_unit"] = "mm";
+  json["cad_unit"] = part.facts.length_unit;
+  json["edge_length_m"] = 1e-3 * part.report.size_mm;
+  json["surface_moved_m"] = 1e-3 * part.report.moved_mm;
+  json["warnings"] = part.warnings;
+  json["timings_ms"] = {
+    {"read", ms.read}, {"mesh", ms.mesh}, {"repair", ms.repair}, {"total", ms.total}};
+  return json;
+}
+
+/// "12 (3 with a name, 4 with a colour)".
+std::string count_words(const nlohmann::ordered_json& rows) {
+  std::size_t names = 0;
+  std::size_t colours = 0;
+  for (const auto& row : rows) {
+    names += !row["name"].get_ref<const std::string&>().empty();
+    colours += !row["colour"].is_null();
+  }
+  return std::to_string(rows.size()) + " (" + std::to_string(names) + " with a name, " +
+         std::to_string(colours) + " with a colour)";
+}
+
+std::string describe(const import_options& options, const cad::imported_part& part,
+                     const mesh_report& report, const nlohmann::ordered_json& json) {
+  std::string text = options.request.file.string() + "\n";
+  const auto line = [&](const std::string& label, const std::string& value) {
+    text += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
+  };
+  const auto& unit = part.facts.length_unit;
+  line("unit", unit == "mm" ? unit : unit + ", mm in the mesh");
+  line("size", pretty(report.size_m.x * 1e3) + " x " + pretty(report.size_m.y * 1e3) + " x " +
+                 pretty(report.size_m.z * 1e3) + " mm");
+  line("regions", count_words(json["regions"]));
+  line("surfaces", count_words(json["surfaces"]));
+  line("tets", std::to_string(part.version->tet_count()) + " (" + options.request.size +
+                 ", edges up to " + pretty(part.report.size_mm, 3) + " mm)");
+  line("volume", pretty(report.volume_m3 * 1e9, 6) + " mm3");
+  line("radius ratio",
+       "min " + pretty(report.quality.min) + ", median " + pretty(report.quality.median));
+  const auto seconds = [&](const char* stage) {
+    return std::string(stage) + " " + pretty(json["timings_ms"][stage].get<double>() / 1e3, 3);
+  };
+  line("seconds", seconds("read") + ", " + seconds("mesh") + ", " + seconds("repair") + ", " +
+                    seconds("total"));
+  if (!options.output.empty())
+    text += options.output + ": the mesh\n";
+  return text;
+}
+
+int run_import(import_options options, session& s) {
+  const stopwatch total;
+  const auto format = output_format(options.output);
+  if (!options.output.empty() && !format)
+    return print_error(s, format.error());
+  options.request.limits.time = std::chrono::seconds(options.time_limit_s);
+  options.request.limits.memory_bytes = std::uint64_t{options.memory_mb} << 20;
+  if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
+    notice(s, "note: " + render(can.error()));
+  const auto run = make_execution(s);
+  auto part = cad::import_part(options.request, run.part(0, 0.7));
+  if (!part)
+    return print_error(s, part.error());
+  stopwatch clock;
+  if (auto repaired = cad::repair_part(*part, run.part(0.7, 0.95)); !repaired)
+    return print_error(s, repaired.error());
+  stage_times ms{part->read_ms, part->mesh_ms, clock.restart(), 0};
+  if (!options.output.empty())
+    if (const auto written =
+          write_as((*format)->name, options.output, *part->version, {.length_unit = "mm"});
+        !written)
+      return print_error(s, written.error());
+  for (const auto& warning : part->warnings)
+    notice(s, "note: " + warning);
+  const auto report = make_mesh_report(*part->version);
+  ms.total = total.milliseconds();
+  const auto json = to_json(*part, report, ms);
+  print_result(s, json, describe(options, *part, report, json));
+  return 0;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, action& chosen) {
+  auto options = std::make_shared<import_options>();
+  auto* command = app.add_subcommand("import", "Mesh a CAD file: STEP, IGES or BREP");
+  command->add_option("part", options->request.file, "A STEP, IGES or BREP file with solids")
+    ->required();
+  command
+    ->add_option("--size", options->request.size,
+                 "How fine: coarse (one tet through the mean wall, 6 edges on a circle), medium "
+                 "(two, 8) or fine (three, 12)")
+    ->check(CLI::IsMember({"coarse", "medium", "fine"}))
+    ->capture_default_str();
+  command->add_option("-o,--output", options->output,
+                      "Write the mesh, in mm: " + written_formats_text());
+  command
+    ->add_option("--time-limit", options->time_limit_s,
+                 "Seconds after which reading, or meshing, is given up")
+    ->capture_default_str()
+    ->check(CLI::Range(1U, 86400U));
+  command
+    ->add_option("--memory-mb", options->memory_mb,
+                 "The most memory that reading, or meshing, may take")
+    ->capture_default_str()
+    ->check(CLI::Range(256U, 1048576U));
+  command->callback(
+    [options, &chosen] { chosen = [options](session& s) { return run_import(*options, s); }; });
+}
+
+}  // namespace tedit::cli
