@@ -35,6 +35,7 @@ ROOMS = {
     "ops/sdk": (("mesh", "base"), ()),
     "ops/shapes": (("ops/shapes/walls", "ops/tools", "ops/sdk", "mesh", "base"), ()),
     "ops/shapes/caps": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
+    "ops/shapes/deform": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/walls": (("ops/sdk", "mesh", "base"), ()),
     "ops/shapes/rounding": (("ops/shapes", "ops/sdk", "mesh", "base"), ()),
     "ops/loader": (("sandbox", "ops/sdk", "mesh", "base"), ("CGAL/",)),
@@ -45,7 +46,7 @@ ROOMS = {
     "ops/conformance": (("sandbox", "ops/loader", "ops/services", "ops/sdk", "mesh", "base"), ()),
     "ops/probe": (("sandbox", "ops/loader", "ops/sdk", "mesh", "base"), ()),
     "ops/": (
-        ("ops/shapes/caps", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
+        ("ops/shapes/caps", "ops/shapes/deform", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),
