@@ -24,7 +24,16 @@ public:
   [[nodiscard]] bool is_within(vec3 p, double distance) const;
 
 private:
+  /// Around a triangle.
+  struct ball {
+    vec3 centre;
+    double radius = 0;
+  };
+
+  [[nodiscard]] bool further(std::size_t i, vec3 p, double than) const;
+
   std::vector<std::array<vec3, 3>> triangles_;
+  std::vector<ball> balls_;
   box_tree tree_;
 };
 
