@@ -14,7 +14,6 @@ adapt_mesh::adapt_mesh(const mesh_version& mesh)
       stars_(at_.size()),
       skin_at_(at_.size(), 0),
       first_new_vertex_(mesh.vertex_slots()),
-      first_new_tet_(mesh.tet_slots()),
       live_(mesh.tet_count()) {
   for (const auto& row : mesh.data().interfaces.to_vector())
     add_skin(row.v, {row.surface, skin_kind::interface, 0});
@@ -35,6 +34,7 @@ adapt_mesh::adapt_mesh(const mesh_version& mesh)
         add_skin(key, {0, skin_kind::border, 0});
     }
   }
+  first_new_tet_ = mesh.tet_slots();
 }
 
 std::array<vec3, 4> adapt_mesh::corners(std::uint32_t t) const {
@@ -87,6 +87,8 @@ void adapt_mesh::add_skin(const std::array<std::uint32_t, 3>& v, const skin& wha
   for (const auto corner : v)
     ++skin_at_[corner];
   ++triangles_[what.surface];
+  if (first_new_tet_ > 0)
+    fresh_skin_.push_back(make_face_key(v).v);
 }
 
 std::optional<skin> adapt_mesh::take_skin(const std::array<std::uint32_t, 3>& v) {
@@ -186,14 +188,11 @@ expected<void> adapt_mesh::write(mesh_builder& mesh) const {
       continue;
     const auto& v = tets_[t].v;
     change.added.push_back({{{id_of(v[0]), id_of(v[1]), id_of(v[2]), id_of(v[3])}}, regions_[t]});
-    for (int face = 0; face < 4; ++face) {
-      const auto& order = tet_faces[face];
-      const std::array corner{v[order[0]], v[order[1]], v[order[2]]};
-      if (const auto* what = skin_at(corner); what && what->kind == skin_kind::outside)
-        change.facets.push_back(
-          {{id_of(corner[0]), id_of(corner[1]), id_of(corner[2])}, what->surface});
-    }
   }
+  // Also faces of tets that stayed, where a neighbour went.
+  for (const auto& v : fresh_skin_)
+    if (const auto* what = skin_at(v); what && what->kind == skin_kind::outside)
+      change.facets.push_back({{id_of(v[0]), id_of(v[1]), id_of(v[2])}, what->surface});
   if (const auto done = mesh.apply(change); !done)
     return fail(done.error());
   if (!interfaces_changed_)

@@ -98,10 +98,11 @@ private:
   std::vector<std::vector<std::uint32_t>> stars_;
   std::unordered_map<std::array<std::uint32_t, 3>, skin, key_hash> skin_;
   std::unordered_map<surface_id, std::size_t> triangles_;
-  std::vector<std::uint32_t> skin_at_;  ///< Triangles of the skin at each vertex.
-  std::vector<tet_id> removed_;         ///< Of the version.
+  std::vector<std::uint32_t> skin_at_;                    ///< Triangles of the skin at each vertex.
+  std::vector<tet_id> removed_;                           ///< Of the version.
+  std::vector<std::array<std::uint32_t, 3>> fresh_skin_;  ///< Added since, some gone again.
   std::uint32_t first_new_vertex_ = 0;
-  std::uint32_t first_new_tet_ = 0;
+  std::uint32_t first_new_tet_ = 0;  ///< 0 while the version is copied.
   std::size_t live_ = 0;
   bool interfaces_changed_ = false;
 };

@@ -17,6 +17,7 @@ constexpr double widest_sphere = 100;
 /// Of the edge: where walls meet under so small an angle that their common point is further away,
 /// the middle is taken.
 constexpr double furthest_share = 0.5;
+constexpr double apart_share = 1e-3;
 constexpr int most_steps = 60;
 
 std::vector<vec3> corners_of(const mesh_version& mesh, std::span<const facet_id> facets) {
@@ -105,7 +106,7 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
   for (const auto id : ids) {
     const auto& w = wall_of(id);
     if (!w.known())
-      return start;
+      continue;  // What it looks like between its corners nobody knows.
     walls.push_back(&w);
     bent = bent || !w.flat();
   }
@@ -113,9 +114,10 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
     return start;
   const double size = norm(b - a);
   vec3 p = start;
+  double moved = 0;
   // From wall to wall; a plane is where the edge lies, not where the fit has it.
   for (int step = 0; step < most_steps; ++step) {
-    double moved = 0;
+    moved = 0;
     for (const auto* w : walls) {
       const double d = w->flat() ? dot(p - start, w->shape->axis) : w->distance(p);
       p = p - d * w->normal(p);
@@ -126,7 +128,8 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
     if (moved <= 1e-13 * size)
       return p;
   }
-  return start;
+  // Walls that touch without crossing, as far apart as their fits allow.
+  return moved <= apart_share * size ? p : start;
 }
 
 }  // namespace tedit

@@ -16,9 +16,9 @@ class wall_places {
 public:
   explicit wall_places(const mesh_version& mesh) : mesh_(mesh) {}
 
-  /// Where the middle of an edge of the skin belongs: on all the walls whose triangles meet there.
-  /// The middle itself where they are flat, of free form, or where no such point is near. Cost: a
-  /// fit of each surface once; else O(walls).
+  /// Where the middle of an edge of the skin belongs: on all the walls whose triangles meet there,
+  /// but for those of free form. The middle itself where they are flat or no such point is near.
+  /// Cost: a fit of each surface once; else O(walls).
   [[nodiscard]] vec3 middle(vec3 a, vec3 b, std::span<const surface_id> walls);
 
   /// m: how far a point is off the wall; 0 where that is of free form. Cost: the same.
