@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "mesh/box.hpp"
 #include "ops/deform/drag.hpp"
 #include "ops/shapes/most_that_works.hpp"
@@ -86,17 +87,17 @@ expected<drag_handle> picked(const mesh_version& mesh, const std::vector<surface
 error as_asked(error refused, const deform_settings& settings, vec3 way) {
   if (!refused.most)
     return refused;
-  const double most = refused.most->value;
-  char text[128];
-  if (settings.by) {
-    const vec3 part = 1e3 * most / norm(way) * way;
-    std::snprintf(text, sizeof(text), " (by_mm=%.6g,%.6g,%.6g)", part.x, part.y, part.z);
-    refused.remedy += text;
+  // "Take 3.1 mm: ..." or "Take 3.1 mm, which ...".
+  const auto told = refused.remedy.find(" mm");
+  if (settings.by && told != std::string::npos) {
+    const vec3 part = 1e3 * refused.most->value / norm(way) * way;
+    refused.remedy.replace(5, told - 2,
+                           "by_mm=" + format_number("%.6g", part.x) + "," +
+                             format_number("%.6g", part.y) + "," + format_number("%.6g", part.z));
     refused.most.reset();
   } else if (settings.distance < 0) {
-    refused.most->value = -most;
-    if (refused.remedy.starts_with("Take "))
-      refused.remedy.insert(5, "-");
+    refused.most->value = -refused.most->value;
+    refused.remedy.insert(5, "-");
   }
   return refused;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
@@ -217,16 +218,15 @@ expected<void> drag::check_tets(const std::vector<vec3>& places) const {
   if (where == no_id || worst >= floor * (1 - 1e-9))
     return {};
   const auto c = mesh_->corners(where);
-  const auto near = "the tet near " + place_text((c[0] + c[1] + c[2] + c[3]) / 4);
-  char text[96];
-  if (const double before = radius_ratio(c); before < least_quality) {
-    std::snprintf(text, sizeof(text), " is too flat already, q = %.3g, and would become %.3g",
-                  before, worst);
-    return fail(ec::inverted_tet, near + text, "Give the part better tets there: improve_mesh");
-  }
-  std::snprintf(text, sizeof(text), " would become too flat: q = %.3g, at least %.3g", worst,
-                floor);
-  return fail(ec::inverted_tet, near + text);
+  const auto place = place_text((c[0] + c[1] + c[2] + c[3]) / 4);
+  const auto number = [](double q) { return format_number("%.3g", q); };
+  if (const double before = radius_ratio(c); before < least_quality)
+    return fail(ec::inverted_tet,
+                "the tet near " + place + " is too flat already, q = " + number(before) +
+                  ", and would become " + number(worst),
+                "Give the part better tets there: improve_mesh");
+  return fail(ec::inverted_tet, "the tet near " + place + " would become too flat: q = " +
+                                  number(worst) + ", at least " + number(floor));
 }
 
 expected<edit_result> drag::by(double distance, const execution& run) const {

@@ -22,6 +22,10 @@ constexpr double goes_round = 0.75;
 /// dragged, like chamfers: what lies behind them is a neighbour, too.
 constexpr double edge_share = 0.25;
 
+/// Cosine between the normals of what is dragged and of a flat wall: such a wall is the other side
+/// of a plate, or a step, and no neighbour through roundings.
+constexpr double parallel = 0.87;
+
 enum class wall_kind { free_form, flat, round };
 
 wall_kind kind_of(const mesh_version& mesh, surface_id id) {
@@ -130,6 +134,16 @@ private:
     });
   }
 
+  [[nodiscard]] bool is_parallel(surface_id id) const {
+    const auto normal = handle_.normal();
+    if (!normal || kind_of(mesh_, id) != wall_kind::flat)
+      return false;
+    vec3 area;
+    for (const auto f : facets_of(mesh_, std::array{id}))
+      area += area_vector(mesh_, mesh_.facet(f));
+    return std::abs(dot(normalized(area), *normal)) > parallel;
+  }
+
   /// Those that belong to the handle: what hangs together with it over surfaces that bend.
   [[nodiscard]] std::set<surface_id> neighbours() const {
     auto found = touching_handle();
@@ -140,8 +154,10 @@ private:
         continue;
       for (const auto v : near_.vertices.at(id))
         for (const auto other : near_.at.at(v))
-          if (found.insert(other).second)
+          if (!found.contains(other) && !is_parallel(other)) {
+            found.insert(other);
             queue.push_back(other);
+          }
     }
     return found;
   }

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "base/text.hpp"
 #include "mesh/distances.hpp"
 #include "mesh/facet_pages.hpp"
 #include "mesh/place_text.hpp"
@@ -120,14 +121,12 @@ expected<drag_handle> handle_at(const mesh_version& mesh, vec3 place, double rad
                 "Select a surface of the boundary");
   if (radius == 0)
     radius = 2 * mean_edge(mesh, first);
-  if (const double off = distance_of(mesh, first, place); off > radius) {
-    char text[96];
-    std::snprintf(text, sizeof(text),
-                  " is %.4g mm off the wall, further than the radius of %.4g mm", 1e3 * off,
-                  1e3 * radius);
-    return fail(ec::empty_selection, "the place " + place_text(place) + text,
+  if (const double off = distance_of(mesh, first, place); off > radius)
+    return fail(ec::empty_selection,
+                "the place " + place_text(place) + " is " + format_number("%.4g", 1e3 * off) +
+                  " mm off the wall, further than the radius of " +
+                  format_number("%.4g", 1e3 * radius) + " mm",
                 "Give a place on the wall, or a larger radius");
-  }
   return gathered(mesh, patch_from(mesh, first, place, radius, surfaces));
 }
 
