@@ -6407,6 +6407,14 @@
         <source>within reach these surfaces stay: %1</source>
         <translation>in Reichweite bleiben diese Flächen: %1</translation>
     </message>
+    <message>
+        <source>Allow more tets, or a larger error</source>
+        <translation>Erlauben Sie mehr Tetraeder oder einen größeren Fehler</translation>
+    </message>
+    <message>
+        <source>no tet can become smaller within the limit of tets</source>
+        <translation>kein Tetraeder kann innerhalb der Grenze für Tetraeder kleiner werden</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 
 #include "mesh/adapt/wall_places.hpp"
@@ -44,25 +45,33 @@ double furthest(double size, double longest) {
   return std::max(0.0, longest - size) / size_growth;
 }
 
+/// The length that edges at a new vertex may have, m, by its place and the ends of the edge it is
+/// on.
+using size_rule = std::function<double(vec3 place, std::uint32_t a, std::uint32_t b)>;
+
 class edge_splitter {
 public:
-  edge_splitter(const mesh_version& base, adapt_mesh& mesh, const split_settings& settings,
-                const execution& run)
-      : base_(base),
-        mesh_(mesh),
-        settings_(settings),
+  /// `sizes`: at each vertex slot, how long its edges may be, m; outlives the splitter and grows
+  /// with the mesh.
+  edge_splitter(const mesh_version& base, adapt_mesh& mesh, std::vector<double>& sizes,
+                size_rule new_size, std::size_t most_tets, const execution& run)
+      : mesh_(mesh),
+        sizes_(sizes),
+        new_size_(std::move(new_size)),
+        most_tets_(most_tets),
         run_(run),
-        off_(base, settings.pick),
         walls_(base) {}
 
   expected<split_report> split_all() {
-    gather();
+    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
+      if (mesh_.is_live(t))
+        note_edges(mesh_.tet_at(t));
     for (std::size_t step = 0; !queue_.empty(); ++step) {
       if (step % 1024 == 0 && run_.cancel.cancelled())
         return fail(ec::cancelled, "the edit was cancelled");
-      if (mesh_.tet_count() > settings_.most_tets + settings_.most_tets / 2)
+      if (mesh_.tet_count() > most_tets_)
         return fail(ec::invalid_parameter,
-                    "more than " + std::to_string(settings_.most_tets) + " tets would come out",
+                    "more than " + std::to_string(most_tets_) + " tets would come out",
                     "Take a larger size");
       const auto next = queue_.top();
       queue_.pop();
@@ -74,18 +83,6 @@ public:
   }
 
 private:
-  void gather() {
-    double longest = 0;
-    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
-      if (mesh_.is_live(t))
-        longest = std::max(longest, longest_edge(mesh_.corners(t)));
-    furthest_ = furthest(settings_.size, longest);
-    distance_ = off_.at_vertices(base_, furthest_);
-    for (std::uint32_t t = 0; t < mesh_.tet_slots(); ++t)
-      if (mesh_.is_live(t))
-        note_edges(mesh_.tet_at(t));
-  }
-
   void note_edges(const tet& corners) {
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
@@ -94,7 +91,7 @@ private:
 
   void note(std::uint32_t a, std::uint32_t b) {
     const double length = mesh_.length(a, b);
-    if (length > settings_.size + size_growth * std::min(distance_[a], distance_[b]))
+    if (length > std::min(sizes_[a], sizes_[b]))
       queue_.push({length, std::min(a, b), std::max(a, b)});
   }
 
@@ -163,22 +160,18 @@ private:
     }
     const std::vector<std::uint32_t> ring = ring_;
     const auto fresh = mesh_.split(e.a, e.b, ring, place);
-    const double bound = std::min(distance_[e.a] + norm(place - mesh_.at(e.a)),
-                                  distance_[e.b] + norm(place - mesh_.at(e.b)));
-    distance_.push_back(off_(place, std::min(furthest_, bound * (1 + 1e-9))));
+    sizes_.push_back(new_size_(place, e.a, e.b));
     ++report_.vertices;
     for (const auto t : mesh_.star(fresh))
       note_edges(mesh_.tet_at(t));
   }
 
-  const mesh_version& base_;
   adapt_mesh& mesh_;
-  const split_settings& settings_;
+  std::vector<double>& sizes_;
+  size_rule new_size_;
+  std::size_t most_tets_;
   const execution& run_;
-  pick_distance off_;
   wall_places walls_;
-  double furthest_ = 0;
-  std::vector<double> distance_;  ///< By vertex, m.
   std::priority_queue<edge> queue_;
   std::vector<std::uint32_t> ring_;
   split_report report_;
@@ -232,7 +225,36 @@ double tets_after_split(const mesh_version& mesh, const split_settings& settings
 
 expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
                                    const split_settings& settings, const execution& run) {
-  return edge_splitter(base, mesh, settings, run).split_all();
+  double longest = 0;
+  for (std::uint32_t t = 0; t < mesh.tet_slots(); ++t)
+    if (mesh.is_live(t))
+      longest = std::max(longest, longest_edge(mesh.corners(t)));
+  const double far = furthest(settings.size, longest);
+  const pick_distance off(base, settings.pick);
+  const auto size_at = [&](double distance) { return settings.size + size_growth * distance; };
+  std::vector<double> distance = off.at_vertices(base, far);
+  std::vector<double> sizes;
+  for (const auto d : distance)
+    sizes.push_back(size_at(d));
+  const auto new_size = [&](vec3 place, std::uint32_t a, std::uint32_t b) {
+    const double bound =
+      std::min(distance[a] + norm(place - mesh.at(a)), distance[b] + norm(place - mesh.at(b)));
+    distance.push_back(off(place, std::min(far, bound * (1 + 1e-9))));
+    return size_at(distance.back());
+  };
+  // What was expected is right within a factor, so that there is some room.
+  return edge_splitter(base, mesh, sizes, new_size, settings.most_tets + settings.most_tets / 2,
+                       run)
+    .split_all();
+}
+
+expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
+                                   std::vector<double> sizes, std::size_t most_tets,
+                                   const execution& run) {
+  const auto between = [&](vec3, std::uint32_t a, std::uint32_t b) {
+    return 0.5 * (sizes[a] + sizes[b]);
+  };
+  return edge_splitter(base, mesh, sizes, between, most_tets, run).split_all();
 }
 
 }  // namespace tedit

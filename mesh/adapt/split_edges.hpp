@@ -33,4 +33,15 @@ struct split_report {
                                                  const split_settings& settings,
                                                  const execution& run);
 
+/// The same where each vertex says how long its edges may be (m, by slot of `base`); a new vertex
+/// as much as the ends of its edge in the mean. Errors: the same.
+[[nodiscard]] expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
+                                                 std::vector<double> sizes, std::size_t most_tets,
+                                                 const execution& run);
+
+/// Tets of a builder that came out flatter than q = 0.2 are mended with what is around them: on
+/// flat walls facets may change and vertices slide, by no more than `tolerance` (m). Errors:
+/// `cancelled`. Cost: O(touched), and some milliseconds a place.
+[[nodiscard]] expected<void> mend_split(mesh_builder& mesh, double tolerance, const execution& run);
+
 }  // namespace tedit

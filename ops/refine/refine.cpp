@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "mesh/adapt/split_edges.hpp"
-#include "mesh/optimize/improve.hpp"
 #include "mesh/pieces.hpp"
-#include "mesh/quality.hpp"
 #include "ops/shapes/mesh_pick.hpp"
 
 namespace tedit::ops {
@@ -15,8 +13,8 @@ namespace {
 
 /// Worst radius ratio that is promised, unless it was worse.
 constexpr double floor_quality = 0.1;
-/// What is below is mended, as far as the boundary lets it.
-constexpr double mended_below = 0.2;
+/// Of the size: how far vertices of flat walls may go where thin facets are mended.
+constexpr double mend_share = 1e-6;
 
 std::string count_text(double count) {
   char text[32];
@@ -44,27 +42,6 @@ expected<void> check_count(const mesh_version& mesh, split_settings settings) {
               "about " + count_text(expected_tets) + " tets would come out; at most " +
                 count_text(most) + " are made",
               text);
-}
-
-/// Tets below the promise are mended with what is around them: on flat walls facets may change and
-/// vertices slide, by less than rounding of a CAD file. Errors: `cancelled`.
-expected<void> mend(mesh_builder& mesh, double size, const execution& run) {
-  std::vector<tet_id> bad;
-  for (const auto t : mesh.touched())
-    if (radius_ratio(mesh.corners(t)) < mended_below)
-      bad.push_back(t);
-  if (bad.empty())
-    return {};
-  improve_settings settings;
-  settings.thorough.emplace();
-  settings.thorough->target = mended_below;
-  settings.thorough->insert_below = floor_quality;
-  settings.thorough->harmonic = false;
-  settings.thorough->tolerance.absolute = 1e-6 * size;
-  execution quiet;
-  quiet.cancel = run.cancel;
-  const auto done = improve(mesh, bad, settings, quiet);
-  return done ? expected<void>() : fail(done.error());
 }
 
 void tell(const split_report& made, double size, edit_result& result) {
@@ -100,7 +77,7 @@ expected<edit_result> refine(const version_ptr& mesh, const mesh_pick& pick, dou
   if (auto written = work.write(builder); !written)
     return fail(written.error().code, written.error().message,
                 "Improve the mesh first: improve_mesh");
-  if (auto mended = mend(builder, settings.size, ctx.run); !mended)
+  if (auto mended = mend_split(builder, mend_share * settings.size, ctx.run); !mended)
     return fail(mended.error());
   edit_result result;
   result.touched = builder.touched();
