@@ -22,9 +22,9 @@ constexpr double goes_round = 0.75;
 /// dragged, like chamfers: what lies behind them is a neighbour, too.
 constexpr double edge_share = 0.25;
 
-/// Cosine between the normals of what is dragged and of a flat wall: such a wall is the other side
-/// of a plate, or a step, and no neighbour through roundings.
-constexpr double parallel = 0.87;
+/// Cosine between the normals of what is dragged and of a flat wall: below, it is the other side of
+/// a plate, and no neighbour by way of roundings.
+constexpr double opposite = -0.87;
 
 enum class wall_kind { free_form, flat, round };
 
@@ -134,14 +134,14 @@ private:
     });
   }
 
-  [[nodiscard]] bool is_parallel(surface_id id) const {
+  [[nodiscard]] bool is_other_side(surface_id id) const {
     const auto normal = handle_.normal();
     if (!normal || kind_of(mesh_, id) != wall_kind::flat)
       return false;
     vec3 area;
     for (const auto f : facets_of(mesh_, std::array{id}))
       area += area_vector(mesh_, mesh_.facet(f));
-    return std::abs(dot(normalized(area), *normal)) > parallel;
+    return dot(normalized(area), *normal) < opposite;
   }
 
   /// Those that belong to the handle: what hangs together with it over surfaces that bend.
@@ -154,7 +154,7 @@ private:
         continue;
       for (const auto v : near_.vertices.at(id))
         for (const auto other : near_.at.at(v))
-          if (!found.contains(other) && !is_parallel(other)) {
+          if (!found.contains(other) && !is_other_side(other)) {
             found.insert(other);
             queue.push_back(other);
           }

@@ -52,7 +52,7 @@ struct deform_zone {
 /// Vertices nearer to the handle than the reach that hang together with it over others, but for
 /// those of surfaces that stay. Neighbours of what is dragged never stay by themselves: those that
 /// touch it, and what touches them where they are of free form, fillets, or nowhere further off
-/// than a quarter of the reach, but for flat walls parallel to it: the other side of a plate.
+/// than a quarter of the reach, but for flat walls that face the other way.
 /// Errors: `surface_not_found`, `invalid_parameter` naming a surface that is to stay and touches
 /// the handle; `cancelled`. Cost: O(mesh).
 [[nodiscard]] expected<deform_zone> zone_around(const mesh_version& mesh, const drag_handle& handle,
