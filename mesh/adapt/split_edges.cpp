@@ -17,6 +17,8 @@ namespace {
 /// Volume of a tet by the cube of the length that its edges may have, in the mean: measured, see
 /// bench/FIGURES.md.
 constexpr double volume_share = 0.0095;
+/// No part has so many tets. Sizes below rounding end here, too.
+constexpr double countless = 1e15;
 
 /// A vertex goes onto its round wall where no tet comes out worse than this, or than before.
 constexpr double least_quality = 0.1;
@@ -217,8 +219,11 @@ double tets_after_split(const mesh_version& mesh, const split_settings& settings
     if (settings.pick.at)
       for (auto& d : off)
         d = std::max(0.0, d - longest_edge(p) / 2);
-    sum +=
-      std::max(1.0, std::abs(signed_volume(p)) / volume_share * mean_density(settings.size, off));
+    const double pieces =
+      std::abs(signed_volume(p)) / volume_share * mean_density(settings.size, off);
+    if (!(pieces < countless))
+      return countless;
+    sum += std::max(1.0, pieces);
   }
   return sum;
 }

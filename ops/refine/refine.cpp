@@ -16,6 +16,9 @@ constexpr double floor_quality = 0.1;
 /// Of the size: how far vertices of flat walls may go where thin facets are mended.
 constexpr double mend_share = 1e-6;
 
+/// Two digits of a size that is told may be so much less than the size.
+constexpr double rounded_up = 1.06;
+
 std::string count_text(double count) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3g million", count / 1e6);
@@ -28,16 +31,17 @@ expected<void> check_count(const mesh_version& mesh, split_settings settings) {
   const auto most = static_cast<double>(settings.most_tets);
   if (expected_tets <= most)
     return {};
-  double low = settings.size;
-  double high = settings.size;
+  double high = std::max(settings.size, mean_size(mesh, settings.pick));
   for (int i = 0; i < 60 && tets_after_split(mesh, {settings.pick, high, 0}) > most; ++i)
     high *= 2;
-  for (int i = 0; i < 6; ++i) {
+  double low = std::max(settings.size, 1e-6 * high);
+  for (int i = 0; i < 10; ++i) {
     const double middle = std::sqrt(low * high);
     (tets_after_split(mesh, {settings.pick, middle, 0}) > most ? low : high) = middle;
   }
   char text[96];
-  std::snprintf(text, sizeof(text), "Take a size of %.2g mm or more, or pick less", 1e3 * high);
+  std::snprintf(text, sizeof(text), "Take a size of %.2g mm or more, or pick less",
+                1e3 * rounded_up * high);
   return fail(ec::invalid_parameter,
               "about " + count_text(expected_tets) + " tets would come out; at most " +
                 count_text(most) + " are made",

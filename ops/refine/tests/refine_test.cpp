@@ -194,12 +194,14 @@ TEST_F(Refine, SoManyTetsAsAreExpectedComeOut) {
 TEST_F(Refine, TooManyTetsAreRefusedBeforeAnyWorkWithASizeThatDoes) {
   const auto box = test::box_mesh({3, 3, 3}, {1, 1, 1});
 
-  const auto result = refined(box, {{6}, {}, 0}, 1e-5);
+  for (const double size : {1e-3, 1e-5, 5e-324}) {
+    const auto result = refined(box, {{6}, {}, 0}, size);
 
-  ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ec::invalid_parameter);
-  EXPECT_THAT(result.error().message, HasSubstr("million tets would come out"));
-  EXPECT_THAT(result.error().remedy, HasSubstr("Take a size of"));
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ec::invalid_parameter);
+    EXPECT_THAT(result.error().message, HasSubstr("million tets would come out"));
+    EXPECT_THAT(result.error().remedy, HasSubstr("Take a size of"));
+  }
 }
 
 TEST_F(Refine, WhatWouldChangeNothingIsRefusedByName) {
