@@ -39,6 +39,7 @@ ROOMS = {
     "ops/sdk": (("mesh", "base"), ()),
     "ops/shapes": (("ops/shapes/walls", "ops/tools", "ops/sdk", "mesh", "base"), ()),
     "ops/shapes/caps": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
+    "ops/shapes/deform": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
     "ops/shapes/walls": (("ops/sdk", "mesh", "base"), ()),
     "ops/shapes/features": (("ops/shapes/caps", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ()),
     "ops/shapes/isosurface": (("ops/sdk", "mesh", "base"), ("Eigen/",)),
@@ -54,7 +55,7 @@ ROOMS = {
     "ops/hollow": (("ops/shapes/isosurface", "ops/tools", "ops/sdk", "mesh", "base"), ("CGAL/",)),
     "ops/combine": (("ops/tools", "ops/sdk", "mesh/io", "mesh", "base"), ("CGAL/",)),
     "ops/": (
-        ("ops/shapes/caps", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
+        ("ops/shapes/caps", "ops/shapes/deform", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
     "cad": (("edit", "ops/loader", "ops/sdk", "mesh/io", "mesh", "base"), ("nlohmann/",)),
     "cad/teller.cpp": (("cad", "sandbox", "base"), ()),

@@ -1139,6 +1139,170 @@
         <source>tets without volume meshed anew</source>
         <translation>Tetraeder ohne Volumen neu vernetzt</translation>
     </message>
+    <message>
+        <source>Coarsen mesh</source>
+        <translation>Netz vergröbern</translation>
+    </message>
+    <message>
+        <source>Makes the mesh coarser at surfaces or around a point; the part keeps its shape.</source>
+        <translation>Macht das Netz an Flächen oder um einen Punkt gröber; das Teil behält seine Form.</translation>
+    </message>
+    <message>
+        <source>The surfaces at which the mesh is to be coarser, or none where a place is given.</source>
+        <translation>Die Flächen, an denen das Netz gröber werden soll, oder keine, wo ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Shorter edges go; 0: twice what they are now.</source>
+        <translation>Kürzere Kanten fallen weg; 0: das Doppelte von jetzt.</translation>
+    </message>
+    <message>
+        <source>Coarsens around this place instead of at surfaces.</source>
+        <translation>Vergröbert um diesen Ort statt an Flächen.</translation>
+    </message>
+    <message>
+        <source>How far from there vertices may go; 0: three times the size.</source>
+        <translation>Wie weit von dort Knoten wegfallen dürfen; 0: das Dreifache der Größe.</translation>
+    </message>
+    <message>
+        <source>How far the boundary may be from where it was; 0: a fiftieth of the size.</source>
+        <translation>Wie weit die Oberfläche von ihrem Platz abweichen darf; 0: ein Fünfzigstel der Größe.</translation>
+    </message>
+    <message>
+        <source>For quicker solutions: takes tets away where little happens. Edges and corners of the part stay, flat walls stay exactly. Loads stay.</source>
+        <translation>Für schnellere Lösungen: nimmt Tetraeder weg, wo wenig geschieht. Kanten und Ecken des Teils bleiben, ebene Flächen bleiben genau. Lasten bleiben.</translation>
+    </message>
+    <message>
+        <source>flat and round</source>
+        <translation>ebene und runde</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>runde</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Drags a wall, or a patch around a point; what is around it follows smoothly.</source>
+        <translation>Zieht eine Fläche oder einen Fleck um einen Punkt; was darum liegt, folgt glatt.</translation>
+    </message>
+    <message>
+        <source>The walls to drag together, or none where a place is given.</source>
+        <translation>Die Flächen, die zusammen gezogen werden, oder keine, wo ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>How far along each axis, instead of a distance along the wall&apos;s normal.</source>
+        <translation>Wie weit entlang jeder Achse, statt eines Abstands entlang der Flächennormale.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Along the wall&apos;s normal; negative goes into the part.</source>
+        <translation>Entlang der Flächennormale; negativ geht ins Teil hinein.</translation>
+    </message>
+    <message>
+        <source>Drags only a patch of the wall around this place.</source>
+        <translation>Zieht nur einen Fleck der Fläche um diesen Ort.</translation>
+    </message>
+    <message>
+        <source>Of that patch; 0: about two edges of the mesh.</source>
+        <translation>Dieses Flecks; 0: etwa zwei Kanten des Netzes.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far around the part follows; 0: the side of a square as large as what is dragged, or four edges.</source>
+        <translation>Wie weit ringsum das Teil folgt; 0: die Seite eines Quadrats so groß wie das Gezogene, oder vier Kanten.</translation>
+    </message>
+    <message>
+        <source>What stays</source>
+        <translation>Was bleibt</translation>
+    </message>
+    <message>
+        <source>Walls within reach that stay as they are, unless they belong to the edge of what is dragged.</source>
+        <translation>Flächen in Reichweite, die bleiben, wie sie sind, außer sie gehören zum Rand des Gezogenen.</translation>
+    </message>
+    <message>
+        <source>Surfaces that stay</source>
+        <translation>Flächen, die bleiben</translation>
+    </message>
+    <message>
+        <source>Numbers of more surfaces that must stay, such as supports: 12, 15.</source>
+        <translation>Nummern weiterer Flächen, die bleiben müssen, etwa Lager: 12, 15.</translation>
+    </message>
+    <message>
+        <source>Keep the volume</source>
+        <translation>Volumen behalten</translation>
+    </message>
+    <message>
+        <source>What is within reach gives way until the part has the volume that it had.</source>
+        <translation>Was in Reichweite ist, gibt nach, bis das Teil das Volumen hat, das es hatte.</translation>
+    </message>
+    <message>
+        <source>Walls and their loads keep their names and the mesh its tets: only vertices move. Holes and flat walls that do not touch what is dragged stay as they are. Where a tet would become too flat, the largest distance that works is told; with a larger reach more is possible.</source>
+        <translation>Flächen und ihre Lasten behalten ihre Namen und das Netz seine Tetraeder: nur Knoten bewegen sich. Löcher und ebene Flächen, die das Gezogene nicht berühren, bleiben, wie sie sind. Wo ein Tetraeder zu flach würde, wird der größte Abstand genannt, der geht; mit größerer Reichweite geht mehr.</translation>
+    </message>
+    <message>
+        <source>Refine mesh</source>
+        <translation>Netz verfeinern</translation>
+    </message>
+    <message>
+        <source>Makes the mesh finer at surfaces or around a point, graded outwards.</source>
+        <translation>Macht das Netz an Flächen oder um einen Punkt feiner, nach außen abgestuft.</translation>
+    </message>
+    <message>
+        <source>The surfaces at which the mesh is to be finer, or none where a place is given.</source>
+        <translation>Die Flächen, an denen das Netz feiner werden soll, oder keine, wo ein Ort angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Edges there become at most so long; 0: half of what they are now.</source>
+        <translation>Kanten dort werden höchstens so lang; 0: die Hälfte von jetzt.</translation>
+    </message>
+    <message>
+        <source>Refines around this place instead of at surfaces.</source>
+        <translation>Verfeinert um diesen Ort statt an Flächen.</translation>
+    </message>
+    <message>
+        <source>For more exact stresses where they change fast: fillets, edges of holes, loads on small surfaces. The part keeps its shape; on round walls the finer mesh is rounder. Loads stay.</source>
+        <translation>Für genauere Spannungen, wo sie sich schnell ändern: Ausrundungen, Lochränder, Lasten auf kleinen Flächen. Das Teil behält seine Form; auf runden Flächen ist das feinere Netz runder. Lasten bleiben.</translation>
+    </message>
+    <message>
+        <source>vertices that went</source>
+        <translation>weggefallene Knoten</translation>
+    </message>
+    <message>
+        <source>tets fewer</source>
+        <translation>Tetraeder weniger</translation>
+    </message>
+    <message>
+        <source>furthest that the boundary is from where it was</source>
+        <translation>größte Abweichung der Oberfläche von ihrem Platz</translation>
+    </message>
+    <message>
+        <source>how far around the part follows</source>
+        <translation>wie weit ringsum das Teil folgt</translation>
+    </message>
+    <message>
+        <source>new vertices</source>
+        <translation>neue Knoten</translation>
+    </message>
+    <message>
+        <source>longest edge at what was picked</source>
+        <translation>längste Kante am Ausgewählten</translation>
+    </message>
 </context>
 <context>
     <name>operations_manual</name>
@@ -5994,6 +6158,262 @@
     <message>
         <source>the part is repaired or remeshed</source>
         <translation>das Teil repariert oder neu vernetzt ist</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 Millionen</translation>
+    </message>
+    <message>
+        <source>%1 new vertices lie beside their round wall: on it, tets would turn</source>
+        <translation>%1 neue Knoten liegen neben ihrer runden Fläche: auf ihr würden Tetraeder umklappen</translation>
+    </message>
+    <message>
+        <source>Around the place.</source>
+        <translation>Um den Ort.</translation>
+    </message>
+    <message>
+        <source>Give a distance, or a way: by_mm=x,y,z</source>
+        <translation>Geben Sie einen Abstand an oder einen Weg: by_mm=x,y,z</translation>
+    </message>
+    <message>
+        <source>Give a place in or on the part, or a larger radius</source>
+        <translation>Geben Sie einen Ort in oder auf dem Teil an oder einen größeren Radius</translation>
+    </message>
+    <message>
+        <source>Give a place on the wall, or a larger radius</source>
+        <translation>Geben Sie einen Ort auf der Fläche an oder einen größeren Radius</translation>
+    </message>
+    <message>
+        <source>Give a way: by_mm=x,y,z</source>
+        <translation>Geben Sie einen Weg an: by_mm=x,y,z</translation>
+    </message>
+    <message>
+        <source>Give the part better tets first: improve_mesh</source>
+        <translation>Geben Sie dem Teil zuerst bessere Tetraeder: improve_mesh</translation>
+    </message>
+    <message>
+        <source>Give the part better tets there: improve_mesh</source>
+        <translation>Geben Sie dem Teil dort bessere Tetraeder: improve_mesh</translation>
+    </message>
+    <message>
+        <source>Improve the mesh first: improve_mesh</source>
+        <translation>Verbessern Sie zuerst das Netz: improve_mesh</translation>
+    </message>
+    <message>
+        <source>Leave it out, or drag something else</source>
+        <translation>Lassen Sie sie weg oder ziehen Sie etwas anderes</translation>
+    </message>
+    <message>
+        <source>List the surfaces with tedit info</source>
+        <translation>„tedit info“ zählt die Flächen auf</translation>
+    </message>
+    <message>
+        <source>Mend them first: improve_mesh</source>
+        <translation>Bessern Sie sie zuerst aus: improve_mesh</translation>
+    </message>
+    <message>
+        <source>Say which way it goes: by_mm=x,y,z</source>
+        <translation>Sagen Sie, wohin: by_mm=x,y,z</translation>
+    </message>
+    <message>
+        <source>Select a surface of the boundary</source>
+        <translation>Wählen Sie eine Fläche der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Select surfaces, or give a place: at_mm=10,20,5</source>
+        <translation>Wählen Sie Flächen oder geben Sie einen Ort an: at_mm=10,20,5</translation>
+    </message>
+    <message>
+        <source>Select the wall to drag, or give a place on it: at_mm=10,20,5</source>
+        <translation>Wählen Sie die Fläche, die gezogen wird, oder geben Sie einen Ort darauf an: at_mm=10,20,5</translation>
+    </message>
+    <message>
+        <source>Take a larger reach, or let the volume change</source>
+        <translation>Nehmen Sie eine größere Reichweite oder lassen Sie das Volumen sich ändern</translation>
+    </message>
+    <message>
+        <source>Take a larger size</source>
+        <translation>Nehmen Sie eine größere Größe</translation>
+    </message>
+    <message>
+        <source>Take a larger size, or a larger tolerance</source>
+        <translation>Nehmen Sie eine größere Größe oder eine größere Toleranz</translation>
+    </message>
+    <message>
+        <source>Take a size of %1 mm or more, or pick less</source>
+        <translation>Nehmen Sie eine Größe von %1 mm oder mehr oder wählen Sie weniger aus</translation>
+    </message>
+    <message>
+        <source>Take a smaller size</source>
+        <translation>Nehmen Sie eine kleinere Größe</translation>
+    </message>
+    <message>
+        <source>about %1 tets would come out; at most %2 are made</source>
+        <translation>es kämen etwa %1 Tetraeder heraus; höchstens %2 werden gemacht</translation>
+    </message>
+    <message>
+        <source>bending</source>
+        <translation>biegen</translation>
+    </message>
+    <message>
+        <source>coarsened</source>
+        <translation>vergröbert</translation>
+    </message>
+    <message>
+        <source>contracting edges</source>
+        <translation>Kanten zusammenziehen</translation>
+    </message>
+    <message>
+        <source>deformed</source>
+        <translation>verformt</translation>
+    </message>
+    <message>
+        <source>furthest that the boundary is from where it was</source>
+        <translation>größte Abweichung der Oberfläche von ihrem Platz</translation>
+    </message>
+    <message>
+        <source>how far around the part follows</source>
+        <translation>wie weit ringsum das Teil folgt</translation>
+    </message>
+    <message>
+        <source>longest edge at what was picked</source>
+        <translation>längste Kante am Ausgewählten</translation>
+    </message>
+    <message>
+        <source>looking at what is around</source>
+        <translation>die Umgebung ansehen</translation>
+    </message>
+    <message>
+        <source>more than %1 tets would come out</source>
+        <translation>es kämen mehr als %1 Tetraeder heraus</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>neither a surface nor a place was given</source>
+        <translation>weder eine Fläche noch ein Ort ist angegeben</translation>
+    </message>
+    <message>
+        <source>neither a wall nor a place was given</source>
+        <translation>weder eine Fläche noch ein Ort ist angegeben</translation>
+    </message>
+    <message>
+        <source>new vertices</source>
+        <translation>neue Knoten</translation>
+    </message>
+    <message>
+        <source>no edge there can go: those shorter than %1 are needed for the part&apos;s shape or for good tets</source>
+        <translation>keine Kante dort kann wegfallen: die kürzer als %1 sind, werden für die Form des Teils oder für gute Tetraeder gebraucht</translation>
+    </message>
+    <message>
+        <source>no edge there is longer than %1</source>
+        <translation>keine Kante dort ist länger als %1</translation>
+    </message>
+    <message>
+        <source>nothing is beyond the reach: the whole part moves</source>
+        <translation>nichts liegt außer Reichweite: das ganze Teil bewegt sich</translation>
+    </message>
+    <message>
+        <source>nothing within reach can give way to keep the volume</source>
+        <translation>nichts in Reichweite kann nachgeben, um das Volumen zu behalten</translation>
+    </message>
+    <message>
+        <source>putting the new tets in</source>
+        <translation>die neuen Tetraeder einsetzen</translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation>verfeinert</translation>
+    </message>
+    <message>
+        <source>splitting edges</source>
+        <translation>Kanten teilen</translation>
+    </message>
+    <message>
+        <source>surface %1 has no facet on the outside of the part</source>
+        <translation>Fläche %1 hat kein Dreieck an der Außenseite des Teils</translation>
+    </message>
+    <message>
+        <source>surface %1 is to stay and touches what is dragged</source>
+        <translation>Fläche %1 soll bleiben und berührt das Gezogene</translation>
+    </message>
+    <message>
+        <source>surface %1 would run into surface %2 near %3</source>
+        <translation>Fläche %1 liefe bei %3 in Fläche %2 hinein</translation>
+    </message>
+    <message>
+        <source>surface %1, which is to stay, does not exist</source>
+        <translation>Fläche %1, die bleiben soll, gibt es nicht</translation>
+    </message>
+    <message>
+        <source>tets fewer</source>
+        <translation>Tetraeder weniger</translation>
+    </message>
+    <message>
+        <source>the distance is 0: nothing would move</source>
+        <translation>der Abstand ist 0: nichts würde sich bewegen</translation>
+    </message>
+    <message>
+        <source>the part has tets without volume there</source>
+        <translation>das Teil hat dort Tetraeder ohne Volumen</translation>
+    </message>
+    <message>
+        <source>the place %1 is %2 mm off the wall, further than the radius of %3 mm</source>
+        <translation>der Ort %1 liegt %2 mm neben der Fläche, weiter als der Radius von %3 mm</translation>
+    </message>
+    <message>
+        <source>the place %1 is %2 off the part</source>
+        <translation>der Ort %1 liegt %2 neben dem Teil</translation>
+    </message>
+    <message>
+        <source>the selected surfaces have no facet on the outside</source>
+        <translation>die ausgewählten Flächen haben kein Dreieck an der Außenseite</translation>
+    </message>
+    <message>
+        <source>the tet near %1 is too flat already, q = %2, and would become %3</source>
+        <translation>das Tetraeder bei %1 ist schon zu flach, q = %2, und bekäme %3</translation>
+    </message>
+    <message>
+        <source>the tet near %1 would become too flat: q = %2, at least %3</source>
+        <translation>das Tetraeder bei %1 würde zu flach: q = %2, mindestens %3</translation>
+    </message>
+    <message>
+        <source>the tets there are too flat for a smooth field</source>
+        <translation>die Tetraeder dort sind zu flach für ein glattes Feld</translation>
+    </message>
+    <message>
+        <source>the way is 0, 0, 0: nothing would move</source>
+        <translation>der Weg ist 0, 0, 0: nichts würde sich bewegen</translation>
+    </message>
+    <message>
+        <source>vertices that went</source>
+        <translation>weggefallene Knoten</translation>
+    </message>
+    <message>
+        <source>what is dragged faces so many ways that it has no normal</source>
+        <translation>das Gezogene weist in so viele Richtungen, dass es keine Normale hat</translation>
+    </message>
+    <message>
+        <source>what is within reach cannot give way so far as to keep the volume</source>
+        <translation>was in Reichweite ist, kann nicht so weit nachgeben, dass das Volumen bleibt</translation>
+    </message>
+    <message>
+        <source>within reach these surfaces stay: %1</source>
+        <translation>in Reichweite bleiben diese Flächen: %1</translation>
+    </message>
+    <message>
+        <source>Allow more tets, or a larger error</source>
+        <translation>Erlauben Sie mehr Tetraeder oder einen größeren Fehler</translation>
+    </message>
+    <message>
+        <source>no tet can become smaller within the limit of tets</source>
+        <translation>kein Tetraeder kann innerhalb der Grenze für Tetraeder kleiner werden</translation>
     </message>
 </context>
 <context>

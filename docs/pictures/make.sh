@@ -51,6 +51,10 @@ pair erode_round ctc01_plate --op erode --surfaces 92,93 --param depth_mm=8 -- -
 pair thicken heatsink_125 --op thicken --surfaces 57,61 --param depth_mm=1.2 -- --range 0,1 --zoom 2.2 --view z --focus -0.012,0.02,0.0175
 pair close inch_block --op close --surfaces 1,8 --param radius_mm=1.59 -- --view x --zoom 7 --focus 0.0254,0.0337,0.0254 --range 0.1,1
 pair open inch_block --op open --surfaces 6 --param radius_mm=5 -- --range 0.1,1 --zoom 0.8
+pair deform heatsink_125 --op deform --surfaces 61 --param distance_mm=1.5 -- --range 0,1 --zoom 2.2 --view z --focus -0.012,0.02,0.0175
+pair deform_patch inch_block --op deform --param at_mm=0,25,38 --param radius_mm=8 --param distance_mm=8 --param reach_mm=22 -- --range 0.1,1 --zoom 1.2
+pair refine ctc01_plate --op refine --surfaces 92,93 --param size_mm=2 -- --range 0,4 --zoom 4 --focus 0.145,0.045,0
+pair coarsen heatsink_125 --op coarsen --surfaces 49 --param size_mm=4 -- --range 0,1 --zoom 1.5
 plate=$parts/ctc01_plate/ctc01_plate.coarse.msh
 "$bin/tedit" edit "$plate" --op improve_mesh --param surface_tolerance_mm=0.02 -o "$work/better.msh" > /dev/null
 worst improve_mesh_before "$plate" $parts/ctc01_plate/load_case.json

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/execution.hpp"
+#include "mesh/adapt/adapt_mesh.hpp"
+#include "mesh/adapt/size_field.hpp"
+
+namespace tedit {
+
+/// How long edges may be, m: a size where it was picked, more further off.
+struct split_settings {
+  mesh_pick pick;
+  double size = 0;                  ///< m.
+  std::size_t most_tets = 4000000;  ///< Of the whole part afterwards.
+};
+
+struct split_report {
+  std::size_t vertices = 0;  ///< New ones.
+  std::size_t off_wall =
+    0;  ///< Of those, left on the edge that was split: beyond, a tet would turn.
+};
+
+/// How many tets `split_edges` would leave, within a factor of about 1.5. Cost: O(mesh).
+[[nodiscard]] double tets_after_split(const mesh_version& mesh, const split_settings& settings);
+
+/// Halves edges until none is longer than `size` + `size_growth` times how far its nearer end is
+/// from what was picked: always the longest edge of all tets around, so that tets keep their shape.
+/// New vertices on round walls and their edges lie on the fitted cylinder, cone or sphere
+/// (`wall_places`). Source: Rivara 1997, New longest-edge algorithms for the refinement of
+/// triangulations. Errors: `invalid_parameter` when more than `most_tets` come out, `cancelled`.
+/// Cost: some microseconds a new tet.
+[[nodiscard]] expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
+                                                 const split_settings& settings,
+                                                 const execution& run);
+
+/// The same where each vertex says how long its edges may be (m, by slot of `base`); a new vertex
+/// as much as the ends of its edge in the mean. Errors: the same.
+[[nodiscard]] expected<split_report> split_edges(const mesh_version& base, adapt_mesh& mesh,
+                                                 std::vector<double> sizes, std::size_t most_tets,
+                                                 const execution& run);
+
+/// Tets of a builder that came out flatter than q = 0.2 are mended with what is around them: on
+/// flat walls facets may change and vertices slide, by no more than `tolerance` (m). Errors:
+/// `cancelled`. Cost: O(touched), and some milliseconds a place.
+[[nodiscard]] expected<void> mend_split(mesh_builder& mesh, double tolerance, const execution& run);
+
+}  // namespace tedit
