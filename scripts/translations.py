@@ -34,7 +34,7 @@ def texts_of_operations():
     for file in sorted([*ROOT.glob("ops/*/operation.cpp"), ROOT / "ops/shapes/rounding/round_edges.cpp",
                         ROOT / "ops/tools/profile_parameters.cpp"]):
         source = re.sub(r'R"\(.*?\)"', "", file.read_text(), flags=re.S)
-        for body in re.findall(r"(?:describe\(\) const override|(?:round|profile)_parameters\(\)) \{\n(.*?)\n\s*return", source, re.S):
+        for body in re.findall(r"(?:describe\(\) const override|[a-z]+_parameters\(\)) \{\n(.*?)\n\s*return", source, re.S):
             joined = re.sub(r'"\s*\n\s*"', "", body)
             for choices in re.findall(r'\{("[a-z_]+"(?:, "[a-z_]+")+)\}', joined):
                 yield from (one.replace("_", " ") for one in literal.findall(choices))

@@ -517,12 +517,12 @@
         <translation>x; y; z, oder leer: nach der Fläche</translation>
     </message>
     <message>
-        <source>x; y; z in %1, or empty: by the wall</source>
-        <translation>x; y; z in %1, oder leer: nach der Fläche</translation>
-    </message>
-    <message>
         <source>click the part, or x; y; z in %1</source>
         <translation>das Teil anklicken oder x; y; z in %1</translation>
+    </message>
+    <message>
+        <source>x; y; z in %1</source>
+        <translation>x; y; z in %1</translation>
     </message>
 </context>
 <context>
@@ -920,14 +920,6 @@
         <translation>feste Breite</translation>
     </message>
     <message>
-        <source>Emboss text</source>
-        <translation>Text prägen</translation>
-    </message>
-    <message>
-        <source>Raises a line of text from a wall, or sinks it in.</source>
-        <translation>Hebt eine Zeile Text aus einer Fläche heraus oder senkt sie ein.</translation>
-    </message>
-    <message>
         <source>The wall to write on, or none where a place is given.</source>
         <translation>Die Fläche, auf die geschrieben wird; keine, wenn ein Ort angegeben ist.</translation>
     </message>
@@ -946,10 +938,6 @@
     <message>
         <source>Letter height</source>
         <translation>Schrifthöhe</translation>
-    </message>
-    <message>
-        <source>Of capitals.</source>
-        <translation>Der Großbuchstaben.</translation>
     </message>
     <message>
         <source>How far it stands out of the wall; negative is sunk.</source>
@@ -992,10 +980,6 @@
         <translation>Mit einer Ebene schneiden</translation>
     </message>
     <message>
-        <source>Cuts the part along a plane and keeps one side.</source>
-        <translation>Schneidet das Teil entlang einer Ebene und behält eine Seite.</translation>
-    </message>
-    <message>
         <source>A flat wall to cut along, or none where the plane is given.</source>
         <translation>Eine ebene Fläche, entlang der geschnitten wird; keine, wenn die Ebene angegeben ist.</translation>
     </message>
@@ -1018,10 +1002,6 @@
     <message>
         <source>Keep</source>
         <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Which side stays: below is what the normal points away from.</source>
-        <translation>Welche Seite bleibt: darunter ist, wovon die Normale wegweist.</translation>
     </message>
     <message>
         <source>Select a wall and give an offset to cut a slice off, or give any plane by a point and its normal. The cut is a surface of its own.</source>
@@ -1302,6 +1282,322 @@
     <message>
         <source>longest edge at what was picked</source>
         <translation>längste Kante am Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Combine with a file</source>
+        <translation>Mit einer Datei verknüpfen</translation>
+    </message>
+    <message>
+        <source>Unites the part with the shape in a file, cuts it off, or keeps what both share.</source>
+        <translation>Vereinigt das Teil mit der Form in einer Datei, schneidet sie ab oder behält, was beide gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Nothing.</source>
+        <translation>Nichts.</translation>
+    </message>
+    <message>
+        <source>Takes closed surfaces: STL, OBJ, OFF, PLY, or a Gmsh mesh, of at most 4 MiB. The file&apos;s axes are those of the part unless a direction is given. Its faces become surfaces of the part, divided at edges of more than 30 degrees. The file&apos;s content is kept with the edit.</source>
+        <translation>Nimmt geschlossene Oberflächen: STL, OBJ, OFF, PLY oder ein Gmsh-Netz, höchstens 4 MiB. Die Achsen der Datei sind die des Teils, wenn keine Richtung angegeben ist. Ihre Seiten werden Flächen des Teils, getrennt an Kanten von mehr als 30 Grad. Der Inhalt der Datei bleibt bei der Änderung.</translation>
+    </message>
+    <message>
+        <source>Emboss text or logo</source>
+        <translation>Text oder Logo prägen</translation>
+    </message>
+    <message>
+        <source>Raises a line of text or a logo from a wall, or sinks it in.</source>
+        <translation>Hebt eine Zeile Text oder ein Logo aus einer Wand heraus oder senkt sie ein.</translation>
+    </message>
+    <message>
+        <source>Of capitals; of a logo its longer side.</source>
+        <translation>Von Großbuchstaben; von einem Logo die längere Seite.</translation>
+    </message>
+    <message>
+        <source>Around round walls</source>
+        <translation>Um runde Wände</translation>
+    </message>
+    <message>
+        <source>Letters on a selected round wall follow it; else they stand straight on it.</source>
+        <translation>Buchstaben auf einer ausgewählten runden Wand folgen ihr; sonst stehen sie gerade darauf.</translation>
+    </message>
+    <message>
+        <source>A logo instead of the text: the filled shapes of an SVG.</source>
+        <translation>Ein Logo statt des Textes: die gefüllten Formen einer SVG-Datei.</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Aushöhlen</translation>
+    </message>
+    <message>
+        <source>Makes a shell of the part: walls of one thickness, nothing inside.</source>
+        <translation>Macht aus dem Teil eine Schale: Wände von einer Dicke, innen nichts.</translation>
+    </message>
+    <message>
+        <source>Walls that are left open, or that get a drain hole; or none.</source>
+        <translation>Wände, die offen bleiben oder ein Ablaufloch bekommen; oder keine.</translation>
+    </message>
+    <message>
+        <source>Of the walls that stay.</source>
+        <translation>Der Wände, die bleiben.</translation>
+    </message>
+    <message>
+        <source>Drain holes</source>
+        <translation>Ablauflöcher</translation>
+    </message>
+    <message>
+        <source>Through the middle of each picked wall; 0: the picked walls are open.</source>
+        <translation>Durch die Mitte jeder ausgewählten Wand; 0: die ausgewählten Wände sind offen.</translation>
+    </message>
+    <message>
+        <source>Pick the walls that shall be open, as the underside of a cover; or give a diameter for drain holes, which powder or resin runs out of. Without either a closed void is left. What is thinner than two walls stays full. A thin shell takes many tets: they are about as large as the wall is thick.</source>
+        <translation>Die Wände auswählen, die offen sein sollen, wie die Unterseite eines Deckels; oder einen Durchmesser für Ablauflöcher angeben, aus denen Pulver oder Harz läuft. Ohne beides bleibt ein geschlossener Hohlraum. Was dünner als zwei Wände ist, bleibt voll. Eine dünne Schale braucht viele Tetraeder: Sie sind etwa so groß, wie die Wand dick ist.</translation>
+    </message>
+    <message>
+        <source>Move hole or boss</source>
+        <translation>Loch oder Nocken verschieben</translation>
+    </message>
+    <message>
+        <source>Moves a hole, pocket, boss or rib by a vector, or makes a copy of it there.</source>
+        <translation>Verschiebt ein Loch, eine Tasche, einen Nocken oder eine Rippe um einen Vektor oder macht dort eine Kopie davon.</translation>
+    </message>
+    <message>
+        <source>A wall of each hole, or a side of each boss.</source>
+        <translation>Eine Wand jedes Lochs oder eine Seite jedes Nockens.</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Um</translation>
+    </message>
+    <message>
+        <source>How far it moves, in the axes of the part.</source>
+        <translation>Wie weit es rückt, in den Achsen des Teils.</translation>
+    </message>
+    <message>
+        <source>0, 0, 0</source>
+        <translation>0, 0, 0</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopie</translation>
+    </message>
+    <message>
+        <source>Leave the one that is there, and make another one.</source>
+        <translation>Das vorhandene lassen und ein weiteres machen.</translation>
+    </message>
+    <message>
+        <source>Pick one wall: the rest of the hole or boss is found. A hole is closed where it was and cut where it goes; a through hole goes through there, too. Its walls keep their numbers, and so their loads and supports. What shares a side with the rest of the part, as a fin that runs to the part&apos;s end, cannot be moved.</source>
+        <translation>Eine Wand auswählen: Der Rest des Lochs oder Nockens wird gefunden. Ein Loch wird geschlossen, wo es war, und geschnitten, wohin es kommt; ein Durchgangsloch geht auch dort durch. Seine Wände behalten ihre Nummern und damit ihre Lasten und Lager. Was eine Seite mit dem übrigen Teil teilt, wie eine Rippe, die bis zum Ende des Teils läuft, lässt sich nicht verschieben.</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Repeats a hole, pocket, boss or rib in rows, around an axis, or mirrored.</source>
+        <translation>Wiederholt ein Loch, eine Tasche, einen Nocken oder eine Rippe in Reihen, um eine Achse oder gespiegelt.</translation>
+    </message>
+    <message>
+        <source>Pick one wall: the rest of the hole or boss is found. The one that is there counts: a count of 4 adds three. A through hole goes through everywhere. Where one of the copies cannot be, none is made, and the answer names it.</source>
+        <translation>Eine Wand auswählen: Der Rest des Lochs oder Nockens wird gefunden. Das vorhandene zählt mit: Eine Anzahl von 4 fügt drei hinzu. Ein Durchgangsloch geht überall durch. Wo eine der Kopien nicht sein kann, wird keine gemacht, und die Antwort nennt sie.</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>Cuts the part along a plane and keeps one side, or both as bodies of their own.</source>
+        <translation>Schneidet das Teil längs einer Ebene und behält eine Seite oder beide als eigene Körper.</translation>
+    </message>
+    <message>
+        <source>Which side stays: below is what the normal points away from; both: in two.</source>
+        <translation>Welche Seite bleibt: „unten“ ist, wovon die Normale wegzeigt; beide: in zwei Teilen.</translation>
+    </message>
+    <message>
+        <source>Change diameter</source>
+        <translation>Durchmesser ändern</translation>
+    </message>
+    <message>
+        <source>Gives a round bore or pin another diameter.</source>
+        <translation>Gibt einer runden Bohrung oder einem Zapfen einen anderen Durchmesser.</translation>
+    </message>
+    <message>
+        <source>A wall of each bore or pin; the other half of a wall is found.</source>
+        <translation>Eine Wand jeder Bohrung oder jedes Zapfens; die andere Hälfte einer Wand wird gefunden.</translation>
+    </message>
+    <message>
+        <source>Of the bore or pin afterwards.</source>
+        <translation>Der Bohrung oder des Zapfens danach.</translation>
+    </message>
+    <message>
+        <source>The walls keep their numbers, and so their loads and supports: a bearing seat that becomes larger carries what it carried. A counterbore or another step of the hole is a wall of its own. Where the part leaves no room the answer says which diameter can be.</source>
+        <translation>Die Wände behalten ihre Nummern und damit ihre Lasten und Lager: Ein Lagersitz, der größer wird, trägt, was er trug. Eine Senkung oder eine andere Stufe des Lochs ist eine eigene Wand. Wo das Teil keinen Platz lässt, sagt die Antwort, welcher Durchmesser sein kann.</translation>
+    </message>
+    <message>
+        <source>taken out</source>
+        <translation>herausgenommen</translation>
+    </message>
+    <message>
+        <source>hollow spaces</source>
+        <translation>Hohlräume</translation>
+    </message>
+    <message>
+        <source>diameter now</source>
+        <translation>Durchmesser jetzt</translation>
+    </message>
+    <message>
+        <source>furthest off it at any vertex</source>
+        <translation>größte Abweichung davon an einem Knoten</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>vereinigen</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>abschneiden</translation>
+    </message>
+    <message>
+        <source>intersect</source>
+        <translation>Gemeinsames behalten</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The shape: STL, OBJ, OFF, PLY or MSH.</source>
+        <translation>Die Form: STL, OBJ, OFF, PLY oder MSH.</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was tun</translation>
+    </message>
+    <message>
+        <source>add: unite both; cut: take it off the part; intersect: keep what both have.</source>
+        <translation>vereinigen: beide zusammen; abschneiden: vom Teil wegnehmen; Gemeinsames behalten: was beide haben.</translation>
+    </message>
+    <message>
+        <source>Where the file&apos;s origin comes to lie.</source>
+        <translation>Wohin der Ursprung der Datei kommt.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Where the file&apos;s z axis points.</source>
+        <translation>Wohin die z-Achse der Datei zeigt.</translation>
+    </message>
+    <message>
+        <source>0, 0, 1</source>
+        <translation>0, 0, 1</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>About that direction.</source>
+        <translation>Um diese Richtung.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>How much larger than in the file.</source>
+        <translation>Wie viel größer als in der Datei.</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Of the file&apos;s numbers: most formats do not say.</source>
+        <translation>Der Zahlen in der Datei: Die meisten Formate sagen sie nicht.</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>In rows, around an axis, or mirrored in a plane.</source>
+        <translation>In Reihen, um eine Achse oder an einer Ebene gespiegelt.</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>How many there are in a row or around the axis in the end, the one that is there included.</source>
+        <translation>Wie viele am Ende in einer Reihe oder um die Achse sind, das vorhandene mitgezählt.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Rows: the way from one to the next.</source>
+        <translation>Reihen: der Weg von einem zum nächsten.</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>How many such rows.</source>
+        <translation>Wie viele solche Reihen.</translation>
+    </message>
+    <message>
+        <source>Step of rows</source>
+        <translation>Schritt der Reihen</translation>
+    </message>
+    <message>
+        <source>The way from one row to the next.</source>
+        <translation>Der Weg von einer Reihe zur nächsten.</translation>
+    </message>
+    <message>
+        <source>A point of the axis or of the mirror&apos;s plane.</source>
+        <translation>Ein Punkt der Achse oder der Spiegelebene.</translation>
+    </message>
+    <message>
+        <source>Of the axis, or across the mirror&apos;s plane.</source>
+        <translation>Der Achse oder quer zur Spiegelebene.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Ring: from the first to the last; a whole turn is shared out evenly.</source>
+        <translation>Ring: vom ersten bis zum letzten; eine ganze Drehung wird gleichmäßig verteilt.</translation>
     </message>
 </context>
 <context>
@@ -6116,10 +6412,6 @@
         <translation>das Teil ist zwischen den Flächen %2 und %3 bei %4 nur %1 dick</translation>
     </message>
     <message>
-        <source>the tool continues surface %1, which is not there</source>
-        <translation>das Werkzeug setzt Fläche %1 fort, die es nicht gibt</translation>
-    </message>
-    <message>
         <source>the tool&apos;s surface passes through itself</source>
         <translation>die Oberfläche des Werkzeugs durchdringt sich selbst</translation>
     </message>
@@ -6414,6 +6706,346 @@
     <message>
         <source>no tet can become smaller within the limit of tets</source>
         <translation>kein Tetraeder kann innerhalb der Grenze für Tetraeder kleiner werden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of no kind that can be combined</source>
+        <translation>„%1“ ist von keiner Art, die sich verknüpfen lässt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1 closed voids are</source>
+        <translation>%1 geschlossene Hohlräume bleiben</translation>
+    </message>
+    <message>
+        <source>%1 closed voids are left inside; pick walls for drains, or walls to leave open</source>
+        <translation>innen bleiben %1 geschlossene Hohlräume; Wände für Abläufe auswählen oder Wände, die offen bleiben</translation>
+    </message>
+    <message>
+        <source>%1 copies are more than the 1000 that one edit makes</source>
+        <translation>%1 Kopien sind mehr als die 1000, die eine Änderung macht</translation>
+    </message>
+    <message>
+        <source>%1 copies that overlap each other are more than the %2 that one edit makes</source>
+        <translation>%1 Kopien, die einander überlappen, sind mehr als die %2, die eine Änderung macht</translation>
+    </message>
+    <message>
+        <source>%1 has %2 triangles, more than 200,000</source>
+        <translation>%1 hat %2 Dreiecke, mehr als 200.000</translation>
+    </message>
+    <message>
+        <source>%1 has a corner that is no finite number</source>
+        <translation>%1 hat eine Ecke, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1 has no filled shape</source>
+        <translation>%1 hat keine gefüllte Form</translation>
+    </message>
+    <message>
+        <source>%1 has too many curves for its size</source>
+        <translation>%1 hat zu viele Kurven für seine Größe</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 ist leer</translation>
+    </message>
+    <message>
+        <source>%1 is no SVG picture</source>
+        <translation>%1 ist kein SVG-Bild</translation>
+    </message>
+    <message>
+        <source>%1 is no closed surface: %2 edges have not one triangle on each side, the first at %3 of the file</source>
+        <translation>%1 ist keine geschlossene Oberfläche: %2 Kanten haben nicht auf jeder Seite ein Dreieck, die erste bei %3 der Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Check its unit, its scale and its place</source>
+        <translation>Einheit, Maßstab und Ort prüfen</translation>
+    </message>
+    <message>
+        <source>Check who may read it</source>
+        <translation>Prüfen, wer sie lesen darf</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>Choose one: file=PATH</source>
+        <translation>Eine wählen: file=PFAD</translation>
+    </message>
+    <message>
+        <source>Close it in the program that it comes from</source>
+        <translation>Sie in dem Programm schließen, aus dem sie kommt</translation>
+    </message>
+    <message>
+        <source>Convert texts and strokes to paths, and fill them</source>
+        <translation>Texte und Striche in Pfade umwandeln und füllen</translation>
+    </message>
+    <message>
+        <source>For the profile &quot;file&quot;: the filled shapes of an SVG.</source>
+        <translation>Für das Profil „Datei“: die gefüllten Formen einer SVG-Datei.</translation>
+    </message>
+    <message>
+        <source>Give a count of 2 or more</source>
+        <translation>Eine Anzahl ab 2 angeben</translation>
+    </message>
+    <message>
+        <source>Give a file that ends in .stl, .obj, .off, .ply or .msh</source>
+        <translation>Eine Datei angeben, die auf .stl, .obj, .off, .ply oder .msh endet</translation>
+    </message>
+    <message>
+        <source>Give a file that ends in .svg</source>
+        <translation>Eine Datei angeben, die auf .svg endet</translation>
+    </message>
+    <message>
+        <source>Give a smaller count</source>
+        <translation>Eine kleinere Anzahl angeben</translation>
+    </message>
+    <message>
+        <source>Give a smaller count or a larger step</source>
+        <translation>Eine kleinere Anzahl oder einen größeren Schritt angeben</translation>
+    </message>
+    <message>
+        <source>Give another diameter</source>
+        <translation>Einen anderen Durchmesser angeben</translation>
+    </message>
+    <message>
+        <source>Give it as data:NAME;base64,CONTENT; programs of this kind make that of a path</source>
+        <translation>Sie als data:NAME;base64,INHALT angeben; Programme dieser Art machen das aus einem Pfad</translation>
+    </message>
+    <message>
+        <source>Give the angle from the first to the last</source>
+        <translation>Den Winkel vom ersten bis zum letzten angeben</translation>
+    </message>
+    <message>
+        <source>Give the way from one to the next: step_mm=20,0,0</source>
+        <translation>Den Weg von einem zum nächsten angeben: step_mm=20,0,0</translation>
+    </message>
+    <message>
+        <source>Give the way: by_mm=10,0,0</source>
+        <translation>Den Weg angeben: by_mm=10,0,0</translation>
+    </message>
+    <message>
+        <source>Pick a wall of a hole, or a side of a boss that stands free</source>
+        <translation>Eine Wand eines Lochs auswählen oder eine Seite eines Nockens, der frei steht</translation>
+    </message>
+    <message>
+        <source>Pick another wall for the drain</source>
+        <translation>Eine andere Wand für den Ablauf auswählen</translation>
+    </message>
+    <message>
+        <source>Pick the wall of a round bore or pin; erode and thicken move walls of any form</source>
+        <translation>Die Wand einer runden Bohrung oder eines Zapfens auswählen; erode und thicken bewegen Wände jeder Form</translation>
+    </message>
+    <message>
+        <source>Save it again, as a binary STL</source>
+        <translation>Sie noch einmal speichern, als binäre STL-Datei</translation>
+    </message>
+    <message>
+        <source>Simplify it first</source>
+        <translation>Sie zuerst vereinfachen</translation>
+    </message>
+    <message>
+        <source>Simplify it, or make it smaller</source>
+        <translation>Sie vereinfachen oder kleiner machen</translation>
+    </message>
+    <message>
+        <source>Simplify what it holds</source>
+        <translation>Vereinfachen, was sie enthält</translation>
+    </message>
+    <message>
+        <source>Take a diameter of %1, which works here</source>
+        <translation>Einen Durchmesser von %1 nehmen, der hier geht</translation>
+    </message>
+    <message>
+        <source>Take a diameter of %1: the largest that works here</source>
+        <translation>Einen Durchmesser von %1 nehmen: der größte, der hier geht</translation>
+    </message>
+    <message>
+        <source>Take a diameter of %1: the smallest that works here</source>
+        <translation>Einen Durchmesser von %1 nehmen: der kleinste, der hier geht</translation>
+    </message>
+    <message>
+        <source>Take a larger thickness</source>
+        <translation>Eine größere Dicke nehmen</translation>
+    </message>
+    <message>
+        <source>Take a larger thickness, or open other walls</source>
+        <translation>Eine größere Dicke nehmen oder andere Wände öffnen</translation>
+    </message>
+    <message>
+        <source>Take a smaller height</source>
+        <translation>Eine kleinere Höhe nehmen</translation>
+    </message>
+    <message>
+        <source>Take a smaller thickness</source>
+        <translation>Eine kleinere Dicke nehmen</translation>
+    </message>
+    <message>
+        <source>Take a thickness of at least %1 mm</source>
+        <translation>Eine Dicke von mindestens %1 mm nehmen</translation>
+    </message>
+    <message>
+        <source>Take another thickness</source>
+        <translation>Eine andere Dicke nehmen</translation>
+    </message>
+    <message>
+        <source>Take one kind at a time</source>
+        <translation>Eine Art auf einmal nehmen</translation>
+    </message>
+    <message>
+        <source>The circle&apos;s and the polygon&apos;s diameter, the longer side of all others.</source>
+        <translation>Der Durchmesser von Kreis und Vieleck, die längere Seite aller anderen.</translation>
+    </message>
+    <message>
+        <source>a closed void is</source>
+        <translation>ein geschlossener Hohlraum bleibt</translation>
+    </message>
+    <message>
+        <source>a closed void is left inside; pick walls for drains, or walls to leave open</source>
+        <translation>innen bleibt ein geschlossener Hohlraum; Wände für Abläufe auswählen oder Wände, die offen bleiben</translation>
+    </message>
+    <message>
+        <source>a pattern of one is what is there already</source>
+        <translation>ein Muster aus einem ist, was schon da ist</translation>
+    </message>
+    <message>
+        <source>behind the middle of surface %1 lies no hollow</source>
+        <translation>hinter der Mitte von Fläche %1 liegt kein Hohlraum</translation>
+    </message>
+    <message>
+        <source>change of the diameter</source>
+        <translation>Änderung des Durchmessers</translation>
+    </message>
+    <message>
+        <source>copy %1 of %2: %3</source>
+        <translation>Kopie %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>copy of %1</source>
+        <translation>Kopie von %1</translation>
+    </message>
+    <message>
+        <source>cut above</source>
+        <translation>Schnitt oben</translation>
+    </message>
+    <message>
+        <source>cut below</source>
+        <translation>Schnitt unten</translation>
+    </message>
+    <message>
+        <source>diameter now</source>
+        <translation>Durchmesser jetzt</translation>
+    </message>
+    <message>
+        <source>furthest off it at any vertex</source>
+        <translation>größte Abweichung davon an einem Knoten</translation>
+    </message>
+    <message>
+        <source>holes and bosses are selected together</source>
+        <translation>Löcher und Nocken sind zusammen ausgewählt</translation>
+    </message>
+    <message>
+        <source>hollow spaces</source>
+        <translation>Hohlräume</translation>
+    </message>
+    <message>
+        <source>it is not the content of a file</source>
+        <translation>das ist nicht der Inhalt einer Datei</translation>
+    </message>
+    <message>
+        <source>it is the content of a file</source>
+        <translation>es ist der Inhalt einer Datei</translation>
+    </message>
+    <message>
+        <source>it is too thin for the size of the part: too many triangles</source>
+        <translation>das ist zu dünn für die Größe des Teils: zu viele Dreiecke</translation>
+    </message>
+    <message>
+        <source>it would not touch the part</source>
+        <translation>es würde das Teil nicht berühren</translation>
+    </message>
+    <message>
+        <source>it would stay where it is</source>
+        <translation>es bliebe, wo es ist</translation>
+    </message>
+    <message>
+        <source>letters of that height would reach the middle of the round wall</source>
+        <translation>Buchstaben dieser Höhe würden bis zur Mitte der runden Wand reichen</translation>
+    </message>
+    <message>
+        <source>looking for the inside</source>
+        <translation>Inneres suchen</translation>
+    </message>
+    <message>
+        <source>nothing of the part is thicker than twice %1 mm</source>
+        <translation>nichts am Teil ist dicker als zweimal %1 mm</translation>
+    </message>
+    <message>
+        <source>one of the copies does not meet the part</source>
+        <translation>eine der Kopien trifft das Teil nicht</translation>
+    </message>
+    <message>
+        <source>surface %1 belongs neither to a hole nor to a boss</source>
+        <translation>Fläche %1 gehört weder zu einem Loch noch zu einem Nocken</translation>
+    </message>
+    <message>
+        <source>surface %1 has a diameter of %2 already</source>
+        <translation>Fläche %1 hat schon einen Durchmesser von %2</translation>
+    </message>
+    <message>
+        <source>surface %1 is no round cylinder</source>
+        <translation>Fläche %1 ist kein runder Zylinder</translation>
+    </message>
+    <message>
+        <source>taken out</source>
+        <translation>herausgenommen</translation>
+    </message>
+    <message>
+        <source>the content of the file is not base64</source>
+        <translation>der Inhalt der Datei ist kein base64</translation>
+    </message>
+    <message>
+        <source>the copies would lie in the same place</source>
+        <translation>die Kopien lägen an derselben Stelle</translation>
+    </message>
+    <message>
+        <source>the file has more than 4 MiB</source>
+        <translation>die Datei hat mehr als 4 MiB</translation>
+    </message>
+    <message>
+        <source>the file&apos;s surface lies beside the part: it measures %1, the part %2</source>
+        <translation>die Oberfläche der Datei liegt neben dem Teil: sie misst %1, das Teil %2</translation>
+    </message>
+    <message>
+        <source>the inside&apos;s surface passes through itself</source>
+        <translation>die Oberfläche des Inneren durchdringt sich selbst</translation>
+    </message>
+    <message>
+        <source>the most that works</source>
+        <translation>das meiste, das geht</translation>
+    </message>
+    <message>
+        <source>the part is %1 bodies now; each needs supports of its own</source>
+        <translation>das Teil besteht jetzt aus %1 Körpern; jeder braucht eigene Lager</translation>
+    </message>
+    <message>
+        <source>the part would fall into pieces</source>
+        <translation>das Teil würde in Stücke zerfallen</translation>
+    </message>
+    <message>
+        <source>the profile is to come from a file, and none was given</source>
+        <translation>das Profil soll aus einer Datei kommen, und keine wurde angegeben</translation>
+    </message>
+    <message>
+        <source>walls of %1 mm are too thin for a part of this size: they would take too many tets</source>
+        <translation>Wände von %1 mm sind zu dünn für ein Teil dieser Größe: sie bräuchten zu viele Tetraeder</translation>
     </message>
 </context>
 <context>
@@ -7206,6 +7838,17 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>For the safety factor only</source>
         <translation>Nur für den Sicherheitsfaktor</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::file_field</name>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>no file</source>
+        <translation>keine Datei</translation>
     </message>
 </context>
 <context>

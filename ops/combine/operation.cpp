@@ -10,6 +10,75 @@ namespace {
 using namespace tedit;
 using ops::parameter_type;
 
+std::vector<ops::parameter_description> combine_parameters() {
+  std::vector<ops::parameter_description> list{
+    {"file",
+     "File",
+     "The shape: STL, OBJ, OFF, PLY or MSH.",
+     parameter_type::file,
+     "",
+     {},
+     {},
+     {},
+     std::string()},
+    {"mode",
+     "What to do",
+     "add: unite both; cut: take it off the part; intersect: keep what both have.",
+     parameter_type::choice,
+     "",
+     {},
+     {},
+     {"add", "cut", "intersect"},
+     std::string("add")},
+    {"at",
+     "Place",
+     "Where the file's origin comes to lie.",
+     parameter_type::point,
+     "m",
+     {},
+     {},
+     {},
+     std::string("0, 0, 0")},
+    {"direction",
+     "Direction",
+     "Where the file's z axis points.",
+     parameter_type::direction,
+     "",
+     {},
+     {},
+     {},
+     std::string("0, 0, 1")},
+    {"turn",
+     "Turn",
+     "About that direction.",
+     parameter_type::real,
+     "rad",
+     -2 * std::numbers::pi,
+     2 * std::numbers::pi,
+     {},
+     0.0},
+    {"scale",
+     "Scale",
+     "How much larger than in the file.",
+     parameter_type::real,
+     "",
+     1e-6,
+     1e6,
+     {},
+     1.0},
+    {"unit",
+     "Unit",
+     "Of the file's numbers: most formats do not say.",
+     parameter_type::choice,
+     "",
+     {},
+     {},
+     {"mm", "cm", "m", "in"},
+     std::string("mm")},
+  };
+  return list;
+}
+
 class combine_operation final : public ops::operation {
 public:
   ops::operation_description describe() const override {
@@ -21,7 +90,7 @@ public:
     d.selection.help = "Nothing.";
     d.selection.minimum = 0;
     d.selection.maximum = 1;
-    d.parameters = parameters();
+    d.parameters = combine_parameters();
     d.icon = ops::line_icon(
       R"(<circle cx="9" cy="10" r="5.5"/><rect x="10" y="10" width="10" height="10"/>)");
     d.guide =
@@ -59,75 +128,6 @@ public:
     settings.direction = ops::vector_of(values, "direction").value_or(vec3{0, 0, 1});
     settings.turn = std::get<double>(values.at("turn"));
     return ops::combine(mesh, std::move(*surface), settings, ops::as_set(picked), ctx);
-  }
-
-private:
-  static std::vector<ops::parameter_description> parameters() {
-    return {
-      {"file",
-       "File",
-       "The shape: STL, OBJ, OFF, PLY or MSH.",
-       parameter_type::file,
-       "",
-       {},
-       {},
-       {},
-       std::string()},
-      {"mode",
-       "What to do",
-       "add: unite both; cut: take it off the part; intersect: keep what both have.",
-       parameter_type::choice,
-       "",
-       {},
-       {},
-       {"add", "cut", "intersect"},
-       std::string("add")},
-      {"at",
-       "Place",
-       "Where the file's origin comes to lie.",
-       parameter_type::point,
-       "m",
-       {},
-       {},
-       {},
-       std::string("0, 0, 0")},
-      {"direction",
-       "Direction",
-       "Where the file's z axis points.",
-       parameter_type::direction,
-       "",
-       {},
-       {},
-       {},
-       std::string("0, 0, 1")},
-      {"turn",
-       "Turn",
-       "About that direction.",
-       parameter_type::real,
-       "rad",
-       -2 * std::numbers::pi,
-       2 * std::numbers::pi,
-       {},
-       0.0},
-      {"scale",
-       "Scale",
-       "How much larger than in the file.",
-       parameter_type::real,
-       "",
-       1e-6,
-       1e6,
-       {},
-       1.0},
-      {"unit",
-       "Unit",
-       "Of the file's numbers: most formats do not say.",
-       parameter_type::choice,
-       "",
-       {},
-       {},
-       {"mm", "cm", "m", "in"},
-       std::string("mm")},
-    };
   }
 };
 

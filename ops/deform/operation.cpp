@@ -49,7 +49,7 @@ public:
     by.id = "by";
     by.name = "Way";
     by.help = "How far along each axis, instead of a distance along the wall's normal.";
-    by.type = point;
+    by.type = vector;
     by.unit = "m";
     by.default_value = std::string();
     d.parameters = {

@@ -14,7 +14,7 @@ ops::parameter_description vector_parameter(const std::string& id, const std::st
 }
 
 std::vector<ops::parameter_description> pattern_parameters() {
-  return {
+  std::vector<ops::parameter_description> list{
     {"kind",
      "Kind",
      "In rows, around an axis, or mirrored in a plane.",
@@ -72,6 +72,7 @@ std::vector<ops::parameter_description> pattern_parameters() {
      {},
      2 * std::numbers::pi},
   };
+  return list;
 }
 
 expected<std::vector<ops::motion>> motions_of(const ops::parameters& values) {
