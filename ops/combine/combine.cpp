@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/combine/combine.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/number_range.hpp"
 #include "ops/tools/placement.hpp"
@@ -38,6 +41,88 @@ std::string size_text(const box& b) {
   return number_text(d.x) + " x " + number_text(d.y) + " x " + number_text(d.z) + " mm";
 }
 
+/// Files have triangles as large as a flat face: tets would have to be as long.
+class edge_divider {
+public:
+  edge_divider(tool_surface& surface, double longest) : surface_(surface), longest_(longest) {}
+
+  /// Halves all longer edges, with both triangles at each; is any left, or are there too many?
+  bool divide(std::size_t most_triangles) {
+    while (surface_.triangles.size() <= most_triangles) {
+      middles_.clear();
+      for (const auto& t : surface_.triangles)
+        for (int k = 0; k < 3; ++k)
+          mark(t[k], t[(k + 1) % 3]);
+      if (middles_.empty())
+        return true;
+      split();
+    }
+    return false;
+  }
+
+private:
+  using corners = std::array<std::uint32_t, 3>;
+
+  static std::pair<std::uint32_t, std::uint32_t> key(std::uint32_t a, std::uint32_t b) {
+    return std::minmax(a, b);
+  }
+
+  void mark(std::uint32_t a, std::uint32_t b) {
+    const vec3 p = surface_.points[a];
+    const vec3 q = surface_.points[b];
+    if (a < b && norm(q - p) > longest_) {
+      middles_[key(a, b)] = static_cast<std::uint32_t>(surface_.points.size());
+      surface_.points.push_back(0.5 * (p + q));
+    }
+  }
+
+  void split() {
+    std::vector<corners> triangles;
+    std::vector<std::uint32_t> faces;
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      const auto before = triangles.size();
+      split(surface_.triangles[i], triangles);
+      faces.insert(faces.end(), triangles.size() - before, surface_.faces[i]);
+    }
+    surface_.triangles = std::move(triangles);
+    surface_.faces = std::move(faces);
+  }
+
+  /// At one of its middles after the other.
+  void split(const corners& t, std::vector<corners>& into) const {
+    for (int k = 0; k < 3; ++k) {
+      const auto a = t[k];
+      const auto b = t[(k + 1) % 3];
+      const auto c = t[(k + 2) % 3];
+      const auto found = middles_.find(key(a, b));
+      if (found == middles_.end() || !is_longest(t, k))
+        continue;
+      split({a, found->second, c}, into);
+      split({found->second, b, c}, into);
+      return;
+    }
+    into.push_back(t);
+  }
+
+  /// Of the edges that have a middle.
+  [[nodiscard]] bool is_longest(const corners& t, int k) const {
+    const auto length = [&](int e) {
+      const auto a = t[e];
+      const auto b = t[(e + 1) % 3];
+      return middles_.contains(key(a, b)) ? norm(surface_.points[b] - surface_.points[a]) : 0;
+    };
+    return length(k) >= length((k + 1) % 3) && length(k) >= length((k + 2) % 3);
+  }
+
+  tool_surface& surface_;
+  double longest_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
+};
+
+/// Edges of the file's surface, in those of the part there.
+constexpr double longest_share = 1.5;
+constexpr std::size_t most_triangles = 400'000;
+
 }  // namespace
 
 expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
@@ -48,6 +133,11 @@ expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
   for (auto& p : surface.points)
     p = place.at(scale * p.x, scale * p.y, scale * p.z);
   const double size = local_size(*mesh, surface);
+  if (!edge_divider(surface, longest_share * size).divide(most_triangles))
+    return fail(ec::invalid_parameter,
+                "the file's surface is so large that it would take more than 400,000 triangles "
+                "like those of the part",
+                "Check its unit and its scale");
   auto result = apply_tool(mesh, surface, settings.mode, size, picked, ctx);
   if (!result && result.error().code == ec::empty_selection) {
     box extent;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/number_range.hpp"
@@ -13,7 +14,7 @@
 #include "ops/shapes/move_by_tool.hpp"
 #include "ops/shapes/move_by_vertices.hpp"
 #include "ops/shapes/walls/moving_walls.hpp"
-#include "ops/tools/local_size.hpp"
+#include "ops/tools/placement.hpp"
 
 namespace tedit::ops {
 
@@ -51,6 +52,94 @@ error about_diameter(error refused, double now, double sign) {
   return refused;
 }
 
+/// A wider bore as a tool that goes on in its walls' surfaces.
+struct wider_bore {
+  tool_surface tool;
+  std::vector<std::optional<surface_id>> continues;
+  double size = 0;  ///< m: the part's mean edge there.
+};
+
+/// How far the tool goes from the bore's middle along `way`, which has the end of the bore at
+/// `end`, m: out of the part, or to where the wall ends where material is behind.
+double reach_of(const mesh_version& mesh, const round_wall& wall, vec3 way, double end,
+                double radius, double size) {
+  const vec3 foot = wall.shape.point + end * way;
+  const frame f = make_frame(foot, way);
+  constexpr int around = 8;
+  const double between = 0.5 * (wall.shape.radius + radius);
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    if (in_material(mesh, f.at(between * std::cos(angle), between * std::sin(angle), 0.01 * size)))
+      return end;
+  }
+  return end + clearance(mesh, foot, way, radius) + 0.5 * size;
+}
+
+/// Each triangle of the tool's wall goes on in the surface of the nearest corner of the bore.
+void name_wall(const mesh_version& mesh, const round_wall& wall, std::uint32_t face,
+               wider_bore& made) {
+  std::vector<std::pair<vec3, surface_id>> corners;
+  for (const auto f : facets_of(mesh, wall.surfaces)) {
+    const auto& v = mesh.facet(f).v;
+    corners.emplace_back((mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3,
+                         mesh.facet(f).surface);
+  }
+  const auto first = static_cast<std::uint32_t>(made.tool.names.size());
+  for (const auto id : wall.surfaces) {
+    made.tool.names.push_back("bore " + std::to_string(id));
+    made.continues.resize(made.tool.names.size());
+    made.continues.back() = id;
+  }
+  for (std::size_t i = 0; i < made.tool.triangles.size(); ++i) {
+    if (made.tool.faces[i] != face)
+      continue;
+    const auto& t = made.tool.triangles[i];
+    const vec3 at = (made.tool.points[t[0]] + made.tool.points[t[1]] + made.tool.points[t[2]]) / 3;
+    const auto nearest =
+      std::ranges::min_element(corners, {}, [&](const auto& c) { return norm(c.first - at); });
+    const auto place = std::ranges::find(wall.surfaces, nearest->second) - wall.surfaces.begin();
+    made.tool.faces[i] = first + static_cast<std::uint32_t>(place);
+  }
+}
+
+wider_bore widen(const mesh_version& mesh, const round_wall& wall, double diameter) {
+  double low = 1e300;
+  double high = -1e300;
+  box extent;
+  for (const auto f : facets_of(mesh, wall.surfaces))
+    for (const auto v : mesh.facet(f).v) {
+      const double z = dot(mesh.position(v) - wall.shape.point, wall.shape.axis);
+      low = std::min(low, z);
+      high = std::max(high, z);
+      extent.add(mesh.position(v));
+    }
+  const double r = diameter / 2;
+  wider_bore made;
+  made.size = local_size(mesh, extent.grown(r - wall.shape.radius));
+  const int segments = std::max(24, segments_of(diameter, made.size));
+  const double edge = std::min(made.size, 1.5 * std::numbers::pi * diameter / segments);
+  const double top = reach_of(mesh, wall, wall.shape.axis, high, r, made.size);
+  const double bottom = reach_of(mesh, wall, -wall.shape.axis, -low, r, made.size);
+  made.tool = revolve(make_frame(wall.shape.point, wall.shape.axis),
+                      {{0, top, ""}, {r, top, "top"}, {r, -bottom, "bore"}, {0, -bottom, "bottom"}},
+                      segments, edge);
+  made.continues.resize(made.tool.names.size());
+  const auto face = std::ranges::find(made.tool.names, "bore") - made.tool.names.begin();
+  name_wall(mesh, wall, static_cast<std::uint32_t>(face), made);
+  return made;
+}
+
+/// Drilled wider: what the walls' own vertices cannot do beside a coarse mesh.
+expected<edit_result> drilled(const version_ptr& mesh, const round_wall& wall, double diameter,
+                              context& ctx) {
+  const auto made = widen(*mesh, wall, diameter);
+  const auto cut = ctx.host->boolean_onto(
+    mesh, made.tool, made.continues, {boolean_mode::cut, deviation_share * made.size}, ctx.run);
+  if (!cut)
+    return fail(cut.error());
+  return as_edit(*mesh, *cut, made.tool, wall.surfaces);
+}
+
 expected<edit_result> resized(const version_ptr& mesh, const round_wall& wall, double diameter,
                               context& ctx) {
   const double now = 2 * wall.shape.radius;
@@ -60,12 +149,12 @@ expected<edit_result> resized(const version_ptr& mesh, const round_wall& wall, d
     [&](double change, context& trial) {
       // A pin grows outward, a bore into the material.
       const double distance = wall.shape.side * sign * change / 2;
-      const wall_ways ways{
-        wall.surfaces,
-        distance,
-        false,
-        {[&] { return move_by_vertices(mesh, wall.surfaces, distance, trial.run); },
-         [&] { return move_by_tool(mesh, wall.surfaces, distance, trial); }}};
+      wall_ways ways{wall.surfaces, distance, false, {}};
+      ways.ways.emplace_back(
+        [&] { return move_by_vertices(mesh, wall.surfaces, distance, trial.run); });
+      if (wall.shape.side < 0 && sign > 0)
+        ways.ways.emplace_back([&] { return drilled(mesh, wall, now + change, trial); });
+      ways.ways.emplace_back([&] { return move_by_tool(mesh, wall.surfaces, distance, trial); });
       return first_that_passes(mesh, ways, trial.run);
     },
     ctx);

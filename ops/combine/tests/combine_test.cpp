@@ -101,6 +101,19 @@ TEST_F(Combine, WhatIsCutIsTheFilesVolumeInItsUnit) {
   EXPECT_NEAR(result->volume_change, -0.04 * 0.03 * 0.01, 1e-12);
 }
 
+TEST_F(Combine, FacesThatAreLargeBesideTheTetsAreDivided) {
+  const auto fine = test::box_mesh({16, 16, 16}, {0.1, 0.1, 0.1});
+  auto surface = read_surface(box_.as_text());
+  ASSERT_TRUE(surface);
+
+  const auto result = combine(fine, std::move(*surface),
+                              {.mode = boolean_mode::cut, .at = {0.031, 0.033, 0.087}}, {}, ctx_);
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(fine, *result);
+  EXPECT_NEAR(result->volume_change, -0.04 * 0.03 * 0.013, 1e-11);
+}
+
 TEST_F(Combine, WhatIsAddedStandsOutOfThePart) {
   const auto result =
     combined(box_.as_text(),
