@@ -1121,7 +1121,7 @@
     </message>
     <message>
         <source>Coarsen mesh</source>
-        <translation>Netz vergröbern</translation>
+        <translation>Vergröbern</translation>
     </message>
     <message>
         <source>Makes the mesh coarser at surfaces or around a point; the part keeps its shape.</source>
@@ -1237,7 +1237,7 @@
     </message>
     <message>
         <source>Refine mesh</source>
-        <translation>Netz verfeinern</translation>
+        <translation>Verfeinern</translation>
     </message>
     <message>
         <source>Makes the mesh finer at surfaces or around a point, graded outwards.</source>

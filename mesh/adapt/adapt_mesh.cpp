@@ -77,16 +77,10 @@ void adapt_mesh::skin_around(std::uint32_t v, std::vector<skin_triangle>& result
     }
 }
 
-std::size_t adapt_mesh::triangles_of(surface_id surface) const {
-  const auto found = triangles_.find(surface);
-  return found == triangles_.end() ? 0 : found->second;
-}
-
 void adapt_mesh::add_skin(const std::array<std::uint32_t, 3>& v, const skin& what) {
   skin_[make_face_key(v).v] = what;
   for (const auto corner : v)
     ++skin_at_[corner];
-  ++triangles_[what.surface];
   if (first_new_tet_ > 0)
     fresh_skin_.push_back(make_face_key(v).v);
 }
@@ -99,7 +93,6 @@ std::optional<skin> adapt_mesh::take_skin(const std::array<std::uint32_t, 3>& v)
   skin_.erase(found);
   for (const auto corner : v)
     --skin_at_[corner];
-  --triangles_[result.surface];
   interfaces_changed_ = interfaces_changed_ || result.kind == skin_kind::interface;
   return result;
 }

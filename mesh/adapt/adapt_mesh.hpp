@@ -44,7 +44,6 @@ public:
   [[nodiscard]] std::size_t tet_count() const { return live_; }
   [[nodiscard]] bool is_live(std::uint32_t t) const { return tets_[t].v[0] != no_id; }
   [[nodiscard]] const tet& tet_at(std::uint32_t t) const { return tets_[t]; }
-  [[nodiscard]] region_id region_of(std::uint32_t t) const { return regions_[t]; }
   [[nodiscard]] vec3 at(std::uint32_t v) const { return at_[v]; }
   [[nodiscard]] const std::vector<std::uint32_t>& star(std::uint32_t v) const { return stars_[v]; }
   [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const {
@@ -64,7 +63,6 @@ public:
     skin what;
   };
   void skin_around(std::uint32_t v, std::vector<skin_triangle>& result) const;
-  [[nodiscard]] std::size_t triangles_of(surface_id surface) const;
 
   // -- changing ----------------------------------------------------------------
 
@@ -97,7 +95,6 @@ private:
   std::vector<region_id> regions_;
   std::vector<std::vector<std::uint32_t>> stars_;
   std::unordered_map<std::array<std::uint32_t, 3>, skin, key_hash> skin_;
-  std::unordered_map<surface_id, std::size_t> triangles_;
   std::vector<std::uint32_t> skin_at_;                    ///< Triangles of the skin at each vertex.
   std::vector<tet_id> removed_;                           ///< Of the version.
   std::vector<std::array<std::uint32_t, 3>> fresh_skin_;  ///< Added since, some gone again.

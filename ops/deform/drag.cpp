@@ -87,17 +87,18 @@ expected<drag> drag::prepare(const version_ptr& mesh, drag_handle handle, deform
   for (const auto t : zone.tets)
     result.worst_before_ = std::min(result.worst_before_, radius_ratio(mesh->corners(t)));
   result.share_.assign(result.moved_.size(), 1);
+  result.moves_all_ = std::ranges::all_of(zone.tets, [&](tet_id t) {
+    return std::ranges::all_of(mesh->tet_at(t).v,
+                               [&](vertex_id v) { return result.number_[v] != no_id; });
+  });
   const auto piece = piece_of(*mesh, zone);
-  const bool something_stays =
-    std::ranges::any_of(piece.vertices, [&](vertex_id v) { return result.number_[v] == no_id; });
   result.tets_ = std::move(zone.tets);
-  if (keep_volume && !something_stays)
+  const bool nothing_bends = result.moves_all_ || zone.free.empty();
+  if (keep_volume && nothing_bends)
     return fail(ec::invalid_parameter, "nothing within reach can give way to keep the volume",
                 "Take a larger reach, or let the volume change");
-  if (!something_stays) {
-    result.moves_all_ = true;
+  if (nothing_bends)
     return result;
-  }
   const auto field = smooth_field::create(piece.piece);
   if (!field)
     return fail(field.error());

@@ -69,6 +69,19 @@ TEST_F(Deform, WhereAllIsDraggedThePartMovesAsItIs) {
   EXPECT_NEAR(result->volume_change, 0, 1e-15);
 }
 
+TEST_F(Deform, AReachBelowAnEdgeMovesWhatIsDraggedAlone) {
+  const auto result = deformed(bar_, {2}, {.distance = 0.02, .reach = 0.05});
+  const auto all = deformed(bar_, {1, 2, 3, 4, 5, 6}, {.by = vec3{0, 0, 0.01}});
+
+  ASSERT_TRUE(result) << render(result.error());
+  expect_good(bar_, *result);
+  EXPECT_NEAR(result->volume_change, 0.02 * 0.01, 1e-14);
+  EXPECT_EQ(moved_by(bar_, *result, {0.9, 0, 0}), (vec3{}));
+  EXPECT_THAT(result->notices, ::testing::Not(::testing::Contains(HasSubstr("whole part"))));
+  ASSERT_TRUE(all);
+  EXPECT_THAT(all->notices, ::testing::Contains(HasSubstr("the whole part moves")));
+}
+
 TEST_F(Deform, ASymmetricPartIsDeformedSymmetrically) {
   const auto result = deformed(
     plate_, {}, {.at = vec3{0.5, 0.5, 0.25}, .radius = 0.12, .distance = 0.03, .reach = 0.3});

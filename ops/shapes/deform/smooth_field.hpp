@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/execution.hpp"
 #include "mesh/vec3.hpp"
 
