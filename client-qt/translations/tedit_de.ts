@@ -7047,6 +7047,18 @@
         <source>walls of %1 mm are too thin for a part of this size: they would take too many tets</source>
         <translation>Wände von %1 mm sind zu dünn für ein Teil dieser Größe: sie bräuchten zu viele Tetraeder</translation>
     </message>
+    <message>
+        <source>Check its unit and its scale</source>
+        <translation>Einheit und Maßstab prüfen</translation>
+    </message>
+    <message>
+        <source>bore %1</source>
+        <translation>Bohrung %1</translation>
+    </message>
+    <message>
+        <source>the file&apos;s surface is so large that it would take more than 400,000 triangles like those of the part</source>
+        <translation>die Oberfläche der Datei ist so groß, dass sie mehr als 400.000 Dreiecke wie die des Teils bräuchte</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
