@@ -121,7 +121,7 @@ private:
 
 /// Edges of the file's surface, in those of the part there.
 constexpr double longest_share = 1.5;
-constexpr std::size_t most_triangles = 400'000;
+constexpr std::size_t most_divided = 400'000;
 
 }  // namespace
 
@@ -133,7 +133,7 @@ expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
   for (auto& p : surface.points)
     p = place.at(scale * p.x, scale * p.y, scale * p.z);
   const double size = local_size(*mesh, surface);
-  if (!edge_divider(surface, longest_share * size).divide(most_triangles))
+  if (!edge_divider(surface, longest_share * size).divide(most_divided))
     return fail(ec::invalid_parameter,
                 "the file's surface is so large that it would take more than 400,000 triangles "
                 "like those of the part",
