@@ -132,25 +132,21 @@ expected<edit_result> combine(const version_ptr& mesh, tool_surface surface,
   const double scale = settings.unit * settings.scale;
   for (auto& p : surface.points)
     p = place.at(scale * p.x, scale * p.y, scale * p.z);
+  box extent;
+  for (const auto& p : surface.points)
+    extent.add(p);
+  if (const auto part = extent_of(*mesh); !extent.meets(part))
+    return fail(ec::empty_selection,
+                "the file's surface lies beside the part: it measures " + size_text(extent) +
+                  ", the part " + size_text(part),
+                "Check its unit, its scale and its place");
   const double size = local_size(*mesh, surface);
   if (!edge_divider(surface, longest_share * size).divide(most_divided))
     return fail(ec::invalid_parameter,
                 "the file's surface is so large that it would take more than 400,000 triangles "
                 "like those of the part",
                 "Check its unit and its scale");
-  auto result = apply_tool(mesh, surface, settings.mode, size, picked, ctx);
-  if (!result && result.error().code == ec::empty_selection) {
-    box extent;
-    for (const auto& p : surface.points)
-      extent.add(p);
-    const auto part = extent_of(*mesh);
-    if (!extent.meets(part))
-      return fail(ec::empty_selection,
-                  "the file's surface lies beside the part: it measures " + size_text(extent) +
-                    ", the part " + size_text(part),
-                  "Check its unit, its scale and its place");
-  }
-  return result;
+  return apply_tool(mesh, surface, settings.mode, size, picked, ctx);
 }
 
 }  // namespace tedit::ops
