@@ -15,12 +15,12 @@
 #include "client-qt/view/viewport.hpp"
 #include "client-qt/widgets/banner.hpp"
 #include "client-qt/widgets/log_panel.hpp"
+#include "client-qt/widgets/operation_rail.hpp"
 #include "client-qt/widgets/truth_line.hpp"
 
 class QMainWindow;
 class QSettings;
 class QStackedWidget;
-class QToolBar;
 
 namespace tedit::desktop {
 
@@ -37,7 +37,7 @@ struct window_context {
   command_actions& buttons;  ///< Of the commands.
   escapes& esc;              ///< What Esc ends.
   docks& panels;
-  QToolBar& rail;         ///< At the left: the operations.
+  operation_rail& rail;   ///< At the left: the operations.
   QStackedWidget& pages;  ///< The view, and what takes its place.
   viewport& view;
   overlay& over;

@@ -57,8 +57,8 @@ main_window::main_window(const QString& state_folder)
   wire_look();
   wire_messages();
   context_.emplace(window_context{*this, settings_, link_, server_, part_, picked_, commands_,
-                                  actions_, escapes_, docks_, *rail_, *pages_, *view_, *overlay_,
-                                  look_, *banner_, *log_, *truth_});
+                                  actions_, escapes_, docks_, *operations_, *pages_, *view_,
+                                  *overlay_, look_, *banner_, *log_, *truth_});
   tools_.emplace(*context_);
   add_commands();
   lay_out_docks();
@@ -98,8 +98,9 @@ void main_window::make_view() {
   setStatusBar(truth_);
   rail_ = new QToolBar(tr("Operations"));
   rail_->setObjectName("rail");
-  rail_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   rail_->setMovable(false);
+  operations_ = new operation_rail;
+  rail_->addWidget(operations_);
 }
 
 void main_window::add_commands() {

@@ -70,6 +70,7 @@ private:
   log_panel* log_;
   truth_line* truth_;
   QToolBar* rail_;
+  operation_rail* operations_;  ///< In it.
   command_palette* palette_;
   QLabel* title_;
   std::optional<window_context> context_;

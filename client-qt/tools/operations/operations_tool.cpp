@@ -2,7 +2,6 @@
 #include "client-qt/tools/operations/operations_tool.hpp"
 
 #include <QAction>
-#include <QToolBar>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/probes.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/widgets/operation_rail.hpp"
 
 namespace tedit::desktop {
 
@@ -27,17 +27,6 @@ QString in_two_lines(QString name) {
   if (best >= 0)
     name[best] = '\n';
   return name;
-}
-
-/// All buttons as wide as the widest, so that icons stand below each other.
-void align(QToolBar& rail) {
-  int widest = 0;
-  for (auto* action : rail.actions())
-    if (const auto* button = rail.widgetForAction(action))
-      widest = std::max(widest, button->sizeHint().width());
-  for (auto* action : rail.actions())
-    if (auto* button = rail.widgetForAction(action))
-      button->setMinimumWidth(widest);
 }
 
 }  // namespace
@@ -107,9 +96,8 @@ void operations_tool::offer() {
     auto* button = in_.buttons.of("op." + id);
     button->setToolTip(QString::fromStdString(one.about.summary));
     button->setIconText(in_two_lines(QString::fromStdString(one.about.name)));
-    in_.rail.addAction(button);
+    in_.rail.add(button);
   }
-  align(in_.rail);
   in_.buttons.refresh();
 }
 
