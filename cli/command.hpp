@@ -40,6 +40,7 @@ void add_plugin(CLI::App& app, action& chosen);
 void add_import(CLI::App& app, action& chosen);
 void add_edit(CLI::App& app, action& chosen);
 void add_adapt(CLI::App& app, action& chosen);
+void add_formats(CLI::App& app, action& chosen);
 void add_convert(CLI::App& app, action& chosen);
 void add_compare(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);

@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_import(app, chosen);
   tedit::cli::add_edit(app, chosen);
   tedit::cli::add_adapt(app, chosen);
+  tedit::cli::add_formats(app, chosen);
   tedit::cli::add_convert(app, chosen);
   tedit::cli::add_solve(app, chosen);
   tedit::cli::add_compare(app, chosen);

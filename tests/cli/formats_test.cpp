@@ -57,5 +57,18 @@ TEST(Edit, APathOfAFileParameterIsReadHere) {
               HasSubstr("\"features.json\" is of no kind that can be combined"));
 }
 
+TEST(Formats, AreListedWithWhatTheyKeep) {
+  const auto listed = run("formats --json").parsed()["formats"];
+
+  ASSERT_GE(listed.size(), file_formats.size());
+  for (std::size_t i = 0; i < file_formats.size(); ++i) {
+    EXPECT_EQ(listed[i]["name"], file_formats[i].name);
+    EXPECT_EQ(listed[i]["reads"], file_formats[i].reads);
+    EXPECT_EQ(listed[i]["writes"], file_formats[i].writes);
+  }
+  EXPECT_EQ(listed[0]["keeps"], (std::vector<std::string>{"tets", "regions", "surfaces", "names"}));
+  EXPECT_THAT(run("formats").out, HasSubstr("a STEP file"));
+}
+
 }  // namespace
 }  // namespace tedit::test
