@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Rooms whose refusals, notices and stages of work reach a window.
-ROOMS = ["base", "mesh", "fem", "edit", "ops", "protocol", "client", "client-qt/net", "actors"]
+ROOMS = ["base", "mesh", "fem", "edit", "ops", "cad", "protocol", "client", "client-qt/net", "actors"]
 
 # Read by developers, integrators and operators alone: the kits of plugins, input decks and file headers, what is said
 # of bytes that two programs of one release send each other, logs; what "tedit doc" alone says.

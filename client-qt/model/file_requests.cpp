@@ -9,6 +9,7 @@
 
 #include "client-qt/model/document.hpp"
 #include "client-qt/model/document_name.hpp"
+#include "client-qt/net/cad_import.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::desktop {
@@ -165,8 +166,17 @@ void file_requests::reopen() {
 
 void file_requests::import(const QString& mesh, const QStringList& load_cases,
                            const QString& unit) {
-  new_part from{{mesh, load_cases, unit.isEmpty() ? "mm" : unit}, {}};
-  for (const auto& file : load_cases) {
+  import_from({mesh, load_cases, unit.isEmpty() ? "mm" : unit});
+}
+
+void file_requests::import_cad(const QString& file, const QStringList& load_cases,
+                               const QString& size) {
+  import_from({file, load_cases, "mm", size});
+}
+
+void file_requests::import_from(const imported_file& what) {
+  new_part from{what, {}};
+  for (const auto& file : what.load_cases) {
     auto read = protocol::load_case_from_file(file.toStdString());
     if (!read) {
       emit part_.failed(tr("Open %1").arg(file), read.error());
@@ -174,7 +184,7 @@ void file_requests::import(const QString& mesh, const QStringList& load_cases,
     }
     from.loads.push_back(std::move(*read));
   }
-  switch_to(tr("Open %1").arg(QFileInfo(mesh).fileName()),
+  switch_to(tr("Open %1").arg(QFileInfo(what.mesh).fileName()),
             [from = std::move(from)](client::client& server, const execution& run) {
               return make(server, run, from);
             });
@@ -197,13 +207,20 @@ expected<std::string> file_requests::open_empty(client::client& server, const QS
 /// A part whose loads are refused is opened all the same.
 expected<file_requests::ready> file_requests::make(client::client& server, const execution& run,
                                                    const new_part& from) {
+  const bool cad = is_cad_file(from.file.mesh);
+  const auto meshed = cad ? mesh_cad_file(from.file.mesh, from.file.size, run.part(0, 0.8))
+                          : expected<meshed_part>(meshed_part{nullptr, from.file.mesh, {}});
+  if (!meshed)
+    return fail(meshed.error());
   const auto name = open_empty(server, from.file.mesh);
   if (!name)
     return fail(name.error());
-  auto made = server.import_file(from.file.mesh.toStdString(), from.file.unit.toStdString(), run);
+  auto made = server.import_file(meshed->mesh.toStdString(), from.file.unit.toStdString(),
+                                 cad ? run.part(0.8, 1) : run);
   if (!made)
     return fail(made.error());
-  ready result{*name, std::move(made->warnings), {}, from.file};
+  ready result{*name, meshed->warnings, {}, cad ? std::nullopt : std::optional(from.file)};
+  result.warnings.insert(result.warnings.end(), made->warnings.begin(), made->warnings.end());
   for (const auto& one : from.loads)
     if (const auto ok = server.set_load_case(one); !ok && !result.refused_loads)
       result.refused_loads = ok.error();

@@ -17,11 +17,13 @@ namespace tedit::desktop {
 
 class document;
 
-/// A mesh that was opened, with its load cases, and the length unit that it was read in.
+/// A mesh that was opened, with its load cases, and the length unit that it was read in; or a CAD
+/// file, which says its unit.
 struct imported_file {
   QString mesh;
   QStringList load_cases;
-  QString unit;  ///< "mm", "m", "in".
+  QString unit;             ///< "mm", "m", "in".
+  QString size = "medium";  ///< Of a CAD file's mesh: "coarse", "medium", "fine".
 };
 
 /// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows. The
@@ -40,6 +42,8 @@ public:
   /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
   /// it. `unit` is the mesh's length unit, "mm" when empty.
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
+  /// The same from a CAD file, which is meshed on this computer first (`mesh_cad_file`).
+  void import_cad(const QString& file, const QStringList& load_cases, const QString& size);
   /// Gives the server a document that lies in a file, under its name or, where that is taken, the
   /// next one, and opens it.
   void add(const QString& path);
@@ -77,6 +81,7 @@ private:
     std::mutex one_at_a_time;
     std::atomic<int> last{0};
   };
+  void import_from(const imported_file& file);
   void leave();
   void reopen();
   [[nodiscard]] static expected<ready> look_up(client::client& server, const std::string& name);

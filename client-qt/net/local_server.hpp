@@ -28,6 +28,9 @@ public:
   /// to be started anew.
   void start();
 
+  /// The program tedit of this installation: beside this one, else on the path.
+  [[nodiscard]] static QString program();
+
   [[nodiscard]] const QString& folder() const noexcept { return folder_; }
   [[nodiscard]] qint64 pid() const { return process_.processId(); }
   /// Whether `ready` or `failed` is still to come: an address that was told before leads nowhere.
@@ -38,7 +41,6 @@ signals:
   void failed(const tedit::error& reason);
 
 private:
-  [[nodiscard]] static QString program();
   void launch();
   void look();
   void ended();

@@ -77,6 +77,13 @@
     </message>
 </context>
 <context>
+    <name>cad_import</name>
+    <message>
+        <source>meshing the CAD file</source>
+        <translation>CAD-Datei vernetzen</translation>
+    </message>
+</context>
+<context>
     <name>command_groups</name>
     <message>
         <source>File</source>
@@ -7059,6 +7066,258 @@
         <source>the file&apos;s surface is so large that it would take more than 400,000 triangles like those of the part</source>
         <translation>die Oberfläche der Datei ist so groß, dass sie mehr als 400.000 Dreiecke wie die des Teils bräuchte</translation>
     </message>
+    <message>
+        <source>&quot;tedit import&quot; ended without an answer</source>
+        <translation>„tedit import“ endete ohne Antwort</translation>
+    </message>
+    <message>
+        <source>Install it beside this one</source>
+        <translation>Es neben diesem installieren</translation>
+    </message>
+    <message>
+        <source>Run it on the command line to see why</source>
+        <translation>Es auf der Kommandozeile ausführen, um zu sehen, warum</translation>
+    </message>
+    <message>
+        <source>Set TMPDIR to a folder with room that you may write to</source>
+        <translation>TMPDIR auf einen Ordner mit Platz setzen, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made</source>
+        <translation>es lässt sich kein temporärer Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>der Import wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the program tedit does not start: %1</source>
+        <translation>das Programm tedit startet nicht: %1</translation>
+    </message>
+    <message>
+        <source>%1 died%2 (exit status %3)</source>
+        <translation>%1 starb%2 (Status %3)</translation>
+    </message>
+    <message>
+        <source>%1 died%2 (signal %3)</source>
+        <translation>%1 starb%2 (Signal %3)</translation>
+    </message>
+    <message>
+        <source>%1 of the import&apos;s folder is damaged</source>
+        <translation>%1 im Ordner des Imports ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 took longer than %2 s%3</source>
+        <translation>%1 brauchte länger als %2 s%3</translation>
+    </message>
+    <message>
+        <source>Build TEdit where the packages libocct-data-exchange-dev and libgmsh-dev are installed (scripts/install_deps.sh), or set TEDIT_LIBEXEC to the program&apos;s folder</source>
+        <translation>TEdit bauen, wo die Pakete libocct-data-exchange-dev und libgmsh-dev installiert sind (scripts/install_deps.sh), oder TEDIT_LIBEXEC auf den Ordner des Programms setzen</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limits of open files and processes</source>
+        <translation>Andere Programme schließen oder die Grenzen für offene Dateien und Prozesse erhöhen</translation>
+    </message>
+    <message>
+        <source>Export it again from the CAD program</source>
+        <translation>Sie noch einmal aus dem CAD-Programm exportieren</translation>
+    </message>
+    <message>
+        <source>Export it again from the CAD program, as STEP where you can</source>
+        <translation>Sie noch einmal aus dem CAD-Programm exportieren, wenn möglich als STEP</translation>
+    </message>
+    <message>
+        <source>Export the part again from the CAD program</source>
+        <translation>Das Teil noch einmal aus dem CAD-Programm exportieren</translation>
+    </message>
+    <message>
+        <source>Export the part as a STEP file</source>
+        <translation>Das Teil als STEP-Datei exportieren</translation>
+    </message>
+    <message>
+        <source>Export the part as a solid (AP203, AP214 or AP242)</source>
+        <translation>Das Teil als Volumenkörper exportieren (AP203, AP214 oder AP242)</translation>
+    </message>
+    <message>
+        <source>Export the part as a solid; check in the CAD program that it is closed</source>
+        <translation>Das Teil als Volumenkörper exportieren; im CAD-Programm prüfen, dass er geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Export the part from the CAD program again</source>
+        <translation>Das Teil noch einmal aus dem CAD-Programm exportieren</translation>
+    </message>
+    <message>
+        <source>Export the part from the CAD program as STEP (AP203, AP214 or AP242)</source>
+        <translation>Das Teil aus dem CAD-Programm als STEP exportieren (AP203, AP214 oder AP242)</translation>
+    </message>
+    <message>
+        <source>Export the parts one by one, or unite them in the CAD program</source>
+        <translation>Die Teile einzeln exportieren oder im CAD-Programm vereinigen</translation>
+    </message>
+    <message>
+        <source>Give it more with --memory-mb, or take a coarser --size</source>
+        <translation>Mit --memory-mb mehr geben oder ein gröberes --size nehmen</translation>
+    </message>
+    <message>
+        <source>Give it more with --memory-mb, or take a simpler part</source>
+        <translation>Mit --memory-mb mehr geben oder ein einfacheres Teil nehmen</translation>
+    </message>
+    <message>
+        <source>Give it more with --time-limit, or take a coarser --size or a simpler part</source>
+        <translation>Mit --time-limit mehr geben oder ein gröberes --size oder ein einfacheres Teil nehmen</translation>
+    </message>
+    <message>
+        <source>Gmsh could not fill the part with tets</source>
+        <translation>Gmsh konnte das Teil nicht mit Tetraedern füllen</translation>
+    </message>
+    <message>
+        <source>Gmsh could not mesh the part: %1</source>
+        <translation>Gmsh konnte das Teil nicht vernetzen: %1</translation>
+    </message>
+    <message>
+        <source>Gmsh made no triangles on %1</source>
+        <translation>Gmsh machte keine Dreiecke auf %1</translation>
+    </message>
+    <message>
+        <source>Gmsh numbers the %1 faces and %2 solids otherwise than they were read</source>
+        <translation>Gmsh nummeriert die %1 Flächen und %2 Körper anders, als sie gelesen wurden</translation>
+    </message>
+    <message>
+        <source>Import its solids one by one</source>
+        <translation>Seine Körper einzeln importieren</translation>
+    </message>
+    <message>
+        <source>Make room on the disk of the temporary folder ($TMPDIR)</source>
+        <translation>Auf der Platte des temporären Ordners ($TMPDIR) Platz schaffen</translation>
+    </message>
+    <message>
+        <source>Nothing else is lost. Export the part again from the CAD program, as AP203 or AP214 without annotations, or with fewer details</source>
+        <translation>Sonst ist nichts verloren. Das Teil noch einmal aus dem CAD-Programm exportieren, als AP203 oder AP214 ohne Anmerkungen oder mit weniger Einzelheiten</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE cannot read the file: %1 %2</source>
+        <translation>OpenCASCADE kann die Datei nicht lesen: %1 %2</translation>
+    </message>
+    <message>
+        <source>The file may be made to do harm: nothing was changed. Report it if it is yours</source>
+        <translation>Die Datei kann gemacht sein, um zu schaden: Nichts wurde geändert. Bitte melden, wenn sie Ihre ist</translation>
+    </message>
+    <message>
+        <source>This is a defect of TEdit: please report it with the CAD file</source>
+        <translation>Das ist ein Fehler von TEdit: Bitte mit der CAD-Datei melden</translation>
+    </message>
+    <message>
+        <source>Try again; if it stays, report it with the CAD file</source>
+        <translation>Noch einmal versuchen; wenn es bleibt, mit der CAD-Datei melden</translation>
+    </message>
+    <message>
+        <source>Try another --size, or mend that face in the CAD program</source>
+        <translation>Ein anderes --size versuchen oder diese Fläche im CAD-Programm ausbessern</translation>
+    </message>
+    <message>
+        <source>Try another --size; if none works, check in the CAD program that no faces cut each other</source>
+        <translation>Ein anderes --size versuchen; wenn keines geht, im CAD-Programm prüfen, dass keine Flächen einander schneiden</translation>
+    </message>
+    <message>
+        <source>Try another --size; if none works, mend the part in the CAD program</source>
+        <translation>Ein anderes --size versuchen; wenn keines geht, das Teil im CAD-Programm ausbessern</translation>
+    </message>
+    <message>
+        <source>Write it again with BRepTools::Write of OpenCASCADE, or take a STEP file</source>
+        <translation>Sie noch einmal mit BRepTools::Write von OpenCASCADE schreiben oder eine STEP-Datei nehmen</translation>
+    </message>
+    <message>
+        <source>an import&apos;s program wrote what cannot be: %1</source>
+        <translation>ein Programm des Imports schrieb, was nicht sein kann: %1</translation>
+    </message>
+    <message>
+        <source>building the mesh</source>
+        <translation>Netz aufbauen</translation>
+    </message>
+    <message>
+        <source>cannot read %1: %2</source>
+        <translation>%1 lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>cannot read %1: it is no regular file</source>
+        <translation>%1 lässt sich nicht lesen: das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>cannot read %1: there is no such file</source>
+        <translation>%1 lässt sich nicht lesen: diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made: %1</source>
+        <translation>es lässt sich kein temporärer Ordner anlegen: %1</translation>
+    </message>
+    <message>
+        <source>the %1 solids of the assembly cannot be joined where they touch</source>
+        <translation>die %1 Körper der Baugruppe lassen sich nicht verbinden, wo sie sich berühren</translation>
+    </message>
+    <message>
+        <source>the BREP file cannot be read: its text is damaged or cut off</source>
+        <translation>die BREP-Datei lässt sich nicht lesen: ihr Text ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the CAD file cannot be copied without its annotations</source>
+        <translation>die CAD-Datei lässt sich nicht ohne ihre Anmerkungen kopieren</translation>
+    </message>
+    <message>
+        <source>the IGES file cannot be read: its text is damaged or cut off</source>
+        <translation>die IGES-Datei lässt sich nicht lesen: ihr Text ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the IGES file holds no geometry that can be transferred</source>
+        <translation>die IGES-Datei enthält keine Geometrie, die sich übertragen lässt</translation>
+    </message>
+    <message>
+        <source>the STEP file cannot be read: its text is damaged or cut off</source>
+        <translation>die STEP-Datei lässt sich nicht lesen: ihr Text ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the STEP file holds no geometry that can be transferred</source>
+        <translation>die STEP-Datei enthält keine Geometrie, die sich übertragen lässt</translation>
+    </message>
+    <message>
+        <source>the mesh cannot be written</source>
+        <translation>das Netz lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the mesher needs more memory than it may take</source>
+        <translation>der Vernetzer braucht mehr Speicher, als er nehmen darf</translation>
+    </message>
+    <message>
+        <source>the part has more faces than can be taken</source>
+        <translation>das Teil hat mehr Flächen, als sich nehmen lassen</translation>
+    </message>
+    <message>
+        <source>the reader needs more memory than it may take</source>
+        <translation>der Leser braucht mehr Speicher, als er nehmen darf</translation>
+    </message>
+    <message>
+        <source>the shape that was read cannot be written</source>
+        <translation>die gelesene Form lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>there is no solid in the file</source>
+        <translation>in der Datei ist kein Volumenkörper</translation>
+    </message>
+    <message>
+        <source>there is no solid in the file: it holds surfaces that close no volume</source>
+        <translation>in der Datei ist kein Volumenkörper: sie enthält Flächen, die kein Volumen schließen</translation>
+    </message>
+    <message>
+        <source>this installation reads no CAD files: there is no %1</source>
+        <translation>diese Installation liest keine CAD-Dateien: %1 fehlt</translation>
+    </message>
+    <message>
+        <source>this is no STEP, IGES or BREP file: it looks like %1</source>
+        <translation>das ist keine STEP-, IGES- oder BREP-Datei: sie sieht aus wie %1</translation>
+    </message>
+    <message>
+        <source>this program is started by &quot;tedit import&quot;</source>
+        <translation>dieses Programm wird von „tedit import“ gestartet</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -7658,10 +7917,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>A mesh with its load cases, a document, or a recipe, which is run</source>
-        <translation>Ein Netz mit seinen Lastfällen, ein Dokument oder ein Rezept, das ausgeführt wird</translation>
-    </message>
-    <message>
         <source>Connect to a server</source>
         <translation>Mit einem Server verbinden</translation>
     </message>
@@ -7686,10 +7941,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>die letzte Sitzung wurde nicht beendet; %1 wird wieder geöffnet</translation>
     </message>
     <message>
-        <source>Open a mesh and its load cases, a document or a recipe</source>
-        <translation>Netz mit Lastfällen, Dokument oder Rezept öffnen</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -7698,8 +7949,40 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Schreibt das Teil als Datei für andere Programme: das Netz, seine Oberfläche oder seine Felder</translation>
     </message>
     <message>
-        <source>Meshes, load cases, recipes, documents (%1)</source>
-        <translation>Netze, Lastfälle, Rezepte, Dokumente (%1)</translation>
+        <source>A mesh or a CAD file with its load cases, a document, or a recipe, which is run</source>
+        <translation>Ein Netz oder eine CAD-Datei mit Lastfällen, ein Dokument oder ein Rezept, das ausgeführt wird</translation>
+    </message>
+    <message>
+        <source>Open a mesh or a CAD file and its load cases, a document or a recipe</source>
+        <translation>Ein Netz oder eine CAD-Datei mit Lastfällen, ein Dokument oder ein Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes, CAD files, load cases, recipes, documents (%1)</source>
+        <translation>Netze, CAD-Dateien, Lastfälle, Rezepte, Dokumente (%1)</translation>
+    </message>
+    <message>
+        <source>Open a CAD file</source>
+        <translation>CAD-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>How fine shall the mesh of %1 be?</source>
+        <translation>Wie fein soll das Netz von %1 sein?</translation>
+    </message>
+    <message>
+        <source>Coarse: one quadratic tet through a usual wall. Medium: two. Fine: three.</source>
+        <translation>Grob: ein quadratisches Tetraeder durch eine übliche Wand. Mittel: zwei. Fein: drei.</translation>
+    </message>
+    <message>
+        <source>Coarse</source>
+        <translation>Grob</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
     </message>
 </context>
 <context>
@@ -10005,10 +10288,6 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
         <translation>Ein Bauteil ändern und sofort seine Spannung sehen</translation>
     </message>
     <message>
-        <source>Open a tetrahedral mesh with surface ids (Gmsh .msh) by dropping it here, or start with a shipped part:</source>
-        <translation>Ein Tetraedernetz mit Flächennummern (Gmsh .msh) hierher ziehen oder mit einem mitgelieferten Bauteil beginnen:</translation>
-    </message>
-    <message>
         <source>Open ...</source>
         <translation>Öffnen ...</translation>
     </message>
@@ -10027,6 +10306,10 @@ Wie viele welche Güte haben, zählt nur eine gründliche Verbesserung („Netz 
     <message>
         <source>Work on another computer ...</source>
         <translation>Auf einem anderen Rechner arbeiten ...</translation>
+    </message>
+    <message>
+        <source>Open a CAD file (STEP, IGES, BREP) or a tetrahedral mesh with surface ids (Gmsh .msh) by dropping it here, or start with a shipped part:</source>
+        <translation>Eine CAD-Datei (STEP, IGES, BREP) oder ein Tetraedernetz mit Flächennummern (Gmsh .msh) hierher ziehen oder mit einem mitgelieferten Teil beginnen:</translation>
     </message>
 </context>
 <context>

@@ -100,6 +100,7 @@ void main_window::make_view() {
   rail_->setObjectName("rail");
   rail_->setMovable(false);
   operations_ = new operation_rail;
+  operations_->setObjectName("operations");
   rail_->addWidget(operations_);
 }
 

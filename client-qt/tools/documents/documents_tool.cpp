@@ -5,16 +5,20 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QThreadPool>
 
 #include <array>
+#include <utility>
 
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/model/document_name.hpp"
 #include "client-qt/model/format_words.hpp"
+#include "client-qt/net/cad_import.hpp"
 #include "client-qt/tools/connection/connection_tool.hpp"
 #include "client-qt/tools/documents/document_keeping.hpp"
 #include "client-qt/tools/documents/recent_documents.hpp"
@@ -88,14 +92,15 @@ void documents_tool::wire_start_page() {
 
 void documents_tool::add_commands() {
   const QString file = command_groups::file();
-  in_.all_commands.add({"file.open",
-                        tr("Open"),
-                        file,
-                        "Ctrl+O",
-                        [this] { ask_file(); },
-                        {},
-                        tr("A mesh with its load cases, a document, or a recipe, which is run"),
-                        "file_open"});
+  in_.all_commands.add(
+    {"file.open",
+     tr("Open"),
+     file,
+     "Ctrl+O",
+     [this] { ask_file(); },
+     {},
+     tr("A mesh or a CAD file with its load cases, a document, or a recipe, which is run"),
+     "file_open"});
   in_.all_commands.add(
     {"file.connect", tr("Connect to a server"), file, {}, [this] { connection_.ask(); }});
   in_.all_commands.add({"file.close", tr("Close the part"), file, "Ctrl+W",
@@ -127,6 +132,8 @@ void documents_tool::open_files(const QStringList& files) {
   }
   if (!recipe.isEmpty())
     recipes_.run(recipe);
+  else if (is_cad_file(mesh))
+    ask_size(mesh, loads);
   else if (!mesh.isEmpty())
     open_file(mesh, loads);
   else if (in_.part.head())
@@ -157,7 +164,12 @@ void documents_tool::open_file(const QString& mesh, const QStringList& load_case
     return open_document_file(mesh);
   if (mesh.endsWith(".json"))
     return recipes_.run(mesh);
-  connection_.when_connected([=, this] { in_.part.files().import(mesh, load_cases); });
+  connection_.when_connected([=, this] {
+    if (is_cad_file(mesh))
+      in_.part.files().import_cad(mesh, load_cases, "medium");
+    else
+      in_.part.files().import(mesh, load_cases);
+  });
 }
 
 void documents_tool::open_document(const QString& name) {
@@ -292,15 +304,41 @@ void documents_tool::show_recent() {
 // -- questions -----------------------------------------------------------------------
 
 void documents_tool::ask_file() {
-  auto* dialog =
-    new QFileDialog(&in_.window, tr("Open a mesh and its load cases, a document or a recipe"));
+  auto* dialog = new QFileDialog(
+    &in_.window, tr("Open a mesh or a CAD file and its load cases, a document or a recipe"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
-  dialog->setNameFilters({tr("Meshes, load cases, recipes, documents (%1)")
-                            .arg(patterns_to_read(in_.link.formats()) + " *.json *.tedit"),
-                          tr("All files (*)")});
+  dialog->setNameFilters(
+    {tr("Meshes, CAD files, load cases, recipes, documents (%1)")
+       .arg(patterns_to_read(in_.link.formats()) + " " + cad_patterns() + " *.json *.tedit"),
+     tr("All files (*)")});
   connect(dialog, &QFileDialog::filesSelected, this, &documents_tool::open_files);
   dialog->open();
+}
+
+void documents_tool::ask_size(const QString& cad_file, const QStringList& load_cases) {
+  auto* question = new QMessageBox(&in_.window);
+  question->setObjectName("cad_size");
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setWindowTitle(tr("Open a CAD file"));
+  question->setText(tr("How fine shall the mesh of %1 be?").arg(QFileInfo(cad_file).fileName()));
+  question->setInformativeText(
+    tr("Coarse: one quadratic tet through a usual wall. Medium: two. Fine: three."));
+  const std::pair<QString, QString> sizes[] = {
+    {"coarse", tr("Coarse")}, {"medium", tr("Medium")}, {"fine", tr("Fine")}};
+  for (const auto& [size, words] : sizes) {
+    auto* button = question->addButton(words, QMessageBox::AcceptRole);
+    button->setObjectName(size);
+    if (size == "medium")
+      question->setDefaultButton(button);
+    connect(button, &QPushButton::clicked, this, [=, this, size = size] {
+      in_.log.write(tr("opening %1").arg(cad_file));
+      connection_.when_connected(
+        [=, this] { in_.part.files().import_cad(cad_file, load_cases, size); });
+    });
+  }
+  question->addButton(QMessageBox::Cancel);
+  question->open();
 }
 
 void documents_tool::ask_export() {

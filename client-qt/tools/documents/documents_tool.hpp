@@ -21,7 +21,7 @@ public:
 
   /// What a person dropped or chose: a mesh with load cases, a document, or a recipe that is run.
   void open_files(const QStringList& files);
-  /// A mesh with load cases, a document file (.tedit) or a recipe.
+  /// A mesh or CAD file with load cases, a document file (.tedit) or a recipe.
   void open_file(const QString& mesh, const QStringList& load_cases);
   void open_document(const QString& name);
   /// Opens what was open when the program ended without being closed: after a crash.
@@ -39,6 +39,7 @@ private:
   void wire_start_page();
   void set_loads(const QStringList& files);
   void ask_file();
+  void ask_size(const QString& cad_file, const QStringList& load_cases);
   void ask_export();
   void open_document_file(const QString& path);
   void copy_here(const QString& path, const QString& folder);

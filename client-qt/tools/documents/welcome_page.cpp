@@ -137,8 +137,8 @@ welcome_page::welcome_page(QWidget* parent) : QWidget(parent) {
   title->setStyleSheet("font-size: 24px; font-weight: 600;");
   column->addWidget(title);
   auto* hint =
-    new QLabel(tr("Open a tetrahedral mesh with surface ids (Gmsh .msh) by dropping it "
-                  "here, or start with a shipped part:"));
+    new QLabel(tr("Open a CAD file (STEP, IGES, BREP) or a tetrahedral mesh with surface ids (Gmsh "
+                  ".msh) by dropping it here, or start with a shipped part:"));
   hint->setProperty("role", "faint");
   hint->setWordWrap(true);
   column->addWidget(hint);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// CAD files in the window, and the rail with as many operations as there are.
+#include "tests/desktop/window_fixture.hpp"
+
+#include <QFile>
+#include <QMessageBox>
+#include <QScrollArea>
+#include <QToolButton>
+
+namespace tedit::desktop {
+namespace {
+
+class CadFiles : public Window {
+protected:
+  [[nodiscard]] static bool can_read() {
+    return QFile::exists(QCoreApplication::applicationDirPath() + "/tedit-cad-reader");
+  }
+  static QString block() { return TEDIT_TEST_DATA "/cad/inch_block.stp"; }
+};
+
+TEST_F(CadFiles, AskHowFineAndComeInWithTheirUnitAndFaces) {
+  if (!can_read())
+    GTEST_SKIP() << "this build reads no CAD files";
+
+  window->tools().documents.open_files({block()});
+  auto* question = window->findChild<QMessageBox*>("cad_size");
+  ASSERT_NE(question, nullptr);
+  QTest::mouseClick(question->findChild<QPushButton*>("coarse"), Qt::LeftButton);
+
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  EXPECT_TRUE(part().name().startsWith("inch_block")) << part().name().toStdString();
+  EXPECT_EQ(part().head()->surface->surfaces().size(), 9u);
+  EXPECT_EQ(window->findChild<QWidget*>("unit_question")->isVisible(), false);
+}
+
+TEST_F(CadFiles, WhatIsNoneIsToldAndTheStartPageStays) {
+  const QString path = state.path() + "/part.step";
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("this is a text");
+  file.close();
+
+  window->tools().documents.open_file(path, {});
+
+  ASSERT_TRUE(wait([&] { return !window->context().messages.text().isEmpty(); }));
+  EXPECT_TRUE(window->context().messages.text().contains("STEP"))
+    << window->context().messages.text().toStdString();
+  EXPECT_TRUE(window->tools().documents.shows_start_page());
+}
+
+TEST_F(CadFiles, AMeshOfThisComputerCanBeCancelled) {
+  if (!can_read())
+    GTEST_SKIP() << "this build reads no CAD files";
+
+  part().files().import_cad(TEDIT_TEST_DATA "/cad/as1_assembly.stp", {}, "fine");
+  ASSERT_TRUE(wait([&] { return part().foreground().current().has_value(); }));
+  part().foreground().cancel();
+
+  ASSERT_TRUE(wait([&] { return !part().foreground().current(); }));
+  EXPECT_FALSE(part().is_open());
+}
+
+class Rail : public Window {};
+
+TEST_F(Rail, EveryOperationIsThereAndCanBeScrolledTo) {
+  window->resize(1280, 720);
+  open_plate(false);
+  auto* rail = window->findChild<QScrollArea*>("operations");
+  ASSERT_NE(rail, nullptr);
+  QTest::qWait(50);
+
+  std::vector<QToolButton*> shown;
+  for (auto* button : rail->findChildren<QToolButton*>())
+    if (!button->isHidden())
+      shown.push_back(button);
+  ASSERT_EQ(shown.size(), part().operations().operations.size());
+  for (auto* button : shown) {
+    rail->ensureWidgetVisible(button);
+    const QRect at(button->mapTo(rail->viewport(), QPoint(0, 0)), button->size());
+    EXPECT_TRUE(rail->viewport()->rect().contains(at)) << button->text().toStdString();
+    EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace tedit::desktop
