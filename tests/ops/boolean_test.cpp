@@ -270,7 +270,8 @@ TEST_F(Boolean, AFaceBringsASurfaceBackThatThePartNoLongerHas) {
   const auto tool = brick({0.2, 0.3, 0.9}, {0.3, 0.4, 0.4});
   std::vector<std::optional<surface_id>> continues(tool.names.size());
 
-  continues[0] = 99;
+  const std::size_t top = 1;  // "brick bottom" lies inside the block.
+  continues[top] = 99;
   const auto back = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
   continues.pop_back();
   const auto short_list = host_->boolean_onto(block_, tool, continues, {boolean_mode::add, 0}, {});
@@ -278,8 +279,8 @@ TEST_F(Boolean, AFaceBringsASurfaceBackThatThePartNoLongerHas) {
   ASSERT_TRUE(back) << render(back.error());
   const auto* row = back->candidate->find_surface(99);
   ASSERT_TRUE(row);
-  EXPECT_EQ(row->name, tool.names[0]);
-  EXPECT_EQ(back->surfaces[0], 99);
+  EXPECT_EQ(row->name, tool.names[top]);
+  EXPECT_EQ(back->surfaces[top], 99);
   ASSERT_FALSE(short_list);
   EXPECT_EQ(short_list.error().code, ec::invalid_argument);
 }

@@ -54,6 +54,9 @@ TEST_F(Move, AThroughHoleGoesThroughWhereThePartIsThicker) {
   ASSERT_TRUE(result) << render(result.error());
   expect_good(mesh, *result);
   EXPECT_NEAR(result->volume_change, hole_volume(0.2) - hole_volume(0.3), 1e-6);
+  // All of its wall is the one surface, 0.3 m long now.
+  EXPECT_EQ(result->candidate->surfaces().size(), mesh->surfaces().size());
+  EXPECT_NEAR(area_of(*result->candidate, "bore"), 1.5 * area_of(*mesh, "bore"), 1e-6);
 }
 
 TEST_F(Move, ABossMovesWithItsNumbers) {

@@ -144,8 +144,20 @@ double layer_on(const mesh_version& mesh, const feature_tool& feature, const too
   return gap > on_surface * size ? gap + into_part * size : 0;
 }
 
-/// Lifts the lid by `step` and closes the sides.
+/// Which face the walls' triangles have at their edges, as these have them.
+std::map<std::array<std::uint32_t, 2>, std::uint32_t> wall_edges(const tool_surface& tool) {
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> result;
+  const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
+  for (std::size_t i = 0; i < tool.triangles.size(); ++i)
+    if (tool.faces[i] != lid_face)
+      for (int k = 0; k < 3; ++k)
+        result[{tool.triangles[i][k], tool.triangles[i][(k + 1) % 3]}] = tool.faces[i];
+  return result;
+}
+
+/// Lifts the lid by `step`; the walls go on up to it.
 void raise(tool_surface& tool, const lid& one, vec3 step, bool mirrored) {
+  const auto walls = wall_edges(tool);
   std::map<std::uint32_t, std::uint32_t> raised;
   const auto lid_face = static_cast<std::uint32_t>(tool.names.size() - 1);
   for (const auto v : one.points) {
@@ -157,13 +169,12 @@ void raise(tool_surface& tool, const lid& one, vec3 step, bool mirrored) {
     if (tool.faces[i] == lid_face && own.contains(tool.triangles[i][0]))
       for (auto& v : tool.triangles[i])
         v = raised.at(v);
-  const auto sides = static_cast<std::uint32_t>(tool.names.size());
   for (auto [a, b] : one.rim) {
     if (mirrored)
       std::swap(a, b);
     tool.triangles.push_back({a, b, raised.at(b)});
     tool.triangles.push_back({a, raised.at(b), raised.at(a)});
-    tool.faces.insert(tool.faces.end(), 2, sides);
+    tool.faces.insert(tool.faces.end(), 2, walls.at({b, a}));
   }
 }
 
@@ -209,12 +220,9 @@ tool_surface placed(const mesh_version& mesh, const feature_tool& feature, const
   std::vector<double> layers;
   for (const auto& one : feature.lids)
     layers.push_back(layer_on(mesh, feature, tool, one, way.turned(one.normal), size));
-  const bool raises = std::ranges::any_of(layers, [](double layer) { return layer > 0; });
   for (std::size_t i = 0; i < layers.size(); ++i)
     if (layers[i] > 0)
       raise(tool, feature.lids[i], layers[i] * way.turned(feature.lids[i].normal), way.mirrors);
-  if (raises)
-    tool.names.emplace_back("sides");
   return tool;
 }
 
