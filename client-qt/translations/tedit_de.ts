@@ -1606,6 +1606,38 @@
         <source>Ring: from the first to the last; a whole turn is shared out evenly.</source>
         <translation>Ring: vom ersten bis zum letzten; eine ganze Drehung wird gleichmäßig verteilt.</translation>
     </message>
+    <message>
+        <source>Rib</source>
+        <translation>Rippe</translation>
+    </message>
+    <message>
+        <source>Adds a rib between two walls: in their corner, or from one to the other.</source>
+        <translation>Fügt eine Rippe zwischen zwei Wänden hinzu: in ihrer Ecke oder von einer zur anderen.</translation>
+    </message>
+    <message>
+        <source>The two walls.</source>
+        <translation>Die zwei Wände.</translation>
+    </message>
+    <message>
+        <source>Of the rib.</source>
+        <translation>Der Rippe.</translation>
+    </message>
+    <message>
+        <source>Of its legs along the walls of a corner; between walls that face each other, how high it is.</source>
+        <translation>Ihrer Schenkel längs der Wände einer Ecke; zwischen Wänden, die einander zugewandt sind, ihre Höhe.</translation>
+    </message>
+    <message>
+        <source>A point in the middle of the rib&apos;s thickness. Empty: between the walls&apos; middles.</source>
+        <translation>Ein Punkt in der Mitte der Rippendicke. Leer: zwischen den Mitten der Wände.</translation>
+    </message>
+    <message>
+        <source>Along walls that face each other: which way the rib&apos;s height goes.</source>
+        <translation>Längs Wänden, die einander zugewandt sind: wohin die Höhe der Rippe geht.</translation>
+    </message>
+    <message>
+        <source>Pick two walls of an inner corner, as those of a bracket, for a triangular rib; or two walls that face each other for a plate between them. Its sides are surfaces of their own.</source>
+        <translation>Zwei Wände einer inneren Ecke auswählen, wie die eines Winkels, für eine dreieckige Rippe; oder zwei einander zugewandte Wände für eine Platte dazwischen. Ihre Seiten sind eigene Flächen.</translation>
+    </message>
 </context>
 <context>
     <name>operations_manual</name>
@@ -7317,6 +7349,46 @@
     <message>
         <source>this program is started by &quot;tedit import&quot;</source>
         <translation>dieses Programm wird von „tedit import“ gestartet</translation>
+    </message>
+    <message>
+        <source>Give direction=x,y,z along the walls</source>
+        <translation>direction=x,y,z längs der Wände angeben</translation>
+    </message>
+    <message>
+        <source>Give one along the walls</source>
+        <translation>Eine längs der Wände angeben</translation>
+    </message>
+    <message>
+        <source>Move it: at_mm=x,y,z, or make it larger</source>
+        <translation>Sie verschieben: at_mm=x,y,z, oder größer machen</translation>
+    </message>
+    <message>
+        <source>Pick two walls</source>
+        <translation>Zwei Wände auswählen</translation>
+    </message>
+    <message>
+        <source>Pick two walls with the rib&apos;s space between them</source>
+        <translation>Zwei Wände mit dem Platz der Rippe dazwischen auswählen</translation>
+    </message>
+    <message>
+        <source>a rib stands between two walls</source>
+        <translation>eine Rippe steht zwischen zwei Wänden</translation>
+    </message>
+    <message>
+        <source>the direction goes from wall to wall</source>
+        <translation>die Richtung geht von Wand zu Wand</translation>
+    </message>
+    <message>
+        <source>the rib would not touch surface %1</source>
+        <translation>die Rippe würde Fläche %1 nicht berühren</translation>
+    </message>
+    <message>
+        <source>the walls face each other: it is not known which way the rib stands</source>
+        <translation>die Wände sind einander zugewandt: es ist nicht bekannt, wohin die Rippe steht</translation>
+    </message>
+    <message>
+        <source>the walls neither meet in an inner corner nor face each other</source>
+        <translation>die Wände treffen sich weder in einer inneren Ecke, noch sind sie einander zugewandt</translation>
     </message>
 </context>
 <context>

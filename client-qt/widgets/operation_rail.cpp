@@ -13,6 +13,9 @@ operation_rail::operation_rail(QWidget* parent) : tall_scroll(new QWidget, paren
   buttons->setSpacing(1);
   buttons->addStretch();
   setFocusPolicy(Qt::NoFocus);
+  // On the toolbar's own ground.
+  viewport()->setAutoFillBackground(false);
+  widget()->setAutoFillBackground(false);
 }
 
 void operation_rail::clear() {
