@@ -32,6 +32,7 @@ EDITS = [
     ("hollow", "inch_block", [], {"thickness_mm": 5}),
     ("hollow", "ctc01_plate", [98], {"thickness_mm": 20}),
     ("hollow", "heatsink_125", [], {"thickness_mm": 1}),
+    ("rib", "bracket_4040", [5, 10], {"thickness_mm": 3, "size_mm": 8}),
     ("emboss", "ctc01_plate", [98], {"file": "LOGO", "size_mm": 60, "height_mm": 4}),
     ("pocket", "inch_block", [5], {"profile": "file", "file": "LOGO", "size_mm": 15, "height_mm": 3}),
     ("emboss", "heatsink_125", [1], {"text": "No 7", "size_mm": 3, "height_mm": 0.5}),
