@@ -53,7 +53,7 @@ expected<file_kind> kind_of(const std::filesystem::path& file) {
       "Check the path");
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    return fail(ec::io_error, "cannot read " + file.string() + ": " + std::strerror(errno),
+    return fail(ec::io_error, "opening " + file.string() + " failed: " + std::strerror(errno),
                 "Check the path");
   std::string head(looked_at, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));

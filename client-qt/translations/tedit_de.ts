@@ -7267,10 +7267,6 @@
         <translation>Netz aufbauen</translation>
     </message>
     <message>
-        <source>cannot read %1: %2</source>
-        <translation>%1 lässt sich nicht lesen: %2</translation>
-    </message>
-    <message>
         <source>cannot read %1: it is no regular file</source>
         <translation>%1 lässt sich nicht lesen: das ist keine gewöhnliche Datei</translation>
     </message>
@@ -7389,6 +7385,10 @@
     <message>
         <source>the walls neither meet in an inner corner nor face each other</source>
         <translation>die Wände treffen sich weder in einer inneren Ecke, noch sind sie einander zugewandt</translation>
+    </message>
+    <message>
+        <source>opening %1 failed: %2</source>
+        <translation>Öffnen von %1 misslang: %2</translation>
     </message>
 </context>
 <context>
