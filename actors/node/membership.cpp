@@ -13,7 +13,6 @@
 #include <caf/stateful_actor.hpp>
 #include <caf/typed_event_based_actor.hpp>
 
-#include "actors/errors.hpp"
 #include "actors/links/dial.hpp"
 #include "actors/links/link.hpp"
 #include "actors/node/system_config.hpp"
@@ -172,7 +171,11 @@ expected<void> enlist_at(caf::scoped_actor& self, const caf::actor& enlister, no
             fail(answer.later ? ec::service_unavailable : ec::invalid_argument,
                  "the server turned this worker away: " + tidy(answer.reason), tidy(answer.remedy));
       },
-      [&](const caf::error& e) { result = fail(from_caf(e, "joining the server")); });
+      [&](const caf::error&) {
+        result = fail(ec::service_unavailable,
+                      "the server did not say whether this worker may join: it is busy, or gone",
+                      "Try again; it may be starting anew");
+      });
   return result;
 }
 

@@ -7390,6 +7390,14 @@
         <source>opening %1 failed: %2</source>
         <translation>Öffnen von %1 misslang: %2</translation>
     </message>
+    <message>
+        <source>Try again; it may be starting anew</source>
+        <translation>Noch einmal versuchen; er startet vielleicht gerade neu</translation>
+    </message>
+    <message>
+        <source>the server did not say whether this worker may join: it is busy, or gone</source>
+        <translation>der Server sagte nicht, ob dieser Arbeiter beitreten darf: er ist beschäftigt oder weg</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
