@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <numbers>
-
 #include "ops/sdk/operation.hpp"
 
 namespace tedit::ops {
