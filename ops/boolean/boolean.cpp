@@ -50,16 +50,6 @@ constexpr std::size_t many_tets = 30'000;
 constexpr std::size_t hopeless_tries = 3;
 constexpr double hopeless = 0.02;
 
-double volume_of(const tool_surface& tool) {
-  double sum = 0;
-  for (const auto& t : tool.triangles) {
-    const vec3 origin = tool.points.front();
-    sum += dot(tool.points[t[0]] - origin,
-               cross(tool.points[t[1]] - origin, tool.points[t[2]] - origin));
-  }
-  return sum / 6;
-}
-
 class tool_boolean {
 public:
   tool_boolean(const version_ptr& mesh, const tool_surface& tool,
@@ -214,7 +204,8 @@ private:
     // to, or of the part where the tool is a half-space. The part is measured last: it may be
     // large.
     const double change = std::abs(cut.volume_change);
-    return hollow.gone.empty() && change <= 1e-6 * volume_of(flush_.tool) &&
+    return hollow.gone.empty() &&
+           change <= 1e-6 * enclosed_volume(flush_.tool.points, flush_.tool.triangles) &&
            change <= 1e-9 * total_volume(*mesh_);
   }
 
@@ -286,7 +277,7 @@ expected<void> validate(const tool_surface& tool) {
     if (const auto back = edges.find({edge.second, edge.first});
         count != 1 || back == edges.end() || back->second != 1)
       return wrong("an edge has not one triangle on each side");
-  if (!(volume_of(tool) > 0))
+  if (!(enclosed_volume(tool.points, tool.triangles) > 0))
     return wrong("it is turned inside out, or flat");
   return {};
 }

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "mesh/io/import.hpp"
+#include "ops/tools/local_size.hpp"
 
 namespace tedit::ops {
 
@@ -189,13 +190,6 @@ void name_faces(const attachment& file, const std::map<edge, std::uint32_t>& edg
     surface.names.push_back(faces.size() == 1 ? stem : stem + " " + std::to_string(i + 1));
 }
 
-double volume_of(const tool_surface& surface) {
-  double sum = 0;
-  for (const auto& t : surface.triangles)
-    sum += dot(surface.points[t[0]], cross(surface.points[t[1]], surface.points[t[2]]));
-  return sum / 6;
-}
-
 }  // namespace
 
 expected<tool_surface> read_surface(const attachment& file) {
@@ -214,7 +208,7 @@ expected<tool_surface> read_surface(const attachment& file) {
     return fail(edges.error());
   if (surface->faces.empty())
     name_faces(file, *edges, *surface);
-  if (volume_of(*surface) < 0)
+  if (enclosed_volume(surface->points, surface->triangles) < 0)
     for (auto& t : surface->triangles)
       std::swap(t[1], t[2]);
   return surface;

@@ -39,14 +39,6 @@ constexpr std::array<vec3, 4> grids{vec3{0.1317, 0.2719, 0.4133}, vec3{0.5773, 0
 
 using corner_triples = std::vector<std::array<std::uint32_t, 3>>;
 
-double enclosed_volume(const std::vector<vec3>& points, const corner_triples& triangles) {
-  double sum = 0;
-  const vec3 o = points.front();
-  for (const auto& t : triangles)
-    sum += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
-  return sum / 6;
-}
-
 /// All pieces of a surface that hang together and have at least that volume (m^3), as one tool.
 struct void_tool {
   tool_surface tool;

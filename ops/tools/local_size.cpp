@@ -78,6 +78,16 @@ double local_size(const mesh_version& mesh, const tool_surface& tool) {
   return local_size(mesh, extent);
 }
 
+double enclosed_volume(const std::vector<vec3>& points,
+                       const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  double sum = 0;
+  for (const auto& t : triangles) {
+    const vec3 origin = points.front();
+    sum += dot(points[t[0]] - origin, cross(points[t[1]] - origin, points[t[2]] - origin));
+  }
+  return sum / 6;
+}
+
 box extent_of(const mesh_version& mesh) {
   box extent;
   for (vertex_id v = 0; v < mesh.vertex_slots(); ++v)

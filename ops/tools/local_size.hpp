@@ -11,6 +11,11 @@ namespace tedit::ops {
 [[nodiscard]] double local_size(const mesh_version& mesh, const box& where);
 [[nodiscard]] double local_size(const mesh_version& mesh, const tool_surface& tool);
 
+/// What a closed surface encloses, m^3 where its points are in m; negative where it looks inward.
+/// Taken from its first point, exact far from the origin. Cost: O(triangles).
+[[nodiscard]] double enclosed_volume(const std::vector<vec3>& points,
+                                     const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
 /// The box of the part's live vertices. Cost: O(vertex slots).
 [[nodiscard]] box extent_of(const mesh_version& mesh);
 
