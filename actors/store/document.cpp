@@ -60,6 +60,17 @@ expected<void> upgrade_alone(sqlite3* db, const std::string& file) {
   return done;
 }
 
+/// Packed with zstd.
+expected<std::vector<std::byte>> pack(std::span<const std::byte> bytes) {
+  std::vector<std::byte> packed(ZSTD_compressBound(bytes.size()));
+  const auto size =
+    ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), zstd_level);
+  if (ZSTD_isError(size))
+    return fail(ec::storage_error, std::string("cannot compress: ") + ZSTD_getErrorName(size));
+  packed.resize(size);
+  return packed;
+}
+
 }  // namespace
 
 /// Members are destroyed last to first: statements, connection, lock.
@@ -80,6 +91,7 @@ struct document::impl {
   expected<void> put_page(const page_ptr& page);
   expected<void> put_rows(const change& c, seal& sum);
   expected<void> put_version(const version_row& v, seal& sum);
+  expected<void> put_cad(const cad_row& row, seal& sum);
   expected<void> update(query&& with, std::uint32_t number);
   expected<bool> has(const hash128& id) { return query(has_page, id).next(); }
 
@@ -92,7 +104,7 @@ struct document::impl {
   seal_keeper seals;
   statement has_page, page_by_id, manifest_by_number, insert_page, insert_version, set_load_cases,
     set_redo, set_head;
-  statement insert_annotation, insert_log;
+  statement insert_annotation, insert_log, insert_cad, cad_by_number;
 };
 
 expected<void> document::impl::open(const fs::path& path) {
@@ -130,8 +142,9 @@ expected<void> document::impl::wake() {
 void document::impl::rest() {
   if (!db)
     return;
-  for (auto* one : {&has_page, &page_by_id, &manifest_by_number, &insert_page, &insert_version,
-                    &set_load_cases, &set_redo, &set_head, &insert_annotation, &insert_log})
+  for (auto* one :
+       {&has_page, &page_by_id, &manifest_by_number, &insert_page, &insert_version, &set_load_cases,
+        &set_redo, &set_head, &insert_annotation, &insert_log, &insert_cad, &cad_by_number})
     one->reset();
   seals = {};
   db.reset();
@@ -213,12 +226,14 @@ expected<void> document::impl::connect() {
   sqlite3_busy_timeout(made, busy_timeout_ms);
   if (auto done = execute(made, settings); !done)
     return done;
-  const auto current = check_format(made, file);
-  if (!current)
-    return fail(current.error());
+  const auto found = check_format(made, file);
+  if (!found)
+    return fail(found.error());
   close_to_others();
   return execute(made, "PRAGMA journal_mode = WAL")
-    .and_then([&] { return *current ? expected<void>() : upgrade_alone(made, file.string()); })
+    .and_then([&] {
+      return *found == present_format ? expected<void>() : upgrade_alone(made, file.string());
+    })
     .and_then([&] { return prepare_all(); });
 }
 
@@ -244,6 +259,10 @@ expected<void> document::impl::prepare_all() {
     {&set_head, "INSERT OR REPLACE INTO head(one, version) VALUES(1, ?)"},
     {&insert_log, "INSERT INTO log(what, details) VALUES(?, ?)"},
     {&insert_annotation, "INSERT OR REPLACE INTO annotation(version, name, note) VALUES(?, ?, ?)"},
+    {&insert_cad,
+     "INSERT OR REPLACE INTO cad(version, status, reason, deviation, facts, shape)"
+     " VALUES(?, ?, ?, ?, ?, ?)"},
+    {&cad_by_number, cad_query},
   };
   for (const auto& [target, sql] : rows) {
     auto made = prepare(db.get(), sql);
@@ -260,13 +279,20 @@ expected<void> document::impl::put_page(const page_ptr& page) {
   if (const auto stored = has(page->id()); !stored || *stored)
     return stored.map([](bool) {});
   const auto bytes = page->bytes();
-  std::vector<std::byte> packed(ZSTD_compressBound(bytes.size()));
-  const auto size =
-    ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), zstd_level);
-  if (ZSTD_isError(size))
-    return fail(ec::storage_error, std::string("cannot compress: ") + ZSTD_getErrorName(size));
-  packed.resize(size);
-  return query(insert_page, page->id(), bytes.size(), packed).run();
+  const auto packed = pack(bytes);
+  if (!packed)
+    return fail(packed.error());
+  return query(insert_page, page->id(), bytes.size(), *packed).run();
+}
+
+expected<void> document::impl::put_cad(const cad_row& row, seal& sum) {
+  const auto packed = pack(std::as_bytes(std::span(row.shape)));
+  if (!packed)
+    return fail(packed.error());
+  return seals.change(table::cad, row.number, sum, [&] {
+    return query(insert_cad, row.number, row.status, row.reason, row.deviation, row.facts, *packed)
+      .run();
+  });
 }
 
 /// Runs an update that must meet the version with this number.
@@ -305,6 +331,8 @@ expected<void> document::impl::put_rows(const change& c, seal& sum) {
     done = seals.change(table::annotation, i->number, sum, [&] {
       return query(insert_annotation, i->number, i->name, i->note).run();
     });
+  for (auto i = c.cad.begin(); done && i != c.cad.end(); ++i)
+    done = put_cad(*i, sum);
   if (done && !c.what.empty())
     done = query(insert_log, c.what, c.details).run().and_then([&] {
       return seals.added(table::log, sqlite3_last_insert_rowid(db.get()), sum);
@@ -369,6 +397,14 @@ expected<page_ptr> document::read_page(const hash128& id) const {
   if (!impl_->exists)
     return fail(ec::not_found, "page " + to_hex(id) + " is not in the document");
   return find_page(impl_->page_by_id, id);
+}
+
+expected<std::optional<cad_row>> document::read_cad(std::uint32_t number) const {
+  if (auto awake = impl_->wake(); !awake)
+    return fail(awake.error());
+  if (!impl_->exists)
+    return std::nullopt;
+  return find_cad(impl_->cad_by_number, number);
 }
 
 expected<std::int64_t> document::remove(const removal& what) {

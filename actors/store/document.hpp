@@ -37,6 +37,16 @@ struct annotation {
   std::string note;
 };
 
+/// The CAD model of a version of a part that came from CAD. The store does not look into it.
+struct cad_row {
+  std::uint32_t number = 0;  ///< Of the version.
+  std::string status;        ///< "same", "mesh_only".
+  std::string reason;        ///< Why it is in the mesh only.
+  double deviation = 0;      ///< m: of the mesh's new vertices from the model, at most.
+  std::string facts;         ///< JSON.
+  std::string shape;         ///< A BREP; empty, as `facts`, where it is in the mesh only.
+};
+
 /// One line of the document's history, oldest first by `sequence`, which is never reused.
 struct log_row {
   std::uint64_t sequence = 0;
@@ -54,6 +64,7 @@ struct change {
   /// Version number and the child that its redo goes to from now on; none clears it.
   std::vector<std::pair<std::uint32_t, std::optional<std::uint32_t>>> redo;
   std::vector<annotation> annotations;  ///< Instead of those that the versions had.
+  std::vector<cad_row> cad;             ///< Likewise.
   std::string what;  ///< Becomes a log row with `details`; an empty one is not logged.
   std::string details;
 };
@@ -63,6 +74,7 @@ struct contents {
   std::vector<version_row> versions;  ///< Ascending by number.
   std::optional<std::uint32_t> head;  ///< None in a new document.
   std::vector<log_row> log;           ///< Ascending by sequence.
+  std::vector<cad_row> cad;           ///< Ascending by number; without facts and shapes.
 };
 
 /// What is taken out of a document, and what the rest is called then.
@@ -114,6 +126,9 @@ public:
   /// Reads a page and checks its size and hash.
   /// Errors: `not_found`; `storage_error` when the stored bytes are damaged.
   [[nodiscard]] expected<page_ptr> read_page(const hash128& id) const;
+
+  /// The CAD model of a version, or nothing. Errors: `storage_error`. Cost: unpacks it.
+  [[nodiscard]] expected<std::optional<cad_row>> read_cad(std::uint32_t number) const;
 
   /// Whether a page with this identity is stored; its bytes are not checked. False, too, when the
   /// database cannot be read. Cost: one index look-up.

@@ -86,12 +86,14 @@ expected<connection> copy_in_memory(sqlite3* db) {
 struct document_view::impl {
   fs::path file;
   connection db;     ///< Of the file; within one transaction.
-  connection newer;  ///< Of an older format: the same in this one, in memory.
+  connection newer;  ///< Of the first format: the same in this one, in memory.
   std::int64_t format = 0;
   seal_keeper seals;
-  statement by_id, all_ids;
+  statement by_id, all_ids, cad;
 
   [[nodiscard]] sqlite3* rows() const { return newer ? newer.get() : db.get(); }
+  /// What is in the second format stands there as in the third one, without CAD models.
+  [[nodiscard]] bool has_cad() const { return newer || format == present_format; }
 
   expected<void> open();
   expected<void> bring_up();
@@ -111,11 +113,11 @@ expected<void> document_view::impl::open() {
   // The first read decides which moment the transaction sees.
   return execute(db.get(), "BEGIN")
     .and_then([&] { return number_of(db.get(), "PRAGMA user_version"); })
+    .and_then([&](std::int64_t) { return check_format(db.get(), file); })
     .and_then([&](std::int64_t number) {
       format = number;
-      return check_format(db.get(), file);
+      return format < 2 ? bring_up() : expected<void>();
     })
-    .and_then([&](bool current) { return current ? expected<void>() : bring_up(); })
     .and_then([&] { return prepare_all(); });
 }
 
@@ -133,6 +135,12 @@ expected<void> document_view::impl::prepare_all() {
     return fail(page ? ids.error() : page.error());
   by_id = std::move(*page);
   all_ids = std::move(*ids);
+  if (!has_cad())
+    return seals.prepare_all(rows(), sealed_tables_of_format_2);
+  auto by_number = prepare(rows(), cad_query);
+  if (!by_number)
+    return fail(by_number.error());
+  cad = std::move(*by_number);
   return seals.prepare_all(rows());
 }
 
@@ -171,6 +179,12 @@ expected<sound_rows> document_view::read() const {
 
 expected<page_ptr> document_view::read_page(const hash128& id) const {
   return find_page(impl_->by_id, id);
+}
+
+expected<std::optional<cad_row>> document_view::read_cad(std::uint32_t number) const {
+  if (!impl_->has_cad())
+    return std::nullopt;
+  return find_cad(impl_->cad, number);
 }
 
 expected<void> document_view::copy_to(const fs::path& file) const {

@@ -32,6 +32,9 @@ public:
   /// As `document::read_page`.
   [[nodiscard]] expected<page_ptr> read_page(const hash128& id) const;
 
+  /// As `document::read_cad`.
+  [[nodiscard]] expected<std::optional<cad_row>> read_cad(std::uint32_t number) const;
+
   /// Writes the document as it was at the moment of the view, and of its format, to a file that is
   /// not there. It is there whole or not at all. Errors: `conflict` when something has the name;
   /// `io_error`, `storage_error`. Cost: its size; needs no memory for it.

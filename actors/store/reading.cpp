@@ -44,6 +44,10 @@ struct row_reader {
     of->note = row.text(2);
   }
 
+  void take_cad(query& row) {
+    all.cad.push_back({row.u32(0).value_or(0), row.text(1), row.text(2), row.real(3), "", ""});
+  }
+
   expected<void> read(const complaint& damage) {
     const auto version = [&](query& row) { take_version(row); };
     const auto head = [&](query& row) { all.head = row.u32(1); };
@@ -54,7 +58,13 @@ struct row_reader {
     return seals.read_all(table::version, sum, version, damage)
       .and_then([&] { return seals.read_all(table::head, sum, head, damage); })
       .and_then([&] { return seals.read_all(table::log, sum, log, damage); })
-      .and_then([&] { return seals.read_all(table::annotation, sum, annotation, damage); });
+      .and_then([&] { return seals.read_all(table::annotation, sum, annotation, damage); })
+      .and_then([&] {
+        return seals.has(table::cad)
+                 ? seals.read_all(
+                     table::cad, sum, [&](query& row) { take_cad(row); }, damage)
+                 : expected<void>();
+      });
   }
 
   /// What hashes do not tell: whether numbers fit, and the log's next one, which SQLite keeps.
@@ -126,6 +136,26 @@ expected<page_ptr> find_page(const statement& by_id, const hash128& id) {
                                        packed.data(), packed.size());
   if (ZSTD_isError(written) || written != result->bytes().size() || result->id() != id)
     return broken("page " + to_hex(id) + " is damaged");
+  return result;
+}
+
+expected<std::optional<cad_row>> find_cad(const statement& by_number, std::uint32_t number) {
+  query row(by_number, number);
+  const auto found = row.next();
+  if (!found)
+    return fail(found.error());
+  if (!*found)
+    return std::nullopt;
+  cad_row result{number, row.text(1), row.text(2), row.real(3), row.text(4), ""};
+  const auto packed = row.blob(5);
+  constexpr unsigned long long most = 1ULL << 30;
+  const auto size = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  if (size > most)  // Also what it says for bytes that are none of its own.
+    return broken("the CAD model of version " + std::to_string(number) + " is damaged");
+  result.shape.resize(size);
+  const auto written = ZSTD_decompress(result.shape.data(), size, packed.data(), packed.size());
+  if (ZSTD_isError(written) || written != size)
+    return broken("the CAD model of version " + std::to_string(number) + " is damaged");
   return result;
 }
 

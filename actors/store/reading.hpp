@@ -12,6 +12,10 @@ namespace tedit::store {
 /// For a statement that `find_page` takes.
 inline constexpr const char* page_query = "SELECT size, data FROM page WHERE id = ?";
 
+/// For a statement that `find_cad` takes.
+inline constexpr const char* cad_query =
+  "SELECT version, status, reason, deviation, facts, shape FROM cad WHERE version = ?";
+
 /// As `document::read`. @param db of the present format.
 [[nodiscard]] expected<contents> read_contents(sqlite3* db, const seal_keeper& seals);
 
@@ -27,5 +31,9 @@ struct sound_rows {
 
 /// As `document::read_page`. @param by_id made of `page_query`.
 [[nodiscard]] expected<page_ptr> find_page(const statement& by_id, const hash128& id);
+
+/// As `document::read_cad`. @param by_number made of `cad_query`.
+[[nodiscard]] expected<std::optional<cad_row>> find_cad(const statement& by_number,
+                                                        std::uint32_t number);
 
 }  // namespace tedit::store

@@ -64,6 +64,7 @@ expected<void> renumber(sqlite3* db, const contents& all, const removal& what) {
   for (const auto& row : all.versions)
     if (!now(row.number)) {
       rows.run("DELETE FROM annotation WHERE version = ?", row.number);
+      rows.run("DELETE FROM cad WHERE version = ?", row.number);
       rows.run("DELETE FROM version WHERE number = ?", row.number);
     }
   for (const auto& row : all.versions)
@@ -72,6 +73,7 @@ expected<void> renumber(sqlite3* db, const contents& all, const removal& what) {
       rows.run("UPDATE version SET number = ?2, parent = ?3, redo = ?4 WHERE number = ?1",
                row.number, *number, now(row.parent), now(row.redo));
       rows.run("UPDATE annotation SET version = ?2 WHERE version = ?1", row.number, *number);
+      rows.run("UPDATE cad SET version = ?2 WHERE version = ?1", row.number, *number);
     }
   if (all.head)
     rows.run("UPDATE head SET version = ?", *now(all.head));

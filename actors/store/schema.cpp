@@ -7,8 +7,6 @@ namespace tedit::store {
 
 namespace {
 
-constexpr std::int64_t format = 2;  // user_version
-
 /// What the first format had; annotations came later, without a number of their own.
 constexpr const char* first_tables =
   "CREATE TABLE page(id TEXT PRIMARY KEY NOT NULL, size INTEGER NOT NULL, data BLOB NOT NULL);"
@@ -35,6 +33,32 @@ constexpr const char* hashes =
   " sum TEXT NOT NULL, schema TEXT NOT NULL);"
   "PRAGMA user_version = 2";
 
+/// The B-rep of a version that came from CAD, packed with zstd, and what is known of its faces;
+/// both empty where the edit was made on the mesh alone.
+constexpr const char* cad_models =
+  "CREATE TABLE cad(version INTEGER PRIMARY KEY NOT NULL REFERENCES version(number),"
+  " status TEXT NOT NULL, reason TEXT NOT NULL, deviation REAL NOT NULL, facts TEXT NOT NULL,"
+  " shape BLOB NOT NULL, hash TEXT NOT NULL DEFAULT '00000000000000000000000000000000');"
+  "PRAGMA user_version = 3";
+
+/// Whether all rows of a document of format 2 are as its seal has them.
+expected<void> check_sealed(sqlite3* db) {
+  seal_keeper keeper;
+  if (auto ready = keeper.prepare_all(db, sealed_tables_of_format_2); !ready)
+    return ready;
+  const auto schema = keeper.schema_hash();
+  if (!schema)
+    return fail(schema.error());
+  seal sum;
+  sum.schema = *schema;
+  for (const auto of : {table::version, table::head, table::log, table::annotation})
+    if (auto read = keeper.read_all(
+          of, sum, [](query&) {}, [](const error& e) { return expected<void>(fail(e)); });
+        !read)
+      return read;
+  return keeper.compare(sum);
+}
+
 }  // namespace
 
 expected<std::vector<std::byte>> blank_document() {
@@ -48,7 +72,7 @@ expected<std::vector<std::byte>> blank_document() {
   return image_of(made);
 }
 
-expected<bool> check_format(sqlite3* db, const std::filesystem::path& file) {
+expected<std::int64_t> check_format(sqlite3* db, const std::filesystem::path& file) {
   const auto damaged = [&](const char* what) {
     return fail(ec::storage_error, file.string() + what, "Restore the document from a backup");
   };
@@ -62,14 +86,15 @@ expected<bool> check_format(sqlite3* db, const std::filesystem::path& file) {
   if (*application != application_id)
     return fail(ec::storage_error, file.string() + " is a database, but no TEdit document",
                 "Name another file");
-  if (*version > format)
-    return fail(ec::storage_error, file.string() + " has format " + std::to_string(*version),
-                "Open it with a newer TEdit; this one reads up to " + std::to_string(format));
-  if (*version < 1 || (*version == format) != (*seals == 1))
+  if (*version > present_format)
+    return fail(
+      ec::storage_error, file.string() + " has format " + std::to_string(*version),
+      "Open it with a newer TEdit; this one reads up to " + std::to_string(present_format));
+  if (*version < 1 || (*version > 1) != (*seals == 1))
     return damaged(" has a wrong format number: it is damaged");
   if (*vacuum != 0)  // The next change would move pages that are not where this says.
     return damaged(" has a damaged header");
-  return *version == format;
+  return *version;
 }
 
 expected<void> check_structure(sqlite3* db) {
@@ -90,8 +115,12 @@ expected<void> upgrade(sqlite3* db) {
   const rollback_guard guard(db);
   seal_keeper keeper;
   return execute(db, "BEGIN IMMEDIATE")
-    .and_then([&] { return execute(db, annotations); })
-    .and_then([&] { return execute(db, hashes); })
+    .and_then([&] { return number_of(db, "PRAGMA user_version"); })
+    .and_then([&](std::int64_t format) {
+      return format > 1 ? check_sealed(db)
+                        : execute(db, annotations).and_then([&] { return execute(db, hashes); });
+    })
+    .and_then([&] { return execute(db, cad_models); })
     .and_then([&] { return keeper.prepare_all(db); })
     .and_then([&] { return keeper.seal_everything(); })
     .and_then([&] { return execute(db, "COMMIT"); });

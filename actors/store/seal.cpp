@@ -2,6 +2,7 @@
 #include "actors/store/seal.hpp"
 
 #include <cstring>
+#include <span>
 
 namespace tedit::store {
 
@@ -22,6 +23,7 @@ constexpr shape shapes[sealed_tables] = {
   {table::head, "head", "one", "one, version", 2},
   {table::log, "log", "sequence", "sequence, what, details", 3},
   {table::annotation, "annotation", "version", "version, name, note", 3},
+  {table::cad, "cad", "version", "version, status, reason, deviation, facts, shape", 6},
 };
 
 const shape& shape_of(table of) {
@@ -39,6 +41,8 @@ std::string name_of(table of, std::int64_t key) {
       return "line " + number + " of the log";
     case table::annotation:
       return "the name and note of version " + number;
+    case table::cad:
+      return "the CAD model of version " + number;
   }
   return {};
 }
@@ -86,12 +90,13 @@ void seal::take_off(const hash128& row) noexcept {
   sum.low -= row.low;
 }
 
-expected<void> seal_keeper::prepare_all(sqlite3* db) {
+expected<void> seal_keeper::prepare_all(sqlite3* db, int tables) {
+  tables_ = tables;
   std::vector<std::pair<statement*, std::string>> wanted{
     {&read_seal_, "SELECT rows, sum, schema FROM seal"},
     {&write_seal_, "INSERT OR REPLACE INTO seal(one, rows, sum, schema) VALUES(1, ?, ?, ?)"},
     {&schema_, "SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY type, name"}};
-  for (const auto& t : shapes) {
+  for (const auto& t : std::span(shapes).first(static_cast<std::size_t>(tables))) {
     const int i = static_cast<int>(t.of);
     const std::string key = t.key;
     const auto select = std::string("SELECT ") + t.columns + ", hash FROM " + t.name;

@@ -10,9 +10,11 @@
 namespace tedit::store {
 
 /// The tables whose rows have a hash beside them; pages have their own, their identity.
-enum class table { version, head, log, annotation };
+enum class table { version, head, log, annotation, cad };
 
-inline constexpr int sealed_tables = 4;
+inline constexpr int sealed_tables = 5;
+/// Of the format before there were CAD models: the first ones.
+inline constexpr int sealed_tables_of_format_2 = 4;
 
 /// What stands for all rows of a document together: how many there are, the sum of their hashes
 /// modulo 2^128, and the hash of the database's schema. Its cost follows the changed rows, not
@@ -31,8 +33,11 @@ struct seal {
 /// The statements that read, check and write hashes and the seal of one open database.
 class seal_keeper {
 public:
-  /// Errors: those of `sql_failure`.
-  [[nodiscard]] expected<void> prepare_all(sqlite3* db);
+  /// @param tables the first so many there are. Errors: those of `sql_failure`.
+  [[nodiscard]] expected<void> prepare_all(sqlite3* db, int tables = sealed_tables);
+
+  /// Whether the document is of a format that has this table.
+  [[nodiscard]] bool has(table of) const { return static_cast<int>(of) < tables_; }
 
   /// The seal as it is stored. Errors: `storage_error` when there is none.
   [[nodiscard]] expected<seal> stored() const;
@@ -93,6 +98,7 @@ private:
 
   statement all_[sealed_tables], one_[sealed_tables], set_hash_[sealed_tables];
   statement read_seal_, write_seal_, schema_;
+  int tables_ = 0;
 };
 
 }  // namespace tedit::store

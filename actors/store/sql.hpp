@@ -4,6 +4,7 @@
 
 #include <sqlite3.h>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -70,6 +71,7 @@ public:
   expected<void> run();
 
   [[nodiscard]] std::int64_t number(int column) { return sqlite3_column_int64(handle_, column); }
+  [[nodiscard]] double real(int column) { return sqlite3_column_double(handle_, column); }
   [[nodiscard]] std::string text(int column);
   [[nodiscard]] std::vector<std::byte> blob(int column);
 
@@ -88,6 +90,9 @@ public:
 private:
   std::size_t size(int column) { return std::size_t(sqlite3_column_bytes(handle_, column)); }
 
+  int bind(std::same_as<double> auto value) {
+    return sqlite3_bind_double(handle_, ++index_, value);
+  }
   int bind(std::int64_t value) { return sqlite3_bind_int64(handle_, ++index_, value); }
   int bind(const std::optional<std::uint32_t>& value) {
     return value ? bind(std::int64_t{*value}) : sqlite3_bind_null(handle_, ++index_);

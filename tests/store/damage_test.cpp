@@ -105,7 +105,7 @@ TEST_F(Damage, ADocumentOfTheFormatBeforeOpensAndGetsItsHashes) {
   const auto all = open()->read();
 
   ASSERT_TRUE(all.has_value()) << render(all.error());
-  EXPECT_EQ(look_up("PRAGMA user_version"), "2");
+  EXPECT_EQ(look_up("PRAGMA user_version"), "3");
   EXPECT_EQ(all->versions[1].load_cases, "[]");
   EXPECT_EQ(all->versions[2].name, "thick");
   EXPECT_EQ(all->head, 2U);

@@ -24,7 +24,7 @@ TEST_F(Document, IsEmptyWhenNew) {
   EXPECT_TRUE(all->log.empty());
   EXPECT_EQ(look_up("PRAGMA journal_mode"), "wal");
   EXPECT_EQ(look_up("PRAGMA application_id"), std::to_string(0x54454454));
-  EXPECT_EQ(look_up("PRAGMA user_version"), "2");
+  EXPECT_EQ(look_up("PRAGMA user_version"), "3");
 }
 
 TEST_F(Document, HasNoFileBeforeItsFirstCommit) {
@@ -306,12 +306,12 @@ TEST_F(Document, RefusesADatabaseHeaderBeforeRubbish) {
 
 TEST_F(Document, RefusesANewerFormat) {
   open();
-  tamper("PRAGMA user_version = 3");
+  tamper("PRAGMA user_version = 4");
 
   const auto e = refusal();
 
   EXPECT_EQ(e.code, ec::storage_error);
-  EXPECT_THAT(e.message, HasSubstr("format 3"));
+  EXPECT_THAT(e.message, HasSubstr("format 4"));
   EXPECT_THAT(e.remedy, HasSubstr("newer TEdit"));
 }
 

@@ -163,7 +163,7 @@ TEST_F(Rest, AProgramOfTheOlderFormatKeepsItsDocument) {
   EXPECT_EQ(look_up("PRAGMA user_version"), "1");
   ::close(theirs);
   EXPECT_NE(open(), nullptr);
-  EXPECT_EQ(look_up("PRAGMA user_version"), "2");
+  EXPECT_EQ(look_up("PRAGMA user_version"), "3");
   EXPECT_FALSE(fs::exists(lock));  // They refuse the new format; nobody needs it any more.
 }
 
