@@ -18,15 +18,11 @@ expected<edit_result> add_boss(const version_ptr& mesh, const selection& picked,
   const auto shape = profile_or_file(values, size);
   if (!shape)
     return fail(shape.error());
-  // On a wall that is flat there the foot is flush with it, which the boolean makes exact; on any
-  // other one it goes down to where the wall is lowest.
-  const double gap = gap_below(*mesh, where->at + 1e-4 * where->size * where->outward,
-                               where->outward, radius_of(*shape));
-  const double foot = gap > 1e-3 * where->size ? gap + 0.2 * where->size : 0;
-  if (auto ok = check_fineness(*where, size, foot + height + 2 * radius_of(*shape)); !ok)
+  const auto span = boss_span(*mesh, *where, height, radius_of(*shape));
+  if (auto ok = check_fineness(*where, size, height - span.from + 2 * radius_of(*shape)); !ok)
     return fail(ok.error());
   const auto tool =
-    extrude(profile_frame(*where, values), *shape, -foot, height, size, "boss", *ctx.host);
+    extrude(profile_frame(*where, values), *shape, span.from, span.to, size, "boss", *ctx.host);
   if (!tool)
     return fail(tool.error());
   return apply_tool(mesh, *tool, boolean_mode::add, where->size, as_set(picked), ctx);

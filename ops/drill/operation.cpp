@@ -63,13 +63,7 @@ public:
   expected<ops::edit_result> apply(const version_ptr& mesh, const ops::selection& picked,
                                    const ops::parameters& values,
                                    ops::context& ctx) const override {
-    const auto number = [&](const char* id) { return std::get<double>(values.at(id)); };
-    ops::drill_shape shape{number("diameter"),          number("depth"),
-                           number("tip_angle"),         number("counterbore_diameter"),
-                           number("counterbore_depth"), number("countersink_diameter"),
-                           number("countersink_angle")};
-    if (const auto core = ops::thread_core(std::get<std::string>(values.at("thread"))))
-      shape.diameter = *core;
+    const auto shape = ops::drill_shape_from(values);
     const auto where = ops::placement_of(*mesh, picked, values, "direction", 2 * shape.diameter);
     if (!where)
       return fail(where.error());

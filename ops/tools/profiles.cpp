@@ -88,4 +88,18 @@ double profile_size(const placement& where, const parameters& values) {
   return std::max(size_for_shape(where, values), number(values, "size") / 60);
 }
 
+tool_span pocket_span(const mesh_version& mesh, const placement& where, double depth,
+                      double radius) {
+  const double deep =
+    depth > 0 ? depth : depth_through(mesh, where.at, where.outward, radius) + where.size;
+  return {-deep, clearance(mesh, where.at, where.outward, radius) + 0.5 * where.size};
+}
+
+tool_span boss_span(const mesh_version& mesh, const placement& where, double height,
+                    double radius) {
+  const vec3 over = where.at + 1e-4 * where.size * where.outward;
+  const double gap = gap_below(mesh, over, where.outward, radius);
+  return {gap > 1e-3 * where.size ? -gap - 0.2 * where.size : 0, height};
+}
+
 }  // namespace tedit::ops

@@ -22,4 +22,20 @@ namespace tedit::ops {
 /// The mean edge that a profile wants: what the part has, less for small ones.
 [[nodiscard]] double profile_size(const placement& where, const parameters& values);
 
+/// From where to where a tool goes along the frame's z axis, m; 0 is the place.
+struct tool_span {
+  double from = 0;
+  double to = 0;
+};
+
+/// A pocket's: as deep as asked, through all there is where `depth` is 0, and out of the part.
+/// `radius` (m): of the profile.
+[[nodiscard]] tool_span pocket_span(const mesh_version& mesh, const placement& where, double depth,
+                                    double radius);
+
+/// A boss's. On a wall that is flat there the foot is flush with it, which the boolean makes exact;
+/// on any other one it goes down to where the wall is lowest.
+[[nodiscard]] tool_span boss_span(const mesh_version& mesh, const placement& where, double height,
+                                  double radius);
+
 }  // namespace tedit::ops
