@@ -62,41 +62,61 @@ tl::unexpected<error> not_as_written(const json::exception& why) {
               "Try again; if it stays, report it with the CAD file");
 }
 
-}  // namespace
-
-bool save_facts(const part_facts& facts, const std::filesystem::path& folder) {
+json to_json(const part_facts& facts) {
   json faces = json::array();
   for (const auto& one : facts.faces)
-    faces.push_back({{"name", one.name}, {"colour", to_json(one.looks)}, {"area", one.area_mm2}});
+    faces.push_back({{"name", one.name},
+                     {"colour", to_json(one.looks)},
+                     {"area", one.area_mm2},
+                     {"ids", one.ids}});
   json solids = json::array();
   for (const auto& one : facts.solids)
     solids.push_back({{"name", one.name},
                       {"colour", to_json(one.looks)},
                       {"volume", one.volume_mm3},
                       {"area", one.area_mm2}});
-  return save(
-    {{"unit", facts.length_unit}, {"faces", faces}, {"solids", solids}, {"notices", facts.notices}},
-    folder / facts_file);
+  return {
+    {"unit", facts.length_unit}, {"faces", faces}, {"solids", solids}, {"notices", facts.notices}};
 }
 
-expected<part_facts> load_facts(const std::filesystem::path& folder) {
-  const auto read = load(folder / facts_file);
-  if (!read)
-    return fail(read.error());
+expected<part_facts> facts_of(const json& from) {
   try {
     part_facts facts;
-    facts.length_unit = read->at("unit").get<std::string>();
-    for (const auto& one : read->at("faces"))
-      facts.faces.push_back(
-        {name_of(one.at("name")), colour_of(one.at("colour")), one.at("area").get<double>()});
-    for (const auto& one : read->at("solids"))
+    facts.length_unit = from.at("unit").get<std::string>();
+    for (const auto& one : from.at("faces"))
+      facts.faces.push_back({name_of(one.at("name")), colour_of(one.at("colour")),
+                             one.at("area").get<double>(), one.at("ids").get<std::vector<int>>()});
+    for (const auto& one : from.at("solids"))
       facts.solids.push_back({name_of(one.at("name")), colour_of(one.at("colour")),
                               one.at("volume").get<double>(), one.at("area").get<double>()});
-    facts.notices = read->at("notices").get<std::vector<std::string>>();
+    facts.notices = from.at("notices").get<std::vector<std::string>>();
     return facts;
   } catch (const json::exception& why) {
     return not_as_written(why);
   }
+}
+
+}  // namespace
+
+std::string to_text(const part_facts& facts) {
+  return to_json(facts).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+expected<part_facts> facts_from(std::string_view text) {
+  const auto read = json::parse(text, nullptr, false);
+  if (read.is_discarded())
+    return fail(ec::internal, "what is known of the CAD model's faces is damaged",
+                "Import the CAD file again");
+  return facts_of(read);
+}
+
+bool save_facts(const part_facts& facts, const std::filesystem::path& folder) {
+  return save(to_json(facts), folder / facts_file);
+}
+
+expected<part_facts> load_facts(const std::filesystem::path& folder) {
+  const auto read = load(folder / facts_file);
+  return read ? facts_of(*read) : expected<part_facts>(fail(read.error()));
 }
 
 bool save_report(const mesh_report& report, const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
@@ -22,6 +23,10 @@ inline constexpr const char* mesh_file = "part.mesh";      ///< `mesh_header`; t
 inline constexpr const char* report_file = "mesh.json";    ///< `mesh_report`; the mesher's.
 inline constexpr const char* log_file = "messages.txt";    ///< What libraries print.
 inline constexpr const char* plain_file = "without.step";  ///< The part without annotations.
+inline constexpr const char* step_output = "out.step";     ///< The writer's.
+
+/// How the layer of a face begins that says its surfaces in the mesh: "tedit surface 12, 13".
+inline constexpr std::string_view layer_of_surfaces = "tedit surface ";
 
 using colour = std::array<double, 3>;  ///< sRGB, 0 to 1.
 
@@ -30,6 +35,7 @@ struct face_facts {
   std::string name;  ///< As the file has it; empty: none.
   std::optional<colour> looks;
   double area_mm2 = 0;
+  std::vector<int> ids = {};  ///< Its surfaces in the mesh: several where an edit made them one.
 };
 
 /// A solid, in the order of region ids, from 1.
@@ -46,6 +52,11 @@ struct part_facts {
   std::vector<solid_facts> solids;
   std::vector<std::string> notices;
 };
+
+/// As JSON, as they are kept in documents.
+[[nodiscard]] std::string to_text(const part_facts& facts);
+/// The inverse. Errors: `internal`.
+[[nodiscard]] expected<part_facts> facts_from(std::string_view text);
 
 /// Errors: `io_error`, `internal` for a file that no reader wrote.
 [[nodiscard]] expected<part_facts> load_facts(const std::filesystem::path& folder);

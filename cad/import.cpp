@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cad/import.hpp"
 
-#include <signal.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include "base/stopwatch.hpp"
 #include "cad/file_kind.hpp"
+#include "cad/private_folder.hpp"
 #include "mesh/build_version.hpp"
 #include "mesh/io/file.hpp"
 
@@ -23,51 +20,6 @@ namespace tedit::cad {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The only place where the two programs may write; gone with the import.
-class private_folder {
-public:
-  private_folder() {
-    std::error_code code;
-    remove_left_ones();
-    std::string name = (fs::temp_directory_path(code) / prefix).string();
-    // As long for each process: Gmsh's mesh depends on where things lie in memory.
-    const auto number = std::to_string(getpid());
-    name += std::string(7 - std::min<std::size_t>(7, number.size()), '0') + number + "-XXXXXX";
-    if (!code && mkdtemp(name.data()) != nullptr)
-      path_ = name;
-  }
-  ~private_folder() {
-    std::error_code code;
-    if (!path_.empty())
-      fs::remove_all(path_, code);
-  }
-  private_folder(const private_folder&) = delete;
-  private_folder& operator=(const private_folder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-  static constexpr std::string_view prefix = "tedit-import-";
-
-  /// Those of imports that were killed.
-  static void remove_left_ones() {
-    std::error_code code;
-    for (const auto& item : fs::directory_iterator(fs::temp_directory_path(code), code)) {
-      const auto name = item.path().filename().string();
-      if (!name.starts_with(prefix))
-        continue;
-      const pid_t owner = std::atoi(name.c_str() + prefix.size());
-      struct stat about {};
-      if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH &&
-          lstat(item.path().c_str(), &about) == 0 && S_ISDIR(about.st_mode) &&
-          about.st_uid == geteuid())
-        fs::remove_all(item.path(), code);
-    }
-  }
-
-  fs::path path_;
-};
 
 std::string text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -165,6 +117,12 @@ private:
   std::size_t at_ = 0;
 };
 
+/// The mesher numbers faces by their places, from 1. A face of several surfaces is the first.
+surface_id surface_at(const part_facts& facts, int place) {
+  const bool is_known = place >= 1 && place <= static_cast<int>(facts.faces.size());
+  return is_known ? facts.faces[static_cast<std::size_t>(place) - 1].ids.front() : place;
+}
+
 expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts) {
   const auto bytes = read_file(folder / mesh_file);
   if (!bytes)
@@ -180,14 +138,18 @@ expected<raw_mesh> load_mesh(const fs::path& folder, const part_facts& facts) {
     return fail(ec::internal, "the mesher's answer is damaged", "Try again");
   const auto corner = [](std::int32_t v) { return static_cast<vertex_id>(v); };
   for (const auto& t : triangles)
-    raw.triangles.push_back({{corner(t[0]), corner(t[1]), corner(t[2])}, t[3], true});
+    raw.triangles.push_back(
+      {{corner(t[0]), corner(t[1]), corner(t[2])}, surface_at(facts, t[3]), true});
   for (const auto& t : tets) {
     raw.tets.push_back({{corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3])}});
     raw.tet_regions.push_back(t[4]);
   }
+  std::set<surface_id> named;  // A surface may be several faces.
   for (std::size_t i = 0; i < facts.faces.size(); ++i)
-    if (!facts.faces[i].name.empty())
-      raw.surface_names.push_back({static_cast<surface_id>(i + 1), facts.faces[i].name});
+    if (!facts.faces[i].name.empty() &&
+        named.insert(surface_at(facts, static_cast<int>(i) + 1)).second)
+      raw.surface_names.push_back(
+        {surface_at(facts, static_cast<int>(i) + 1), facts.faces[i].name});
   for (std::size_t i = 0; i < facts.solids.size(); ++i)
     raw.region_names.push_back({static_cast<region_id>(i + 1), facts.solids[i].name});
   return raw;
@@ -208,10 +170,10 @@ expected<void> mesh_part(const import_request& request, const fs::path& folder, 
   const auto end = run_program("tedit-cad-mesher", "the mesher", folder, {request.size},
                                request.limits, run.part(0, 0.9));
   if (!end.done)
-    return fail(about_mesher(end, part.facts, folder));
+    return fail(about_mesher(end, part.model.facts, folder));
   run.report(0.9, "building the mesh");
   auto report = load_report(folder);
-  auto raw = load_mesh(folder, part.facts);
+  auto raw = load_mesh(folder, part.model.facts);
   if (!report || !raw)
     return fail(report ? raw.error() : report.error());
   constexpr double millimetre = 1e-3;
@@ -220,34 +182,54 @@ expected<void> mesh_part(const import_request& request, const fs::path& folder, 
     return fail(built.error());
   part.version = std::move(built->version);
   part.report = std::move(*report);
+  for (int& place : part.report.gone)
+    place = static_cast<int>(surface_at(part.model.facts, place));
   std::ranges::copy(built->warnings, std::back_inserter(part.warnings));
   if (!part.report.gone.empty())
     part.warnings.push_back(sentence_on_gone(part.report.gone));
   return {};
 }
 
-}  // namespace
-
-expected<imported_part> import_part(const import_request& request, const execution& run) {
+/// The CAD file as it comes from the reader, in the folder.
+expected<cad_model> read_into(const import_request& request, const fs::path& folder,
+                              const execution& run) {
   const auto kind = kind_of(request.file);
   if (!kind)
+    return fail(kind.error());
+  auto facts = read_part(request, *kind, folder, run);
+  if (!facts)
+    return fail(facts.error());
+  return load_model(folder);
+}
+
+}  // namespace
+
+expected<cad_model> read_model(const import_request& request, const execution& run) {
+  if (auto there = find_program("tedit-cad-reader"); !there)
+    return fail(there.error());
+  const private_folder folder("tedit-import-");
+  if (folder.path().empty())
+    return fail(no_private_folder());
+  return read_into(request, folder.path(), run);
+}
+
+expected<imported_part> import_part(const import_request& request, const execution& run) {
+  if (const auto kind = kind_of(request.file); !kind)
     return fail(kind.error());
   for (const auto* name : {"tedit-cad-reader", "tedit-cad-mesher"})
     if (auto there = find_program(name); !there)
       return fail(there.error());
-  const private_folder folder;
+  const private_folder folder("tedit-import-");
   if (folder.path().empty())
-    return fail(ec::io_error,
-                std::string("no temporary folder can be made: ") + std::strerror(errno),
-                "Set TMPDIR to a folder with room that you may write to");
+    return fail(no_private_folder());
   stopwatch clock;
   imported_part part;
-  auto facts = read_part(request, *kind, folder.path(), run.part(0, 0.3));
-  if (!facts)
-    return fail(facts.error());
+  auto model = read_into(request, folder.path(), run.part(0, 0.3));
+  if (!model)
+    return fail(model.error());
   part.read_ms = clock.restart();
-  part.facts = std::move(*facts);
-  part.warnings = part.facts.notices;
+  part.model = std::move(*model);
+  part.warnings = part.model.facts.notices;
   if (auto meshed = mesh_part(request, folder.path(), part, run.part(0.3, 1)); !meshed) {
     auto why = meshed.error();
     if (why.where.empty())

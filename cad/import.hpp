@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cad/exchange.hpp"
+#include "cad/model.hpp"
 #include "cad/program.hpp"
 #include "mesh/version.hpp"
 
@@ -17,11 +17,11 @@ struct import_request {
   program_limits limits;        ///< Of each of the two programs.
 };
 
-/// A part that came from CAD. Surface ids are the CAD faces' places, from 1, region ids those of
-/// the solids; names are theirs.
+/// A part that came from CAD. Surface ids are the CAD faces' places, from 1, or those that a file
+/// of TEdit's own says they have; region ids are the solids' places; names are theirs.
 struct imported_part {
   version_ptr version;
-  part_facts facts;
+  cad_model model;
   mesh_report report;
   std::vector<std::string> warnings;  ///< What a person should know, one sentence each.
   double read_ms = 0;                 ///< OpenCASCADE: reading, and joining solids.
@@ -35,5 +35,8 @@ struct imported_part {
 /// program that died say what it was doing.
 [[nodiscard]] expected<imported_part> import_part(const import_request& request,
                                                   const execution& run);
+
+/// The first half: the CAD model without a mesh. Errors: as `import_part`.
+[[nodiscard]] expected<cad_model> read_model(const import_request& request, const execution& run);
 
 }  // namespace tedit::cad

@@ -36,7 +36,8 @@ check_row check_program(const std::string& name, const std::string& what) {
 
 /// A build without the libraries leaves both out.
 check_row check_cad() {
-  for (const auto* name : {"tedit-cad-reader", "tedit-cad-mesher"})
+  for (const auto* name :
+       {"tedit-cad-reader", "tedit-cad-mesher", "tedit-cad-editor", "tedit-cad-writer"})
     if (const auto there = cad::find_program(name); !there)
       return {"CAD files", true, "not read here: " + there.error().message};
   return {"CAD files", true, "STEP, IGES and BREP are read"};

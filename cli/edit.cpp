@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "cli/parameters.hpp"
+#include "cli/part_document.hpp"
 #include "cli/reports.hpp"
 #include "edit/make_edit.hpp"
 #include "mesh/io/formats.hpp"
@@ -54,11 +55,101 @@ operation_place place_of(const edit_options& options, const session& s) {
   return place;
 }
 
+/// What is edited: a mesh, or the current version of a document.
+struct edited_part {
+  version_ptr mesh;
+  std::vector<fem::load_case> load_cases;
+  std::optional<cad_state> cad;
+};
+
+expected<edited_part> read_edited(const edit_options& options, session& s) {
+  edited_part part;
+  if (is_document(options.mesh)) {
+    auto found = read_part(options.mesh, {}, make_execution(s));
+    if (!found)
+      return fail(found.error());
+    return edited_part{std::move(found->mesh), std::move(found->load_cases), std::move(found->cad)};
+  }
+  auto imported = import_mesh(options.mesh, options.length_unit);
+  if (!imported)
+    return fail(imported.error());
+  for (const auto& warning : imported->warnings)
+    notice(s, "note: " + warning);
+  return edited_part{std::move(imported->version), {}, {}};
+}
+
+/// The edit on the CAD model of the part, where it has one.
+struct cad_outcome {
+  cad_state state;
+  std::string how;
+  double ms = 0;
+};
+
+expected<std::optional<cad_outcome>> edit_model(const ops::catalogue& plugins,
+                                                const edited_part& part, const edit_request& wanted,
+                                                const checked_edit& made, session& s) {
+  if (!part.cad)
+    return std::nullopt;
+  if (!part.cad->model)
+    return cad_outcome{*part.cad, "", 0};
+  const auto offered = plugins.find(wanted.operation);
+  auto replayed = cad::replay_edit(
+    {*part.cad->model, (*offered)->description, part.mesh, made.version, wanted, made.report},
+    make_execution(s));
+  if (!replayed)
+    return fail(replayed.error());
+  cad_outcome outcome{{}, replayed->verdict.how, replayed->ms};
+  outcome.state.reason = replayed->verdict.reason;
+  outcome.state.deviation_m = 1e-3 * replayed->verdict.deviation_mm;
+  if (replayed->verdict.is_same)
+    outcome.state.model = std::move(replayed->model);
+  return outcome;
+}
+
+nlohmann::ordered_json cad_json(const cad_outcome& outcome) {
+  return {{"status", outcome.state.model ? "same" : "mesh_only"},
+          {"reason", outcome.state.reason},
+          {"how", outcome.how},
+          {"deviation_m", outcome.state.deviation_m},
+          {"ms", outcome.ms}};
+}
+
+std::string cad_text(const cad_outcome& outcome) {
+  if (!outcome.state.model)
+    return "  CAD model         in the mesh only: " + outcome.state.reason + "\n";
+  return "  CAD model         the same (" + outcome.how + "), new vertices within " +
+         pretty(1e3 * outcome.state.deviation_m, 2) + " mm of it\n";
+}
+
+expected<void> write_edited(const edit_options& options, const edit_request& wanted,
+                            const checked_edit& made, const std::optional<cad_outcome>& cad) {
+  if (!is_document(options.output)) {
+    const auto format = output_format(options.output);
+    return format.and_then([&](const file_format* row) {
+      return write_as(row->name, options.output, *made.version,
+                      {.length_unit = options.length_unit});
+    });
+  }
+  if (!is_document(options.mesh))
+    return fail(ec::usage, "a document is made of a document, not of " + options.mesh,
+                "Make one with \"tedit import PART.step -o PART.tedit\", or write a mesh");
+  return copy_with_edit(options.mesh, options.output,
+                        {wanted, &made, cad ? std::optional(cad->state) : std::nullopt});
+}
+
+/// Usage errors are told before anything is computed.
+expected<void> check_output(const edit_options& options) {
+  if (options.output.empty() || (is_document(options.output) && is_document(options.mesh)))
+    return {};
+  if (is_document(options.output))
+    return write_edited(options, {}, {}, {});
+  return output_format(options.output).map([](const file_format*) {});
+}
+
 int run_edit(const edit_options& options, session& s) {
   stopwatch clock;
-  const auto format = output_format(options.output);
-  if (!options.output.empty() && !format)
-    return print_error(s, format.error());
+  if (const auto can = check_output(options); !can)
+    return print_error(s, can.error());
   auto request = options.request;
   auto parameters = parse_parameters(options.pairs);
   if (!parameters)
@@ -68,18 +159,16 @@ int run_edit(const edit_options& options, session& s) {
   if (!policy)
     return print_error(s, policy.error());
   request.loads.policy = *policy;
-  std::vector<fem::load_case> load_cases;
+  auto part = read_edited(options, s);
+  if (!part)
+    return print_error(s, part.error());
+  auto& load_cases = part->load_cases;
   if (!options.load_case.empty()) {
     auto loads = protocol::load_case_from_file(options.load_case);
     if (!loads)
       return print_error(s, loads.error());
     load_cases.push_back(std::move(*loads));
   }
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
   const double import_ms = clock.restart();
   if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
     notice(s, "note: " + render(can.error()));
@@ -90,22 +179,24 @@ int run_edit(const edit_options& options, session& s) {
       return print_error(s, filled.error());
     request.parameters = std::move(*filled);
   }
-  const auto outcome = make_edit(plugins, imported->version, request, load_cases,
-                                 place_of(options, s), make_execution(s));
+  const auto outcome =
+    make_edit(plugins, part->mesh, request, load_cases, place_of(options, s), make_execution(s));
   if (!outcome)
     return print_error(s, outcome.error());
+  const auto cad = edit_model(plugins, *part, request, *outcome, s);
+  if (!cad)
+    return print_error(s, cad.error());
   clock.restart();
-  if (!options.output.empty()) {
-    const auto written = write_as((*format)->name, options.output, *outcome->version,
-                                  {.length_unit = options.length_unit});
-    if (!written)
+  if (!options.output.empty())
+    if (auto written = write_edited(options, request, *outcome, *cad); !written)
       return print_error(s, written.error());
-  }
   auto json = to_json(outcome->report);
   json["timings_ms"]["import"] = import_ms;
   json["timings_ms"]["export"] = clock.milliseconds();
-  print_result(s, json, describe(outcome->report));
-  warn_of_large_change(changed_share(*imported->version, outcome->report), s);
+  if (*cad)
+    json["cad"] = cad_json(**cad);
+  print_result(s, json, describe(outcome->report) + (*cad ? cad_text(**cad) : ""));
+  warn_of_large_change(changed_share(*part->mesh, outcome->report), s);
   return 0;
 }
 
@@ -114,7 +205,8 @@ int run_edit(const edit_options& options, session& s) {
 void add_edit(CLI::App& app, action& chosen) {
   auto options = std::make_shared<edit_options>();
   auto* command = app.add_subcommand("edit", "Apply one operation to a mesh");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1), or a document (.tedit)")
+    ->required();
   command->add_option("--op", options->request.operation, "The operation; \"tedit ops\" lists them")
     ->required();
   command->add_option("--surfaces", options->request.surfaces, "Surface ids, separated by commas")
@@ -133,7 +225,8 @@ void add_edit(CLI::App& app, action& chosen) {
   command->add_flag("--keep-traction", options->request.loads.keep_traction,
                     "A traction or pressure that moves keeps its Pa, not its N");
   command->add_option("-o,--output", options->output,
-                      "Write the new mesh: " + written_formats_text());
+                      "Write the new mesh: " + written_formats_text() +
+                        "; of a document also the document with the edit (.tedit)");
   command->add_option("--length-unit", options->length_unit, "Unit of coordinates in both files")
     ->capture_default_str();
   command

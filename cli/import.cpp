@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +12,7 @@
 #include "cad/repair.hpp"
 #include "cli/command.hpp"
 #include "cli/mesh_report.hpp"
+#include "cli/part_document.hpp"
 #include "mesh/io/formats.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -38,13 +40,30 @@ nlohmann::ordered_json colour_word(const std::optional<cad::colour>& looks) {
 }
 
 /// The rows of `tedit info` with what CAD says of them.
-template <class Facts>
-void add_colours(nlohmann::ordered_json& rows, const std::vector<Facts>& facts) {
+void add_colours(nlohmann::ordered_json& rows,
+                 const std::map<std::int64_t, std::optional<cad::colour>>& looks) {
   for (auto& row : rows) {
-    const auto place = row["id"].get<std::int64_t>() - 1;
-    const bool is_known = place >= 0 && place < static_cast<std::int64_t>(facts.size());
-    row["colour"] = is_known ? colour_word(facts[static_cast<std::size_t>(place)].looks) : nullptr;
+    const auto known = looks.find(row["id"].get<std::int64_t>());
+    row["colour"] = known != looks.end() ? colour_word(known->second) : nullptr;
   }
+}
+
+std::map<std::int64_t, std::optional<cad::colour>> colours_of(
+  const std::vector<cad::face_facts>& faces) {
+  std::map<std::int64_t, std::optional<cad::colour>> looks;
+  for (const auto& face : faces)
+    for (const int id : face.ids)
+      looks.emplace(id, face.looks);
+  return looks;
+}
+
+/// Regions are numbered by their places.
+std::map<std::int64_t, std::optional<cad::colour>> colours_of(
+  const std::vector<cad::solid_facts>& solids) {
+  std::map<std::int64_t, std::optional<cad::colour>> looks;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    looks.emplace(i + 1, solids[i].looks);
+  return looks;
 }
 
 struct stage_times {
@@ -57,14 +76,14 @@ struct stage_times {
 nlohmann::ordered_json to_json(const cad::imported_part& part, const mesh_report& report,
                                const stage_times& ms) {
   auto json = to_json(*part.version, report);
-  add_colours(json["surfaces"], part.facts.faces);
-  add_colours(json["regions"], part.facts.solids);
+  add_colours(json["surfaces"], colours_of(part.model.facts.faces));
+  add_colours(json["regions"], colours_of(part.model.facts.solids));
   double volume_mm3 = 0;
-  for (std::size_t i = 0; i < part.facts.solids.size(); ++i)
-    volume_mm3 += part.facts.solids[i].volume_mm3;
+  for (std::size_t i = 0; i < part.model.facts.solids.size(); ++i)
+    volume_mm3 += part.model.facts.solids[i].volume_mm3;
   json["cad_volume_m3"] = 1e-9 * volume_mm3;
   json["length_unit"] = "mm";
-  json["cad_unit"] = part.facts.length_unit;
+  json["cad_unit"] = part.model.facts.length_unit;
   json["edge_length_m"] = 1e-3 * part.report.size_mm;
   json["surface_moved_m"] = 1e-3 * part.report.moved_mm;
   json["warnings"] = part.warnings;
@@ -91,7 +110,7 @@ std::string describe(const import_options& options, const cad::imported_part& pa
   const auto line = [&](const std::string& label, const std::string& value) {
     text += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
   };
-  const auto& unit = part.facts.length_unit;
+  const auto& unit = part.model.facts.length_unit;
   line("unit", unit == "mm" ? unit : unit + ", mm in the mesh");
   line("size", pretty(report.size_m.x * 1e3) + " x " + pretty(report.size_m.y * 1e3) + " x " +
                  pretty(report.size_m.z * 1e3) + " mm");
@@ -108,14 +127,17 @@ std::string describe(const import_options& options, const cad::imported_part& pa
   line("seconds", seconds("read") + ", " + seconds("mesh") + ", " + seconds("repair") + ", " +
                     seconds("total"));
   if (!options.output.empty())
-    text += options.output + ": the mesh\n";
+    text += options.output + (is_document(options.output)
+                                ? ": a document with the mesh and the CAD model\n"
+                                : ": the mesh\n");
   return text;
 }
 
 int run_import(import_options options, session& s) {
   const stopwatch total;
+  const bool as_document = is_document(options.output);
   const auto format = output_format(options.output);
-  if (!options.output.empty() && !format)
+  if (!options.output.empty() && !as_document && !format)
     return print_error(s, format.error());
   options.request.limits.time = std::chrono::seconds(options.time_limit_s);
   options.request.limits.memory_bytes = std::uint64_t{options.memory_mb} << 20;
@@ -131,7 +153,11 @@ int run_import(import_options options, session& s) {
   stage_times ms{part->read_ms, part->mesh_ms, clock.restart(), 0};
   if (!options.output.empty())
     if (const auto written =
-          write_as((*format)->name, options.output, *part->version, {.length_unit = "mm"});
+          as_document
+            ? create_document(options.output,
+                              {part->version, part->model, options.request.file.filename().string(),
+                               part->warnings})
+            : write_as((*format)->name, options.output, *part->version, {.length_unit = "mm"});
         !written)
       return print_error(s, written.error());
   for (const auto& warning : part->warnings)
@@ -157,7 +183,8 @@ void add_import(CLI::App& app, action& chosen) {
     ->check(CLI::IsMember({"coarse", "medium", "fine"}))
     ->capture_default_str();
   command->add_option("-o,--output", options->output,
-                      "Write the mesh, in mm: " + written_formats_text());
+                      "Write the mesh, in mm: " + written_formats_text() +
+                        "; or a document (.tedit) with the mesh and the CAD model");
   command
     ->add_option("--time-limit", options->time_limit_s,
                  "Seconds after which reading, or meshing, is given up")

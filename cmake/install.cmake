@@ -25,7 +25,7 @@ endfunction()
 
 install(TARGETS tedit tedit-probe tedit-mesher RUNTIME DESTINATION bin)
 if(TARGET tedit-cad-reader)
-  install(TARGETS tedit-cad-reader tedit-cad-mesher RUNTIME DESTINATION bin)
+  install(TARGETS tedit-cad-reader tedit-cad-mesher tedit-cad-editor tedit-cad-writer RUNTIME DESTINATION bin)
 endif()
 if(TARGET tedit-render)
   install(TARGETS tedit-render RUNTIME DESTINATION bin)

@@ -57,9 +57,11 @@ ROOMS = {
     "ops/": (
         ("ops/shapes/caps", "ops/shapes/deform", "ops/shapes/features", "ops/shapes/outlines", "ops/shapes/walls", "ops/shapes/rounding", "ops/shapes", "ops/tools", "ops/sdk", "mesh", "base"), ("ft2build.h",)),
     "edit": (("ops/loader", "ops/services", "ops/sdk", "fem", "mesh", "base"), ()),
-    "cad": (("edit", "ops/loader", "ops/sdk", "mesh/io", "mesh", "base"), ("nlohmann/",)),
+    "cad": (("edit", "ops/loader", "ops/sdk", "ops/shapes/outlines", "ops/tools", "mesh/features", "mesh/io", "mesh", "base"), ("nlohmann/",)),
     "cad/teller.cpp": (("cad", "sandbox", "base"), ()),
     "cad/reader": (("cad", "base"), OPENCASCADE),
+    "cad/editor": (("cad", "mesh", "base"), OPENCASCADE),
+    "cad/writer": (("cad", "base"), OPENCASCADE),
     "cad/mesher": (("cad", "mesh", "base"), ("gmsh.h",)),
     "protocol": (WIRE, ("tedit/v1/", "google/")),
     "client": (("tls", "certs", "protocol", *WIRE), ("boost/", "tedit/v1/", "google/")),

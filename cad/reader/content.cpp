@@ -2,6 +2,7 @@
 // What OpenCASCADE's readers make of a file: solids with their places, names and colours.
 #include "cad/reader/content.hpp"
 
+#include <charconv>
 #include <set>
 
 #include <BRepTools.hxx>
@@ -25,6 +26,7 @@
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -57,12 +59,33 @@ std::string name_of_label(const TDF_Label& label) {
   return label.FindAttribute(TDataStd_Name::GetID(), name) ? text_of(name->Get()) : "";
 }
 
+/// The surfaces that the name of a layer lists; none of another program's layer.
+std::vector<int> ids_in(const std::string& layer) {
+  std::vector<int> ids;
+  if (!layer.starts_with(layer_of_surfaces))
+    return ids;
+  const char* at = layer.data() + layer_of_surfaces.size();
+  const char* end = layer.data() + layer.size();
+  while (at < end) {
+    int id = 0;
+    const auto read = std::from_chars(at, end, id);
+    if (read.ec != std::errc() || id <= 0)
+      return {};
+    ids.push_back(id);
+    at = read.ptr;
+    while (at < end && (*at == ',' || *at == ' '))
+      ++at;
+  }
+  return ids;
+}
+
 /// Walks a document of XCAF.
 class document_walk {
 public:
   document_walk(const Handle(TDocStd_Document) & document, cad_content& into)
       : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
         colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())),
+        layers_(XCAFDoc_DocumentTool::LayerTool(document->Main())),
         into_(into) {}
 
   void walk() {
@@ -139,9 +162,18 @@ private:
         continue;
       if (const auto painted = colour_at(one))
         for_all_faces(shape, *painted);
+      if (shape.ShapeType() == TopAbs_FACE)
+        note_ids(one, shape);
       if (shape.ShapeType() == TopAbs_FACE && !name_of_label(one).empty() && !into_.name_of(shape))
         into_.names.Bind(without_place(shape), name_of_label(one));
     }
+  }
+
+  void note_ids(const TDF_Label& label, const TopoDS_Shape& face) {
+    const auto names = layers_->GetLayers(label);
+    for (Standard_Integer i = 1; !names.IsNull() && i <= names->Length(); ++i)
+      if (const auto ids = ids_in(text_of(names->Value(i))); !ids.empty())
+        into_.ids.Bind(without_place(face), ids);
   }
 
   void for_all_faces(const TopoDS_Shape& shape, const colour& painted) {
@@ -155,6 +187,7 @@ private:
 
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colours_;
+  Handle(XCAFDoc_LayerTool) layers_;
   cad_content& into_;
 };
 
@@ -211,6 +244,10 @@ const colour* cad_content::colour_of(const TopoDS_Shape& shape) const {
   return colours.Seek(without_place(shape));
 }
 
+const std::vector<int>* cad_content::ids_of(const TopoDS_Shape& shape) const {
+  return ids.Seek(without_place(shape));
+}
+
 cad_content read_step(const std::string& file, const teller& tells) {
   cad_content content;
   tells.stage(0.05, "reading the STEP file");
@@ -219,7 +256,7 @@ cad_content read_step(const std::string& file, const teller& tells) {
   reader.SetColorMode(true);
   reader.SetNameMode(true);
   reader.SetGDTMode(false);
-  reader.SetLayerMode(false);
+  reader.SetLayerMode(true);
   reader.SetPropsMode(false);
   reader.SetMatMode(false);
   reader.SetViewMode(false);

@@ -23,6 +23,7 @@ struct placed_solid {
 
 /// By shapes without their place: what is used twice has one entry.
 using names_of_shapes = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+using ids_of_shapes = NCollection_DataMap<TopoDS_Shape, std::vector<int>, TopTools_ShapeMapHasher>;
 using colours_of_shapes = NCollection_DataMap<TopoDS_Shape, colour, TopTools_ShapeMapHasher>;
 
 /// What a CAD file holds.
@@ -32,11 +33,13 @@ struct cad_content {
   std::vector<TopoDS_Shape> loose;  ///< Roots with faces that belong to no solid.
   names_of_shapes names;
   colours_of_shapes colours;
+  ids_of_shapes ids;     ///< Of faces, where TEdit has written the file.
   bool is_sewn = false;  ///< The solids were made of those faces.
   std::vector<std::string> notices;
 
   [[nodiscard]] const std::string* name_of(const TopoDS_Shape& shape) const;
   [[nodiscard]] const colour* colour_of(const TopoDS_Shape& shape) const;
+  [[nodiscard]] const std::vector<int>* ids_of(const TopoDS_Shape& shape) const;
 };
 
 /// Reads a STEP, IGES or BREP file. Refuses one that it cannot.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Solids of what was read, with common faces where they touch.
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -77,6 +78,8 @@ public:
       facts.name = *name;
     const auto* painted = content_.colour_of(face);
     facts.looks = painted ? std::optional(*painted) : owner.looks;
+    if (const auto* ids = content_.ids_of(face))
+      facts.ids = *ids;
     if (!faces_.IsBound(image))
       faces_.Bind(image, facts);
     else if (faces_.Find(image).name.empty())
@@ -110,6 +113,7 @@ public:
       facts.area_mm2 = area_of(faces(i));
       part.facts.faces.push_back(std::move(facts));
     }
+    number_faces(part.facts.faces);
     TopTools_IndexedMapOfShape solids;
     TopExp::MapShapes(all, TopAbs_SOLID, solids);
     for (Standard_Integer i = 1; i <= solids.Extent(); ++i) {
@@ -122,6 +126,14 @@ public:
   }
 
 private:
+  /// By their places, unless the file says of each which surface it is; several may be one.
+  static void number_faces(std::vector<face_facts>& faces) {
+    if (std::ranges::none_of(faces, [](const face_facts& face) { return face.ids.empty(); }))
+      return;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      faces[i].ids = {static_cast<int>(i) + 1};
+  }
+
   const cad_content& content_;
   NCollection_DataMap<TopoDS_Shape, face_facts, TopTools_ShapeMapHasher> faces_;
   NCollection_DataMap<TopoDS_Shape, solid_facts, TopTools_ShapeMapHasher> solids_;

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED]: edits of a part on its mesh and on its CAD
+// model. Each listed hole filled; both walls of each listed plate taken down and put on by 1 mm (or
+// a tenth of the plate); edges of random walls rounded, holes drilled into random flat walls, bores
+// resized; then all listed holes one after the other. The mesh's surfaces must be the CAD file's
+// faces by their places. A line an edit: operation | surfaces | on the mesh | on the CAD model |
+// way | deviation mm | ms of both; then the reason, and a summary line an operation.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cad/import.hpp"
+#include "cad/replay.hpp"
+#include "edit/make_edit.hpp"
+#include "mesh/features/wall_shape.hpp"
+#include "mesh/io/import.hpp"
+#include "ops/tools/local_size.hpp"
+
+namespace tedit {
+namespace {
+
+struct state {
+  version_ptr mesh;
+  cad::cad_model model;
+};
+
+struct tally {
+  int tried = 0;
+  int on_mesh = 0;
+  int on_cad = 0;
+  std::vector<double> ms;
+};
+
+class cad_run {
+public:
+  explicit cad_run(state base) : base_(std::move(base)), plugins_(ops::load_default_catalogue()) {}
+
+  [[nodiscard]] const state& base() const { return base_; }
+
+  /// The state after it, or where the CAD model has it not the one before.
+  state edit(const std::string& label, const state& from, const edit_request& wanted) {
+    auto& sum = sums_[label];
+    ++sum.tried;
+    operation_place place;
+    place.find_most = false;
+    const auto start = std::chrono::steady_clock::now();
+    const auto made = make_edit(plugins_, from.mesh, wanted, {}, place, {});
+    const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    std::printf("%s |", label.c_str());
+    for (const auto id : wanted.surfaces)
+      std::printf(" %ld", id);
+    if (!made) {
+      std::printf(" | %s\n", std::string(code_name(made.error().code)).c_str());
+      return from;
+    }
+    ++sum.on_mesh;
+    const auto found = plugins_.find(wanted.operation);
+    const auto replayed = cad::replay_edit(
+      {from.model, (*found)->description, from.mesh, made->version, wanted, made->report}, {});
+    if (!replayed) {
+      std::printf(" | ok | %s\n", replayed.error().message.c_str());
+      return from;
+    }
+    const auto& verdict = replayed->verdict;
+    sum.on_cad += verdict.is_same;
+    if (replayed->ms > 0)
+      sum.ms.push_back(replayed->ms);
+    std::printf(" | ok | %s | %s | %.2g | %.0f %.0f | %s\n", verdict.is_same ? "same" : "MESH ONLY",
+                verdict.how.c_str(), verdict.deviation_mm, ms, replayed->ms,
+                verdict.reason.c_str());
+    std::fflush(stdout);
+    return verdict.is_same ? state{made->version, replayed->model} : from;
+  }
+
+  void print_sums() {
+    for (auto& [label, sum] : sums_) {
+      std::ranges::sort(sum.ms);
+      std::printf(
+        "SUM | %s | tried %d, on the mesh %d, on the CAD model %d | ms median %.0f max %.0f\n",
+        label.c_str(), sum.tried, sum.on_mesh, sum.on_cad,
+        sum.ms.empty() ? 0 : sum.ms[sum.ms.size() / 2], sum.ms.empty() ? 0 : sum.ms.back());
+    }
+  }
+
+private:
+  state base_;
+  ops::catalogue plugins_;
+  std::map<std::string, tally> sums_;
+};
+
+std::vector<surface_id> ids_of(const nlohmann::json& list) {
+  return list.get<std::vector<surface_id>>();
+}
+
+void run_plates(cad_run& run, const nlohmann::json& features) {
+  std::map<surface_id, double> faces;
+  for (const auto& plate : features["plates"]) {
+    const double thickness = plate.value("thickness", 1.0);
+    for (const char* side : {"a", "b"})
+      if (plate.contains(side))
+        faces.emplace(plate[side].get<surface_id>(), thickness);
+  }
+  for (const auto& plane : features["largest_planes"])
+    faces.emplace(plane["id"].get<surface_id>(), 4.0);
+  for (const auto& [face, thickness] : faces) {
+    const double depth = 1e-3 * std::min(1.0, thickness / 4);
+    run.edit("erode", run.base(), {"erode", {face}, {{"depth", depth}}, {}});
+    run.edit("thicken", run.base(), {"thicken", {face}, {{"depth", depth}}, {}});
+  }
+}
+
+/// Walls in a random order.
+std::vector<surface_id> random_walls(const mesh_version& mesh, std::mt19937_64& random) {
+  std::vector<surface_id> walls;
+  for (const auto& row : mesh.surfaces())
+    walls.push_back(row.id);
+  std::ranges::shuffle(walls, random);
+  return walls;
+}
+
+void run_random(cad_run& run, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto& mesh = *run.base().mesh;
+  const auto extent = ops::extent_of(mesh);
+  const vec3 size = extent.high - extent.low;
+  const double least = std::min({size.x, size.y, size.z});
+  int drilled = 0;
+  int bossed = 0;
+  int pins = 0;
+  int rounded = 0;
+  for (const auto wall : random_walls(mesh, random)) {
+    const auto shape = fit_wall(mesh, facets_of(mesh, std::array{wall}), {1e-3, true, false});
+    if (shape && shape->type == wall_shape::kind::plane && drilled++ < 10) {
+      run.edit("drill", run.base(), {"drill", {wall}, {{"diameter", least / 10}}, {}});
+      run.edit("drill blind", run.base(),
+               {"drill",
+                {wall},
+                {{"diameter", least / 10}, {"depth", least / 6}, {"tip_angle", 2.06}},
+                {}});
+      run.edit("pocket", run.base(),
+               {"pocket",
+                {wall},
+                {{"profile", std::string("slot")}, {"size", least / 12}, {"height", least / 30}},
+                {}});
+    }
+    if (shape && shape->type == wall_shape::kind::plane && bossed++ < 10)
+      run.edit("boss", run.base(),
+               {"boss", {wall}, {{"size", least / 12}, {"height", least / 20}}, {}});
+    if (shape && shape->type == wall_shape::kind::cylinder && pins++ < 10)
+      run.edit(
+        "resize_bore", run.base(),
+        {"resize_bore", {wall}, {{"diameter", (shape->side < 0 ? 2.1 : 1.9) * shape->radius}}, {}});
+    if (rounded++ < 10)
+      run.edit("open", run.base(), {"open", {wall}, {{"radius", 1e-3}}, {}});
+  }
+}
+
+}  // namespace
+}  // namespace tedit
+
+int main(int argc, char** argv) {
+  using namespace tedit;
+  if (argc < 5) {
+    std::fprintf(stderr, "usage: bench_cad CAD_FILE MESH UNIT FEATURES.json [SEED]\n");
+    return 2;
+  }
+  auto model = cad::read_model({argv[1], "medium", {}}, {});
+  const auto mesh = import_mesh(argv[2], argv[3]);
+  if (!model || !mesh) {
+    std::fprintf(stderr, "%s\n", render(model ? mesh.error() : model.error()).c_str());
+    return 1;
+  }
+  std::ifstream in(argv[4]);
+  const auto features = nlohmann::json::parse(in);
+  cad_run run({mesh->version, std::move(*model)});
+  for (const auto& hole : features["holes"])
+    run.edit("fill_hole", run.base(), {"fill_hole", ids_of(hole["surfaces"]), {}, {}});
+  run_plates(run, features);
+  run_random(run, argc > 5 ? std::stoull(argv[5]) : 1);
+  auto at = run.base();
+  for (const auto& hole : features["holes"])
+    at = run.edit("chain", at, {"fill_hole", ids_of(hole["surfaces"]), {}, {}});
+  run.print_sums();
+}

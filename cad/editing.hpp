@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What passes between a replay of an edit and the program that does it on the B-rep: files of a
+// folder that only the two know. Lengths are in mm, as in the B-rep.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace tedit::cad {
+
+inline constexpr double mm_of_metre = 1e3;
+
+// Files of the folder, beside `shape_file` and `facts_file`, which are read and written anew.
+inline constexpr const char* step_file = "step.json";         ///< `cad_step`; the host's.
+inline constexpr const char* edited_file = "edited.surface";  ///< `surface_header`; the host's.
+inline constexpr const char* verdict_file = "verdict.json";   ///< `cad_verdict`; the program's.
+
+enum class step_kind {
+  none,    ///< The part keeps its shape.
+  remove,  ///< The surfaces go; what is around them closes the gap.
+  shift,   ///< The surfaces move outwards by `distance_mm`, below zero into the part.
+  round,   ///< The edges between the surfaces get the radius `distance_mm`.
+  cut,     ///< The tool is taken off.
+  add,     ///< The tool is united with the part.
+  keep     ///< What part and tool share stays.
+};
+
+/// A corner of a closed outline; the edge to the next one is straight, or an arc that turns by four
+/// times the arc tangent of `bulge` (counterclockwise above zero, as in DXF).
+struct outline_corner {
+  double x = 0;
+  double y = 0;
+  double bulge = 0;
+};
+
+/// A tool by its exact shape: outlines along z, or a half-section turned about z.
+struct exact_tool {
+  std::array<std::array<double, 3>, 4> frame{};       ///< Origin, x, y, z.
+  std::vector<std::vector<outline_corner>> outlines;  ///< Even-odd filled.
+  double from = 0;                                    ///< Of the outlines, along z.
+  double to = 0;
+  std::vector<std::array<double, 2>> section;  ///< Radius and height; first and last on the axis.
+};
+
+/// An edit as it is to be made on the B-rep.
+struct cad_step {
+  step_kind kind = step_kind::remove;
+  std::vector<int> surfaces;
+  double distance_mm = 0;
+  bool convex = false;  ///< Of `round`: outer edges, else inner ones.
+  exact_tool tool;
+  // What the edit made of the mesh, to compare with.
+  double volume_change_mm3 = 0;
+  double size_mm = 0;      ///< The part's: the diagonal of its box.
+  std::size_t bodies = 1;  ///< Pieces of the edited mesh that hang together, each region by itself.
+};
+
+[[nodiscard]] bool save_step(const cad_step& step, const std::filesystem::path& folder);
+/// Errors: `io_error`, `internal`.
+[[nodiscard]] expected<cad_step> load_step(const std::filesystem::path& folder);
+
+/// Before the points (3 doubles each), and the triangles (3 indices, a surface id and a
+/// `triangle_state`, 32 bits each).
+struct surface_header {
+  std::uint64_t magic = 0x3153454744455454;
+  std::uint64_t points = 0;
+  std::uint64_t fresh = 0;  ///< The last so many points were not there before the edit.
+  std::uint64_t triangles = 0;
+};
+
+enum triangle_state : std::int32_t {
+  triangle_kept = 0,
+  triangle_made = 1,  ///< By the edit.
+  triangle_gone = 2   ///< Was there before it, and is no longer.
+};
+
+/// The boundary of the edited mesh, and what of the boundary before is gone.
+struct edited_surface {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::int32_t, 5>> triangles;
+  std::size_t fresh = 0;
+};
+
+[[nodiscard]] bool save_surface(const edited_surface& surface, const std::filesystem::path& folder);
+/// Errors: `io_error`, `internal` for a file that was not written so.
+[[nodiscard]] expected<edited_surface> load_surface(const std::filesystem::path& folder);
+
+/// What came of it.
+struct cad_verdict {
+  bool is_same = false;     ///< The B-rep has the edit; else it is as it was.
+  std::string how;          ///< The way that did it: "inner outlines dropped".
+  std::string reason;       ///< Why not, for a person.
+  double deviation_mm = 0;  ///< Of new vertices of the mesh from the B-rep's faces, at most.
+};
+
+[[nodiscard]] bool save_verdict(const cad_verdict& verdict, const std::filesystem::path& folder);
+/// Errors: `io_error`, `internal`.
+[[nodiscard]] expected<cad_verdict> load_verdict(const std::filesystem::path& folder);
+
+}  // namespace tedit::cad

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <Bnd_Box.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Pnt.hxx>
+
+namespace tedit::cad {
+
+/// Where points are with regard to one face. What it needs is made when it is first asked for.
+class face_probe {
+public:
+  explicit face_probe(const TopoDS_Face& face);
+
+  [[nodiscard]] const TopoDS_Face& face() const { return face_; }
+  [[nodiscard]] const Bnd_Box& extent() const { return extent_; }
+
+  struct finding {
+    double distance = 1e300;  ///< mm, of the nearest point of the face, or `at_most`.
+    double curvature = 0;     ///< 1/mm: the larger one of the surface there.
+  };
+
+  /// Looked for up to `at_most` (mm): beyond it only that is said.
+  [[nodiscard]] finding operator()(const gp_Pnt& point, double at_most);
+
+  /// mm: of the surface that the face is a piece of.
+  [[nodiscard]] double distance_of_surface(const gp_Pnt& point);
+
+  /// The larger one of the surface's curvatures, 1/mm.
+  [[nodiscard]] double curvature_at(double u, double v) const;
+
+private:
+  void open();
+  [[nodiscard]] bool project(const gp_Pnt& point, double& u, double& v);
+  [[nodiscard]] bool is_inside(double u, double v);
+  [[nodiscard]] double distance_of_rim(const gp_Pnt& point, double at_most) const;
+
+  TopoDS_Face face_;
+  Bnd_Box extent_;
+  std::unique_ptr<BRepAdaptor_Surface> surface_;
+  std::unique_ptr<BRepTopAdaptor_FClass2d> inside_;
+  std::unique_ptr<GeomAPI_ProjectPointOnSurf> projection_;
+};
+
+}  // namespace tedit::cad

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cad/editor/ways.hpp"
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRep_Builder.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+
+namespace tedit::cad {
+
+namespace {
+
+template <class Operation>
+TopoDS_Shape run(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& tools) {
+  TopTools_ListOfShape arguments;
+  TopTools_ListOfShape others;
+  arguments.Append(solid);
+  for (const auto& tool : tools)
+    others.Append(tool);
+  Operation operation;
+  operation.SetArguments(arguments);
+  operation.SetTools(others);
+  operation.SetNonDestructive(true);
+  operation.Build();
+  return operation.HasErrors() ? TopoDS_Shape() : operation.Shape();
+}
+
+TopoDS_Shape run(body_operation operation, const TopoDS_Shape& solid,
+                 const std::vector<TopoDS_Shape>& tools) {
+  switch (operation) {
+    case body_operation::cut:
+      return run<BRepAlgoAPI_Cut>(solid, tools);
+    case body_operation::add:
+      return run<BRepAlgoAPI_Fuse>(solid, tools);
+    case body_operation::keep:
+      return run<BRepAlgoAPI_Common>(solid, tools);
+  }
+  return {};
+}
+
+/// Edges between faces that are as they were stay: they part surfaces that have ids of their own.
+TopoDS_Shape without_new_edges(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& old) {
+  try {
+    ShapeUpgrade_UnifySameDomain unify(shape, Standard_True, Standard_True, Standard_False);
+    const auto at = faces_at_edges(shape);
+    for (Standard_Integer i = 1; i <= at.Extent(); ++i) {
+      bool is_old = true;
+      for (const auto& face : at(i))
+        is_old = is_old && old.Contains(face);
+      if (is_old)
+        unify.KeepShape(at.FindKey(i));
+    }
+    unify.Build();
+    return unify.Shape().IsNull() ? shape : unify.Shape();
+  } catch (const Standard_Failure&) {
+    return shape;  // 7.6.3 throws on some parts; edges across a face are no fault of the shape.
+  }
+}
+
+}  // namespace
+
+std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_SOLID, map);
+  std::vector<TopoDS_Shape> solids;
+  for (Standard_Integer i = 1; i <= map.Extent(); ++i)
+    solids.push_back(map(i));
+  return solids;
+}
+
+TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const auto& shape : shapes)
+    builder.Add(all, shape);
+  return all;
+}
+
+TopoDS_Shape combined(const part_model& part, const std::vector<TopoDS_Shape>& tools,
+                      body_operation operation,
+                      const std::function<bool(const TopoDS_Shape& solid)>& concerns) {
+  std::vector<TopoDS_Shape> result;
+  for (const auto& solid : solids_of(part.shape)) {
+    if (concerns && !concerns(solid)) {
+      result.push_back(solid);
+      continue;
+    }
+    const auto made = run(operation, solid, tools);
+    if (made.IsNull())
+      return {};
+    for (const auto& piece : solids_of(without_new_edges(made, part.faces)))
+      result.push_back(piece);
+  }
+  return compound_of(result);
+}
+
+std::vector<way> ways_of(const part_model& part, const cad_step& step) {
+  switch (step.kind) {
+    case step_kind::none:
+      return {{"as it was", [&part] { return part.shape; }}};
+    case step_kind::remove:
+      return ways_to_remove(part, step);
+    case step_kind::shift:
+      return ways_to_shift(part, step);
+    case step_kind::round:
+      return ways_to_round(part, step);
+    case step_kind::cut:
+    case step_kind::add:
+    case step_kind::keep:
+      return ways_with_tool(part, step);
+  }
+  return {};
+}
+
+}  // namespace tedit::cad

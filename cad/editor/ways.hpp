@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Ways in which a step may be done on a B-rep. None is trusted: judge.hpp says which one is right.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cad/editor/part.hpp"
+
+namespace tedit::cad {
+
+struct way {
+  std::string name;
+  std::function<TopoDS_Shape()> make;  ///< Null or a Standard_Failure: it cannot be done so.
+};
+
+/// Quickest and most exact first.
+[[nodiscard]] std::vector<way> ways_of(const part_model& part, const cad_step& step);
+
+// Those of each kind; the part must outlive them.
+[[nodiscard]] std::vector<way> ways_to_remove(const part_model& part, const cad_step& step);
+[[nodiscard]] std::vector<way> ways_to_shift(const part_model& part, const cad_step& step);
+[[nodiscard]] std::vector<way> ways_to_round(const part_model& part, const cad_step& step);
+[[nodiscard]] std::vector<way> ways_with_tool(const part_model& part, const cad_step& step);
+
+enum class body_operation { cut, add, keep };
+
+/// The operation on each solid that `concerns` (all where it is empty), others as they are. Edges
+/// that it draws across a face are taken out again where that works. Null where it fails.
+[[nodiscard]] TopoDS_Shape combined(
+  const part_model& part, const std::vector<TopoDS_Shape>& tools, body_operation operation,
+  const std::function<bool(const TopoDS_Shape& solid)>& concerns = {});
+
+/// The solids of a shape.
+[[nodiscard]] std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape);
+
+/// A compound of them.
+[[nodiscard]] TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes);
+
+}  // namespace tedit::cad

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/part_document.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "actors/session/change_log.hpp"
+#include "actors/store/check.hpp"
+#include "actors/store/document.hpp"
+#include "actors/store/loading.hpp"
+#include "actors/store/store.hpp"
+#include "ops/loader/catalogue.hpp"
+#include "protocol/forms.hpp"
+
+namespace tedit::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* same = "same";
+constexpr const char* mesh_only = "mesh_only";
+
+store::cad_row to_row(const cad_state& state, std::uint32_t number) {
+  store::cad_row row;
+  row.number = number;
+  row.status = state.model ? same : mesh_only;
+  row.reason = state.reason;
+  row.deviation = state.deviation_m;
+  if (state.model) {
+    row.facts = cad::to_text(state.model->facts);
+    row.shape = *state.model->shape;
+  }
+  return row;
+}
+
+expected<cad_state> from_row(const store::cad_row& row) {
+  cad_state state{std::nullopt, row.reason, row.deviation};
+  if (row.status != same)
+    return state;
+  auto facts = cad::facts_from(row.facts);
+  if (!facts)
+    return fail(facts.error());
+  state.model.emplace(std::make_shared<const std::string>(row.shape), std::move(*facts));
+  return state;
+}
+
+/// The request of the edit that made a version, as the log has it.
+std::optional<edit_request> request_of(const store::contents& rows, std::uint32_t number) {
+  for (const auto& line : rows.log) {
+    const auto past = actors::past_change::from_log(line);
+    if (!past || past->what != "edit" || past->version != number)
+      continue;
+    auto details = nlohmann::json::parse(line.details, nullptr, false);
+    for (const char* key : {"client", "time", "head", "warnings", "edit_id", "request"})
+      details.erase(key);
+    if (auto wanted = protocol::from_json<edit_request>(details.dump()))
+      return std::move(*wanted);
+  }
+  return std::nullopt;
+}
+
+/// Follows the edits of a document on its CAD model.
+class model_reader {
+public:
+  model_reader(const store::document_view& document, const store::contents& rows,
+               const execution& run)
+      : document_(document), rows_(rows), run_(run) {}
+
+  /// None where no version on the way has a model.
+  expected<std::optional<cad_state>> read(std::uint32_t number) {
+    std::vector<std::uint32_t> open;  // Newest first: edits whose model is not kept.
+    for (std::optional<std::uint32_t> at = number; at; at = row_of(*at)->parent) {
+      const auto kept = document_.read_cad(*at);
+      if (!kept)
+        return fail(kept.error());
+      if (*kept) {
+        auto state = from_row(**kept);
+        return state ? follow(std::move(*state), *at, open) : fail(state.error());
+      }
+      open.push_back(*at);
+    }
+    return std::optional<cad_state>();
+  }
+
+private:
+  [[nodiscard]] const store::version_row* row_of(std::uint32_t number) const {
+    return &*std::ranges::find(rows_.versions, number, &store::version_row::number);
+  }
+
+  expected<std::optional<cad_state>> follow(cad_state state, std::uint32_t at,
+                                            const std::vector<std::uint32_t>& open) {
+    for (auto next = open.rbegin(); next != open.rend() && state.model; ++next) {
+      auto made = edit(*state.model, at, *next);
+      if (!made)
+        return fail(made.error());
+      state = std::move(*made);
+      at = *next;
+    }
+    return std::optional(std::move(state));
+  }
+
+  expected<cad_state> edit(const cad::cad_model& model, std::uint32_t from, std::uint32_t to) {
+    const auto name = "version " + std::to_string(to) + " (" + row_of(to)->operation + ")";
+    const auto wanted = request_of(rows_, to);
+    const auto report = actors::read_report(*row_of(to));
+    if (!report)
+      return fail(report.error());
+    const auto found = plugins_.find(row_of(to)->operation);
+    if (!wanted || !*report || !found)
+      return cad_state{std::nullopt,
+                       name + " is in the mesh only: the document does not say how it was made", 0};
+    const auto before = actors::read_version(document_, from);
+    const auto after = actors::read_version(document_, to);
+    if (!before || !after)
+      return fail(before ? after.error() : before.error());
+    auto made =
+      cad::replay_edit({model, (*found)->description, *before, *after, *wanted, **report}, run_);
+    if (!made)
+      return fail(made.error());
+    if (made->verdict.is_same)
+      return cad_state{std::move(made->model), "", 1e-3 * made->verdict.deviation_mm};
+    return cad_state{std::nullopt, name + " is in the mesh only: " + made->verdict.reason, 0};
+  }
+
+  const store::document_view& document_;
+  const store::contents& rows_;
+  const execution& run_;
+  ops::catalogue plugins_ = ops::load_default_catalogue();
+};
+
+expected<std::unique_ptr<store::document>> open_new(const fs::path& file) {
+  auto document = store::document::open(file);
+  if (!document)
+    return fail(document.error());
+  const auto rows = (*document)->read();
+  if (!rows)
+    return fail(rows.error());
+  if (!rows->versions.empty())
+    return fail(ec::conflict, "there is a document " + file.string() + " already",
+                "Give another name: a document is not written over");
+  return document;
+}
+
+/// What a log row says of a change.
+std::string details_of(const std::string& what, const std::string& operation,
+                       const std::string& how, std::uint32_t version,
+                       std::vector<std::string> warnings) {
+  actors::past_change made;
+  made.what = what;
+  made.operation = operation;
+  made.client = "tedit";
+  made.time = actors::utc_now();
+  made.version = version;
+  made.warnings = std::move(warnings);
+  return made.to_details(how);
+}
+
+}  // namespace
+
+bool is_document(const fs::path& file) {
+  return file.extension() == ".tedit";
+}
+
+expected<document_part> read_part(const fs::path& file, std::optional<std::uint32_t> number,
+                                  const execution& run) {
+  const auto document = store::document_view::open(file);
+  if (!document)
+    return fail(document.error());
+  auto mesh = actors::read_version(**document, number);
+  if (!mesh)
+    return fail(mesh.error());
+  const auto rows = (*document)->read();
+  if (!rows)
+    return fail(rows.error());
+  document_part part;
+  part.number = number.value_or(rows->rows.head.value_or(0));
+  part.mesh = std::move(*mesh);
+  const auto row = std::ranges::find(rows->rows.versions, part.number, &store::version_row::number);
+  const auto cases = actors::read_load_cases(*row);
+  if (!cases)
+    return fail(cases.error());
+  part.load_cases = **cases;
+  auto state = model_reader(**document, rows->rows, run).read(part.number);
+  if (!state)
+    return fail(state.error());
+  part.cad = std::move(*state);
+  return part;
+}
+
+expected<void> create_document(const fs::path& file, const first_version& first) {
+  const auto document = open_new(file);
+  if (!document)
+    return fail(document.error());
+  actors::graph_node node;
+  node.info.operation = "import";
+  actors::describe_mesh(node, first.mesh);
+  auto change = actors::change_of(node, nullptr);
+  change.what = "import";
+  const nlohmann::json how{{"file", first.file_name}, {"length_unit", "mm"}};
+  change.details = details_of("import", "import", how.dump(), 0, first.warnings);
+  if (first.model)
+    change.cad.push_back(to_row({first.model, "", 0}, 0));
+  return (*document)->commit(change);
+}
+
+expected<void> copy_with_edit(const fs::path& from, const fs::path& to, const next_version& next) {
+  {
+    const auto source = store::document_view::open(from);
+    if (!source)
+      return fail(source.error());
+    if (auto copied = (*source)->copy_to(to); !copied)
+      return fail(copied.error());
+  }
+  const auto added = [&]() -> expected<void> {
+    const auto document = store::document::open(to);
+    if (!document)
+      return fail(document.error());
+    const auto stored = actors::load_head(**document);
+    if (!stored)
+      return fail(stored.error());
+    actors::graph_node node;
+    node.info.number = static_cast<std::uint32_t>(stored->nodes.size());
+    node.info.parent = stored->head;
+    node.info.operation = next.wanted.operation;
+    node.load_cases = std::make_shared<const load_case_list>(next.made->load_cases);
+    node.report = std::make_shared<const edit_report>(next.made->report);
+    actors::describe_mesh(node, next.made->version);
+    auto change = actors::change_of(node, stored->nodes[stored->head.value_or(0)].mesh.get());
+    change.what = "edit";
+    change.details = details_of("edit", next.wanted.operation, protocol::to_json(next.wanted),
+                                node.info.number, {});
+    if (next.cad)
+      change.cad.push_back(to_row(*next.cad, node.info.number));
+    return (*document)->commit(change);
+  }();
+  std::error_code code;
+  if (!added)
+    fs::remove(to, code);
+  return added;
+}
+
+}  // namespace tedit::cli
