@@ -23,6 +23,7 @@
 #include "client-qt/model/preferences.hpp"
 #include "client-qt/model/stall_watch.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/operations/drag_figures.hpp"
 #include "client-qt/tools/recipes/window_player.hpp"
 #include "client-qt/view/viewport.hpp"
 #include "client-qt/widgets/theme.hpp"
@@ -128,7 +129,8 @@ expected<std::vector<client::recipe_step>> steps_of(const wishes& wanted) {
 /// Times in ms, processor time in s (of the whole program, and of the thread that all events run
 /// on); memory is the largest resident size of this process.
 void write_report(const QString& path, const stall_watch& watch, const latencies& waits,
-                  const viewport& view) {
+                  main_window& window) {
+  const auto& view = window.context().view;
   const auto stalls = watch.take();
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -156,6 +158,8 @@ void write_report(const QString& path, const stall_watch& watch, const latencies
   for (const auto& [name, ms] : worst)
     if (ms)
       report[name] = *ms;
+  if (const auto drags = window.tools().operations.figures().report(); !drags.isEmpty())
+    report["drags"] = drags;
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(report).toJson()) < 0)
     std::fprintf(stderr, "tedit-qt: cannot write %s\n", qPrintable(path));
@@ -297,6 +301,6 @@ int main(int argc, char** argv) {
     player.start();
   QApplication::exec();
   if (watch)
-    write_report(wanted.report, *watch, waits, window.context().view);
+    write_report(wanted.report, *watch, waits, window);
   return status;
 }

@@ -8,6 +8,7 @@ namespace tedit::desktop {
 
 /// What Esc ends, in the order in which it is asked whether it is there to be ended.
 enum class ends {
+  handle_drag,
   drag_mode,
   click_mode,
   page,

@@ -47,7 +47,7 @@ struct window_context {
   truth_line& truth;
   /// Takes a click on the part for what is open instead of for the selection: true if it did. May
   /// be empty.
-  std::function<bool(const picked_point&)> takes_place = {};
+  std::function<bool(const picked_point&, Qt::KeyboardModifiers)> takes_place = {};
 
   /// For commands that need a part.
   [[nodiscard]] std::function<bool()> has_part() const {

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
 
 #include "client-qt/model/operation_words.hpp"
 
@@ -47,15 +48,19 @@ QString manual_page_of(const catalogue& all) {
 }
 
 catalogue translated(operation_catalogue all) {
+  std::map<std::string, handle_plan> handles;
   for (auto& one : all.operations) {
     auto& about = one.about;
+    auto& plan = handles[about.id] = plan_of(about);  // By the English names,
+    for (auto& h : plan.all)                          // which people do not see.
+      h.name = QString::fromStdString(in_users_language(h.name.toStdString()));
     for (auto* text : {&about.name, &about.summary, &about.selection.help, &about.guide})
       *text = in_users_language(*text);
     for (auto& p : about.parameters)
       for (auto* text : {&p.name, &p.help})
         *text = in_users_language(*text);
   }
-  return {std::move(all)};
+  return {std::move(all), std::move(handles)};
 }
 
 }  // namespace tedit::desktop

@@ -3,12 +3,16 @@
 
 #include <QString>
 
+#include "client-qt/model/handle_plan.hpp"
 #include "protocol/operation_message.hpp"
 
 namespace tedit::desktop {
 
 /// The operations that the server offers, as forms, menus and help show them.
 struct catalogue : operation_catalogue {
+  /// What the form of each is dragged by, by its id.
+  std::map<std::string, handle_plan> handles = {};
+
   /// Null when there is none with this id.
   [[nodiscard]] const offered_operation* find(const QString& id) const;
 };

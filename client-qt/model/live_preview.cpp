@@ -32,9 +32,14 @@ bool live_preview::is_slow() const {
 void live_preview::want(const edit_wish& what) {
   if (wish_ == what)
     return;
-  stop();
   const bool other = !wish_ || wish_->operation != what.operation;
+  if (dragged_ && !other && on_ && !is_slow()) {
+    wish_ = what;
+    return want_dragged();
+  }
+  stop();
   wish_ = what;
+  wished_.start();
   const bool follows = on_ && !is_slow();
   if (follows)
     quiet_.start();
@@ -45,6 +50,29 @@ void live_preview::want(const edit_wish& what) {
   emit changed();
 }
 
+/// Most moves change nothing that anybody sees of the preview: they are not told.
+void live_preview::want_dragged() {
+  wished_.start();
+  has_looked_ = false;
+  if (part_.foreground().current())
+    return;
+  if (running_ && !looks_) {
+    newer_ = true;
+    return;
+  }
+  ask(false);
+}
+
+void live_preview::set_dragged(bool on) {
+  if (std::exchange(dragged_, on) == on || on || !newer_)
+    return;
+  ask(false);
+}
+
+double live_preview::wished_ms() const {
+  return shown_wished_.isValid() ? static_cast<double>(shown_wished_.nsecsElapsed()) * 1e-6 : 0;
+}
+
 void live_preview::ask(bool find_most) {
   stop();
   if (!wish_ || part_.foreground().current())
@@ -53,6 +81,7 @@ void live_preview::ask(bool find_most) {
   const int mine = question_;
   running_ = true;
   clock_.start();
+  asked_wished_ = wished_;
   ticket_ = part_.questions().preview(
     *wish_, find_most,
     [this, mine](const expected<shared_preview>& result) {
@@ -68,9 +97,27 @@ void live_preview::ask(bool find_most) {
   emit changed();
 }
 
+/// The wish has moved on: the answer is shown where it is one, and the next question is asked.
+void live_preview::take_in_passing(const expected<shared_preview>& result) {
+  took_ms_ = static_cast<double>(clock_.elapsed());
+  last_ms_[wish_->operation] = took_ms_;
+  if (result) {
+    shown_ = *result;
+    shown_wished_ = asked_wished_;
+    refusal_.reset();
+  }
+  if (!is_slow())
+    return ask(false);
+  if (!result)
+    shown_.reset();
+  emit changed();
+}
+
 void live_preview::take(const expected<shared_preview>& result) {
   running_ = false;
   stage_.clear();
+  if (std::exchange(newer_, false))
+    return take_in_passing(result);
   if (!result && result.error().code == ec::superseded && retries_ < most_retries) {
     ++retries_;
     quiet_.start();
@@ -81,6 +128,7 @@ void live_preview::take(const expected<shared_preview>& result) {
   if (!looks_)  // What looks for long says nothing about the next preview.
     last_ms_[wish_->operation] = took_ms_;
   shown_ = result ? *result : nullptr;
+  shown_wished_ = asked_wished_;
   refusal_ = result ? std::nullopt : std::optional(result.error());
   has_looked_ = std::exchange(looks_, false);
   const auto most = refusal_ && has_looked_ ? refusal_->most : std::nullopt;
@@ -93,6 +141,7 @@ void live_preview::take(const expected<shared_preview>& result) {
 void live_preview::stop() {
   quiet_.stop();
   ++question_;
+  newer_ = false;
   stage_.clear();
   if (!std::exchange(running_, false))
     return;

@@ -22,6 +22,10 @@ public:
 
   /// The edit to show from now on. The same again asks nothing.
   void want(const edit_wish& what);
+  /// While something is dragged: nothing waits for rest, and what runs is let go on, so that each
+  /// answer is seen; then the newest wish is asked for, and those between never. When the drag ends
+  /// the last wish is asked for at once.
+  void set_dragged(bool on);
   /// Asks at once, also when it is off or slow.
   void ask_now() { ask(false); }
   /// Asks once more what was refused: `found_most` follows where there is a value that works.
@@ -39,12 +43,14 @@ public:
   /// The last preview of the wanted operation took too long to follow every move.
   [[nodiscard]] bool is_slow() const;
   /// A question is on its way, or will be in a moment.
-  [[nodiscard]] bool is_busy() const { return running_ || quiet_.isActive(); }
+  [[nodiscard]] bool is_busy() const { return running_ || newer_ || quiet_.isActive(); }
   /// What is to be seen instead of the head; null: the head.
   [[nodiscard]] const shared_preview& shown() const noexcept { return shown_; }
   /// Why there is nothing to be seen.
   [[nodiscard]] const std::optional<error>& refusal() const noexcept { return refusal_; }
   [[nodiscard]] const QString& stage() const noexcept { return stage_; }
+  /// How long ago what is shown was wished for, ms.
+  [[nodiscard]] double wished_ms() const;
   /// From the question to the answer, ms; of the one that is shown.
   [[nodiscard]] double took_ms() const noexcept { return took_ms_; }
 
@@ -54,6 +60,8 @@ signals:
 
 private:
   void ask(bool find_most);
+  void want_dragged();
+  void take_in_passing(const expected<shared_preview>& result);
   void stop();
   void take(const expected<shared_preview>& result);
   void activity_changed();
@@ -65,6 +73,11 @@ private:
   QTimer quiet_;
   QElapsedTimer clock_;
   ticket ticket_;
+  QElapsedTimer wished_;        ///< Since the newest wish,
+  QElapsedTimer asked_wished_;  ///< since the one that is asked for,
+  QElapsedTimer shown_wished_;  ///< and since the one that is shown.
+  bool dragged_ = false;
+  bool newer_ = false;  ///< The wish is newer than the question that runs.
   bool running_ = false;
   bool looks_ = false;       ///< What runs looks for the most that works.
   bool has_looked_ = false;  ///< The refusal is of such a question.

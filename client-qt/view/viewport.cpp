@@ -85,6 +85,8 @@ void viewport::take_geometry(std::shared_ptr<const part_geometry> part,
     return;
   building_ = false;
   part_ = std::move(part);
+  if (!shown_.before && shown_.deform == 0)
+    at_rest_ = part_;
   change_stage([part = part_, preview](stage& on) {
     on.part.set_part(part);
     on.preview.show(preview);
@@ -305,6 +307,13 @@ std::optional<picked_point> viewport::pick_at(QPointF position) const {
     return std::nullopt;
   const auto [from, to] = camera_.ray(position.x(), height() - position.y());
   return pick_visible(*part_, hidden_, section_, from, to);
+}
+
+std::optional<picked_point> viewport::pick_at(QPointF position, const std::string& version) const {
+  if (!at_rest_ || at_rest_->version_id != version)
+    return pick_at(position);
+  const auto [from, to] = camera_.ray(position.x(), height() - position.y());
+  return pick_visible(*at_rest_, hidden_, section_, from, to);
 }
 
 QPointF viewport::to_widget(const vec3& at) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "client-qt/view/camera.hpp"
+#include "client-qt/view/grips.hpp"
 #include "client-qt/view/part_framing.hpp"
 #include "client-qt/view/preview_layer.hpp"
 #include "client-qt/view/scene.hpp"
@@ -67,6 +68,8 @@ public:
   void set_boxing(bool on);
   /// Finds the surfaces in a box of the widget; `boxed` tells them.
   void pick_box_at(const QRectF& where, bool enclosed, bool add);
+  /// What is dragged instead of the part where the pointer is over it; null: nothing.
+  void set_grips(grips* over_the_part) noexcept { grips_ = over_the_part; }
   void set_glyphs(vtkPolyData* loads, vtkPolyData* supports);
   /// Takes away one side of a plane; the cap comes by `show_cap`.
   void set_section(const std::optional<section_plane>& plane);
@@ -79,6 +82,10 @@ public:
 
   /// The surface point at a widget position, if any.
   [[nodiscard]] std::optional<picked_point> pick_at(QPointF position) const;
+  /// The same of a version that may not be what is drawn, a preview being in its place: as it was
+  /// last drawn at rest, else of what is drawn.
+  [[nodiscard]] std::optional<picked_point> pick_at(QPointF position,
+                                                    const std::string& version) const;
   /// Where a point of space is in the widget.
   [[nodiscard]] QPointF to_widget(const vec3& at) const;
   /// The same as the last frame shows it: what is painted over it must not run ahead.
@@ -129,6 +136,7 @@ private:
   void finish_box(QPointF to, Qt::KeyboardModifiers modifiers);
   void drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
   void hover_at(QPointF position, QPoint global);
+  void forget_hovered();
 
   camera camera_;
   part_framing framing_{camera_};
@@ -136,6 +144,7 @@ private:
   camera::projection seen_by_;   ///< and of the last one.
   std::unique_ptr<stage> stage_;
   std::shared_ptr<const part_geometry> part_;
+  std::shared_ptr<const part_geometry> at_rest_;  ///< The last that is no preview, not deformed.
   std::set<surface_id> hidden_;
   shown_part shown_;
   painted_values painted_values_;
@@ -157,6 +166,8 @@ private:
   std::optional<QPointF> pressed_;
   QPointF last_;
   bool dragging_ = false;
+  grips* grips_ = nullptr;
+  bool grip_taken_ = false;
   std::optional<surface_id> hovered_;
 };
 

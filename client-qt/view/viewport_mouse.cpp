@@ -22,6 +22,9 @@ constexpr double key_pan = 0.05;       // and of the view's height.
 }  // namespace
 
 void viewport::mousePressEvent(QMouseEvent* event) {
+  grip_taken_ = event->button() == Qt::LeftButton && grips_ && grips_->take(event->position());
+  if (grip_taken_)
+    return;
   pressed_ = last_ = event->position();
   dragging_ = false;
   draws_box_ = event->button() == Qt::LeftButton &&
@@ -29,6 +32,8 @@ void viewport::mousePressEvent(QMouseEvent* event) {
 }
 
 void viewport::mouseMoveEvent(QMouseEvent* event) {
+  if (grip_taken_)
+    return grips_->drag(event->position(), event->modifiers());
   if (!pressed_) {
     hover_at(event->position(), event->globalPosition().toPoint());
     return;
@@ -36,11 +41,8 @@ void viewport::mouseMoveEvent(QMouseEvent* event) {
   const QPointF moved = event->position() - *pressed_;
   if (!dragging_ && std::hypot(moved.x(), moved.y()) < drag_threshold)
     return;
-  if (!dragging_) {
-    change_stage([](stage& on) { on.part.hover(std::nullopt); });
-    hovered_.reset();
-    emit hovered(std::nullopt, {});
-  }
+  if (!dragging_)
+    forget_hovered();
   dragging_ = true;
   if (draws_box_) {
     if (!band_)
@@ -67,6 +69,10 @@ void viewport::drag(QPointF to, Qt::MouseButtons buttons, Qt::KeyboardModifiers 
 }
 
 void viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (grip_taken_ && event->button() == Qt::LeftButton) {
+    grip_taken_ = false;
+    return grips_->drop();
+  }
   const bool click = pressed_ && !dragging_;
   if (pressed_ && dragging_ && draws_box_)
     finish_box(event->position(), event->modifiers());
@@ -82,6 +88,8 @@ void viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (grips_ && grips_->hover(event->position()))
+    return;
   if (const auto hit = pick_at(event->position()))
     framing_.fly_to(hit->at);
 }
@@ -133,13 +141,25 @@ void viewport::keyPressEvent(QKeyEvent* event) {
 }
 
 void viewport::leaveEvent(QEvent*) {
+  if (grips_)
+    grips_->leave();
+  forget_hovered();
+  redraw();
+}
+
+void viewport::forget_hovered() {
   change_stage([](stage& on) { on.part.hover(std::nullopt); });
   hovered_.reset();
-  redraw();
   emit hovered(std::nullopt, {});
 }
 
+/// What is under a grip is not meant.
 void viewport::hover_at(QPointF position, QPoint global) {
+  if (grips_ && grips_->hover(position)) {
+    if (hovered_)
+      redraw();
+    return forget_hovered();
+  }
   const auto hit = pick_at(position);
   const auto under = hit ? std::optional(hit->surface) : std::nullopt;
   if (under != hovered_) {

@@ -74,6 +74,10 @@ void factor(const json& value, const std::string& what) {
   number_from(value, {-1e9, 1e9, {}}, what);
 }
 
+void screen_way(const json& value, const std::string& what) {
+  number_from(value, {-16'384, 16'384, {}}, what);
+}
+
 void part(const json& value, const std::string& what) {
   number_from(value, {0, 1, {}}, what);
 }
@@ -109,6 +113,10 @@ const std::vector<std::vector<field>>& kinds() {
     {{"select", ids}},
     {{"choose", text}},
     {{"drag", whole<0, 10'000>}},
+    {{"drag_handle", text},
+     {"by", list<screen_way, 2, 2>},
+     {"moves", whole<1, 10'000>, false},
+     {"held", flag, false}},
     {{"command", text}},
     {{"field", text}},
     {{"case", text}},

@@ -215,6 +215,7 @@ void context_panel::follow() {
   else
     preview_.want(wish());
   show_policy();
+  emit followed();
 }
 
 edit_wish context_panel::wish() const {

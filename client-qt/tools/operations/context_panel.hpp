@@ -44,6 +44,8 @@ public:
 signals:
   void form_opened();
   void form_closed();
+  /// The operation, its values or what is selected is another one.
+  void followed();
   /// A person wants to see these surfaces.
   void place_wanted(const std::vector<tedit::surface_id>& surfaces);
 

@@ -7,8 +7,9 @@
 #include <cstdlib>
 
 #include "client-qt/context/command_groups.hpp"
-#include "client-qt/model/probes.hpp"
 #include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/operations/drag_figures.hpp"
+#include "client-qt/tools/operations/operation_handles.hpp"
 #include "client-qt/widgets/operation_rail.hpp"
 
 namespace tedit::desktop {
@@ -34,13 +35,18 @@ QString in_two_lines(QString name) {
 operations_tool::operations_tool(window_context& in)
     : in_(in), panel_(new context_panel(in.part, in.picked)) {
   in_.panels.add("context", tr("Selection"), panel_);
+  handles_ = new operation_handles(in_, *panel_);
+  handles_->setParent(this);
+  figures_ = new drag_figures(in_, *handles_, panel_->preview());
   connect(&in_.part, &document::operations_changed, this, &operations_tool::offer);
   connect(&in_.part, &document::begun, panel_, [this] {  // A form is for the part it was opened on.
     if (!panel_->chosen().isEmpty())
       panel_->choose({});
   });
   connect(panel_, &context_panel::place_wanted, &in_.view.framing(), &part_framing::fit);
-  in_.takes_place = [this](const picked_point& at) { return take_place(at); };
+  in_.takes_place = [this](const picked_point& at, Qt::KeyboardModifiers modifiers) {
+    return handles_->take_place(at, modifiers & (Qt::ControlModifier | Qt::AltModifier));
+  };
   add_commands();
 }
 
@@ -51,30 +57,13 @@ void operations_tool::add_commands() {
     &in_.part.edits().queue(), &edit_queue::abandoned, this, [this](const QStringList& changes) {
       in_.messages.add_to_error(tr("Waited behind it, so not made: %1").arg(changes.join(", ")));
     });
+  in_.esc.add(ends::handle_drag, [this] { return handles_->cancel(); });
   in_.esc.add(ends::form, [this] {
     const bool open = !panel_->chosen().isEmpty();
     if (open)
       panel_->choose({});
     return open;
   });
-}
-
-/// A click while the form has a place means that place, on that wall.
-bool operations_tool::take_place(const picked_point& at) {
-  auto* form = panel_->form();
-  const auto* head = in_.part.head();
-  if (panel_->chosen().isEmpty() || !form || !form->has_place() || !head || !head->surface)
-    return false;
-  auto wanted = make_probe(0, at.surface, at.vertices, at.weights, *head->surface);
-  if (panel_->preview().shown()) {
-    // What is drawn is the preview, whose triangles may be others; it is not drawn deformed.
-    wanted.place.at = at.at;
-    if (const auto place = locate(wanted, *head->surface))
-      wanted.place.at = place->at;
-  }
-  in_.picked.set({at.surface});
-  form->set_place(wanted.place.at);
-  return true;
 }
 
 /// From the catalogue: operations of plugins that this program never saw are there as well.

@@ -8,6 +8,8 @@
 namespace tedit::desktop {
 
 class context_panel;
+class drag_figures;
+class operation_handles;
 
 /// What can be done with the selection: the rail's buttons, the operations' commands, and the
 /// panel with the form of the one that is chosen.
@@ -18,14 +20,16 @@ public:
   explicit operations_tool(window_context& in);
 
   [[nodiscard]] context_panel& panel() { return *panel_; }
+  [[nodiscard]] operation_handles& handles() { return *handles_; }
+  [[nodiscard]] const drag_figures& figures() const { return *figures_; }
 
 private:
   void add_commands();
   void offer();
-  [[nodiscard]] bool take_place(const picked_point& at);
-
   window_context& in_;
   context_panel* panel_;
+  operation_handles* handles_;
+  drag_figures* figures_;
 };
 
 }  // namespace tedit::desktop

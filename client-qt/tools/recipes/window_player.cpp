@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "client-qt/tools/operations/context_panel.hpp"
+#include "client-qt/tools/operations/operation_handles.hpp"
 #include "client-qt/tools/recipes/window_steps.hpp"
 #include "client-qt/tools/results/field_panel.hpp"
 #include "client-qt/tools/toolbox.hpp"
@@ -91,6 +92,8 @@ QString window_player::step_name() const {
 void window_player::next() {
   if (drags_left_ > 0)  // One move each time the loop is idle.
     return drag(in_.view, drags_left_--);
+  if (handle_moves_ && handle_moves_->advance(in_.view))
+    return;
   waited_ms_ += step_poll_ms;
   const auto more = player_.advance();
   if (!is_running())
@@ -260,6 +263,13 @@ expected<void> window_player::carry_out(const client::window_step& s) {
   const auto step = QJsonDocument::fromJson(QByteArray::fromStdString(s.json)).object();
   if (s.kind == "drag") {
     drags_left_ = step["drag"].toInt();
+    return {};
+  }
+  if (s.kind == "drag_handle") {
+    auto moves = handle_moves::begin(step, in_.view, tools_.operations.handles());
+    if (!moves)
+      return fail(moves.error());
+    handle_moves_ = *moves;
     return {};
   }
   if (!writes_ && (s.kind == "screenshot" || s.kind == "report")) {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "client-qt/tools/recipes/handle_moves.hpp"
 #include "client/recipe_player.hpp"
 
 namespace tedit::desktop {
@@ -79,6 +80,7 @@ private:
   bool wants_field_ = false;  ///< The step before was a solve.
   int left_out_ = 0;
   int drags_left_ = 0;
+  std::optional<handle_moves> handle_moves_;
   QTimer poll_;
 };
 

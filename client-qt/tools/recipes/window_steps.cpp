@@ -46,13 +46,6 @@ Ids ids_from(const QJsonValue& value) {
 
 // -- hands ---------------------------------------------------------------------------
 
-/// What the left button of a mouse does at a place of the view.
-void mouse(viewport& view, QEvent::Type type, QPointF at, Qt::MouseButton held) {
-  const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
-  QMouseEvent event(type, at, view.mapToGlobal(at), button, held, Qt::NoModifier);
-  QApplication::sendEvent(&view, &event);
-}
-
 /// As a person would: the mouse is moved there, pressed and released.
 expected<void> click(const step_in_window& s) {
   auto& view = s.in.view;
@@ -63,9 +56,9 @@ expected<void> click(const step_in_window& s) {
                 "surface " + std::to_string(surface) + " cannot be seen from here",
                 "Turn the view first");
   const QPointF at = view.to_widget(*place);
-  mouse(view, QEvent::MouseMove, at, Qt::NoButton);
-  mouse(view, QEvent::MouseButtonPress, at, Qt::LeftButton);
-  mouse(view, QEvent::MouseButtonRelease, at, Qt::NoButton);
+  move_mouse(view, QEvent::MouseMove, at, Qt::NoButton);
+  move_mouse(view, QEvent::MouseButtonPress, at, Qt::LeftButton);
+  move_mouse(view, QEvent::MouseButtonRelease, at, Qt::NoButton);
   return {};
 }
 
@@ -226,12 +219,18 @@ void move_simply(const std::string& kind, const step_in_window& s) {
 
 }  // namespace
 
+void move_mouse(viewport& view, QEvent::Type type, QPointF at, Qt::MouseButton held) {
+  const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+  QMouseEvent event(type, at, view.mapToGlobal(at), button, held, Qt::NoModifier);
+  QApplication::sendEvent(&view, &event);
+}
+
 void drag(viewport& view, int moves_left) {
   const QPointF at(view.width() / 2.0 + 100 * std::sin(0.1 * moves_left), view.height() / 2.0);
-  mouse(view, QEvent::MouseButtonPress, at, Qt::LeftButton);
-  mouse(view, QEvent::MouseMove, at + QPointF(8, 0), Qt::LeftButton);
+  move_mouse(view, QEvent::MouseButtonPress, at, Qt::LeftButton);
+  move_mouse(view, QEvent::MouseMove, at + QPointF(8, 0), Qt::LeftButton);
   if (moves_left == 1)
-    mouse(view, QEvent::MouseButtonRelease, at + QPointF(8, 0), Qt::NoButton);
+    move_mouse(view, QEvent::MouseButtonRelease, at + QPointF(8, 0), Qt::NoButton);
 }
 
 bool waits_for_field(const client::window_step& step) {

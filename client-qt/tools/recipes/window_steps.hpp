@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <QEvent>
 #include <QJsonObject>
+#include <QPointF>
 
 #include "client/recipe.hpp"
 
@@ -13,6 +15,9 @@ struct window_context;
 
 /// Whether the step waits until the field is final.
 [[nodiscard]] bool waits_for_field(const client::window_step& step);
+
+/// What the left button of a mouse does at a place of the view.
+void move_mouse(viewport& view, QEvent::Type type, QPointF at, Qt::MouseButton held);
 
 /// One of the moves that turn the part in a `drag` step.
 void drag(viewport& view, int moves_left);

@@ -50,7 +50,7 @@ void selection_tool::click(const std::optional<picked_point>& at, Qt::KeyboardMo
   const bool adds = modifiers & Qt::ShiftModifier;
   const bool of_head =
     at && head && head->surface && head->surface->surfaces().contains(at->surface);
-  if (of_head && !adds && in_.takes_place && in_.takes_place(*at))
+  if (of_head && !adds && in_.takes_place && in_.takes_place(*at, modifiers))
     return;
   if (of_head)
     in_.picked.click(at->surface, adds);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "client-qt/model/handle_pose.hpp"
+
+namespace tedit::desktop {
+
+/// A convex body between two outlines with as many points, m; a plane has no `top`.
+struct ghost_body {
+  std::vector<vec3> bottom;
+  std::vector<vec3> top;
+  bool has_edges = false;  ///< Between the outlines, too: a prism's. A cylinder has none.
+};
+
+/// What a form's tool looks like before anything is computed: cylinders for diameters with a depth
+/// or height, prisms for profiles, a square for a plane. Empty where the description says no simple
+/// shape. Cost: microseconds.
+[[nodiscard]] std::vector<ghost_body> ghost_of(const handle_plan& plan,
+                                               const ops::parameters& values,
+                                               const handle_pose& pose);
+
+}  // namespace tedit::desktop
