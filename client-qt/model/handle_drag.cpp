@@ -114,9 +114,11 @@ dragged_value drag_turn(const handle_drag& d, QPointF to, bool free) {
 
 dragged_value drag_way(const handle_drag& d, QPointF to, bool free) {
   const vec3 end = d.from.root + d.from.along;
-  const vec3 ahead = cross(d.by.up, d.by.right);
-  const auto before = on_plane(d.by.ray(d.pressed), end, ahead);
-  const auto now = on_plane(d.by.ray(to), end, ahead);
+  vec3 across = cross(d.by.up, d.by.right);  // In the plane of the screen,
+  if (d.pose.axis && on_plane(d.by.ray(d.pressed), end, *d.pose.axis))
+    across = *d.pose.axis;  // or over the wall that a bore is in.
+  const auto before = on_plane(d.by.ray(d.pressed), end, across);
+  const auto now = on_plane(d.by.ray(to), end, across);
   if (!before || !now)
     return {vector_text(d.from.along, finest), {}};
   const vec3 way = d.from.along + (*now - *before);

@@ -17,7 +17,7 @@ using kind = handle::kind;
 constexpr double beyond = 22;       // A knob stands beyond the end of its arrow,
 constexpr double least_reach = 30;  // and never on the place.
 constexpr double between_rings = 22;
-constexpr double stalk = 74;
+constexpr std::array<double, 3> stalks{74, 54, 36};  // The longest whose end is in sight.
 constexpr double turn_radius = 58;
 constexpr double least_arrow = 0.15;  // Of its length that can be seen, else it points upward.
 
@@ -145,8 +145,12 @@ private:
 
   void add_direction(const handle& one) {
     laid_handle laid{&one, {}, {}, pose_.frame.at, pose_.frame.z};
-    laid.radius = (above_ + stalk) * pixel_;
-    laid.knob = by_.to_screen(laid.root + laid.radius * laid.along);
+    for (const double stalk : stalks) {
+      laid.radius = (above_ + stalk) * pixel_;
+      laid.knob = by_.to_screen(laid.root + laid.radius * laid.along);
+      if (by_.shows(laid.knob))
+        break;
+    }
     laid.line = {by_.to_screen(laid.root), laid.knob};
     laid_.push_back(std::move(laid));
   }

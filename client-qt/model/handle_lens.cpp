@@ -10,6 +10,12 @@ double pixels_between(QPointF a, QPointF b) {
   return std::hypot(b.x() - a.x(), b.y() - a.y());
 }
 
+bool lens::shows(QPointF at) const {
+  constexpr double margin = 8;
+  return room.isEmpty() || (at.x() > margin && at.y() > margin && at.x() < room.width() - margin &&
+                            at.y() < room.height() - margin);
+}
+
 double lens::metres_per_pixel(const vec3& at) const {
   const double pixels = pixels_between(to_screen(at), to_screen(at + step * right));
   return pixels > 0 ? step / pixels : step;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QSizeF>
 
 #include <array>
 #include <functional>
@@ -18,8 +19,11 @@ struct lens {
   std::function<std::array<vec3, 2>(QPointF)> ray;  ///< From before the part to behind it, m.
   vec3 right{1, 0, 0};                              ///< Unit, on the screen.
   vec3 up{0, 1, 0};
+  QSizeF room;         ///< Of the view, pixels; empty: without end.
   double step = 1e-3;  ///< m: small beside the part, for measuring scales.
 
+  /// Whether a knob there can be seen and grabbed.
+  [[nodiscard]] bool shows(QPointF at) const;
   /// How long a pixel is there, m.
   [[nodiscard]] double metres_per_pixel(const vec3& at) const;
 };

@@ -28,18 +28,12 @@ tool_frame frame_at(const vec3& at, const vec3& outward, const std::optional<vec
   return f;
 }
 
-/// What a bore or pin is changed by stands at its axis.
-std::optional<wall_spot> spot_of_picks(const handle_plan& plan,
-                                       const std::vector<surface_id>& picked,
-                                       const client::surface_model& part) {
-  if (picked.empty())
-    return std::nullopt;
-  const bool of_feature =
-    !plan.find(kind::place) && (plan.find(kind::ring) || plan.find(kind::way));
-  if (of_feature)
-    if (const auto round = round_wall_of(part, picked))
-      return wall_spot{round->middle, round->axis};
-  return middle_of(part, picked.front());
+/// What is moved or changed as a whole stands at its axis, if it is round.
+std::optional<round_wall> round_feature(const handle_plan& plan,
+                                        const std::vector<surface_id>& picked,
+                                        const client::surface_model& part) {
+  const bool of_feature = !plan.takes_wall && (plan.find(kind::ring) || plan.find(kind::way));
+  return of_feature ? round_wall_of(part, picked) : std::nullopt;
 }
 
 }  // namespace
@@ -78,7 +72,10 @@ std::optional<handle_pose> pose_of(const handle_plan& plan, const ops::parameter
                                    const std::vector<surface_id>& picked,
                                    const client::surface_model& part,
                                    const std::array<double, 6>& bounds) {
-  const auto of_picks = spot_of_picks(plan, picked, part);
+  const auto round = round_feature(plan, picked, part);
+  auto of_picks = round ? std::optional(wall_spot{round->middle, round->axis}) : std::nullopt;
+  if (!round && !picked.empty())
+    of_picks = middle_of(part, picked.front());
   const auto* place = plan.find(kind::place);
   const auto given = place ? vector_in(values, place->parameter) : std::nullopt;
   std::optional<wall_spot> spot = of_picks;
@@ -93,6 +90,8 @@ std::optional<handle_pose> pose_of(const handle_plan& plan, const ops::parameter
   pose.bounds = bounds;
   pose.wall_normal = spot->normal;
   pose.feature = of_picks ? of_picks->at : spot->at;
+  if (round)
+    pose.axis = round->axis;
   vec3 outward = spot->normal;
   if (const auto* axis = plan.find(kind::direction))
     if (const auto direction = vector_in(values, axis->parameter)) {

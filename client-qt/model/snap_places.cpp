@@ -23,7 +23,7 @@ struct snap_phrases {
 
 constexpr double flat_cosine = 0.99996;  // Half a degree.
 constexpr double least_arc = 80 * std::numbers::pi / 180;
-constexpr double most_turn = 61 * std::numbers::pi / 180;  // Of an edge: a square is not round.
+constexpr double most_turn = 75 * std::numbers::pi / 180;  // Of an edge: a square is not round.
 constexpr std::size_t least_edges = 4;
 
 /// What the facets of one surface are together.

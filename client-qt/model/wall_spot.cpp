@@ -71,7 +71,7 @@ std::optional<vec3> axis_of(const std::vector<vec3>& normals) {
 /// The corners of a box are on a circle, too: there normals are far off the way to the middle.
 bool points_outward(const std::vector<vec3>& points, const std::vector<vec3>& normals,
                     const vec3& middle, const vec3& axis) {
-  const double least_cosine = std::cos(0.55);  // Half a segment of a circle of six.
+  const double least_cosine = std::cos(0.7);  // Half a segment of a coarse bore; a box has 0.785.
   for (std::size_t i = 0; i < points.size(); ++i) {
     const vec3 away = points[i] - middle;
     const vec3 radial = normalized(away - dot(away, axis) * axis);

@@ -180,6 +180,17 @@
     </message>
 </context>
 <context>
+    <name>handles</name>
+    <message>
+        <source>along %1</source>
+        <translation>entlang %1</translation>
+    </message>
+    <message>
+        <source>across the wall</source>
+        <translation>quer zur Wand</translation>
+    </message>
+</context>
+<context>
     <name>head_questions</name>
     <message>
         <source>Section</source>
@@ -7559,6 +7570,21 @@
     <message>
         <source>Address</source>
         <translation>Adresse</translation>
+    </message>
+</context>
+<context>
+    <name>snap_places</name>
+    <message>
+        <source>centre of a round edge, Ø %1</source>
+        <translation>Mitte einer runden Kante, Ø %1</translation>
+    </message>
+    <message>
+        <source>centre of surface %1</source>
+        <translation>Mitte der Fläche %1</translation>
+    </message>
+    <message>
+        <source>on the middle line of surface %1</source>
+        <translation>auf der Mittellinie der Fläche %1</translation>
     </message>
 </context>
 <context>

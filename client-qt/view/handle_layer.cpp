@@ -75,6 +75,7 @@ lens lens_by(viewport& view, std::function<QPointF(const vec3&)> to_screen) {
   const vec3 ahead = unit_or_up(pose.focus - pose.position);
   result.right = unit_or_up(cross(ahead, pose.up));
   result.up = cross(result.right, ahead);
+  result.room = view.size();
   result.step = 10 * view.view().metres_per_pixel();
   return result;
 }

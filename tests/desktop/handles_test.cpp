@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "client-qt/model/catalogue.hpp"
 #include "client-qt/model/handle_drag.hpp"
 #include "client-qt/model/tool_ghost.hpp"
@@ -184,6 +186,16 @@ TEST(HandleLayout, KnobsStandBeyondTheEndsAndApart) {
   EXPECT_EQ(words_of(laid(all, "tool_depth"), values), "Depth 5 mm");
 }
 
+TEST(HandleLayout, AnAxisIsShorterWhereTheViewEnds) {
+  const auto plan = plan_of(burr_tool());
+  auto by = from_front();
+  by.room = {800, 600};
+  auto pose = on_top();
+  pose.frame.at = {0, 0, 0.024};  // 60 pixels below the upper edge.
+
+  EXPECT_EQ(laid(lay_out(plan, burr_values(0.01, 0.005), pose, by), "axis").knob, QPointF(400, 24));
+}
+
 TEST(HandleLayout, AnArrowThatLooksAtTheViewerCanBeGrabbedAndDraggedUpward) {
   const auto plan = plan_of(burr_tool());
   const auto all = lay_out(plan, burr_values(0.01, 0.005), on_top(), from_above());
@@ -243,6 +255,30 @@ TEST(HandleDrag, AWayLocksInOnAxes) {
   EXPECT_EQ(vector_of(drag_to(drag, {480, 297}, false)), "0.005, 0, 0");
   EXPECT_EQ(drag_to(drag, {480, 297}, false).snapped, "along x");
   EXPECT_EQ(vector_of(drag_to(drag, {480, 297}, true)), "0.005, 0.0003, 0");
+}
+
+/// From 45 degrees above: a pixel upward on the screen is 1.41 tenths of a millimetre of the wall.
+TEST(HandleDrag, ABoreIsMovedOverItsWall) {
+  ops::operation_description d;
+  d.parameters = {parameter("by", "By", vector, "m")};
+  const auto plan = plan_of(d);
+  const double c = std::sqrt(0.5);
+  lens by;
+  by.to_screen = [c](const vec3& p) {
+    return QPointF(400 + per_metre * p.x, 300 - per_metre * c * (p.y + p.z));
+  };
+  by.up = {0, c, c};
+  by.ray = [c](QPointF at) {
+    const vec3 on =
+      (at.x() - 400) / per_metre * vec3{1, 0, 0} + (300 - at.y()) / per_metre * vec3{0, c, c};
+    return std::array{on + vec3{0, -c, c}, on + vec3{0, c, -c}};
+  };
+  auto pose = on_top();
+  pose.axis = vec3{0, 0, 1};
+  const auto drag =
+    drag_of(lay_out(plan, {{"by", std::string("0, 0, 0")}}, pose, by), "by", by, pose);
+
+  EXPECT_EQ(vector_of(drag_to(drag, {480, 300 - 100 * c}, false)), "0.005, 0.01, 0");
 }
 
 TEST(HandleDrag, AProfileIsTurnedAndStretched) {

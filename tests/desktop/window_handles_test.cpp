@@ -180,6 +180,25 @@ TEST_F(Handles, OtherFormsHaveTheirsByTheirDescriptions) {
   EXPECT_TRUE(handles().laid().empty());
 }
 
+/// The bore 1, 2 of the plate: 25 mm wide around (-160, 45), a hexagon in this coarse mesh.
+TEST_F(Handles, ABoreHasItsRingAroundItsAxisAndIsMovedOverItsWall) {
+  open_plate(false);
+  window->context().picked.set({1, 2});
+  window->tools().operations.panel().choose("resize_bore");
+  const auto ring = handle_of("diameter");
+  EXPECT_NEAR(ring.root.x, -0.160, 1e-6);
+  EXPECT_NEAR(ring.root.y, 0.045, 1e-6);
+
+  window->tools().operations.panel().choose("move");
+  const auto arrow = handle_of("by");
+  press_at(arrow.knob);
+  move(arrow.knob + QPointF(40, -25));
+  const auto way = point("by");
+  EXPECT_GT(way.x, 0.01);
+  EXPECT_EQ(way.z, 0);
+  release_at(arrow.knob + QPointF(40, -25));
+}
+
 TEST_F(Handles, AreInNoPictureThatIsKept) {
   open_block("drill", top);
   handles().hover(handle_of("at").knob);

@@ -26,6 +26,7 @@ operation_handles::operation_handles(window_context& in, context_panel& panel)
   finders_.setMaxThreadCount(1);
   layer_->setObjectName("handles");
   layer_->stackUnder(&in_.over);
+  in_.over.stackUnder(layer_);  // Directly over it: what is dragged is not covered by marks.
   layer_->set_source([this](const lens& by) { return drawn(by); });
   in_.view.set_grips(this);
   connect(&panel_, &context_panel::followed, this, &operation_handles::follow);
