@@ -26,12 +26,15 @@ class layout {
 public:
   layout(const handle_plan& plan, const ops::parameters& values, const handle_pose& pose,
          const lens& by)
-      : plan_(plan),
-        values_(values),
-        pose_(pose),
-        by_(by),
-        pixel_(by.metres_per_pixel(pose.frame.at)) {
-    // nop
+      : plan_(plan), values_(values), frame_(pose.frame), feature_(pose.feature), by_(by) {
+    if (pose.axis) {  // At the end of a bore that can be seen.
+      const double nearer = dot(*pose.axis, cross(by.right, by.up)) < 0 ? -1 : 1;
+      const vec3 to_end = nearer * pose.half_length * *pose.axis;
+      feature_ += to_end;
+      if (!plan.find(kind::place))
+        frame_.at += to_end;
+    }
+    pixel_ = by.metres_per_pixel(frame_.at);
   }
 
   [[nodiscard]] std::vector<laid_handle> all() {
@@ -48,7 +51,7 @@ private:
   void add(const handle& one) {
     switch (one.what) {
       case kind::place:
-        return laid_.push_back({&one, by_.to_screen(pose_.frame.at), {}, pose_.frame.at});
+        return laid_.push_back({&one, by_.to_screen(frame_.at), {}, frame_.at});
       case kind::length:
         return add_length(one);
       case kind::ring:
@@ -77,20 +80,19 @@ private:
     const double value = number_in(values_, one.parameter);
     if (value == 0 && !one.first)
       return;
-    const vec3 along = one.inward ? -pose_.frame.z : pose_.frame.z;
-    const vec3 end = pose_.frame.at + value * along;
+    const vec3 along = one.inward ? -frame_.z : frame_.z;
+    const vec3 end = frame_.at + value * along;
     const QPointF knob = further(end, value < 0 ? -along : along, beyond);
-    laid_.push_back(
-      {&one, knob, {by_.to_screen(pose_.frame.at), knob}, pose_.frame.at, along, 0, value});
+    laid_.push_back({&one, knob, {by_.to_screen(frame_.at), knob}, frame_.at, along, 0, value});
     const double outward = (one.inward ? -value : value) / pixel_;
     above_ = std::max(above_, outward + (outward > 0 || !one.inward ? beyond : 0));
   }
 
   /// Each further ring has its knob at another side.
   [[nodiscard]] vec3 side() const {
-    const vec3 flat = by_.right - dot(by_.right, pose_.frame.z) * pose_.frame.z;
-    const vec3 right = norm(flat) > 0.1 ? normalized(flat) : pose_.frame.x;
-    const vec3 up = cross(pose_.frame.z, right);
+    const vec3 flat = by_.right - dot(by_.right, frame_.z) * frame_.z;
+    const vec3 right = norm(flat) > 0.1 ? normalized(flat) : frame_.x;
+    const vec3 up = cross(frame_.z, right);
     return std::array{right, -right, up, -up}[rings_ % 4];
   }
 
@@ -100,11 +102,11 @@ private:
     const vec3 along = side();
     const double reach = std::max(radius / pixel_, least_reach + between_rings * rings_);
     ++rings_;
-    laid_handle laid{&one, further(pose_.frame.at, along, reach), {}, pose_.frame.at, along};
+    laid_handle laid{&one, further(frame_.at, along, reach), {}, frame_.at, along};
     laid.value = number_in(values_, one.parameter);
     if (radius / pixel_ >= reach)
-      laid.knob = by_.to_screen(pose_.frame.at + radius * along);
-    laid.line = circle(pose_.frame, radius);
+      laid.knob = by_.to_screen(frame_.at + radius * along);
+    laid.line = circle(frame_, radius);
     laid_.push_back(std::move(laid));
   }
 
@@ -128,23 +130,18 @@ private:
     if (is_round || profile == "file")
       return;
     const double metres = one.across ? half.across : half.along;
-    const vec3 along = one.across ? pose_.frame.y : pose_.frame.x;
+    const vec3 along = one.across ? frame_.y : frame_.x;
     const double reach = std::max(metres / pixel_, least_reach);
-    const QPointF knob = metres / pixel_ >= reach ? by_.to_screen(pose_.frame.at + metres * along)
-                                                  : further(pose_.frame.at, along, reach);
-    laid_.push_back({&one,
-                     knob,
-                     {by_.to_screen(pose_.frame.at), knob},
-                     pose_.frame.at,
-                     along,
-                     0,
-                     metres / one.half});
+    const QPointF knob = metres / pixel_ >= reach ? by_.to_screen(frame_.at + metres * along)
+                                                  : further(frame_.at, along, reach);
+    laid_.push_back(
+      {&one, knob, {by_.to_screen(frame_.at), knob}, frame_.at, along, 0, metres / one.half});
     if (!one.across)
       beside_ = reach;
   }
 
   void add_direction(const handle& one) {
-    laid_handle laid{&one, {}, {}, pose_.frame.at, pose_.frame.z};
+    laid_handle laid{&one, {}, {}, frame_.at, frame_.z};
     for (const double stalk : stalks) {
       laid.radius = (above_ + stalk) * pixel_;
       laid.knob = by_.to_screen(laid.root + laid.radius * laid.along);
@@ -156,8 +153,8 @@ private:
   }
 
   void add_turn(const handle& one) {
-    laid_handle laid{&one, {}, {}, pose_.frame.at};
-    laid.along = one.parameter == "up" ? pose_.frame.y : pose_.frame.x;
+    laid_handle laid{&one, {}, {}, frame_.at};
+    laid.along = one.parameter == "up" ? frame_.y : frame_.x;
     laid.radius = std::max(turn_radius, beside_ + least_reach) * pixel_;
     laid.knob = by_.to_screen(laid.root + laid.radius * laid.along);
     laid.line = {by_.to_screen(laid.root), laid.knob};
@@ -168,7 +165,7 @@ private:
     const vec3 way = vector_in(values_, one.parameter).value_or(vec3{});
     if (way == vec3{} && !one.first)
       return;
-    laid_handle laid{&one, {}, {}, pose_.feature};
+    laid_handle laid{&one, {}, {}, feature_};
     laid.along = way;
     const QPointF root = by_.to_screen(laid.root);
     const QPointF end = by_.to_screen(laid.root + way);
@@ -180,9 +177,10 @@ private:
 
   const handle_plan& plan_;
   const ops::parameters& values_;
-  const handle_pose& pose_;
+  tool_frame frame_;
+  vec3 feature_;
   const lens& by_;
-  double pixel_;
+  double pixel_ = 0;
   double above_ = 0;   // What stands on the outward axis, pixels,
   double beside_ = 0;  // and along the profile.
   int rings_ = 0;

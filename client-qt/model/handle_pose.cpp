@@ -90,8 +90,10 @@ std::optional<handle_pose> pose_of(const handle_plan& plan, const ops::parameter
   pose.bounds = bounds;
   pose.wall_normal = spot->normal;
   pose.feature = of_picks ? of_picks->at : spot->at;
-  if (round)
+  if (round) {
     pose.axis = round->axis;
+    pose.half_length = round->half_length;
+  }
   vec3 outward = spot->normal;
   if (const auto* axis = plan.find(kind::direction))
     if (const auto direction = vector_in(values, axis->parameter)) {

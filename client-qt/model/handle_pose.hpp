@@ -28,7 +28,8 @@ struct handle_pose {
   tool_frame frame;
   vec3 wall_normal{0, 0, 1};       ///< Of the wall there, whatever direction is given.
   vec3 feature;                    ///< m: the middle of what is picked, where ways begin;
-  std::optional<vec3> axis;        ///< its axis, where it is round: it is moved across that.
+  std::optional<vec3> axis;        ///< its axis, where it is round: it is moved across that;
+  double half_length = 0;          ///< and how far it goes along it to both sides, m.
   std::array<double, 6> bounds{};  ///< Of the part, m: x low, x high, y low, ...
 };
 

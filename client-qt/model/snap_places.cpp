@@ -6,12 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
-#include <numeric>
-#include <set>
 
-#include "client-qt/model/circle_fit.hpp"
 #include "client-qt/model/quantities.hpp"
+#include "client-qt/model/round_edges.hpp"
 
 namespace tedit::desktop {
 
@@ -22,9 +19,6 @@ struct snap_phrases {
 };
 
 constexpr double flat_cosine = 0.99996;  // Half a degree.
-constexpr double least_arc = 80 * std::numbers::pi / 180;
-constexpr double most_turn = 75 * std::numbers::pi / 180;  // Of an edge: a square is not round.
-constexpr std::size_t least_edges = 4;
 
 /// What the facets of one surface are together.
 struct wall_sums {
@@ -41,17 +35,16 @@ struct wall_sums {
   }
 };
 
-using edge = std::pair<vertex_id, vertex_id>;
 using walls_of_edge = std::pair<surface_id, surface_id>;
 
 struct part_walls {
   std::map<surface_id, wall_sums> sums;
-  std::map<walls_of_edge, std::vector<edge>> edges;
+  std::map<walls_of_edge, std::vector<mesh_edge>> edges;
 };
 
 part_walls walls_of(const client::surface_model& part) {
   part_walls result;
-  std::map<edge, surface_id> open;
+  std::map<mesh_edge, surface_id> open;
   part.facets().for_each([&](std::uint32_t, const client::surface_facet& facet) {
     std::array<vec3, 3> c;
     for (std::size_t k = 0; k < 3; ++k)
@@ -73,87 +66,6 @@ part_walls walls_of(const client::surface_model& part) {
   return result;
 }
 
-/// Vertices of each chain of edges, in order; a closed one begins and ends with the same.
-std::vector<std::vector<vertex_id>> chains_of(const std::vector<edge>& edges) {
-  std::map<vertex_id, std::vector<vertex_id>> next;
-  for (const auto& [a, b] : edges) {
-    next[a].push_back(b);
-    next[b].push_back(a);
-  }
-  std::vector<std::vector<vertex_id>> result;
-  std::set<vertex_id> seen;
-  const auto walk = [&](vertex_id from) {
-    std::vector<vertex_id> chain{from};
-    seen.insert(from);
-    for (bool on = true; on;) {
-      on = false;
-      for (const auto to : next[chain.back()])
-        if (seen.insert(to).second) {
-          chain.push_back(to);
-          on = true;
-          break;
-        }
-    }
-    const auto& ends = next[chain.back()];
-    if (chain.size() > 2 && std::ranges::find(ends, from) != ends.end())
-      chain.push_back(from);
-    result.push_back(std::move(chain));
-  };
-  for (const auto& [vertex, ends] : next)  // Ends first, then what is closed.
-    if (ends.size() != 2 && !seen.contains(vertex))
-      walk(vertex);
-  for (const auto& [vertex, ends] : next)
-    if (!seen.contains(vertex))
-      walk(vertex);
-  return result;
-}
-
-struct arc {
-  vec3 middle;
-  double radius = 0;
-};
-
-/// How far each edge goes around the middle: none so far as the sides of a polygon do, all together
-/// far enough.
-bool is_round(const std::vector<std::array<double, 2>>& points, const plane_circle& circle) {
-  double turned = 0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const double chord =
-      std::hypot(points[i + 1][0] - points[i][0], points[i + 1][1] - points[i][1]);
-    const double turn = 2 * std::asin(std::min(1.0, chord / (2 * circle.radius)));
-    if (turn > most_turn)
-      return false;
-    turned += turn;
-  }
-  return turned >= least_arc;
-}
-
-std::optional<arc> arc_of(const std::vector<vec3>& chain) {
-  if (chain.size() < least_edges + 1)
-    return std::nullopt;
-  vec3 area;
-  for (std::size_t i = 1; i + 1 < chain.size(); ++i)
-    area += cross(chain[i] - chain[0], chain[i + 1] - chain[0]);
-  const vec3 z = normalized(area);
-  if (norm(z) < 0.5)
-    return std::nullopt;
-  const auto [x, y] = across(z);
-  std::vector<std::array<double, 2>> flat;
-  double low = INFINITY;
-  double high = -INFINITY;
-  for (const auto& p : chain) {
-    flat.push_back({dot(p - chain[0], x), dot(p - chain[0], y)});
-    low = std::min(low, dot(p - chain[0], z));
-    high = std::max(high, dot(p - chain[0], z));
-  }
-  const auto circle = fit_circle(flat);
-  const double tolerance = circle ? 0.01 * circle->radius : 0;
-  if (!circle || circle->worst > tolerance || high - low > tolerance || !is_round(flat, *circle))
-    return std::nullopt;
-  return arc{chain[0] + circle->middle[0] * x + circle->middle[1] * y + (low + high) / 2 * z,
-             circle->radius};
-}
-
 void sort_once(std::vector<surface_id>& ids) {
   std::ranges::sort(ids);
   const auto repeats = std::ranges::unique(ids);
@@ -172,12 +84,13 @@ void add_edge_centre(std::vector<snap_place>& to, snap_place found) {
   to.push_back(std::move(found));
 }
 
-std::optional<arc> arc_of(const client::surface_model& part, const std::vector<vertex_id>& chain) {
+std::optional<round_edge> edge_of(const client::surface_model& part,
+                                  const std::vector<vertex_id>& chain) {
   std::vector<vec3> points;
   for (const auto vertex : chain)
     if (const auto* p = part.positions().find(vertex))
       points.push_back(*p);
-  return arc_of(points);
+  return round_edge_of(points);
 }
 
 using wall_normals = std::map<surface_id, vec3>;
@@ -186,8 +99,8 @@ using wall_normals = std::map<surface_id, vec3>;
 /// that run on into straight edges, are found by the pair.
 void add_edge_centres(const client::surface_model& part, const part_walls& walls,
                       const wall_normals& flat, std::vector<snap_place>& to) {
-  std::map<surface_id, std::vector<edge>> rims;
-  std::map<edge, surface_id> beyond;
+  std::map<surface_id, std::vector<mesh_edge>> rims;
+  std::map<mesh_edge, surface_id> beyond;
   for (const auto& [pair, edges] : walls.edges) {
     const bool first = flat.contains(pair.first);
     if (first == flat.contains(pair.second))
@@ -199,7 +112,7 @@ void add_edge_centres(const client::surface_model& part, const part_walls& walls
   }
   for (const auto& [wall, edges] : rims)
     for (const auto& chain : chains_of(edges)) {
-      const auto found = arc_of(part, chain);
+      const auto found = edge_of(part, chain);
       if (!found)
         continue;
       snap_place place{found->middle, wall, flat.at(wall), {wall}, found->radius};
@@ -209,7 +122,7 @@ void add_edge_centres(const client::surface_model& part, const part_walls& walls
     }
   for (const auto& [pair, edges] : walls.edges)
     for (const auto& chain : chains_of(edges)) {
-      const auto found = arc_of(part, chain);
+      const auto found = edge_of(part, chain);
       if (!found)
         continue;
       snap_place place{found->middle, {}, {}, {pair.first, pair.second}, found->radius};

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
-#include "client-qt/model/circle_fit.hpp"
 #include "client-qt/model/probes.hpp"
+#include "client-qt/model/round_edges.hpp"
 
 namespace tedit::desktop {
 
@@ -50,35 +52,28 @@ std::optional<wall_spot> nearest_spot(const client::surface_model& part, const v
   return best;
 }
 
-/// The direction that the normals of some triangles have least of: across those of a cylinder. The
-/// pair of normals that are most across each other says it best.
-std::optional<vec3> axis_of(const std::vector<vec3>& normals) {
-  constexpr double least_sine = 0.5;  // Of what they turn by.
-  if (normals.empty())
-    return std::nullopt;
-  vec3 best;
-  for (const auto& n : normals)
-    if (const vec3 z = cross(normals.front(), n); norm(z) > norm(best))
-      best = z;
-  if (norm(best) < least_sine)
-    return std::nullopt;
-  const vec3 z = normalized(best);
-  const bool all_across =
-    std::ranges::all_of(normals, [&](const vec3& n) { return std::abs(dot(n, z)) < 0.02; });
-  return all_across ? std::optional(z) : std::nullopt;
-}
+/// Edges that only one of some triangles has, and the points at their ends.
+struct open_rims {
+  std::vector<mesh_edge> edges;
+  std::map<vertex_id, vec3> points;
+};
 
-/// The corners of a box are on a circle, too: there normals are far off the way to the middle.
-bool points_outward(const std::vector<vec3>& points, const std::vector<vec3>& normals,
-                    const vec3& middle, const vec3& axis) {
-  const double least_cosine = std::cos(0.7);  // Half a segment of a coarse bore; a box has 0.785.
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const vec3 away = points[i] - middle;
-    const vec3 radial = normalized(away - dot(away, axis) * axis);
-    if (std::abs(dot(radial, normals[i / 3])) < least_cosine)
-      return false;
-  }
-  return true;
+open_rims rims_of(const client::surface_model& part, const std::vector<surface_id>& of) {
+  open_rims result;
+  std::set<mesh_edge> open;
+  part.facets().for_each([&](std::uint32_t, const client::surface_facet& facet) {
+    if (std::ranges::find(of, facet.surface) == of.end())
+      return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const mesh_edge edge = std::minmax(facet.v[k], facet.v[(k + 1) % 3]);
+      if (!open.insert(edge).second)
+        open.erase(edge);
+      if (const auto* p = part.positions().find(facet.v[k]))
+        result.points[facet.v[k]] = *p;
+    }
+  });
+  result.edges.assign(open.begin(), open.end());
+  return result;
 }
 
 }  // namespace
@@ -102,35 +97,34 @@ std::optional<vec3> outward_at(const client::surface_model& part, const vec3& at
   return spot ? std::optional(spot->normal) : std::nullopt;
 }
 
+/// By its rims: the facets of a coarse bore look anywhere, its vertices are where they belong.
 std::optional<round_wall> round_wall_of(const client::surface_model& part,
                                         const std::vector<surface_id>& surfaces) {
-  if (surfaces.empty())
-    return std::nullopt;
-  std::vector<vec3> normals;
-  std::vector<vec3> points;
-  each_facet(part, surfaces, [&](const corners& c) {
-    normals.push_back(normalized(area_vector(c)));
-    points.insert(points.end(), c.begin(), c.end());
-  });
-  const auto axis = axis_of(normals);
-  if (!axis)
-    return std::nullopt;
-  const auto [x, y] = across(*axis);
-  std::vector<std::array<double, 2>> flat;
-  double low = INFINITY;
-  double high = -INFINITY;
-  for (const auto& p : points) {
-    flat.push_back({dot(p, x), dot(p, y)});
-    low = std::min(low, dot(p, *axis));
-    high = std::max(high, dot(p, *axis));
+  const auto rims = rims_of(part, surfaces);
+  std::optional<round_edge> rim;
+  for (const auto& chain : chains_of(rims.edges)) {
+    std::vector<vec3> points;
+    for (const auto vertex : chain)
+      points.push_back(rims.points.at(vertex));
+    if (const auto found = round_edge_of(points); found && !rim)
+      rim = found;
   }
-  const auto circle = fit_circle(flat);
-  if (!circle || circle->worst > 0.01 * circle->radius)
+  if (!rim)
     return std::nullopt;
-  const vec3 middle = circle->middle[0] * x + circle->middle[1] * y + (low + high) / 2 * *axis;
-  if (!points_outward(points, normals, middle, *axis))
-    return std::nullopt;
-  return round_wall{middle, *axis, circle->radius};
+  double low = 0;
+  double high = 0;
+  for (const auto& [vertex, p] : rims.points) {
+    const double height = dot(p - rim->middle, rim->axis);
+    const double off = norm(p - rim->middle - height * rim->axis) - rim->radius;
+    if (std::abs(off) > 0.02 * rim->radius)
+      return std::nullopt;
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  if (high - low < 0.02 * rim->radius)
+    return std::nullopt;  // A disc.
+  return round_wall{rim->middle + (low + high) / 2 * rim->axis, rim->axis, rim->radius,
+                    (high - low) / 2};
 }
 
 }  // namespace tedit::desktop

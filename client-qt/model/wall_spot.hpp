@@ -28,15 +28,16 @@ struct wall_spot {
 [[nodiscard]] std::optional<vec3> outward_at(const client::surface_model& part, const vec3& at,
                                              const std::vector<surface_id>& of);
 
-/// The axis of a round wall: all its normals point to it or away from it.
+/// A bore, or what fits into one.
 struct round_wall {
-  vec3 middle;      ///< m: on the axis, half way along the wall.
-  vec3 axis;        ///< Unit.
-  double radius{};  ///< m.
+  vec3 middle;           ///< m: on the axis, half way along the wall.
+  vec3 axis;             ///< Unit.
+  double radius{};       ///< m.
+  double half_length{};  ///< m: along the axis, to both sides.
 };
 
-/// Whether some surfaces together are (a part of) a cylinder: to 1 % of its radius, over at least
-/// 60 degrees. Cost: O(facets).
+/// The cylinder that some surfaces are together: with a round rim, and all vertices within 2 % of
+/// its radius. Cost: O(facets log facets).
 [[nodiscard]] std::optional<round_wall> round_wall_of(const client::surface_model& part,
                                                       const std::vector<surface_id>& surfaces);
 

@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "client-qt/model/circle_fit.hpp"
 #include "client-qt/model/handle_pose.hpp"
+#include "client-qt/model/round_edges.hpp"
 #include "client-qt/model/wall_spot.hpp"
 
 namespace tedit::desktop {
@@ -129,7 +131,32 @@ TEST(WallSpot, ABoreHasAnAxisAndABoxHasNone) {
   EXPECT_NEAR(norm(bore->middle - vec3{1e-3, 2e-3, 1e-3}), 0, 1e-12);
   EXPECT_NEAR(std::abs(bore->axis.z), 1, 1e-12);
   EXPECT_NEAR(bore->radius, 2e-3, 1e-12);
+  EXPECT_NEAR(bore->half_length, 2e-3, 1e-12);
   EXPECT_FALSE(round_wall_of(bored_wall(), {1}));
+}
+
+std::vector<vec3> polygon(int sides, double turn, double height = 0) {
+  std::vector<vec3> chain;
+  for (int i = 0; i <= sides; ++i) {
+    const double angle = turn * i / sides;
+    chain.push_back({std::cos(angle), 2 + std::sin(angle), i == 1 ? height : 0});
+  }
+  return chain;
+}
+
+TEST(RoundEdge, ABoreOfSixEdgesIsRoundAndASquareIsNot) {
+  constexpr double pi = std::numbers::pi;
+  const auto bore = round_edge_of(polygon(6, 2 * pi));
+  ASSERT_TRUE(bore);
+  EXPECT_NEAR(norm(bore->middle - vec3{0, 2, 0}), 0, 1e-12);
+  EXPECT_NEAR(bore->radius, 1, 1e-12);
+  EXPECT_NEAR(std::abs(bore->axis.z), 1, 1e-12);
+  EXPECT_TRUE(round_edge_of(polygon(6, pi / 2))) << "a quarter";
+
+  EXPECT_FALSE(round_edge_of(polygon(4, 2 * pi))) << "a square";
+  EXPECT_FALSE(round_edge_of(polygon(6, pi / 3))) << "60 degrees";
+  EXPECT_FALSE(round_edge_of(polygon(6, 2 * pi, 0.05))) << "not flat";
+  EXPECT_FALSE(round_edge_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}));
 }
 
 TEST(CircleFit, GoesThroughItsPointsAndKnowsALine) {
