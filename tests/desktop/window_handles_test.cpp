@@ -199,6 +199,28 @@ TEST_F(Handles, ABoreHasItsRingAroundItsAxisAndIsMovedOverItsWall) {
   release_at(arrow.knob + QPointF(40, -25));
 }
 
+/// From above there is nothing of the part where the bore's axis is.
+TEST_F(Handles, ThePlaceTakesHoldOfABoresAxis) {
+  open_plate(false);
+  ASSERT_TRUE(window->context().all_commands.trigger("view.top"));
+  window->context().picked.set({98});
+  window->tools().operations.panel().choose("drill");
+  ASSERT_TRUE(wait([&] { return view().is_seen(); }));
+  const vec3 axis{-0.160, 0.045, 0};
+  const auto ball = handle_of("at");
+  press_at(ball.knob);
+  ASSERT_TRUE(wait([&] {
+    move(ball.knob);
+    move(lens_of(view()).to_screen(axis) + QPointF(4, 2));
+    return !handles().snapped_to().isEmpty();
+  }));
+
+  EXPECT_EQ(handles().snapped_to(), "centre of a round edge, Ø 25 mm");
+  EXPECT_NEAR(norm(point("at") - axis), 0, 2e-6);
+  EXPECT_EQ(window->context().picked.surfaces(), std::vector<surface_id>{98});
+  release_at(ball.knob);
+}
+
 TEST_F(Handles, AreInNoPictureThatIsKept) {
   open_block("drill", top);
   handles().hover(handle_of("at").knob);
