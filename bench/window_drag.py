@@ -1,4 +1,4 @@
-"""window_drag.py MESH SURFACE OPERATION HANDLE DX DY [--load-case F] [--program P] [--repeat N]
+"""window_drag.py MESH SURFACE OPERATION HANDLE DX DY [--load-case F] [--before STEPS] [--program P] [--repeat N]
 
 Drags a handle of an operation's form in the real window (Xvfb, a server of its own): real mouse events, about 50 a
 second, over DX, DY pixels. Prints one row of a table: how often handles and ghost were drawn and previews shown while
@@ -24,6 +24,7 @@ def arguments():
     parser.add_argument("dx", type=float)
     parser.add_argument("dy", type=float)
     parser.add_argument("--load-case")
+    parser.add_argument("--before", type=json.loads, default=[], help="steps of a recipe before the drag, a JSON list")
     parser.add_argument("--moves", type=int, default=150)
     parser.add_argument("--program", default="build/release/bin/tedit-qt")
     parser.add_argument("--repeat", type=int, default=3)
@@ -32,7 +33,7 @@ def arguments():
 
 def drag_once(wanted, folder):
     steps = [{"view": "isometric"}, {"wait": "final" if wanted.load_case else "ready"}, {"select": [wanted.surface]}]
-    steps += [{"choose": wanted.operation}, {"wait": "ready"}]
+    steps += [{"choose": wanted.operation}, {"wait": "ready"}, *wanted.before, {"wait": "ready"}]
     steps += [{"drag_handle": wanted.handle, "by": [wanted.dx, wanted.dy], "moves": wanted.moves}, {"wait": "ready"}]
     recipe, report = folder / "steps.json", folder / "report.json"
     recipe.write_text(json.dumps(steps))
@@ -43,7 +44,7 @@ def drag_once(wanted, folder):
     command += ["--load-case", wanted.load_case] if wanted.load_case else []
     command += ["--script", str(recipe), "--size", "1280x720", "--report", str(report)]
     subprocess.run(command, check=True, env={**os.environ, **homes}, timeout=300)
-    return json.loads(report.read_text())["drags"]
+    return json.loads(report.read_text())["last_drag"]
 
 
 def row(wanted, runs):

@@ -159,7 +159,7 @@ void write_report(const QString& path, const stall_watch& watch, const latencies
     if (ms)
       report[name] = *ms;
   if (const auto drags = window.tools().operations.figures().report(); !drags.isEmpty())
-    report["drags"] = drags;
+    report["last_drag"] = drags;
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(report).toJson()) < 0)
     std::fprintf(stderr, "tedit-qt: cannot write %s\n", qPrintable(path));

@@ -22,7 +22,12 @@ constexpr double key_pan = 0.05;       // and of the view's height.
 }  // namespace
 
 void viewport::mousePressEvent(QMouseEvent* event) {
-  grip_taken_ = event->button() == Qt::LeftButton && grips_ && grips_->take(event->position());
+  const bool left = event->button() == Qt::LeftButton;
+  if (grip_taken_ && !left)
+    return;  // Another button beside the one that drags.
+  if (grip_taken_)
+    grips_->drop();  // Its release went to another window.
+  grip_taken_ = left && grips_ && grips_->take(event->position());
   if (grip_taken_)
     return;
   pressed_ = last_ = event->position();

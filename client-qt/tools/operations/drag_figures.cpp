@@ -35,7 +35,7 @@ drag_figures::drag_figures(window_context& in, operation_handles& handles,
   connect(&handles, &operation_handles::dragged, this, &drag_figures::moved);
   connect(&handles, &operation_handles::dropped, this, [this] {
     if (drag_.isValid())
-      dragged_ms_ += ms_of(drag_);
+      dragged_ms_ = ms_of(drag_);
     drag_.invalidate();
   });
   connect(&handles.layer(), &handle_layer::painted, this, &drag_figures::painted);
@@ -43,8 +43,13 @@ drag_figures::drag_figures(window_context& in, operation_handles& handles,
 }
 
 void drag_figures::moved() {
-  if (!drag_.isValid())
+  if (!drag_.isValid()) {
+    dragged_ms_ = 0;
+    moves_ = 0;
+    handle_ms_.clear();
+    preview_ms_.clear();
     drag_.start();
+  }
   ++moves_;
   if (!since_move_.isValid())
     since_move_.start();  // Of several moves for one frame the first has waited longest.

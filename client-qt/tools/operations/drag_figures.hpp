@@ -20,8 +20,8 @@ class drag_figures : public QObject {
 public:
   drag_figures(window_context& in, operation_handles& handles, const live_preview& preview);
 
-  /// Moves, frames of the handles, previews on the screen, all over the seconds that drags lasted,
-  /// and how long each took from the move (ms; p50, p99, worst); empty before the first drag.
+  /// Of the last drag: moves, frames of the handles, previews on the screen, its seconds, and how
+  /// long each took from the move (ms; p50, p99, worst); empty before the first.
   [[nodiscard]] QJsonObject report() const;
 
 private:

@@ -194,14 +194,14 @@ void operation_handles::end_drag() {
   emit dropped();
 }
 
-/// Its field has the keys then: the exact value can be typed.
+/// Its field has the keys then, and what is typed replaces what it has.
 void operation_handles::drop() {
   if (!drag_)
     return;
   const auto field = QString::fromStdString(drag_->from.of->parameter);
   end_drag();
   if (auto* widget = panel_.form() ? panel_.form()->findChild<QWidget*>(field) : nullptr)
-    widget->setFocus(Qt::OtherFocusReason);
+    widget->setFocus(Qt::TabFocusReason);
   layer_->update();
 }
 
