@@ -177,6 +177,21 @@ TEST_F(Handles, PreviewsFollowWhileThePointerNeverRests) {
   ASSERT_TRUE(wait([&] { return shows_preview(); }));
 }
 
+TEST_F(Handles, WhatIsPointedAtIsMarkedAndNothingOfThePartUnderIt) {
+  open_block("drill", top);
+  std::optional<bool> over_part;
+  QObject::connect(&view(), &viewport::hovered, &view(),
+                   [&](const std::optional<picked_point>& at) { over_part = at.has_value(); });
+  const auto ring = handle_of("diameter");
+  move(ring.knob, Qt::NoButton);
+  EXPECT_EQ(view().cursor().shape(), Qt::PointingHandCursor);
+  EXPECT_EQ(over_part, false);
+  EXPECT_EQ(words_of(ring, form().values()), "Diameter 5 mm");
+
+  move(ring.knob + QPointF(handle_reach + 1, 0), Qt::NoButton);
+  EXPECT_EQ(view().cursor().shape(), Qt::ArrowCursor);
+}
+
 TEST_F(Handles, OtherFormsHaveTheirsByTheirDescriptions) {
   open_block("boss", top);
   const auto has = [&](const char* parameter) {
