@@ -36,11 +36,51 @@ const file_format* find_format(std::string_view name) {
   return found == file_formats.end() ? nullptr : found;
 }
 
+namespace {
+
+/// Calls `visit` with each word of a text.
+template <class Visit>
+void for_each_word(std::string_view text, const Visit& visit) {
+  while (!text.empty()) {
+    const auto word = text.substr(0, text.find(' '));
+    visit(word);
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+  }
+}
+
+}  // namespace
+
+const file_format* format_of_suffix(std::string_view suffix) {
+  std::string name(suffix);
+  std::ranges::transform(name, name.begin(), lower);
+  const file_format* result = find_format(name);
+  for (const auto& format : file_formats)
+    for_each_word(format.also, [&](std::string_view word) {
+      if (!result && word == name)
+        result = &format;
+    });
+  return result;
+}
+
+std::vector<std::string_view> read_suffixes() {
+  std::vector<std::string_view> result;
+  for (const auto& format : file_formats)
+    if (format.reads) {
+      result.push_back(format.name);
+      for_each_word(format.also, [&](std::string_view word) { result.push_back(word); });
+    }
+  return result;
+}
+
+std::string read_formats_text() {
+  return "A mesh: " +
+         one_of(read_suffixes(), [](std::string_view name) { return "." + std::string(name); });
+}
+
 expected<const file_format*> format_for(const std::filesystem::path& file) {
-  auto suffix = file.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), lower);
+  const auto suffix = file.extension().string();
   const auto name = suffix.substr(std::min<std::size_t>(1, suffix.size()));
-  const auto* found = find_format(name);
+  const auto* found = format_of_suffix(name);
   if (found && found->writes)
     return found;
   auto refused = no_such_format(name, written_formats());

@@ -43,6 +43,8 @@ struct kept_in_file {
   bool tets = false;
   bool surfaces = false;  ///< Their ids.
   bool fields = false;    ///< Of the last solve.
+  bool unit = false;      ///< The file itself says the unit of its coordinates.
+  bool loads = false;     ///< Materials, supports and loads: read, and written by `tedit export`.
 };
 
 struct file_format {
@@ -50,7 +52,8 @@ struct file_format {
   std::string_view title;  ///< For people who choose one: "Mesh".
   std::string_view kind;   ///< For sentences about a file: "an STL surface".
   kept_in_file keeps;
-  bool reads = false;  ///< A version can be made from such a file.
+  std::string_view also = {};  ///< Other suffixes of such files, with blanks between them.
+  bool reads = false;          ///< A version can be made from such a file.
   bool writes = false;
 };
 
@@ -70,13 +73,69 @@ struct msh {
   static file_reader read;
 };
 
-/// Live vertices and tets in slot order, in metres, with the region of each tet.
-struct vtu {
-  static constexpr file_format about{"vtu",
-                                     for_people("formats", "Fields for ParaView"),
-                                     "a VTU file",
-                                     {.tets = true, .fields = true}};
+/// Gmsh 2.2, text, as older programs read it: the same but interfaces, which are triangles like
+/// others there. Gmsh has this suffix for it, too.
+struct msh2 {
+  static constexpr file_format about{"msh2",
+                                     for_people("formats", "Mesh, Gmsh 2.2"),
+                                     "a Gmsh mesh",
+                                     {.tets = true, .surfaces = true}};
   static file_writer write;
+  static file_reader read;
+};
+
+/// A deck of CalculiX or Abaqus. Tets are C3D4; regions element sets, surfaces *SURFACE blocks of
+/// element faces; ids, names and unit in comments. Read are C3D4 and C3D10, sets with GENERATE,
+/// surfaces by faces, by nodes, or as shells; materials, supports and loads of the first step.
+struct inp {
+  static constexpr file_format about{"inp",
+                                     for_people("formats", "Deck of CalculiX or Abaqus"),
+                                     "an input deck of CalculiX or Abaqus",
+                                     {.tets = true, .surfaces = true, .unit = true, .loads = true}};
+  static file_writer write;
+  static file_reader read;
+  static file_recogniser recognises;
+};
+
+/// A deck of Nastran: CTETRA, regions as properties, surfaces as BSURFS; ids, names and unit in
+/// comments. Coordinates have the 16 characters of large fields. Read are free, small and large
+/// fields, CTETRA of 4 and 10 nodes, surfaces also as CTRIA3; MAT1, SPC, SPC1, FORCE, PLOAD4, GRAV
+/// and LOAD as the case control asks for them.
+struct bdf {
+  static constexpr file_format about{"bdf",
+                                     for_people("formats", "Deck of Nastran"),
+                                     "a deck of Nastran",
+                                     {.tets = true, .surfaces = true, .unit = true, .loads = true},
+                                     "nas dat"};
+  static file_writer write;
+  static file_reader read;
+  static file_recogniser recognises;
+};
+
+/// A universal file of I-DEAS, as Salome, Gmsh and others have it: datasets 164 (units), 2411, 2412
+/// (111, 118 and triangles) and groups, which are named "surface 12: NAME" and "region 3: NAME".
+/// Read are also groups of nodes and of other names.
+struct unv {
+  static constexpr file_format about{"unv",
+                                     for_people("formats", "Universal file of I-DEAS"),
+                                     "a universal file (UNV)",
+                                     {.tets = true, .surfaces = true, .unit = true}};
+  static file_writer write;
+  static file_reader read;
+  static file_recogniser recognises;
+};
+
+/// Live vertices and tets in slot order, in metres, with the region of each tet; surfaces, ids and
+/// names as field data, so that the cells stay tets. Read are also files of others: text, base64
+/// and raw data, plain or packed by zlib, triangles as surfaces.
+struct vtu {
+  static constexpr file_format about{
+    "vtu",
+    for_people("formats", "Fields for ParaView"),
+    "a VTU file",
+    {.tets = true, .surfaces = true, .fields = true, .unit = true}};
+  static file_writer write;
+  static file_reader read;
   static file_recogniser recognises;
 };
 
@@ -97,7 +156,7 @@ struct obj {
 };
 
 /// In the order in which people are offered them.
-using all = std::tuple<msh, vtu, stl, obj>;
+using all = std::tuple<msh, vtu, stl, obj, inp, bdf, unv, msh2>;
 
 template <class Format>
 consteval file_format describe() {
@@ -126,6 +185,9 @@ inline constexpr std::string_view document_format = "tedit";
 /// The format of this name, or null.
 [[nodiscard]] const file_format* find_format(std::string_view name);
 
+/// The format whose name or other suffix this is, in any case; null where there is none.
+[[nodiscard]] const file_format* format_of_suffix(std::string_view suffix);
+
 /// The format to write a file in, by its suffix in any case. Errors: `invalid_argument` for one
 /// that is not written, naming those that are.
 [[nodiscard]] expected<const file_format*> format_for(const std::filesystem::path& file);
@@ -137,7 +199,14 @@ inline constexpr std::string_view document_format = "tedit";
 /// The names of the formats that are written, in the table's order.
 [[nodiscard]] std::vector<std::string_view> written_formats();
 
-/// Those for a help text: ".msh (mesh), .vtu (fields for ParaView) or .stl (boundary)".
+/// The suffixes of files that are read, the most usual first: "msh", "inp", ...
+[[nodiscard]] std::vector<std::string_view> read_suffixes();
+
+/// Those for a help text: "a mesh: .msh, .inp or .bdf".
+[[nodiscard]] std::string read_formats_text();
+
+/// Those that are written, for a help text: ".msh (mesh), .vtu (fields for ParaView) or .stl
+/// (boundary)".
 [[nodiscard]] std::string written_formats_text();
 
 }  // namespace tedit

@@ -19,7 +19,7 @@ packages=(
   # libraries
   libcaf-dev libboost-dev libboost-system-dev libprotobuf-dev protobuf-compiler libspdlog-dev
   libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev
-  libtet1.5-dev libfreetype-dev libpugixml-dev fonts-dejavu-core libsqlite3-dev libzstd-dev libxxhash-dev nlohmann-json3-dev libssl-dev
+  libtet1.5-dev libfreetype-dev libpugixml-dev zlib1g-dev fonts-dejavu-core libsqlite3-dev libzstd-dev libxxhash-dev nlohmann-json3-dev libssl-dev
   libseccomp-dev
   # CAD files in (the build works without)
   libocct-data-exchange-dev libocct-ocaf-dev libocct-modeling-algorithms-dev libgmsh-dev

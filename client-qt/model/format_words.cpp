@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "mesh/formats.hpp"
+
 namespace tedit::desktop {
 
 QString title_of(const client::offered_format& format) {
@@ -20,8 +22,13 @@ QStringList filters_to_write(const std::vector<client::offered_format>& offered)
 QString patterns_to_read(const std::vector<client::offered_format>& offered) {
   QStringList result;
   for (const auto& format : offered)
-    if (format.reads)
+    if (format.reads) {
       result << "*." + QString::fromStdString(format.name);
+      // Other suffixes of the same files: a server says the first alone.
+      if (const auto* known = find_format(format.name); known && !known->also.empty())
+        for (const auto& suffix : QString::fromStdString(std::string(known->also)).split(' '))
+          result << "*." + suffix;
+    }
   return result.join(" ");
 }
 

@@ -15,7 +15,7 @@ namespace tedit::desktop {
 /// For a file dialog: "Mesh (*.msh)", one for each format that is written.
 [[nodiscard]] QStringList filters_to_write(const std::vector<client::offered_format>& offered);
 
-/// The patterns of files that a mesh is read from: "*.msh".
+/// The patterns of files that a mesh is read from: "*.msh *.inp *.bdf *.nas".
 [[nodiscard]] QString patterns_to_read(const std::vector<client::offered_format>& offered);
 
 }  // namespace tedit::desktop

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "mesh/io/compaction.hpp"
+#include "mesh/io/file_surfaces.hpp"
 #include "mesh/io/formats.hpp"
 #include "mesh/io/vtu_writer.hpp"
 
@@ -17,6 +18,40 @@ std::vector<double> pick(const field& f, const std::vector<std::uint32_t>& slots
       values.push_back(f.at(slot, c));
   return values;
 }
+
+/// Surfaces beside the cells, which stay tets alone for who looks at fields: triangles, ids, names.
+struct surface_tables {
+  std::vector<std::int64_t> triangles;
+  std::vector<std::int64_t> of_triangle;
+  std::vector<std::int64_t> ids;
+  std::vector<std::int64_t> regions;
+
+  surface_tables(const mesh_version& mesh, const compaction& vertices, vtu_grid& grid) {
+    for (const auto& [surface, sides] : sides_of_surfaces(mesh))
+      for (const auto& side : sides) {
+        for (const auto v : corners_of(mesh, side))
+          triangles.push_back(vertices.index[v]);
+        of_triangle.push_back(surface);
+      }
+    std::vector<std::string> names;
+    for (const auto& row : mesh.surfaces()) {
+      ids.push_back(row.id);
+      names.push_back(row.name);
+    }
+    grid.texts.emplace_back("surface_names", std::move(names));
+    names.clear();
+    for (const auto& row : mesh.regions()) {
+      regions.push_back(row.id);
+      names.push_back(row.name);
+    }
+    grid.texts.emplace_back("region_names", std::move(names));
+    grid.texts.emplace_back("length_unit", std::vector<std::string>{"m"});
+    grid.numbers = {{"surface_triangles", 3, triangles},
+                    {"surface_of_triangle", 1, of_triangle},
+                    {"surface_ids", 1, ids},
+                    {"region_ids", 1, regions}};
+  }
+};
 
 }  // namespace
 
@@ -47,6 +82,7 @@ expected<void> vtu::write(const file_target& to, const mesh_version& mesh,
   grid.points = points;
   grid.cells = cells;
   grid.notes = terms.notes;
+  const surface_tables surfaces(mesh, vertices, grid);
   grid.cell_data.push_back({"region", 1, regions});
   std::vector<std::vector<double>> values;
   values.reserve(terms.fields.size());

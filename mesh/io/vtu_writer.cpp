@@ -59,6 +59,33 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string text_array(const std::string& name, const std::vector<std::string>& texts) {
+  std::string result = "<DataArray type=\"String\" Name=\"" + escaped(name) +
+                       "\" NumberOfTuples=\"" + std::to_string(texts.size()) +
+                       "\" format=\"ascii\">\n";
+  for (const auto& text : texts) {
+    for (const unsigned char c : text)
+      result += std::to_string(c) + " ";
+    result += "0\n";
+  }
+  return result + "</DataArray>\n";
+}
+
+std::string field_data(const vtu_grid& grid, appended_data& data) {
+  std::string result;
+  for (const auto& [name, text] : grid.notes)
+    result += text_array(name, {text});
+  for (const auto& [name, texts] : grid.texts)
+    result += text_array(name, texts);
+  for (const auto& one : grid.numbers) {
+    auto array = data.add("Int64", escaped(one.name), one.components, std::as_bytes(one.values));
+    const auto tuples = one.values.size() / static_cast<std::size_t>(one.components);
+    array.insert(array.find(" format="), " NumberOfTuples=\"" + std::to_string(tuples) + "\"");
+    result += array;
+  }
+  return result.empty() ? result : "<FieldData>\n" + result + "</FieldData>\n";
+}
+
 }  // namespace
 
 expected<void> write_vtu(const file_target& to, const vtu_grid& grid) {
@@ -73,17 +100,7 @@ expected<void> write_vtu(const file_target& to, const vtu_grid& grid) {
   std::string head =
     "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
     "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
-  if (!grid.notes.empty()) {
-    head += "<FieldData>\n";
-    for (const auto& [name, text] : grid.notes) {
-      head += "<DataArray type=\"String\" Name=\"" + escaped(name) +
-              "\" NumberOfTuples=\"1\" format=\"ascii\">\n";
-      for (const unsigned char c : text)
-        head += std::to_string(c) + " ";
-      head += "0\n</DataArray>\n";
-    }
-    head += "</FieldData>\n";
-  }
+  head += field_data(grid, data);
   head += "<Piece NumberOfPoints=\"" + std::to_string(grid.points.size()) + "\" NumberOfCells=\"" +
           std::to_string(cells) + "\">\n<Points>\n";
   head += data.add("Float64", "Points", 3, std::as_bytes(grid.points));

@@ -17,6 +17,13 @@ struct vtu_array {
   std::span<const double> values;
 };
 
+/// Whole numbers that belong to the file, not to its points or cells.
+struct vtu_numbers {
+  std::string name;
+  int components = 1;
+  std::span<const std::int64_t> values;
+};
+
 /// An unstructured grid of one cell type, as VTU holds it.
 struct vtu_grid {
   std::span<const vec3> points;
@@ -25,6 +32,8 @@ struct vtu_grid {
   std::vector<vtu_array> point_data;
   std::vector<vtu_array> cell_data;
   std::vector<std::pair<std::string, std::string>> notes;  ///< Text field data.
+  std::vector<vtu_numbers> numbers = {};
+  std::vector<std::pair<std::string, std::vector<std::string>>> texts = {};
 };
 
 /// Writes VTU with raw appended data and 64-bit headers; doubles stay doubles. Errors: `io_error`.
