@@ -178,6 +178,22 @@
         <source>Boundary with surfaces</source>
         <translation>Oberfläche mit Flächennummern</translation>
     </message>
+    <message>
+        <source>Mesh, Gmsh 2.2</source>
+        <translation>Netz, Gmsh 2.2</translation>
+    </message>
+    <message>
+        <source>Deck of CalculiX or Abaqus</source>
+        <translation>Eingabedatei von CalculiX oder Abaqus</translation>
+    </message>
+    <message>
+        <source>Deck of Nastran</source>
+        <translation>Eingabedatei von Nastran</translation>
+    </message>
+    <message>
+        <source>Universal file of I-DEAS</source>
+        <translation>Universaldatei von I-DEAS</translation>
+    </message>
 </context>
 <context>
     <name>handles</name>
@@ -7408,6 +7424,686 @@
     <message>
         <source>the server did not say whether this worker may join: it is busy, or gone</source>
         <translation>der Server sagte nicht, ob dieser Arbeiter beitreten darf: er ist beschäftigt oder weg</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number</source>
+        <translation>%1 „%2“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is %2, numbers start at 1</source>
+        <translation>%1 ist %2, Nummern beginnen bei 1</translation>
+    </message>
+    <message>
+        <source>%1 is %2, too many</source>
+        <translation>%1 ist %2, zu viel</translation>
+    </message>
+    <message>
+        <source>%1 of a %2 is &quot;%3&quot;, not a finite number (field %4)</source>
+        <translation>%1 einer Karte %2 ist „%3“, keine endliche Zahl (Feld %4)</translation>
+    </message>
+    <message>
+        <source>%1 of a %2 is &quot;%3&quot;, not a whole number from 1 (field %4)</source>
+        <translation>%1 einer Karte %2 ist „%3“, keine ganze Zahl ab 1 (Feld %4)</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 faces of &quot;%3&quot; belong to smaller surfaces, too, and stay with those: a face has one surface</source>
+        <translation>%1 der %2 Seiten von „%3“ gehören auch zu kleineren Flächen und bleiben bei diesen: eine Seite hat eine Fläche</translation>
+    </message>
+    <message>
+        <source>%1 supports and loads are on nodes that no tet has, and are left out</source>
+        <translation>%1 Lager und Lasten sitzen auf Knoten, die kein Tetraeder hat, und werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>(without a name)</source>
+        <translation>(ohne Namen)</translation>
+    </message>
+    <message>
+        <source>*BOUNDARY holds no component on this line</source>
+        <translation>*BOUNDARY hält in dieser Zeile keine Komponente</translation>
+    </message>
+    <message>
+        <source>*BOUNDARY holds the components %1 to %2; there are 1 to 3</source>
+        <translation>*BOUNDARY hält die Komponenten %1 bis %2; es gibt 1 bis 3</translation>
+    </message>
+    <message>
+        <source>*CLOAD has too few fields on this line</source>
+        <translation>*CLOAD hat in dieser Zeile zu wenige Felder</translation>
+    </message>
+    <message>
+        <source>*ELASTIC stands outside of a *MATERIAL</source>
+        <translation>*ELASTIC steht außerhalb von *MATERIAL</translation>
+    </message>
+    <message>
+        <source>*NODE with cylindrical or spherical coordinates</source>
+        <translation>*NODE mit Zylinder- oder Kugelkoordinaten</translation>
+    </message>
+    <message>
+        <source>A mesh: %1</source>
+        <translation>Ein Netz: %1</translation>
+    </message>
+    <message>
+        <source>Check first, last and step of GENERATE</source>
+        <translation>Anfang, Ende und Schritt von GENERATE prüfen</translation>
+    </message>
+    <message>
+        <source>Correct the card or write the file again</source>
+        <translation>Die Karte berichtigen oder die Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>Correct the line</source>
+        <translation>Die Zeile berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the line or write the file again</source>
+        <translation>Die Zeile berichtigen oder die Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>Define that set</source>
+        <translation>Diese Menge definieren</translation>
+    </message>
+    <message>
+        <source>Define that set first</source>
+        <translation>Diese Menge zuerst definieren</translation>
+    </message>
+    <message>
+        <source>GRAV in a coordinate system of its own</source>
+        <translation>GRAV in einem eigenen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>GRID %1 is in coordinate system %2; only the basic one (0) is read</source>
+        <translation>GRID %1 steht im Koordinatensystem %2; nur das Grundsystem (0) wird gelesen</translation>
+    </message>
+    <message>
+        <source>It is cut off or damaged: write it again</source>
+        <translation>Sie ist abgeschnitten oder beschädigt: neu schreiben</translation>
+    </message>
+    <message>
+        <source>Mesh the volume with tetrahedra and write them, too</source>
+        <translation>Das Volumen mit Tetraedern vernetzen und diese auch schreiben</translation>
+    </message>
+    <message>
+        <source>Number the elements anew, or remove one of the two</source>
+        <translation>Die Elemente neu nummerieren oder eines der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>Number the nodes anew, or remove one of the two</source>
+        <translation>Die Knoten neu nummerieren oder einen der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>Number the properties anew</source>
+        <translation>Die Eigenschaften neu nummerieren</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>die Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Put it behind its *MATERIAL</source>
+        <translation>Es hinter sein *MATERIAL setzen</translation>
+    </message>
+    <message>
+        <source>Put its lines in the place of *INCLUDE: files are read one by one</source>
+        <translation>Ihre Zeilen an die Stelle von *INCLUDE setzen: Dateien werden einzeln gelesen</translation>
+    </message>
+    <message>
+        <source>Put its lines in the place of INCLUDE: files are read one by one</source>
+        <translation>Ihre Zeilen an die Stelle von INCLUDE setzen: Dateien werden einzeln gelesen</translation>
+    </message>
+    <message>
+        <source>THRU of a SPC1 goes from %1 to %2</source>
+        <translation>THRU einer SPC1 geht von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Take linear tets (--order 1) or a coarser mesh</source>
+        <translation>Lineare Tetraeder (--order 1) oder ein gröberes Netz nehmen</translation>
+    </message>
+    <message>
+        <source>The file is damaged: write it again</source>
+        <translation>Die Datei ist beschädigt: neu schreiben</translation>
+    </message>
+    <message>
+        <source>The file is no deck of Abaqus or CalculiX, or it is damaged</source>
+        <translation>Die Datei ist keine Eingabedatei von Abaqus oder CalculiX, oder sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Write a flat deck (in Abaqus: &quot;Do not use parts and assemblies&quot;)</source>
+        <translation>Eine flache Datei schreiben (in Abaqus: „Do not use parts and assemblies“)</translation>
+    </message>
+    <message>
+        <source>Write a flat deck (in Abaqus: *PREPRINT, MODEL or &quot;Do not use parts and assemblies&quot;), or each part by itself</source>
+        <translation>Eine flache Datei schreiben (in Abaqus: *PREPRINT, MODEL oder „Do not use parts and assemblies“) oder jedes Teil für sich</translation>
+    </message>
+    <message>
+        <source>Write another format, or coarsen the mesh</source>
+        <translation>Ein anderes Format schreiben oder das Netz vergröbern</translation>
+    </message>
+    <message>
+        <source>Write each line as: element or set, S1</source>
+        <translation>Jede Zeile so schreiben: Element oder Menge, S1</translation>
+    </message>
+    <message>
+        <source>Write each support and load once</source>
+        <translation>Jedes Lager und jede Last einmal schreiben</translation>
+    </message>
+    <message>
+        <source>Write it as one piece, for example with ParaView&apos;s filter Clean to Grid</source>
+        <translation>Als ein Stück schreiben, etwa mit dem Filter Clean to Grid von ParaView</translation>
+    </message>
+    <message>
+        <source>Write it without compression, or with zlib</source>
+        <translation>Ohne Kompression oder mit zlib schreiben</translation>
+    </message>
+    <message>
+        <source>Write nodes as dataset 2411 and elements as 2412</source>
+        <translation>Knoten als Datensatz 2411 und Elemente als 2412 schreiben</translation>
+    </message>
+    <message>
+        <source>Write the file again</source>
+        <translation>Die Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>Write the file with all of its elements</source>
+        <translation>Die Datei mit allen ihren Elementen schreiben</translation>
+    </message>
+    <message>
+        <source>Write the file with all of its nodes</source>
+        <translation>Die Datei mit allen ihren Knoten schreiben</translation>
+    </message>
+    <message>
+        <source>Write the mesh in m, cm, mm, um, nm, in or ft</source>
+        <translation>Das Netz in m, cm, mm, um, nm, in oder ft schreiben</translation>
+    </message>
+    <message>
+        <source>Write the nodes in Cartesian coordinates</source>
+        <translation>Die Knoten in kartesischen Koordinaten schreiben</translation>
+    </message>
+    <message>
+        <source>Write the nodes in basic coordinates</source>
+        <translation>Die Knoten in Grundkoordinaten schreiben</translation>
+    </message>
+    <message>
+        <source>Write the volume mesh as an unstructured grid (.vtu)</source>
+        <translation>Das Volumennetz als unstrukturiertes Gitter (.vtu) schreiben</translation>
+    </message>
+    <message>
+        <source>Write: node or set, component, force</source>
+        <translation>So schreiben: Knoten oder Menge, Komponente, Kraft</translation>
+    </message>
+    <message>
+        <source>Write: node or set, first component, last component, value</source>
+        <translation>So schreiben: Knoten oder Menge, erste Komponente, letzte Komponente, Wert</translation>
+    </message>
+    <message>
+        <source>a beam&apos;s orientation</source>
+        <translation>die Ausrichtung eines Balkens</translation>
+    </message>
+    <message>
+        <source>a dataset&apos;s end</source>
+        <translation>das Ende eines Datensatzes</translation>
+    </message>
+    <message>
+        <source>a dataset&apos;s number</source>
+        <translation>die Nummer eines Datensatzes</translation>
+    </message>
+    <message>
+        <source>a deck of Nastran numbers at most 99 999 999 nodes and elements</source>
+        <translation>eine Eingabedatei von Nastran nummeriert höchstens 99 999 999 Knoten und Elemente</translation>
+    </message>
+    <message>
+        <source>a face of &quot;%1&quot; names node %2, which does not exist</source>
+        <translation>eine Seite von „%1“ nennt den Knoten %2, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a force acts on the set &quot;%1&quot;, which is not there</source>
+        <translation>eine Kraft wirkt auf die Menge „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a group&apos;s first record has eight numbers</source>
+        <translation>der erste Satz einer Gruppe hat acht Zahlen</translation>
+    </message>
+    <message>
+        <source>a group&apos;s members</source>
+        <translation>die Mitglieder einer Gruppe</translation>
+    </message>
+    <message>
+        <source>a group&apos;s name</source>
+        <translation>der Name einer Gruppe</translation>
+    </message>
+    <message>
+        <source>a line that begins with * was expected, not &quot;%1&quot;</source>
+        <translation>eine Zeile, die mit * beginnt, wurde erwartet, nicht „%1“</translation>
+    </message>
+    <message>
+        <source>a node&apos;s coordinate</source>
+        <translation>die Koordinate eines Knotens</translation>
+    </message>
+    <message>
+        <source>a node&apos;s coordinates</source>
+        <translation>die Koordinaten eines Knotens</translation>
+    </message>
+    <message>
+        <source>a node&apos;s first record needs its number, from 1</source>
+        <translation>der erste Satz eines Knotens braucht seine Nummer, ab 1</translation>
+    </message>
+    <message>
+        <source>a node&apos;s number</source>
+        <translation>die Nummer eines Knotens</translation>
+    </message>
+    <message>
+        <source>a node&apos;s x</source>
+        <translation>das x eines Knotens</translation>
+    </message>
+    <message>
+        <source>a node&apos;s y</source>
+        <translation>das y eines Knotens</translation>
+    </message>
+    <message>
+        <source>a node&apos;s z</source>
+        <translation>das z eines Knotens</translation>
+    </message>
+    <message>
+        <source>a number of an element</source>
+        <translation>eine Nummer eines Elements</translation>
+    </message>
+    <message>
+        <source>a set has more members than such a file can have nodes or elements</source>
+        <translation>eine Menge hat mehr Mitglieder, als eine solche Datei Knoten oder Elemente haben kann</translation>
+    </message>
+    <message>
+        <source>a support acts on the set &quot;%1&quot;, which is not there</source>
+        <translation>ein Lager wirkt auf die Menge „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>an element has more nodes than its first record says</source>
+        <translation>ein Element hat mehr Knoten, als sein erster Satz sagt</translation>
+    </message>
+    <message>
+        <source>an element names node %1</source>
+        <translation>ein Element nennt den Knoten %1</translation>
+    </message>
+    <message>
+        <source>an element&apos;s first record has six numbers: its own, descriptor, property, material, colour and how many nodes</source>
+        <translation>der erste Satz eines Elements hat sechs Zahlen: seine eigene, Kennung, Eigenschaft, Werkstoff, Farbe und wie viele Knoten</translation>
+    </message>
+    <message>
+        <source>an element&apos;s nodes</source>
+        <translation>die Knoten eines Elements</translation>
+    </message>
+    <message>
+        <source>array &quot;%1&quot;</source>
+        <translation>Feld „%1“</translation>
+    </message>
+    <message>
+        <source>begins behind the end of the appended data</source>
+        <translation>beginnt hinter dem Ende der angehängten Daten</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>cell %1 ends at %2 of the connectivity, where it begins at %3</source>
+        <translation>Zelle %1 endet bei %2 der Verknüpfung, wo sie bei %3 beginnt</translation>
+    </message>
+    <message>
+        <source>cell %1 names point %2, which does not exist</source>
+        <translation>Zelle %1 nennt den Punkt %2, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>cell %1 of type %2 has %3 points</source>
+        <translation>Zelle %1 vom Typ %2 hat %3 Punkte</translation>
+    </message>
+    <message>
+        <source>curved beam</source>
+        <translation>gekrümmter Balken</translation>
+    </message>
+    <message>
+        <source>dataset %1</source>
+        <translation>Datensatz %1</translation>
+    </message>
+    <message>
+        <source>dataset %1 is of an older kind of UNV</source>
+        <translation>Datensatz %1 gehört zu einer älteren Art von UNV</translation>
+    </message>
+    <message>
+        <source>element %1 is listed twice</source>
+        <translation>Element %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>element %1 of type %2 lists %3 nodes, it has %4</source>
+        <translation>Element %1 vom Typ %2 nennt %3 Knoten, es hat %4</translation>
+    </message>
+    <message>
+        <source>element %1, a %2, has %3 nodes</source>
+        <translation>Element %1 (%2) hat %3 Knoten</translation>
+    </message>
+    <message>
+        <source>ends inside the header of its data</source>
+        <translation>endet im Kopf seiner Daten</translation>
+    </message>
+    <message>
+        <source>forces on %1, %2 together, make up no whole surface and are left out</source>
+        <translation>Kräfte auf %1, zusammen %2, ergeben keine ganze Fläche und werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot; says %2 members, but its lines have %3</source>
+        <translation>Gruppe „%1“ nennt %2 Mitglieder, aber ihre Zeilen haben %3</translation>
+    </message>
+    <message>
+        <source>has %1 numbers where %2 should be</source>
+        <translation>hat %1 Zahlen, wo %2 sein sollten</translation>
+    </message>
+    <message>
+        <source>has a block of %1 bytes in %2, more than there can be</source>
+        <translation>hat einen Block von %1 Byte in %2, mehr als sein können</translation>
+    </message>
+    <message>
+        <source>has a block that zlib cannot read</source>
+        <translation>hat einen Block, den zlib nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>has the format &quot;%1&quot;, which is not known</source>
+        <translation>hat das Format „%1“, das nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot; where a number should be</source>
+        <translation>enthält „%1“, wo eine Zahl sein sollte</translation>
+    </message>
+    <message>
+        <source>instance &quot;%1&quot; is moved from where its part is</source>
+        <translation>Instanz „%1“ ist gegenüber ihrem Teil verschoben</translation>
+    </message>
+    <message>
+        <source>is of type &quot;%1&quot;, which is not known</source>
+        <translation>ist vom Typ „%1“, der nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>lengths in %1</source>
+        <translation>Längen in %1</translation>
+    </message>
+    <message>
+        <source>material &quot;%1&quot; has no isotropic elasticity and is left out</source>
+        <translation>Werkstoff „%1“ hat keine isotrope Elastizität und wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>material &quot;%1&quot; is of no element and is left out</source>
+        <translation>Werkstoff „%1“ gehört zu keinem Element und wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>nodal component</source>
+        <translation>Knotenkomponente</translation>
+    </message>
+    <message>
+        <source>nodal forces on surface %1 are not spread evenly: read is their sum, %2, spread evenly</source>
+        <translation>Knotenkräfte auf Fläche %1 sind nicht gleichmäßig verteilt: gelesen wird ihre Summe, %2, gleichmäßig verteilt</translation>
+    </message>
+    <message>
+        <source>nodal forces on surfaces %1 are not spread evenly: read is their sum, %2, spread evenly</source>
+        <translation>Knotenkräfte auf den Flächen %1 sind nicht gleichmäßig verteilt: gelesen wird ihre Summe, %2, gleichmäßig verteilt</translation>
+    </message>
+    <message>
+        <source>not read, because nothing here can hold it: %1</source>
+        <translation>nicht gelesen, weil nichts hier es aufnehmen kann: %1</translation>
+    </message>
+    <message>
+        <source>parabolic beam</source>
+        <translation>parabolischer Balken</translation>
+    </message>
+    <message>
+        <source>parabolic brick</source>
+        <translation>parabolischer Quader</translation>
+    </message>
+    <message>
+        <source>parabolic quadrangle</source>
+        <translation>parabolisches Viereck</translation>
+    </message>
+    <message>
+        <source>parabolic tetrahedron</source>
+        <translation>parabolischer Tetraeder</translation>
+    </message>
+    <message>
+        <source>parabolic triangle</source>
+        <translation>parabolisches Dreieck</translation>
+    </message>
+    <message>
+        <source>parabolic wedge</source>
+        <translation>parabolischer Keil</translation>
+    </message>
+    <message>
+        <source>point %1 has a coordinate that is not a finite number</source>
+        <translation>Punkt %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>pressures on %1 make up no whole surface of one pressure and are left out</source>
+        <translation>Drücke auf %1 ergeben keine ganze Fläche eines Drucks und werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>property %1 is out of range</source>
+        <translation>Eigenschaft %1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>region %1</source>
+        <translation>Bereich %1</translation>
+    </message>
+    <message>
+        <source>says %1 blocks, more than its bytes can hold</source>
+        <translation>nennt %1 Blöcke, mehr als seine Bytes fassen</translation>
+    </message>
+    <message>
+        <source>says %1 bytes, but %2 are left</source>
+        <translation>nennt %1 Byte, aber %2 sind übrig</translation>
+    </message>
+    <message>
+        <source>set &quot;%1&quot; names &quot;%2&quot;, which is neither a number nor a set</source>
+        <translation>Menge „%1“ nennt „%2“, was weder eine Nummer noch eine Menge ist</translation>
+    </message>
+    <message>
+        <source>solid or shell</source>
+        <translation>Volumen- oder Schalenelement</translation>
+    </message>
+    <message>
+        <source>supports and loads of the file are left out, as tets were</source>
+        <translation>Lager und Lasten der Datei werden ausgelassen, wie auch Tetraeder</translation>
+    </message>
+    <message>
+        <source>supports of %1 make up no whole surface and are left out</source>
+        <translation>Lager von %1 ergeben keine ganze Fläche und werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>surface &quot;%1&quot; names element %2, which is no tet</source>
+        <translation>Fläche „%1“ nennt das Element %2, das kein Tetraeder ist</translation>
+    </message>
+    <message>
+        <source>surface &quot;%1&quot; names face &quot;%2&quot;; tets have S1 to S4</source>
+        <translation>Fläche „%1“ nennt die Seite „%2“; Tetraeder haben S1 bis S4</translation>
+    </message>
+    <message>
+        <source>surface &quot;%1&quot; names the set &quot;%2&quot;, which is not there</source>
+        <translation>Fläche „%1“ nennt die Menge „%2“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>surface_of_triangle has too many tuples</source>
+        <translation>surface_of_triangle hat zu viele Tupel</translation>
+    </message>
+    <message>
+        <source>tapered beam</source>
+        <translation>verjüngter Balken</translation>
+    </message>
+    <message>
+        <source>tet %1 names node %2, which does not exist</source>
+        <translation>Tetraeder %1 nennt den Knoten %2, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the acceleration</source>
+        <translation>die Beschleunigung</translation>
+    </message>
+    <message>
+        <source>the appended data do not begin with _</source>
+        <translation>die angehängten Daten beginnen nicht mit _</translation>
+    </message>
+    <message>
+        <source>the array &quot;%1&quot; %2</source>
+        <translation>das Feld „%1“ %2</translation>
+    </message>
+    <message>
+        <source>the cells have no array &quot;%1&quot;</source>
+        <translation>die Zellen haben kein Feld „%1“</translation>
+    </message>
+    <message>
+        <source>the component of a force</source>
+        <translation>die Komponente einer Kraft</translation>
+    </message>
+    <message>
+        <source>the components of a %1 are &quot;%2&quot;; they are digits from 1 to 6</source>
+        <translation>die Komponenten einer Karte %1 sind „%2“; es sind Ziffern von 1 bis 6</translation>
+    </message>
+    <message>
+        <source>the deck has more supports and loads than can be read</source>
+        <translation>die Eingabedatei hat mehr Lager und Lasten, als gelesen werden können</translation>
+    </message>
+    <message>
+        <source>the deck has more than one *%1, here &quot;%2&quot;</source>
+        <translation>die Eingabedatei hat mehr als ein *%1, hier „%2“</translation>
+    </message>
+    <message>
+        <source>the deck holds a %1; only tetrahedra (CTETRA) are supported</source>
+        <translation>die Eingabedatei enthält %1; nur Tetraeder (CTETRA) gehen</translation>
+    </message>
+    <message>
+        <source>the deck holds elements of type &quot;%1&quot;; only tetrahedra (C3D4, C3D10) are supported</source>
+        <translation>die Eingabedatei enthält Elemente vom Typ „%1“; nur Tetraeder (C3D4, C3D10) gehen</translation>
+    </message>
+    <message>
+        <source>the deck takes in another file by *INCLUDE (%1)</source>
+        <translation>die Eingabedatei holt mit *INCLUDE eine andere Datei (%1)</translation>
+    </message>
+    <message>
+        <source>the deck takes in another file by INCLUDE</source>
+        <translation>die Eingabedatei holt mit INCLUDE eine andere Datei</translation>
+    </message>
+    <message>
+        <source>the direction of gravity</source>
+        <translation>die Richtung der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>the element</source>
+        <translation>das Element</translation>
+    </message>
+    <message>
+        <source>the factor</source>
+        <translation>der Faktor</translation>
+    </message>
+    <message>
+        <source>the factor of lengths</source>
+        <translation>der Faktor der Längen</translation>
+    </message>
+    <message>
+        <source>the factor of lengths is %1, that of no unit that is known</source>
+        <translation>der Faktor der Längen ist %1, der keiner bekannten Einheit</translation>
+    </message>
+    <message>
+        <source>the file ends where %1 should stand (dataset of line %2)</source>
+        <translation>die Datei endet, wo %1 stehen sollte (Datensatz der Zeile %2)</translation>
+    </message>
+    <message>
+        <source>the file holds %1 pieces; one is read</source>
+        <translation>die Datei enthält %1 Stücke; eines wird gelesen</translation>
+    </message>
+    <message>
+        <source>the file holds a %1 (descriptor %2); only tetrahedra (111, 118) are supported</source>
+        <translation>die Datei enthält: %1 (Kennung %2); nur Tetraeder (111, 118) gehen</translation>
+    </message>
+    <message>
+        <source>the file holds a solid or shell (descriptor %1); only tetrahedra (111, 118) are supported</source>
+        <translation>die Datei enthält ein Volumen- oder Schalenelement (Kennung %1); nur Tetraeder (111, 118) gehen</translation>
+    </message>
+    <message>
+        <source>the file holds no points</source>
+        <translation>die Datei enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>the file is no sound XML: %1</source>
+        <translation>die Datei ist kein heiles XML: %1</translation>
+    </message>
+    <message>
+        <source>the file is packed by %1; zlib is read</source>
+        <translation>die Datei ist mit %1 gepackt; zlib wird gelesen</translation>
+    </message>
+    <message>
+        <source>the file says that its lengths are in %1; they are read so, not in %2</source>
+        <translation>die Datei sagt, dass ihre Längen in %1 sind; sie werden so gelesen, nicht in %2</translation>
+    </message>
+    <message>
+        <source>the first component</source>
+        <translation>die erste Komponente</translation>
+    </message>
+    <message>
+        <source>the force</source>
+        <translation>die Kraft</translation>
+    </message>
+    <message>
+        <source>the last component</source>
+        <translation>die letzte Komponente</translation>
+    </message>
+    <message>
+        <source>the last node</source>
+        <translation>der letzte Knoten</translation>
+    </message>
+    <message>
+        <source>the last offset of the cells is negative</source>
+        <translation>der letzte Versatz der Zellen ist negativ</translation>
+    </message>
+    <message>
+        <source>the load case that TEdit wrote into the file is left out: its cards were changed since, and are read as they are</source>
+        <translation>der Lastfall, den TEdit in die Datei schrieb, wird ausgelassen: seine Karten wurden seither geändert und werden gelesen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>the material</source>
+        <translation>der Werkstoff</translation>
+    </message>
+    <message>
+        <source>the mesh holds a %1 (cell type %2); only tetrahedra are supported</source>
+        <translation>das Netz enthält: %1 (Zelltyp %2); nur Tetraeder gehen</translation>
+    </message>
+    <message>
+        <source>the node</source>
+        <translation>der Knoten</translation>
+    </message>
+    <message>
+        <source>the number</source>
+        <translation>die Nummer</translation>
+    </message>
+    <message>
+        <source>the opposite corner</source>
+        <translation>die gegenüberliegende Ecke</translation>
+    </message>
+    <message>
+        <source>the prescribed value</source>
+        <translation>der vorgeschriebene Wert</translation>
+    </message>
+    <message>
+        <source>the pressure</source>
+        <translation>der Druck</translation>
+    </message>
+    <message>
+        <source>the property</source>
+        <translation>die Eigenschaft</translation>
+    </message>
+    <message>
+        <source>the set</source>
+        <translation>die Menge</translation>
+    </message>
+    <message>
+        <source>the shear modulus</source>
+        <translation>der Schubmodul</translation>
+    </message>
+    <message>
+        <source>the units</source>
+        <translation>die Einheiten</translation>
+    </message>
+    <message>
+        <source>this is a VTK file of type &quot;%1&quot;, not UnstructuredGrid</source>
+        <translation>dies ist eine VTK-Datei vom Typ „%1“, nicht UnstructuredGrid</translation>
     </message>
 </context>
 <context>
