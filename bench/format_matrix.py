@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Round trips of meshes over all formats, as a table for bench/FIGURES.md.
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
 #include <map>
 #include <ostream>
 
@@ -48,12 +49,17 @@ public:
 private:
   [[nodiscard]] vec3 point(vertex_id v) const { return scale_ * mesh_.position(v); }
 
-  /// Physical group of a named surface or region: its place in the table, from 1.
+  /// Physical group of a surface or region: its place in the table, from 1. Where none has a name
+  /// there are no groups; where some have one, all get a group, as meshio wants it.
   template <class Rows, class Id>
-  static std::int32_t group_of(const Rows& rows, Id id) {
+  [[nodiscard]] std::int32_t group_of(const Rows& rows, Id id) const {
+    const auto is_named = [](const auto& row) { return !row.name.empty(); };
+    if (std::ranges::none_of(mesh_.surfaces(), is_named) &&
+        std::ranges::none_of(mesh_.regions(), is_named))
+      return 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (rows[i].id == id)
-        return rows[i].name.empty() ? 0 : static_cast<std::int32_t>(i + 1);
+        return static_cast<std::int32_t>(i + 1);
     return 0;
   }
 

@@ -92,14 +92,23 @@ private:
       out_ << '\n';
     }
     auto number = tets_.slots.size();
-    for (const auto& [surface, sides] : surfaces_)
+    std::int64_t place = 0;
+    for (const auto& [surface, sides] : surfaces_) {
+      ++place;
       for (const auto& side : sides) {
-        write_element(++number, 91, 1, 3);
+        write_element(++number, 91, has_plain_ids() ? surface : place, 3);
         for (const auto v : corners_of(mesh_, side))
           put(vertices_.index[v] + 1ull);
         out_ << '\n';
       }
+    }
     end();
+  }
+
+  /// Whether ids can be properties: programs that know no groups part surfaces by these.
+  [[nodiscard]] bool has_plain_ids() const {
+    return surfaces_.empty() ||
+           (surfaces_.begin()->first > 0 && surfaces_.rbegin()->first <= INT32_MAX);
   }
 
   void begin_group(std::size_t number, std::size_t members, const std::string& word,

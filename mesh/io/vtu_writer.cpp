@@ -59,24 +59,34 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string text_array(const std::string& name, const std::vector<std::string>& texts) {
+std::string text_array(const std::string& name, const std::string& text) {
   std::string result = "<DataArray type=\"String\" Name=\"" + escaped(name) +
-                       "\" NumberOfTuples=\"" + std::to_string(texts.size()) +
-                       "\" format=\"ascii\">\n";
+                       "\" NumberOfTuples=\"1\" format=\"ascii\">\n";
+  for (const unsigned char c : text)
+    result += std::to_string(c) + " ";
+  return result + "0\n</DataArray>\n";
+}
+
+std::string byte_array(const std::string& name, const std::vector<std::string>& texts) {
+  std::string bytes;
+  std::size_t count = 0;
   for (const auto& text : texts) {
     for (const unsigned char c : text)
-      result += std::to_string(c) + " ";
-    result += "0\n";
+      bytes += std::to_string(c) + " ";
+    bytes += "0\n";
+    count += text.size() + 1;
   }
-  return result + "</DataArray>\n";
+  return "<DataArray type=\"UInt8\" Name=\"" + escaped(name) +
+         "\" NumberOfComponents=\"1\" NumberOfTuples=\"" + std::to_string(count) +
+         "\" format=\"ascii\">\n" + bytes + "</DataArray>\n";
 }
 
 std::string field_data(const vtu_grid& grid, appended_data& data) {
   std::string result;
   for (const auto& [name, text] : grid.notes)
-    result += text_array(name, {text});
+    result += text_array(name, text);
   for (const auto& [name, texts] : grid.texts)
-    result += text_array(name, texts);
+    result += byte_array(name, texts);
   for (const auto& one : grid.numbers) {
     auto array = data.add("Int64", escaped(one.name), one.components, std::as_bytes(one.values));
     const auto tuples = one.values.size() / static_cast<std::size_t>(one.components);

@@ -33,6 +33,7 @@ struct vtu_grid {
   std::vector<vtu_array> cell_data;
   std::vector<std::pair<std::string, std::string>> notes;  ///< Text field data.
   std::vector<vtu_numbers> numbers = {};
+  /// As bytes with a zero behind each text: not every program that reads VTU knows texts.
   std::vector<std::pair<std::string, std::vector<std::string>>> texts = {};
 };
 
