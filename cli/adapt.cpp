@@ -177,7 +177,7 @@ void add_adapt(CLI::App& app, action& chosen) {
   auto options = std::make_shared<adapt_options>();
   auto* command =
     app.add_subcommand("adapt", "Refine a mesh where the estimated error is, until it is small");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("mesh", options->mesh, read_formats_text())->required();
   command
     ->add_option("--load-case", options->load_cases,
                  "Materials, supports and loads (JSON); again for more load cases, all of which "

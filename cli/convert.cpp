@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <memory>
+#include <ostream>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/deck_loads.hpp"
 #include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
+#include "protocol/convert.hpp"
 
 namespace tedit::cli {
 
@@ -17,6 +20,7 @@ struct convert_options {
   std::string output;
   std::string length_unit = "mm";
   std::string output_unit;  ///< Empty: as in the mesh.
+  std::string load_case;    ///< Where that of a deck is written to.
 };
 
 /// What of the mesh is not in the file.
@@ -25,6 +29,42 @@ std::string losses_of(const file_format& format) {
     return format.keeps.surfaces ? "" : ", without its surfaces";
   return std::string(", its boundary alone") +
          (format.keeps.surfaces ? "" : ", without its surfaces");
+}
+
+/// Writes the load case of a deck, or says that the new file has none of it.
+expected<void> write_loads(const convert_options& options, const imported_mesh& mesh,
+                           const session& s, nlohmann::ordered_json& result) {
+  if (options.load_case.empty()) {
+    if (!mesh.loads.empty())
+      notice(s,
+             "note: materials, supports and loads of the file are not in the new one; "
+             "--load-case FILE.json keeps them");
+    return {};
+  }
+  const auto loads = load_case_of(mesh);
+  if (!loads)
+    return fail(loads.error());
+  for (const auto& remark : loads->remarks)
+    notice(s, "note: " + remark);
+  const auto text = protocol::load_case_to_json(loads->loads) + "\n";
+  result["load_case"] = options.load_case;
+  result["left_out"] = loads->remarks;
+  return write_file(options.load_case, [&](std::ostream& out) { out << text; });
+}
+
+/// That of the mesh, where the new file says it; else the one that whoever reads it will assume.
+std::string unit_of_output(const convert_options& options, const imported_mesh& mesh,
+                           const kept_in_file& keeps) {
+  if (!options.output_unit.empty())
+    return options.output_unit;
+  return keeps.unit ? mesh.length_unit : options.length_unit;
+}
+
+std::string describe(const convert_options& options, const file_format& format) {
+  auto text = options.output + ": the mesh" + losses_of(format) + "\n";
+  if (!options.load_case.empty())
+    text += options.load_case + ": its materials, supports and loads\n";
+  return text;
 }
 
 int run_convert(const convert_options& options, session& s) {
@@ -36,17 +76,20 @@ int run_convert(const convert_options& options, session& s) {
     return print_error(s, imported.error());
   for (const auto& warning : imported->warnings)
     notice(s, "note: " + warning);
-  const auto& unit = options.output_unit.empty() ? options.length_unit : options.output_unit;
+  const auto& keeps = (*format)->keeps;
+  const auto unit = unit_of_output(options, *imported, keeps);
+  nlohmann::ordered_json result{{"file", options.output},
+                                {"format", (*format)->name},
+                                {"length_unit", unit},
+                                {"keeps", {{"tets", keeps.tets}, {"surfaces", keeps.surfaces}}},
+                                {"notes", imported->warnings}};
+  if (const auto ok = write_loads(options, *imported, s, result); !ok)
+    return print_error(s, ok.error());
   const auto written =
     write_as((*format)->name, options.output, *imported->version, {.length_unit = unit});
   if (!written)
     return print_error(s, written.error());
-  print_result(
-    s,
-    {{"file", options.output},
-     {"format", (*format)->name},
-     {"keeps", {{"tets", (*format)->keeps.tets}, {"surfaces", (*format)->keeps.surfaces}}}},
-    options.output + ": the mesh" + losses_of(**format) + "\n");
+  print_result(s, result, describe(options, **format));
   return 0;
 }
 
@@ -55,14 +98,19 @@ int run_convert(const convert_options& options, session& s) {
 void add_convert(CLI::App& app, action& chosen) {
   auto options = std::make_shared<convert_options>();
   auto* command = app.add_subcommand("convert", "Write a mesh as a file of another format");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("mesh", options->mesh, read_formats_text())->required();
   command->add_option("-o,--output", options->output, "The new file: " + written_formats_text())
     ->required();
-  command->add_option("--length-unit", options->length_unit, "Unit of the mesh's coordinates")
+  command
+    ->add_option("--length-unit", options->length_unit,
+                 "Unit of the mesh's coordinates, where the file does not say it")
     ->capture_default_str();
   command->add_option("--output-unit", options->output_unit,
-                      "Unit of the new file's coordinates, as in the mesh when it is not given; a "
-                      "file for fields is always in metres");
+                      "Unit of the new file's coordinates; not given: as in the mesh where the new "
+                      "file says its unit, else that of --length-unit; a file for fields is always "
+                      "in metres");
+  command->add_option("--load-case", options->load_case,
+                      "Write materials, supports and loads of a deck here (JSON)");
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_convert(*options, s); }; });
 }

@@ -205,7 +205,7 @@ int run_edit(const edit_options& options, session& s) {
 void add_edit(CLI::App& app, action& chosen) {
   auto options = std::make_shared<edit_options>();
   auto* command = app.add_subcommand("edit", "Apply one operation to a mesh");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1), or a document (.tedit)")
+  command->add_option("mesh", options->mesh, read_formats_text() + "; or a document (.tedit)")
     ->required();
   command->add_option("--op", options->request.operation, "The operation; \"tedit ops\" lists them")
     ->required();

@@ -8,10 +8,16 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/export_step.hpp"
 #include "cli/part_document.hpp"
 #include "fem/calculix_deck.hpp"
+#include "fem/nastran_deck.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/io/bdf_sets.hpp"
 #include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
+#include "mesh/io/inp_sets.hpp"
+#include "mesh/io/marked_cards.hpp"
 #include "protocol/convert.hpp"
 
 namespace tedit::cli {
@@ -30,15 +36,37 @@ struct export_options {
   std::optional<std::uint32_t> version;
 };
 
+/// What a deck is made of.
+struct export_job {
+  const mesh_version& mesh;
+  const fem::problem& problem;
+  std::string load_case;  ///< JSON.
+  std::string title;
+  std::vector<std::size_t> elements;  ///< Number of each tet in the deck.
+
+  [[nodiscard]] std::size_t element_of(tet_id t) const { return elements[t]; }
+};
+
+/// What a deck holds besides nodes and elements.
+struct export_counts {
+  const char* format = "calculix";
+  std::size_t held_nodes = 0;
+  std::size_t boundaries = 0;
+  std::size_t equations = 0;
+  std::size_t loads = 0;
+  std::string loads_are;
+  std::string command;  ///< How its solver is called; empty where that depends on whose it is.
+};
+
 /// How CalculiX is called: it wants the name without its ending.
 std::string call_of(const fs::path& deck) {
   return "ccx -i " + fs::path(deck).replace_extension().string();
 }
 
 nlohmann::ordered_json to_json(const export_options& options, const fem::problem& p,
-                               const fem::calculix_counts& counts) {
+                               const export_counts& counts) {
   return {{"file", options.output},
-          {"format", "calculix"},
+          {"format", counts.format},
           {"element_order", p.element_order},
           {"nodes", p.node_count()},
           {"elements", p.element_count()},
@@ -46,98 +74,151 @@ nlohmann::ordered_json to_json(const export_options& options, const fem::problem
           {"boundaries", counts.boundaries},
           {"equations", counts.equations},
           {"loads", counts.loads},
-          {"command", call_of(options.output)}};
+          {"command", counts.command}};
 }
 
 std::string describe(const export_options& options, const fem::problem& p,
-                     const fem::calculix_counts& counts) {
-  return options.output + "\n  elements          " + std::to_string(p.element_count()) +
-         (p.element_order == 2 ? " C3D10" : " C3D4") + ", " + std::to_string(p.node_count()) +
-         " nodes\n  supports          " + std::to_string(counts.held_nodes) + " nodes (" +
-         std::to_string(counts.boundaries) + " components, " + std::to_string(counts.equations) +
-         " equations)\n  loads             " + std::to_string(counts.loads) +
-         " nodal components\n  run it with       " + call_of(options.output) + "\n";
+                     const export_counts& counts) {
+  const bool calculix = !counts.command.empty();
+  const char* element = p.element_order == 2 ? (calculix ? " C3D10" : " CTETRA of 10 nodes")
+                                             : (calculix ? " C3D4" : " CTETRA of 4 nodes");
+  return options.output + "\n  elements          " + std::to_string(p.element_count()) + element +
+         ", " + std::to_string(p.node_count()) + " nodes\n  supports          " +
+         std::to_string(counts.held_nodes) + " nodes (" + std::to_string(counts.boundaries) +
+         " components, " + std::to_string(counts.equations) + " equations)\n  loads             " +
+         std::to_string(counts.loads) + " " + counts.loads_are + "\n" +
+         (calculix ? "  run it with       " + counts.command + "\n" : std::string());
 }
 
-bool is_step(const fs::path& file) {
-  const auto suffix = file.extension();
-  return suffix == ".step" || suffix == ".stp";
+/// Ids, names and regions go into the deck, and the load case that its cards stand for: so that
+/// `tedit convert` gets all of it back.
+expected<export_counts> write_inp(const export_options& options, const export_job& job) {
+  fem::calculix_settings settings;
+  settings.title = job.title;
+  if (options.solver == "cholesky")
+    settings.solver = fem::calculix_solver::iterative_cholesky;
+  settings.sets = [&](std::ostream& out) {
+    write_inp_sets(out, job.mesh, [&](tet_id t) { return job.element_of(t); });
+  };
+  settings.around_cards = [&](std::ostream& out, const std::string& cards) {
+    write_marked_cards(out, "** ", cards, job.load_case);
+  };
+  fem::calculix_counts counts;
+  const auto written = write_file(options.output, [&](std::ostream& out) {
+    counts = fem::write_calculix_deck(job.problem, settings, out);
+  });
+  if (!written)
+    return fail(written.error());
+  return export_counts{"calculix",   counts.held_nodes,  counts.boundaries,      counts.equations,
+                       counts.loads, "nodal components", call_of(options.output)};
 }
 
-/// The CAD model of a document's version.
-int run_export_step(const export_options& options, session& s) {
-  if (!is_document(options.mesh))
-    return print_error(s, {ec::usage,
-                           options.mesh + " is no document: a mesh has no CAD model",
-                           "Begin with \"tedit import PART.step -o PART.tedit\", and edit that",
-                           {}});
-  const auto run = make_execution(s);
-  const auto part = read_part(options.mesh, options.version, run.part(0, 0.5));
+/// The same for Nastran.
+expected<export_counts> write_bdf(const export_options& options, const export_job& job) {
+  std::vector<std::size_t> node_of(job.mesh.vertex_slots());
+  for (std::size_t n = 0; n < job.problem.corner_count; ++n)
+    if (job.problem.node_vertices[n] != no_id)
+      node_of[job.problem.node_vertices[n]] = n + 1;
+  fem::nastran_settings settings;
+  settings.title = job.title;
+  settings.property = [&](tet_id t) { return bdf_property(job.mesh, job.mesh.region_of(t)); };
+  settings.head = [&](std::ostream& out) { write_bdf_names(out, job.mesh, "m"); };
+  settings.sets = [&](std::ostream& out) {
+    write_bdf_surfaces(
+      out, job.mesh, [&](tet_id t) { return job.element_of(t); },
+      [&](vertex_id v) { return node_of[v]; });
+  };
+  settings.around_cards = [&](std::ostream& out, const std::string& cards) {
+    write_marked_cards(out, "$ ", cards, job.load_case);
+  };
+  expected<fem::nastran_counts> counts;
+  const auto written = write_file(options.output, [&](std::ostream& out) {
+    counts = fem::write_nastran_deck(job.problem, settings, out);
+  });
+  if (!written)
+    return fail(written.error());
+  if (!counts)
+    return fail(counts.error());
+  return export_counts{"nastran",
+                       counts->held_nodes,
+                       counts->components,
+                       counts->equations,
+                       counts->loads,
+                       "nodal forces",
+                       ""};
+}
+
+/// The deck's format by its suffix: one that holds loads.
+expected<const file_format*> deck_format(const std::string& file) {
+  const auto suffix = fs::path(file).extension().string();
+  const auto* format = format_of_suffix(std::string_view(suffix).substr(suffix.empty() ? 0 : 1));
+  if (format && format->keeps.loads)
+    return format;
+  return fail(ec::usage, file + " does not end in .inp, .bdf, .nas or .dat",
+              "CalculiX reads NAME.inp, Nastran NAME.bdf: give such a name");
+}
+
+/// A mesh, or a version of a document, and what acts on it.
+struct loaded_part {
+  version_ptr mesh;
+  fem::load_case loads;
+};
+
+/// A document has load cases of its own: without a file the only one is taken.
+expected<loaded_part> read_document_part(const export_options& options, session& s) {
+  auto part = read_part(options.mesh, options.version, make_execution(s));
   if (!part)
-    return print_error(s, part.error());
-  if (!part->cad)
-    return print_error(s, {ec::not_found,
-                           options.mesh + " has no CAD model: the part came from a mesh",
-                           "Begin with \"tedit import PART.step -o PART.tedit\", and edit that",
-                           {}});
-  if (!part->cad->model)
-    return print_error(s, {ec::not_found,
-                           "the CAD model is older than version " + std::to_string(part->number) +
-                             ": " + part->cad->reason,
-                           "Export an earlier version with --version, or the mesh "
-                           "(\"tedit doc export\")",
-                           {}});
-  const auto& model = *part->cad->model;
-  if (auto written = cad::write_step(model, options.output, {}, run.part(0.5, 1)); !written)
-    return print_error(s, written.error());
-  print_result(s,
-               {{"file", options.output},
-                {"format", "step"},
-                {"version", part->number},
-                {"solids", model.facts.solids.size()},
-                {"faces", model.facts.faces.size()},
-                {"deviation_m", part->cad->deviation_m}},
-               options.output + ": " + std::to_string(model.facts.solids.size()) + " solids, " +
-                 std::to_string(model.facts.faces.size()) + " faces, version " +
-                 std::to_string(part->number) + "\n");
-  return 0;
+    return fail(part.error());
+  if (!options.load_case.empty())
+    return protocol::load_case_from_file(options.load_case).map([&](fem::load_case loads) {
+      return loaded_part{part->mesh, std::move(loads)};
+    });
+  if (part->load_cases.size() == 1)
+    return loaded_part{part->mesh, part->load_cases.front()};
+  return fail(ec::usage,
+              options.mesh + " has " + std::to_string(part->load_cases.size()) + " load cases",
+              "Name the file of one with --load-case");
+}
+
+expected<loaded_part> read_loaded(const export_options& options, session& s) {
+  if (is_document(options.mesh))
+    return read_document_part(options, s);
+  if (options.load_case.empty())
+    return fail(ec::usage, "--load-case is missing",
+                "A deck has materials, supports and loads: name their file");
+  auto loads = protocol::load_case_from_file(options.load_case);
+  if (!loads)
+    return fail(loads.error());
+  auto imported = import_mesh(options.mesh, options.length_unit);
+  if (!imported)
+    return fail(imported.error());
+  for (const auto& warning : imported->warnings)
+    notice(s, "note: " + warning);
+  return loaded_part{std::move(imported->version), std::move(*loads)};
 }
 
 int run_export(const export_options& options, session& s) {
   if (is_step(options.output))
-    return run_export_step(options, s);
-  if (options.load_case.empty())
-    return print_error(s, {ec::usage,
-                           "--load-case is missing",
-                           "A deck has materials, supports and loads: name their file",
-                           {}});
-  if (fs::path(options.output).extension() != ".inp")
-    return print_error(s, {ec::usage,
-                           options.output + " does not end in .inp",
-                           "CalculiX reads NAME.inp: give such a name",
-                           {}});
-  const auto loads = protocol::load_case_from_file(options.load_case);
-  if (!loads)
-    return print_error(s, loads.error());
-  const auto imported = import_mesh(options.mesh, options.length_unit);
-  if (!imported)
-    return print_error(s, imported.error());
-  for (const auto& warning : imported->warnings)
-    notice(s, "note: " + warning);
-  const auto problem = fem::make_problem(*imported->version, *loads, options.order);
+    return run_export_step({options.mesh, options.output, options.version}, s);
+  const auto format = deck_format(options.output);
+  if (!format)
+    return print_error(s, format.error());
+  const auto part = read_loaded(options, s);
+  if (!part)
+    return print_error(s, part.error());
+  const auto problem = fem::make_problem(*part->mesh, part->loads, options.order);
   if (!problem)
     return print_error(s, problem.error());
-  fem::calculix_settings settings;
-  settings.title = loads->name + " on " + fs::path(options.mesh).filename().string();
-  if (options.solver == "cholesky")
-    settings.solver = fem::calculix_solver::iterative_cholesky;
-  fem::calculix_counts counts;
-  const auto written = write_file(options.output, [&](std::ostream& out) {
-    counts = fem::write_calculix_deck(*problem, settings, out);
-  });
-  if (!written)
-    return print_error(s, written.error());
-  print_result(s, to_json(options, *problem, counts), describe(options, *problem, counts));
+  export_job job{*part->mesh, *problem, protocol::load_case_to_json(part->loads),
+                 part->loads.name + " on " + fs::path(options.mesh).filename().string(),
+                 std::vector<std::size_t>(part->mesh->tet_slots())};
+  for (std::size_t e = 0; e < problem->element_count(); ++e)
+    job.elements[problem->element_tets[e]] = e + 1;
+  const auto counts =
+    (*format)->name == formats::inp::about.name ? write_inp(options, job) : write_bdf(options, job);
+  if (!counts)
+    return print_error(s, counts.error());
+  print_result(s, to_json(options, *problem, *counts), describe(options, *problem, *counts));
   return 0;
 }
 
@@ -145,25 +226,29 @@ int run_export(const export_options& options, session& s) {
 
 void add_export(CLI::App& app, action& chosen) {
   auto options = std::make_shared<export_options>();
-  auto* command =
-    app.add_subcommand("export",
-                       "Write a load case on a mesh as an input deck of CalculiX, or the CAD model "
-                       "of a document as STEP");
+  auto* command = app.add_subcommand(
+    "export",
+    "Write a load case on a mesh as an input deck of CalculiX or Nastran, or the CAD model of a "
+    "document as STEP");
   command
     ->add_option("mesh", options->mesh,
-                 "A Gmsh file (MSH 2.2 or 4.1); for STEP a document (.tedit)")
+                 read_formats_text() + "; or a document (.tedit), as STEP needs one")
     ->required();
   command->add_option("--load-case", options->load_case,
-                      "Of a deck: materials, supports and loads (JSON)");
+                      "Of a deck: materials, supports and loads (JSON); a document's own without "
+                      "it");
   command
     ->add_option("-o,--output", options->output,
-                 "Write here: a deck (NAME.inp), or the CAD model with all edits (NAME.step)")
+                 "Write here: a deck, NAME.inp for CalculiX, NAME.bdf for Nastran; or the CAD "
+                 "model with all edits, NAME.step")
     ->required();
   command->add_option("--version", options->version,
                       "Of a document: the version's number; the current one without it");
   command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
     ->capture_default_str();
-  command->add_option("--order", options->order, "2: quadratic tets (C3D10); 1: linear tets (C3D4)")
+  command
+    ->add_option("--order", options->order,
+                 "2: quadratic tets (C3D10, CTETRA of 10 nodes); 1: linear tets")
     ->check(CLI::IsMember({1, 2}))
     ->capture_default_str();
   command

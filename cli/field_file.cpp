@@ -3,6 +3,7 @@
 
 #include "fem/fields.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/io/file.hpp"
 
 namespace tedit::cli {
 

@@ -24,7 +24,7 @@ const std::vector<command_format>& of_commands() {
     {"step", "a STEP file", "import", true, {"surfaces", "regions", "names", "unit"}},
     {"iges", "an IGES file", "import", true, {"surfaces", "regions", "names", "unit"}},
     {"brep", "a BREP of OpenCASCADE", "import", true, {"surfaces", "regions"}},
-    {"inp", "an input deck of CalculiX", "export", false, {"tets", "surfaces", "regions", "loads"}},
+    {"frd", "results of CalculiX", "solve", false, {"tets", "fields"}},
     {"tedit",
      "a whole document",
      "doc",
@@ -41,6 +41,10 @@ std::vector<std::string> kept_by(const file_format& format) {
     kept.insert(kept.end(), {"surfaces", "names"});
   if (format.keeps.fields)
     kept.emplace_back("fields");
+  if (format.keeps.unit)
+    kept.emplace_back("unit");
+  if (format.keeps.loads)
+    kept.emplace_back("loads");
   return kept;
 }
 

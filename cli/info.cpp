@@ -7,6 +7,7 @@
 
 #include "cli/command.hpp"
 #include "cli/mesh_report.hpp"
+#include "mesh/formats.hpp"
 #include "mesh/io/import.hpp"
 
 namespace tedit::cli {
@@ -77,7 +78,7 @@ int run_info(const info_options& options, session& s) {
 void add_info(CLI::App& app, action& chosen) {
   auto options = std::make_shared<info_options>();
   auto* command = app.add_subcommand("info", "Say what is in a mesh file");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("mesh", options->mesh, read_formats_text())->required();
   command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
     ->capture_default_str();
   command->add_flag("--all", options->all, "List all surfaces, however many there are");

@@ -27,7 +27,7 @@ constexpr auto soon = 14 * certs::day;
 /// that apart and nobody is turned away for it.
 constexpr double clocks_apart_s = 1800;
 
-check_row failed(const std::string& name, const error& e) {
+check_row failed_check(const std::string& name, const error& e) {
   return {name, false, render(e)};
 }
 
@@ -78,7 +78,7 @@ expected<server_clock> ask_server(actors::membership& member) {
 void add_server(std::vector<check_row>& rows, actors::membership& member) {
   const auto about = ask_server(member);
   if (!about) {
-    rows.push_back(failed("server", about.error()));
+    rows.push_back(failed_check("server", about.error()));
     return;
   }
   const bool fits = actors::work_together(TEDIT_VERSION, about->version);
@@ -103,7 +103,7 @@ std::vector<check_row> check_node_port(const server_config& config) {
   const auto identity =
     actors::tls_identity::load(actors::tls_side::door, {}, config.node_certificates);
   if (!identity)
-    return {failed("nodes", identity.error())};
+    return {failed_check("nodes", identity.error())};
   const auto& own = identity->context()->own();
   return {{"nodes", own.until > certs::now_s(),
            config.node_certificates + ": " + own.name + " of " + identity->context()->authority() +
@@ -129,17 +129,17 @@ check_row check_clock() {
 std::vector<check_row> check_joining(const joining_check& what, const cancel_token& stop) {
   const auto place = parse_place(what.place);
   if (!place)
-    return {failed("server", place.error())};
+    return {failed_check("server", place.error())};
   const auto own = own_certificate(what.certificates);
   if (!own)
-    return {failed("certificate", own.error())};
+    return {failed_check("certificate", own.error())};
   std::vector<check_row> rows{
     {"certificate", own->until > certs::now_s(),
      own->name + ", " + std::string(certs::role_name(own->what)) + ", " + end_text(own->until)}};
   auto member = actors::membership::join(
     actors::join_place{place->host, place->port, what.certificates, TEDIT_VERSION}, stop);
   if (!member) {
-    rows.push_back(failed("server", member.error()));
+    rows.push_back(failed_check("server", member.error()));
     return rows;
   }
   rows.push_back({"server", true, what.place + " is reached by TLS 1.3 and lets this node in"});

@@ -13,6 +13,7 @@
 #include "cli/plugin_new.hpp"
 #include "mesh/io/import.hpp"
 #include "ops/conformance/conformance.hpp"
+#include "ops/loader/catalogue.hpp"
 
 namespace tedit::cli {
 

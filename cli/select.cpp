@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/number_option.hpp"
 #include "mesh/features/select.hpp"
+#include "mesh/formats.hpp"
 #include "mesh/io/import.hpp"
 
 namespace tedit::cli {
@@ -105,7 +106,7 @@ int run_select(const select_options& options, session& s) {
 void add_select(CLI::App& app, action& chosen) {
   auto options = std::make_shared<select_options>();
   auto* command = app.add_subcommand("select", "Find surfaces that belong together");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("mesh", options->mesh, read_formats_text())->required();
   command->add_option("--hole", options->hole, "The whole hole that this wall surface belongs to")
     ->expected(1);
   command

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <filesystem>
 #include <memory>
+#include <ostream>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -11,8 +13,11 @@
 #include "cli/number_option.hpp"
 #include "cli/reports.hpp"
 #include "cli/solver_options.hpp"
+#include "fem/frd_writer.hpp"
 #include "fem/make_report.hpp"
 #include "fem/solver.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
 
 namespace tedit::cli {
@@ -66,10 +71,29 @@ fem::solve_settings settings_of(const solve_options& options) {
   return settings;
 }
 
+/// The suffix of results as CalculiX has them.
+bool is_frd(const std::filesystem::path& file) {
+  const auto suffix = file.extension();
+  return suffix == ".frd" || suffix == ".FRD";
+}
+
+expected<void> write_results(const std::filesystem::path& file, const fem::case_set& set,
+                             const fem::solved_cases& result) {
+  std::vector<const fem::solution*> cases;
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < result.cases.size(); ++c) {
+    cases.push_back(&result.cases[c]);
+    names.push_back(set.cases[c].name);
+  }
+  return write_file(file, [&](std::ostream& out) { write_frd(set.problem, cases, names, out); });
+}
+
 expected<void> write_output(const solve_options& options, const mesh_version& mesh,
                             const fem::case_set& set, const fem::solved_cases& result) {
   if (options.output.empty())
     return {};
+  if (is_frd(options.output))
+    return write_results(options.output, set, result);
   if (result.cases.size() == 1)
     return write_field(options.output, mesh, set.problem, result.cases.front());
   return write_field(options.output, mesh, set, result);
@@ -116,14 +140,17 @@ int run_solve(const solve_options& options, session& s) {
 void add_solve(CLI::App& app, action& chosen) {
   auto options = std::make_shared<solve_options>();
   auto* command = app.add_subcommand("solve", "Solve load cases on a mesh");
-  command->add_option("mesh", options->mesh, "A Gmsh file (MSH 2.2 or 4.1)")->required();
+  command->add_option("mesh", options->mesh, read_formats_text())->required();
   command
     ->add_option("--load-case", options->load_cases,
                  "Materials, supports and loads (JSON); again for more load cases, which are "
                  "solved together and get an envelope")
     ->required()
     ->allow_extra_args(false);
-  command->add_option("-o,--output", options->output, "Write the fields to this VTU file");
+  command->add_option(
+    "-o,--output", options->output,
+    "Write the fields to this file: .vtu, in metres and pascals at the mesh's vertices, or "
+    ".frd, as CalculiX writes results, at all nodes that are solved for");
   command->add_option("--length-unit", options->length_unit, "Unit of the file's coordinates")
     ->capture_default_str();
   add_solver_options(*command, options->solver);

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <cstdio>
 #include <ostream>
+#include <sstream>
 #include <utility>
+
+#include "base/short_number.hpp"
+#include "fem/held_rows.hpp"
 
 namespace tedit::fem {
 
@@ -16,14 +20,8 @@ namespace {
 /// CalculiX cuts a number here without a word: it reads -1.00000000000000e-05 as -1.
 constexpr std::size_t longest_number = 20;
 
-/// The shortest text that reads back as `value`, or as many digits as fit.
 std::string shortest(double value) {
-  std::array<char, 32> text;
-  // Adding zero makes -0 a plain 0.
-  auto end = std::to_chars(text.begin(), text.end(), value + 0.0).ptr;
-  for (int digits = 16; end - text.begin() > std::ptrdiff_t{longest_number}; --digits)
-    end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr;
-  return {text.begin(), end};
+  return short_number(value, longest_number);
 }
 
 /// Without the noise of the way to Lame's constants and back.
@@ -33,70 +31,12 @@ std::string rounded(double value) {
   return text.data();
 }
 
-// -- constraints -----------------------------------------------------------------------
-
-/// One held direction of a node as a row: u[dependent] + sum of factor[j] u[j] = value. Dependent
-/// components of a node's rows are distinct, and no row has a factor for one of them.
-struct held_row {
-  int dependent = 0;
-  std::array<double, 3> factor{};  ///< Zero for the dependent component.
-  double value = 0;                ///< m.
-
-  [[nodiscard]] bool oblique() const { return factor != std::array<double, 3>{}; }
-};
-
-using matrix_row = std::array<double, 4>;
-
-/// Makes column k a unit vector with its one in row k.
-void eliminate(std::array<matrix_row, 3>& rows, int k) {
-  const double pivot = rows[k][k];
-  for (auto& entry : rows[k])
-    entry /= pivot;
-  for (int i = 0; i < 3; ++i) {
-    const double factor = rows[i][k];
-    for (int j = 0; i != k && j < 4; ++j)
-      rows[i][j] -= factor * rows[k][j];
-  }
-}
-
-/// P u = z with P = 1 - S, reduced to as many rows as P has rank. P is a projector, so the largest
-/// diagonal entry left is a safe pivot.
-std::vector<held_row> held_rows(const problem& p, std::size_t node) {
-  const auto& s = p.filter[node];
-  const auto* z = &p.prescribed[3 * node];
-  std::array<matrix_row, 3> rows{{{1 - s[0], -s[1], -s[2], z[0]},
-                                  {-s[1], 1 - s[3], -s[4], z[1]},
-                                  {-s[2], -s[4], 1 - s[5], z[2]}}};
-  const auto rank = std::lround(3 - s[0] - s[3] - s[5]);
-  std::array<bool, 3> used{};
-  for (long step = 0; step < rank; ++step) {
-    int pivot = -1;
-    for (int k = 0; k < 3; ++k)
-      if (!used[k] && (pivot < 0 || rows[k][k] > rows[pivot][pivot]))
-        pivot = k;
-    used[pivot] = true;
-    eliminate(rows, pivot);
-  }
-  std::vector<held_row> result;
-  for (int k = 0; k < 3; ++k) {
-    if (!used[k])
-      continue;
-    held_row row{k, {}, rows[k][3]};
-    // Below this a factor is the rounding of a normal along an axis.
-    for (int j = 0; j < 3; ++j)
-      if (!used[j] && std::abs(rows[k][j]) > 1e-12)
-        row.factor[j] = rows[k][j];
-    result.push_back(row);
-  }
-  return result;
-}
-
 // -- the deck --------------------------------------------------------------------------
 
 class deck_writer {
 public:
   deck_writer(const problem& p, const calculix_settings& settings, std::ostream& out)
-      : p_(p), settings_(settings), out_(out) {
+      : p_(p), settings_(settings), file_(out) {
     for (std::size_t n = 0; n < p.node_count(); ++n)
       if (auto rows = held_rows(p, n); !rows.empty())
         held_.emplace_back(n, std::move(rows));
@@ -107,6 +47,10 @@ public:
     write_header();
     write_nodes();
     write_elements();
+    file_ << out_.str();
+    out_.str({});
+    if (settings_.sets)
+      settings_.sets(file_);
     write_materials();
     write_equations();
     out_ << "*STEP\n*STATIC, SOLVER="
@@ -115,6 +59,10 @@ public:
     write_boundaries();
     write_loads();
     write_output();
+    if (settings_.around_cards)
+      settings_.around_cards(file_, out_.str());
+    else
+      file_ << out_.str();
     return counts_;
   }
 
@@ -256,7 +204,8 @@ private:
 
   const problem& p_;
   const calculix_settings& settings_;
-  std::ostream& out_;
+  std::ostream& file_;
+  std::ostringstream out_;  ///< What is not in the file yet.
   std::vector<std::pair<std::size_t, std::vector<held_row>>> held_;
   std::vector<std::size_t> materials_;  ///< Those that have elements.
   calculix_counts counts_;

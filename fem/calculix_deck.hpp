@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 
@@ -20,6 +21,11 @@ struct calculix_settings {
   std::string title;  ///< One line for the deck's header.
   calculix_solver solver = calculix_solver::spooles;
   bool fields = true;  ///< Displacement, forces and stress to NAME.frd, for cgx and converters.
+  /// Writes further cards of the model behind the elements: sets and surfaces.
+  std::function<void(std::ostream&)> sets = {};
+  /// Writes what stands for materials, supports and loads, which is `cards`, with what a program
+  /// that reads the deck should know of it; empty: `cards` alone.
+  std::function<void(std::ostream&, const std::string& cards)> around_cards = {};
 };
 
 /// What a deck holds, besides nodes and elements.
