@@ -60,7 +60,7 @@ std::string unit_of_output(const convert_options& options, const imported_mesh& 
   return keeps.unit ? mesh.length_unit : options.length_unit;
 }
 
-std::string describe(const convert_options& options, const file_format& format) {
+std::string text_of_files(const convert_options& options, const file_format& format) {
   auto text = options.output + ": the mesh" + losses_of(format) + "\n";
   if (!options.load_case.empty())
     text += options.load_case + ": its materials, supports and loads\n";
@@ -89,7 +89,7 @@ int run_convert(const convert_options& options, session& s) {
     write_as((*format)->name, options.output, *imported->version, {.length_unit = unit});
   if (!written)
     return print_error(s, written.error());
-  print_result(s, result, describe(options, **format));
+  print_result(s, result, text_of_files(options, **format));
   return 0;
 }
 
