@@ -16,18 +16,25 @@ struct command_format {
   const char* kind;
   const char* command;
   bool reads;
+  bool writes;
   std::vector<std::string> keeps;
 };
 
 const std::vector<command_format>& of_commands() {
   static const std::vector<command_format> rows{
-    {"step", "a STEP file", "import", true, {"surfaces", "regions", "names", "unit"}},
-    {"iges", "an IGES file", "import", true, {"surfaces", "regions", "names", "unit"}},
-    {"brep", "a BREP of OpenCASCADE", "import", true, {"surfaces", "regions"}},
-    {"frd", "results of CalculiX", "solve", false, {"tets", "fields"}},
+    {"step",
+     "a STEP file",
+     "import, export",
+     true,
+     true,
+     {"surfaces", "regions", "names", "colours", "unit"}},
+    {"iges", "an IGES file", "import", true, false, {"surfaces", "regions", "names", "unit"}},
+    {"brep", "a BREP of OpenCASCADE", "import", true, false, {"surfaces", "regions"}},
+    {"frd", "results of CalculiX", "solve", false, true, {"tets", "fields"}},
     {"tedit",
      "a whole document",
      "doc",
+     true,
      true,
      {"tets", "surfaces", "regions", "names", "history"}}};
   return rows;
@@ -58,11 +65,8 @@ nlohmann::ordered_json all_rows() {
   auto rows = nlohmann::ordered_json::array();
   for (const auto& one : file_formats)
     rows.push_back(row_of(one.name, one.kind, one.reads, one.writes, "convert", kept_by(one)));
-  for (const auto& one : of_commands()) {
-    const bool both = std::string_view(one.name) == document_format;
-    rows.push_back(
-      row_of(one.name, one.kind, one.reads, both || !one.reads, one.command, one.keeps));
-  }
+  for (const auto& one : of_commands())
+    rows.push_back(row_of(one.name, one.kind, one.reads, one.writes, one.command, one.keeps));
   return rows;
 }
 
