@@ -8105,6 +8105,58 @@
         <source>this is a VTK file of type &quot;%1&quot;, not UnstructuredGrid</source>
         <translation>dies ist eine VTK-Datei vom Typ „%1“, nicht UnstructuredGrid</translation>
     </message>
+    <message>
+        <source>%1 of the edit&apos;s folder is damaged</source>
+        <translation>%1 im Ordner der Änderung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Import the CAD file again</source>
+        <translation>Die CAD-Datei noch einmal importieren</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE cannot compare the shapes: %1 %2</source>
+        <translation>OpenCASCADE kann die Formen nicht vergleichen: %1 %2</translation>
+    </message>
+    <message>
+        <source>Try again; if it stays, report it with the part</source>
+        <translation>Noch einmal versuchen; wenn es bleibt, mit dem Teil melden</translation>
+    </message>
+    <message>
+        <source>Try again; make room on the disk of the temporary folder</source>
+        <translation>Noch einmal versuchen; auf der Platte des temporären Ordners Platz schaffen</translation>
+    </message>
+    <message>
+        <source>the CAD model cannot be written</source>
+        <translation>das CAD-Modell lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the CAD model that was kept has other faces than it says</source>
+        <translation>das aufbewahrte CAD-Modell hat andere Flächen, als es sagt</translation>
+    </message>
+    <message>
+        <source>the CAD model that was kept is damaged</source>
+        <translation>das aufbewahrte CAD-Modell ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the edit cannot be made: %1</source>
+        <translation>die Änderung lässt sich nicht machen: %1</translation>
+    </message>
+    <message>
+        <source>the edit cannot be written for the CAD model</source>
+        <translation>die Änderung lässt sich nicht für das CAD-Modell schreiben</translation>
+    </message>
+    <message>
+        <source>the edit needs more memory than it may take</source>
+        <translation>die Änderung braucht mehr Speicher, als sie nehmen darf</translation>
+    </message>
+    <message>
+        <source>the surface in the edit&apos;s folder is damaged</source>
+        <translation>die Oberfläche im Ordner der Änderung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>what is known of the CAD model&apos;s faces is damaged</source>
+        <translation>was über die Flächen des CAD-Modells bekannt ist, ist beschädigt</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
