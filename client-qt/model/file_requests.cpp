@@ -204,49 +204,77 @@ expected<std::string> file_requests::open_empty(client::client& server, const QS
   }
 }
 
+/// A CAD file comes as a document that has its model.
+expected<file_requests::ready> file_requests::make_of_cad(client::client& server,
+                                                          const execution& run,
+                                                          const imported_file& file) {
+  const auto meshed = mesh_cad_file(file.mesh, file.size, run.part(0, 0.8));
+  if (!meshed)
+    return fail(meshed.error());
+  const auto name = new_document_name(file.mesh, QDateTime::currentDateTime()).toStdString();
+  const auto added =
+    server.add_document(meshed->document.toStdString(), name, true, run.part(0.8, 1));
+  if (!added)
+    return fail(added.error());
+  if (const auto opened = server.open(*added, false, false); !opened)
+    return fail(opened.error());
+  return ready{*added, meshed->warnings, {}, {}};
+}
+
+expected<file_requests::ready> file_requests::make_of_mesh(client::client& server,
+                                                           const execution& run,
+                                                           const imported_file& file) {
+  const auto name = open_empty(server, file.mesh);
+  if (!name)
+    return fail(name.error());
+  auto made = server.import_file(file.mesh.toStdString(), file.unit.toStdString(), run);
+  if (!made)
+    return fail(made.error());
+  return ready{*name, std::move(made->warnings), {}, file};
+}
+
 /// A part whose loads are refused is opened all the same.
 expected<file_requests::ready> file_requests::make(client::client& server, const execution& run,
                                                    const new_part& from) {
-  const bool cad = is_cad_file(from.file.mesh);
-  const auto meshed = cad ? mesh_cad_file(from.file.mesh, from.file.size, run.part(0, 0.8))
-                          : expected<meshed_part>(meshed_part{nullptr, from.file.mesh, {}});
-  if (!meshed)
-    return fail(meshed.error());
-  const auto name = open_empty(server, from.file.mesh);
-  if (!name)
-    return fail(name.error());
-  auto made = server.import_file(meshed->mesh.toStdString(), from.file.unit.toStdString(),
-                                 cad ? run.part(0.8, 1) : run);
+  auto made = is_cad_file(from.file.mesh) ? make_of_cad(server, run, from.file)
+                                          : make_of_mesh(server, run, from.file);
   if (!made)
-    return fail(made.error());
-  ready result{*name, meshed->warnings, {}, cad ? std::nullopt : std::optional(from.file)};
-  result.warnings.insert(result.warnings.end(), made->warnings.begin(), made->warnings.end());
+    return made;
+  auto& result = *made;
   for (const auto& one : from.loads)
     if (const auto ok = server.set_load_case(one); !ok && !result.refused_loads)
       result.refused_loads = ok.error();
-  return result;
+  return made;
+}
+
+/// The head in a format of the server's, or the whole document; the CAD model is made of that.
+static expected<void> write_export(client::client& server, const execution& run,
+                                   const QString& path) {
+  const auto format = QFileInfo(path).suffix().toLower().toStdString();
+  const bool model = is_step_file(path);
+  const bool whole = model || format == document_format;
+  const auto bytes = server.export_file(model ? std::string(document_format) : format, {},
+                                        whole ? "" : "mm", model ? run.part(0, 0.5) : run);
+  if (!bytes)
+    return fail(bytes.error());
+  if (model)
+    return write_cad_model(*bytes, path, run);
+  QSaveFile file(path);
+  const auto size = static_cast<qint64>(bytes->size());
+  if (!file.open(QIODevice::WriteOnly) || file.write(bytes->data(), size) != size || !file.commit())
+    return fail(ec::io_error, "cannot write the file: " + file.errorString().toStdString(), {},
+                path.toStdString());
+  return {};
 }
 
 void file_requests::export_to(const QString& path) {
   const auto format = QFileInfo(path).suffix().toLower().toStdString();
   const QString title = tr("Export %1").arg(QFileInfo(path).fileName());
-  if (const auto ok = client::check_format(link_.formats(), format); !ok)
+  const auto ok = client::check_format(link_.formats(), format);
+  if (!ok && !is_step_file(path))
     return emit part_.failed(title, ok.error());
   part_.foreground().ask<void>(
-    title,
-    [path, format](client::client& c, const execution& run) -> expected<void> {
-      const bool whole = format == document_format;
-      const auto bytes = c.export_file(format, {}, whole ? "" : "mm", run);
-      if (!bytes)
-        return fail(bytes.error());
-      QSaveFile file(path);
-      const auto size = static_cast<qint64>(bytes->size());
-      if (!file.open(QIODevice::WriteOnly) || file.write(bytes->data(), size) != size ||
-          !file.commit())
-        return fail(ec::io_error, "cannot write the file: " + file.errorString().toStdString(), {},
-                    path.toStdString());
-      return {};
-    },
+    title, [path](client::client& c, const execution& run) { return write_export(c, run, path); },
     [this, title, path, mine = part_.opening()](const expected<void>& ok) {
       if (mine != part_.opening())
         return;

@@ -42,7 +42,8 @@ public:
   /// Makes a new document from a mesh file and load cases (files of canonical JSON), and solves
   /// it. `unit` is the mesh's length unit, "mm" when empty.
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
-  /// The same from a CAD file, which is meshed on this computer first (`mesh_cad_file`).
+  /// The same from a CAD file, which is meshed on this computer first (`mesh_cad_file`); the
+  /// document has its model, too.
   void import_cad(const QString& file, const QStringList& load_cases, const QString& size);
   /// Gives the server a document that lies in a file, under its name or, where that is taken, the
   /// next one, and opens it.
@@ -52,8 +53,9 @@ public:
   void rename(const QString& name, std::function<void(const expected<void>&)> done);
   /// The server hears of it: others may delete the document then, and its memory is free soon.
   void close();
-  /// Writes a file, by its suffix: the head in a format of the server's or the whole document
-  /// (.tedit). Another suffix fails with those that there are.
+  /// Writes a file, by its suffix: the head in a format of the server's, the whole document
+  /// (.tedit), or the CAD model with all edits (.step). Another suffix fails with those that there
+  /// are.
   void export_to(const QString& path);
 
 signals:
@@ -94,6 +96,10 @@ private:
                                                         const QString& mesh);
   [[nodiscard]] static expected<ready> make(client::client& server, const execution& run,
                                             const new_part& from);
+  [[nodiscard]] static expected<ready> make_of_cad(client::client& server, const execution& run,
+                                                   const imported_file& file);
+  [[nodiscard]] static expected<ready> make_of_mesh(client::client& server, const execution& run,
+                                                    const imported_file& file);
 
   document& part_;
   remote& link_;

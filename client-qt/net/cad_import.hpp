@@ -19,10 +19,13 @@ namespace tedit::desktop {
 /// "*.step *.stp ...": for a dialog.
 [[nodiscard]] QString cad_patterns();
 
-/// The mesh of a CAD file; its folder goes with it.
+/// Whether a CAD model is written into a file of this name: STEP.
+[[nodiscard]] bool is_step_file(const QString& path);
+
+/// A CAD file as a document: its mesh beside its model. The folder goes with it.
 struct meshed_part {
   std::unique_ptr<QTemporaryDir> folder;
-  QString mesh;                       ///< Path of a MSH file, in mm.
+  QString document;                   ///< Path of the .tedit file.
   std::vector<std::string> warnings;  ///< What a person should know, one sentence each.
 };
 
@@ -32,5 +35,11 @@ struct meshed_part {
 /// where it does not start.
 [[nodiscard]] expected<meshed_part> mesh_cad_file(const QString& file, const QString& size,
                                                   const execution& run);
+
+/// Writes the CAD model of a document with all its edits as a STEP file, by "tedit export", on this
+/// computer. `document`: its file's bytes. It waits. Errors: those that the program says, as where
+/// an edit is in the mesh only; `io_error`, `cancelled`, `service_unavailable`.
+[[nodiscard]] expected<void> write_cad_model(const std::vector<char>& document, const QString& step,
+                                             const execution& run);
 
 }  // namespace tedit::desktop

@@ -82,6 +82,10 @@
         <source>meshing the CAD file</source>
         <translation>CAD-Datei vernetzen</translation>
     </message>
+    <message>
+        <source>editing the CAD model</source>
+        <translation>CAD-Modell bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>command_groups</name>
@@ -7126,16 +7130,8 @@
         <translation>die Oberfläche der Datei ist so groß, dass sie mehr als 400.000 Dreiecke wie die des Teils bräuchte</translation>
     </message>
     <message>
-        <source>&quot;tedit import&quot; ended without an answer</source>
-        <translation>„tedit import“ endete ohne Antwort</translation>
-    </message>
-    <message>
         <source>Install it beside this one</source>
         <translation>Es neben diesem installieren</translation>
-    </message>
-    <message>
-        <source>Run it on the command line to see why</source>
-        <translation>Es auf der Kommandozeile ausführen, um zu sehen, warum</translation>
     </message>
     <message>
         <source>Set TMPDIR to a folder with room that you may write to</source>
@@ -8157,6 +8153,18 @@
         <source>what is known of the CAD model&apos;s faces is damaged</source>
         <translation>was über die Flächen des CAD-Modells bekannt ist, ist beschädigt</translation>
     </message>
+    <message>
+        <source>Run &quot;tedit import&quot; or &quot;tedit export&quot; on the command line to see why</source>
+        <translation>„tedit import“ oder „tedit export“ auf der Befehlszeile ausführen, um den Grund zu sehen</translation>
+    </message>
+    <message>
+        <source>cannot write the file: %1</source>
+        <translation>die Datei lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>the program tedit ended without an answer</source>
+        <translation>das Programm tedit endete ohne Antwort</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -8837,6 +8845,10 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>Fine</source>
         <translation>Fein</translation>
+    </message>
+    <message>
+        <source>CAD model with all edits (*.step)</source>
+        <translation>CAD-Modell mit allen Änderungen (*.step)</translation>
     </message>
 </context>
 <context>

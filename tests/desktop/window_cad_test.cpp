@@ -33,6 +33,38 @@ TEST_F(CadFiles, AskHowFineAndComeInWithTheirUnitAndFaces) {
   EXPECT_EQ(window->findChild<QWidget*>("unit_question")->isVisible(), false);
 }
 
+TEST_F(CadFiles, AnEditComesBackInTheStepFile) {
+  if (!can_read())
+    GTEST_SKIP() << "this build reads no CAD files";
+  part().files().import_cad(block(), {}, "coarse");
+  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  part().edits().apply({"fill_hole", {8, 9}, {}, {}});
+  ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
+  const QString path = state.path() + "/closed.step";
+
+  part().files().export_to(path);
+
+  ASSERT_TRUE(wait([&] { return QFile::exists(path); }))
+    << window->context().messages.text().toStdString();
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const auto text = file.readAll();
+  EXPECT_TRUE(text.startsWith("ISO-10303-21"));
+  EXPECT_EQ(text.count("ADVANCED_FACE("), 6);  // Nine with the hole.
+}
+
+TEST_F(CadFiles, APartFromAMeshHasNoModelToExport) {
+  open_plate(false);
+  const QString path = state.path() + "/plate.step";
+
+  part().files().export_to(path);
+
+  ASSERT_TRUE(wait([&] { return !window->context().messages.text().isEmpty(); }));
+  EXPECT_TRUE(window->context().messages.text().contains("no CAD model"))
+    << window->context().messages.text().toStdString();
+  EXPECT_FALSE(QFile::exists(path));
+}
+
 TEST_F(CadFiles, WhatIsNoneIsToldAndTheStartPageStays) {
   const QString path = state.path() + "/part.step";
   QFile file(path);

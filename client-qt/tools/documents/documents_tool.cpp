@@ -346,7 +346,8 @@ void documents_tool::ask_export() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const auto suffix_in = [](const QString& filter) { return filter.section("*.", 1).chopped(1); };
-  const auto filters = filters_to_write(in_.link.formats());
+  auto filters = filters_to_write(in_.link.formats());
+  filters << tr("CAD model with all edits (*.step)");
   dialog->setNameFilters(filters);
   dialog->setDefaultSuffix(suffix_in(filters.value(0)));
   connect(dialog, &QFileDialog::filterSelected, dialog,
