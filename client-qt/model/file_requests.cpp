@@ -270,9 +270,8 @@ static expected<void> write_export(client::client& server, const execution& run,
 void file_requests::export_to(const QString& path) {
   const auto format = QFileInfo(path).suffix().toLower().toStdString();
   const QString title = tr("Export %1").arg(QFileInfo(path).fileName());
-  const auto ok = client::check_format(link_.formats(), format);
-  if (!ok && !is_step_file(path))
-    return emit part_.failed(title, ok.error());
+  if (const auto can = client::check_format(link_.formats(), format); !can && !is_step_file(path))
+    return emit part_.failed(title, can.error());
   part_.foreground().ask<void>(
     title, [path](client::client& c, const execution& run) { return write_export(c, run, path); },
     [this, title, path, mine = part_.opening()](const expected<void>& ok) {
