@@ -52,6 +52,8 @@ std::vector<std::string> kept_by(const file_format& format) {
     kept.emplace_back("unit");
   if (format.keeps.loads)
     kept.emplace_back("loads");
+  if (format.keeps.colours)
+    kept.emplace_back("colours");
   return kept;
 }
 

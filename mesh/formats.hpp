@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/for_people.hpp"
 #include "mesh/field.hpp"
+#include "mesh/types.hpp"
 
 /// The table of file formats: what the command line, the server, recipes and the window know of
 /// them. A new format is a row here and its writer in `mesh/io`; docs and translations beside it.
@@ -24,11 +27,25 @@ class file_target;
 class mesh_version;
 struct read_mesh;
 
+/// Red, green and blue.
+using byte_colour = std::array<std::uint8_t, 3>;
+
+/// How a part looks in a file that keeps colours: by its surfaces, vertices or facets, or neither.
+struct file_colours {
+  std::map<surface_id, byte_colour> of_surfaces = {};  ///< Those that are left out have none.
+  /// Of each vertex slot, a place in `palette`. Steps, for a file names each colour once.
+  std::vector<std::uint8_t> of_vertices = {};
+  std::vector<std::uint8_t> of_facets = {};  ///< Likewise of each facet slot.
+  std::vector<byte_colour> palette = {};
+};
+
 /// What a file has beside the mesh itself.
 struct file_terms {
   std::string length_unit = "mm";  ///< Of coordinates; formats that keep fields take metres.
   std::vector<field> fields = {};
   std::vector<std::pair<std::string, std::string>> notes = {};  ///< What the fields are worth.
+  file_colours colours = {};
+  std::string title = {};  ///< Of the part, for people; UTF-8.
 };
 
 /// Errors: `io_error`; `invalid_argument` for the unit or for what the format cannot hold.
@@ -45,6 +62,7 @@ struct kept_in_file {
   bool fields = false;    ///< Of the last solve.
   bool unit = false;      ///< The file itself says the unit of its coordinates.
   bool loads = false;     ///< Materials, supports and loads: read, and written by `tedit export`.
+  bool colours = false;   ///< Of surfaces or vertices, where the writer is given some.
 };
 
 struct file_format {
@@ -155,8 +173,29 @@ struct obj {
   static file_recogniser recognises;
 };
 
+/// For 3D printing: an object of each region with its name, faces between regions in both of them;
+/// several are parts of one. Surfaces are materials where they have colours, vertices have colours
+/// of a group. Units are those that the format knows: um, mm, cm, m, in, ft. The same mesh gives
+/// the same bytes.
+struct threemf {
+  static constexpr file_format about{"3mf",
+                                     for_people("formats", "Part for 3D printing"),
+                                     "a 3MF file",
+                                     {.unit = true, .colours = true}};
+  static file_writer write;
+  static file_recogniser recognises;
+};
+
+/// Binary, to look at: colours of vertices, or of faces by their surface.
+struct ply {
+  static constexpr file_format about{
+    "ply", for_people("formats", "Boundary with colours"), "a PLY surface", {.colours = true}};
+  static file_writer write;
+  static file_recogniser recognises;
+};
+
 /// In the order in which people are offered them.
-using all = std::tuple<msh, vtu, stl, obj, inp, bdf, unv, msh2>;
+using all = std::tuple<msh, vtu, stl, obj, threemf, ply, inp, bdf, unv, msh2>;
 
 template <class Format>
 consteval file_format describe() {

@@ -19,7 +19,7 @@ ROOMS = ["base", "mesh", "fem", "edit", "ops", "cad", "protocol", "client", "cli
 LEFT_OUT = re.compile(r"""
     ops/(conformance|probe|sdk|mesher)/ | ops/loader/(plugin_fit|probe|operation_log|child_operation|edit_answer)
   | ops/[a-z_]+/operation\. | ops/tools/(profile_parameters|tools\.)
-  | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/(vtu|obj|stl)_writer
+  | fem/(calculix_deck|quantities) | mesh/(layout|manifest|paged_array|formats\.hpp|version\.) | mesh/io/((vtu|obj|stl|ply)_writer|threemf_model)
   | base/(error|metrics|random_token|virtual_display|process_usage|forked_call|units|child_process)
   | client/(recipes/|recipe_) | protocol/(forms|json)
   | actors/(links|pages|exits|session/numbers|supervisor/pool_numbers|versions|wire_value|node/(server|worker|system)) | actors/store/(seal|documents_folder|removal|cleaning|check\.|document_view)

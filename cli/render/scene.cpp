@@ -33,37 +33,11 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/colour_map.hpp"
+
 namespace tedit::picture {
 
 namespace {
-
-// Viridis at eleven even steps (Smith & van der Walt 2015, CC0): perceptually even, readable with
-// colour blindness.
-constexpr std::array<std::array<double, 3>, 11> viridis{{{0.267, 0.005, 0.329},
-                                                         {0.283, 0.141, 0.458},
-                                                         {0.254, 0.265, 0.530},
-                                                         {0.207, 0.372, 0.553},
-                                                         {0.164, 0.471, 0.558},
-                                                         {0.128, 0.567, 0.551},
-                                                         {0.135, 0.659, 0.518},
-                                                         {0.267, 0.749, 0.441},
-                                                         {0.478, 0.821, 0.318},
-                                                         {0.741, 0.873, 0.150},
-                                                         {0.993, 0.906, 0.144}}};
-
-// From blue over a light grey to red in even steps of lightness (Moreland 2009, "cool to warm"):
-// what is near zero steps back, and a sign is never mistaken.
-constexpr std::array<std::array<double, 3>, 11> cool_to_warm{{{0.230, 0.299, 0.754},
-                                                              {0.348, 0.466, 0.888},
-                                                              {0.484, 0.622, 0.975},
-                                                              {0.619, 0.744, 0.999},
-                                                              {0.754, 0.830, 0.961},
-                                                              {0.865, 0.865, 0.865},
-                                                              {0.947, 0.795, 0.717},
-                                                              {0.969, 0.679, 0.561},
-                                                              {0.934, 0.525, 0.412},
-                                                              {0.839, 0.346, 0.279},
-                                                              {0.706, 0.016, 0.150}}};
 
 // What has no value: darker than the middle of the colours and without a tint.
 constexpr double no_value = 0.45;
@@ -85,11 +59,7 @@ void fill_colours(vtkLookupTable* table, bool diverging) {
   constexpr int steps = 256;
   table->SetNumberOfTableValues(steps);
   for (int i = 0; i < steps; ++i) {
-    const double at = 10.0 * i / (steps - 1);
-    const int low = std::min(9, static_cast<int>(at));
-    std::array<double, 3> c{};
-    for (int k = 0; k < 3; ++k)
-      c[k] = colours[low][k] + (at - low) * (colours[low + 1][k] - colours[low][k]);
+    const auto c = colour_at(colours, static_cast<double>(i) / (steps - 1));
     table->SetTableValue(i, c[0], c[1], c[2], 1);
   }
   table->SetNanColor(no_value, no_value, no_value, 1);

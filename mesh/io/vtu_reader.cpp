@@ -3,11 +3,13 @@
 #include <cmath>
 #include <map>
 
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/io/file_mesh.hpp"
 #include "mesh/io/line_cursor.hpp"
 #include "mesh/io/vtu_data.hpp"
+#include "mesh/io/vtu_field.hpp"
 
 namespace tedit {
 
@@ -76,7 +78,49 @@ public:
     return out;
   }
 
+  point_field field_of_points(std::string_view name) {
+    parse();
+    const vtu_data data(encoding());
+    const auto piece = file_.child("UnstructuredGrid").child("Piece");
+    const auto array = find_point_array(piece.child("PointData"), name);
+    const auto count = count_of(piece, "NumberOfPoints");
+    const auto components = array.attribute("NumberOfComponents").as_ullong(1);
+    constexpr std::uint64_t most_components = 9;
+    if (components < 1 || components > most_components)
+      fail_array(array.attribute("Name").as_string(),
+                 "has " + std::to_string(components) + " components");
+    const auto all = data.reals(array, components * count);
+    point_field result{to_utf8(array.attribute("Name").as_string()), {}};
+    for (std::size_t i = 0; i < count; ++i) {
+      double sum = 0;
+      for (std::size_t c = 0; c < components; ++c)
+        sum += all[i * components + c] * all[i * components + c];
+      result.values.push_back(components == 1 ? all[i] : std::sqrt(sum));
+    }
+    return result;
+  }
+
 private:
+  /// The array of this name, or the only one whose name is this and a unit.
+  static pugi::xml_node find_point_array(const pugi::xml_node& arrays, std::string_view name) {
+    std::string known;
+    std::vector<pugi::xml_node> with_unit;
+    for (const auto& array : arrays.children("DataArray")) {
+      const std::string own = array.attribute("Name").as_string();
+      if (own == name)
+        return array;
+      const auto unit = own.find_last_of('_');
+      if (unit != own.npos && own.substr(0, unit) == name)
+        with_unit.push_back(array);
+      known += (known.empty() ? "" : ", ") + shown(own);
+    }
+    if (with_unit.size() == 1)
+      return with_unit.front();
+    refuse_vtu(ec::invalid_argument,
+               "the file has no field \"" + shown(std::string(name)) + "\" at its points",
+               known.empty() ? "Take the file that \"tedit solve -o\" writes" : "It has " + known);
+  }
+
   /// The XML ends where appended data begin, which are no XML.
   void parse() {
     auto head = std::string(text_);
@@ -293,6 +337,20 @@ private:
 };
 
 }  // namespace
+
+expected<point_field> read_point_field(std::span<const char> bytes, std::string_view name) {
+  if (!formats::vtu::recognises(bytes))
+    return fail(ec::invalid_argument, "the mesh is no VTU file, which alone has fields",
+                "Take the file that \"tedit solve -o\" writes");
+  try {
+    return vtu_reader(bytes).field_of_points(name);
+  } catch (const file_failure& failure) {
+    return fail(failure.reason);
+  } catch (const std::bad_alloc&) {
+    return fail(ec::out_of_memory, "there is not enough memory to read this field",
+                "Close other programs or take a coarser mesh");
+  }
+}
 
 expected<read_mesh> formats::vtu::read(std::span<const char> bytes) {
   return guarded_read([&] { return vtu_reader(bytes).run(); });
