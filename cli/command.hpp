@@ -42,6 +42,7 @@ void add_edit(CLI::App& app, action& chosen);
 void add_adapt(CLI::App& app, action& chosen);
 void add_formats(CLI::App& app, action& chosen);
 void add_convert(CLI::App& app, action& chosen);
+void add_check_print(CLI::App& app, action& chosen);
 void add_compare(CLI::App& app, action& chosen);
 void add_solve(CLI::App& app, action& chosen);
 void add_export(CLI::App& app, action& chosen);

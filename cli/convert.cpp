@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/colours.hpp"
 #include "cli/command.hpp"
 #include "cli/deck_loads.hpp"
 #include "mesh/io/formats.hpp"
@@ -21,6 +22,7 @@ struct convert_options {
   std::string length_unit = "mm";
   std::string output_unit;  ///< Empty: as in the mesh.
   std::string load_case;    ///< Where that of a deck is written to.
+  std::string colour;       ///< Empty: none.
 };
 
 /// What of the mesh is not in the file.
@@ -52,16 +54,28 @@ expected<void> write_loads(const convert_options& options, const imported_mesh& 
   return write_file(options.load_case, [&](std::ostream& out) { out << text; });
 }
 
-/// That of the mesh, where the new file says it; else the one that whoever reads it will assume.
+/// That of the mesh, where the new file is a mesh that says it; else the one that whoever reads it
+/// will assume.
 std::string unit_of_output(const convert_options& options, const imported_mesh& mesh,
                            const kept_in_file& keeps) {
   if (!options.output_unit.empty())
     return options.output_unit;
-  return keeps.unit ? mesh.length_unit : options.length_unit;
+  return keeps.unit && keeps.tets ? mesh.length_unit : options.length_unit;
 }
 
-std::string text_of_files(const convert_options& options, const file_format& format) {
-  auto text = options.output + ": the mesh" + losses_of(format) + "\n";
+expected<part_looks> looks_of(const convert_options& options, const file_format& format,
+                              const mesh_version& mesh) {
+  if (options.colour.empty())
+    return part_looks{};
+  if (!format.keeps.colours)
+    return fail(ec::usage, "a ." + std::string(format.name) + " file has no colours",
+                "Write .3mf or .ply, or leave out --colour");
+  return make_looks(mesh, options.mesh, options.colour);
+}
+
+std::string text_of_files(const convert_options& options, const file_format& format,
+                          const part_looks& looks) {
+  auto text = options.output + ": the mesh" + losses_of(format) + describe(looks) + "\n";
   if (!options.load_case.empty())
     text += options.load_case + ": its materials, supports and loads\n";
   return text;
@@ -83,13 +97,20 @@ int run_convert(const convert_options& options, session& s) {
                                 {"length_unit", unit},
                                 {"keeps", {{"tets", keeps.tets}, {"surfaces", keeps.surfaces}}},
                                 {"notes", imported->warnings}};
+  auto looks = looks_of(options, **format, *imported->version);
+  if (!looks)
+    return print_error(s, looks.error());
   if (const auto ok = write_loads(options, *imported, s, result); !ok)
     return print_error(s, ok.error());
-  const auto written =
-    write_as((*format)->name, options.output, *imported->version, {.length_unit = unit});
+  const auto written = write_as((*format)->name, options.output, *imported->version,
+                                {.length_unit = unit,
+                                 .colours = std::move(looks->colours),
+                                 .title = std::filesystem::path(options.mesh).stem().string()});
   if (!written)
     return print_error(s, written.error());
-  print_result(s, result, text_of_files(options, **format));
+  if (!options.colour.empty())
+    result["colours"] = to_json(*looks);
+  print_result(s, result, text_of_files(options, **format, *looks));
   return 0;
 }
 
@@ -105,10 +126,14 @@ void add_convert(CLI::App& app, action& chosen) {
     ->add_option("--length-unit", options->length_unit,
                  "Unit of the mesh's coordinates, where the file does not say it")
     ->capture_default_str();
-  command->add_option("--output-unit", options->output_unit,
-                      "Unit of the new file's coordinates; not given: as in the mesh where the new "
-                      "file says its unit, else that of --length-unit; a file for fields is always "
-                      "in metres");
+  command->add_option(
+    "--output-unit", options->output_unit,
+    "Unit of the new file's coordinates; not given: as in the mesh where the new "
+    "file is a mesh that says its unit, else that of --length-unit; a file for fields is always "
+    "in metres");
+  command->add_option("--colour", options->colour,
+                      "Colours for .3mf and .ply: \"surface\", one for each, or a field of a mesh "
+                      "that \"tedit solve -o FILE.vtu\" wrote, as von_mises");
   command->add_option("--load-case", options->load_case,
                       "Write materials, supports and loads of a deck here (JSON)");
   command->callback(

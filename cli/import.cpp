@@ -66,6 +66,18 @@ std::map<std::int64_t, std::optional<cad::colour>> colours_of(
   return looks;
 }
 
+/// The same for a file; faces without a colour have none there, either.
+file_colours file_colours_of(const cad::imported_part& part) {
+  file_colours colours;
+  for (const auto& [surface, looks] : colours_of(part.model.facts.faces))
+    if (looks) {
+      auto& bytes = colours.of_surfaces[surface];
+      for (std::size_t k = 0; k < bytes.size(); ++k)
+        bytes[k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp((*looks)[k], 0.0, 1.0)));
+    }
+  return colours;
+}
+
 struct stage_times {
   double read = 0;
   double mesh = 0;
@@ -153,11 +165,13 @@ int run_import(import_options options, session& s) {
   stage_times ms{part->read_ms, part->mesh_ms, clock.restart(), 0};
   if (!options.output.empty())
     if (const auto written =
-          as_document
-            ? create_document(options.output,
-                              {part->version, part->model, options.request.file.filename().string(),
-                               part->warnings})
-            : write_as((*format)->name, options.output, *part->version, {.length_unit = "mm"});
+          as_document ? create_document(options.output,
+                                        {part->version, part->model,
+                                         options.request.file.filename().string(), part->warnings})
+                      : write_as((*format)->name, options.output, *part->version,
+                                 {.length_unit = "mm",
+                                  .colours = file_colours_of(*part),
+                                  .title = options.request.file.stem().string()});
         !written)
       return print_error(s, written.error());
   for (const auto& warning : part->warnings)

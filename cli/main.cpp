@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_adapt(app, chosen);
   tedit::cli::add_formats(app, chosen);
   tedit::cli::add_convert(app, chosen);
+  tedit::cli::add_check_print(app, chosen);
   tedit::cli::add_solve(app, chosen);
   tedit::cli::add_compare(app, chosen);
   tedit::cli::add_export(app, chosen);

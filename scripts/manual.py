@@ -20,6 +20,7 @@ PAGES = [
      ["docs/desktop.md"]),
     ("cad", "CAD files", "STEP, IGES and BREP in: what is kept, sizes, limits, errors.", ["docs/cad.md"]),
     ("formats", "File formats", "Meshes and decks in and out: what each format keeps.", ["docs/formats.md"]),
+    ("print", "Printing", "Files for a slicer, and what to look at before.", ["docs/print.md"]),
     ("command_line", "The command line", "The same work on files: edit, solve, picture, input decks.", ["docs/command_line.md"]),
     ("operations", "Operations", "What each editing operation does, its parameters and its limits.",
      ["ops/fill_hole/README.md", "ops/remove_surfaces/README.md", "ops/erode/README.md", "ops/thicken/README.md",
