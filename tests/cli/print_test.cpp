@@ -24,7 +24,7 @@ TEST(CheckPrint, ACubeIsWatertightAndStandsOnItsPlate) {
 TEST(CheckPrint, StrictIsAnExitStatusAndMarksAreInTheFile) {
   const auto file = scratch("marked.ply");
   const auto asked =
-    "check-print " + plate + " --thinner-than 12 --overhang 30 --direction 0,1,0 -o ";
+    "check-print " + plate + " --thinner-than 20 --overhang 30 --direction 0,1,0 -o ";
 
   const auto result = run(asked + file.string());
 
