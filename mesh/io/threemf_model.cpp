@@ -125,7 +125,7 @@ private:
   }
 
   bool has_materials() const { return !materials_.empty(); }
-  bool has_group() const { return !has_materials() && !terms_.colours.of_vertices.empty(); }
+  bool has_group() const { return !has_materials() && !terms_.colours.palette.empty(); }
 
   void add_colours() {
     if (has_materials()) {
@@ -192,7 +192,7 @@ private:
            << "\" p3=\"" << std::size_t{of[v[2]]};
     } else if (!terms_.colours.of_facets.empty()) {
       const auto behind = mesh_.neighbours(side.tet)[static_cast<std::size_t>(side.face)];
-      // Readers want all three of a group of colours, also where they are the same.
+      // All three, as for vertices, also where they are the same: one form for readers.
       if (is_facet(behind)) {
         const std::size_t place = terms_.colours.of_facets[behind & ~facet_flag];
         out_ << R"(" pid="1" p1=")" << place << R"(" p2=")" << place << R"(" p3=")" << place;

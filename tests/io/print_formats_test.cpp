@@ -204,8 +204,10 @@ TEST(ThreeMf, SurfacesAreMaterialsAndVerticesHaveColoursOfAGroup) {
   colours = {.of_facets = std::vector<std::uint8_t>(12, 1), .palette = colours.palette};
   ASSERT_TRUE(formats::threemf::write(&bytes, *box, {.colours = colours}).has_value());
   document = model_of(bytes);
-  const auto triangles =
-    document.child("model").child("resources").child("object").child("mesh").child("triangles");
+  resources = document.child("model").child("resources");
+  EXPECT_EQ(children(resources.child("m:colorgroup"), "m:color"), 2U);
+  EXPECT_STREQ(resources.child("object").attribute("pid").value(), "1");
+  const auto triangles = resources.child("object").child("mesh").child("triangles");
   for (const auto& one : triangles.children("triangle"))
     for (const auto* corner : {"p1", "p2", "p3"})
       EXPECT_STREQ(one.attribute(corner).value(), "1");
