@@ -198,6 +198,14 @@
         <source>Universal file of I-DEAS</source>
         <translation>Universaldatei von I-DEAS</translation>
     </message>
+    <message>
+        <source>Part for 3D printing</source>
+        <translation>Bauteil für den 3D-Druck</translation>
+    </message>
+    <message>
+        <source>Boundary with colours</source>
+        <translation>Oberfläche mit Farben</translation>
+    </message>
 </context>
 <context>
     <name>handles</name>
@@ -8164,6 +8172,58 @@
     <message>
         <source>the program tedit ended without an answer</source>
         <translation>das Programm tedit endete ohne Antwort</translation>
+    </message>
+    <message>
+        <source>It has %1</source>
+        <translation>Sie hat %1</translation>
+    </message>
+    <message>
+        <source>Take the file that &quot;tedit solve -o&quot; writes</source>
+        <translation>Die Datei nehmen, die „tedit solve -o“ schreibt</translation>
+    </message>
+    <message>
+        <source>Take three numbers that are not all zero, as 0,0,1</source>
+        <translation>Drei Zahlen nehmen, die nicht alle null sind, etwa 0,0,1</translation>
+    </message>
+    <message>
+        <source>Take um, mm, cm, m, in or ft as its unit</source>
+        <translation>um, mm, cm, m, in oder ft als Einheit nehmen</translation>
+    </message>
+    <message>
+        <source>Write it as .stl, or make the mesh coarser</source>
+        <translation>Es als .stl schreiben, oder das Netz gröber machen</translation>
+    </message>
+    <message>
+        <source>a 3MF file cannot be in %1</source>
+        <translation>eine 3MF-Datei kann nicht in %1 sein</translation>
+    </message>
+    <message>
+        <source>has %1 components</source>
+        <translation>hat %1 Komponenten</translation>
+    </message>
+    <message>
+        <source>the build direction has no length</source>
+        <translation>die Baurichtung hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the check was cancelled</source>
+        <translation>die Prüfung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the file has no field &quot;%1&quot; at its points</source>
+        <translation>die Datei hat kein Feld „%1“ an ihren Punkten</translation>
+    </message>
+    <message>
+        <source>the mesh is no VTU file, which alone has fields</source>
+        <translation>das Netz ist keine VTU-Datei; nur diese hat Felder</translation>
+    </message>
+    <message>
+        <source>the part is too large for a 3MF file, which ends at 4 GiB</source>
+        <translation>das Bauteil ist zu groß für eine 3MF-Datei, die bei 4 GiB endet</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read this field</source>
+        <translation>der Speicher reicht nicht, um dieses Feld zu lesen</translation>
     </message>
 </context>
 <context>

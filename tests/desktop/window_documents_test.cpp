@@ -83,16 +83,17 @@ TEST_F(Documents, ExportOffersWhatTheServerWritesAndRefusesTheRest) {
                                        static_cast<qsizetype>(format.title.size())),
                      QString::fromUtf8(format.name.data(),
                                        static_cast<qsizetype>(format.name.size())));
-  EXPECT_EQ(dialog->nameFilters(), wanted);
+  EXPECT_EQ(dialog->nameFilters(),
+            wanted + QStringList{"CAD model with all edits (*.step)"});  // Not the server's.
   EXPECT_EQ(dialog->defaultSuffix(), "msh");
   dialog->selectNameFilter(wanted.last());
   emit dialog->filterSelected(wanted.last());
   EXPECT_EQ(dialog->defaultSuffix().toStdString(), file_formats.back().name);
   dialog->reject();
 
-  part().files().export_to(state.filePath("part.step"));
-  ASSERT_TRUE(wait([&] { return said().contains("There is no file format \"step\""); }));
-  EXPECT_FALSE(QFile::exists(state.filePath("part.step")));
+  part().files().export_to(state.filePath("part.sat"));
+  ASSERT_TRUE(wait([&] { return said().contains("There is no file format \"sat\""); }));
+  EXPECT_FALSE(QFile::exists(state.filePath("part.sat")));
 }
 
 TEST_F(Documents, AWrongFileLeavesThePartOpenAndNothingElse) {
