@@ -21,21 +21,6 @@ tl::unexpected<error> too_long() {
   return fail(ec::bad_input, "the file has more than 4 MiB", "Simplify what it holds");
 }
 
-/// RFC 4648, section 4.
-std::string to_base64(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= n ? digits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 /// Nothing for anything but whole groups of four with their padding at the end.
 std::optional<std::string> from_base64(std::string_view text) {
   if (text.size() % 4 != 0)
@@ -61,6 +46,20 @@ std::optional<std::string> from_base64(std::string_view text) {
 }
 
 }  // namespace
+
+std::string to_base64(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += k <= n ? digits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
 
 bool is_attachment_text(std::string_view text) {
   return text.starts_with(begins);

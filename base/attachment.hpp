@@ -22,6 +22,9 @@ struct attachment {
 /// Bytes that such a file may have.
 inline constexpr std::size_t most_attached_bytes = std::size_t{4} << 20;
 
+/// RFC 4648, section 4, with padding and without line ends.
+[[nodiscard]] std::string to_base64(std::string_view bytes);
+
 /// What begins like one, whatever follows.
 [[nodiscard]] bool is_attachment_text(std::string_view text);
 

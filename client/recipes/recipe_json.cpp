@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <set>
 
 #include "base/attachment.hpp"
 #include "client/recipe.hpp"
+#include "client/recipes/recipe_reading.hpp"
 #include "client/recipes/values.hpp"
 #include "client/recipes/window_rules.hpp"
 #include "mesh/formats.hpp"
@@ -15,8 +14,6 @@ namespace tedit::client {
 
 namespace {
 
-constexpr std::size_t most_bytes = 64UL << 20;
-constexpr int most_depth = 64;  ///< Of brackets: what walks through JSON calls itself.
 constexpr std::size_t most_steps = 100'000;
 
 // -- fields: one list for who reads and who writes -------------------------------------------
@@ -333,19 +330,9 @@ recipe_step read_step(const json& step, std::string where, const std::filesystem
   return result;
 }
 
-json parse(std::string_view text) {
-  try {
-    return json::parse(text, [](int depth, json::parse_event_t, json&) {
-      if (depth > most_depth)
-        refuse("brackets are nested more than " + std::to_string(most_depth) + " deep");
-      return true;
-    });
-  } catch (const json::exception& e) {
-    refuse(std::string("this is no JSON: ") + e.what());
-  }
-}
+}  // namespace
 
-recipe read(const json& body, const std::filesystem::path& folder) {
+recipe recipe_from(const json& body, const std::filesystem::path& folder) {
   recipe result;
   const json* steps = body.is_array() ? &body : nullptr;
   if (body.is_object()) {
@@ -363,20 +350,15 @@ recipe read(const json& body, const std::filesystem::path& folder) {
   return result;
 }
 
-/// A whole file; never more than a piece beyond `most_bytes`.
-expected<std::string> read_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text;
-  std::array<char, 1 << 16> piece;
-  while (in && text.size() <= most_bytes) {
-    in.read(piece.data(), piece.size());
-    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  if (in.bad() || !in.eof())
+expected<std::string> recipe_text(const std::filesystem::path& file) {
+  auto text = text_of_file(file, 64UL << 20);
+  if (!text)
     return fail(ec::io_error, "cannot read the recipe " + file.string(),
                 "Check the path and its permissions; it may have 64 MiB", file.string());
   return text;
 }
+
+namespace {
 
 // -- writing ---------------------------------------------------------------------------------
 
@@ -472,14 +454,14 @@ bool is_of_window(const recipe_step& step) {
 
 expected<recipe> recipe_from_json(std::string_view text, const std::filesystem::path& folder) {
   try {
-    return read(parse(text), folder);
+    return recipe_from(parse_json(text), folder);
   } catch (const error& e) {
     return fail(e.code, e.message, e.remedy.empty() ? "See docs/recipes.md" : e.remedy);
   }
 }
 
 expected<recipe> read_recipe(const std::filesystem::path& file) {
-  const auto text = read_text(file);
+  const auto text = recipe_text(file);
   if (!text)
     return fail(text.error());
   auto result = recipe_from_json(*text, file.parent_path());
@@ -489,7 +471,7 @@ expected<recipe> read_recipe(const std::filesystem::path& file) {
 }
 
 bool is_recipe(const std::filesystem::path& file) {
-  const auto text = read_text(file);
+  const auto text = recipe_text(file);
   const auto body = text ? json::parse(*text, nullptr, false) : json();
   return body.is_array() || (body.is_object() && body.contains("steps"));
 }
