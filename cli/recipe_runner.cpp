@@ -113,10 +113,12 @@ expected<void> recipe_runner::check(const recipe& steps) {
 }
 
 expected<void> recipe_runner::run(const std::optional<import_step>& mesh) {
-  if (auto opened = server_.open("", true, true); !opened)
+  const auto opened = server_.open("", true, true);
+  if (!opened)
     return fail(opened.error());
+  document_ = opened->document;
   if (mesh)
-    if (auto ok = step(*mesh); !ok)
+    if (auto ok = note(0, "import", [&] { return step(*mesh); }); !ok)
       return ok;
   client::recipe_player player(recipe_.steps, *this);
   while (true) {
@@ -135,7 +137,28 @@ expected<bool> recipe_runner::is_ready_for(const client::recipe_step*) {
 }
 
 expected<void> recipe_runner::perform(const client::recipe_step& what) {
-  return std::visit([this](const auto& s) { return step(s); }, what);
+  return note(++performed_, client::kind_of(what),
+              [&] { return std::visit([this](const auto& s) { return step(s); }, what); });
+}
+
+/// Keeps what becomes of a step.
+expected<void> recipe_runner::note(std::size_t number, const std::string& kind,
+                                   const std::function<expected<void>()>& work) {
+  const stopwatch clock;
+  const auto passed_over = passed_over_;
+  steps_.push_back({number, kind, false, std::nullopt, 0});
+  auto done = work();
+  auto& kept = steps_.back();
+  kept.ms = clock.milliseconds();
+  kept.passed_over = passed_over_ > passed_over;
+  if (!done)
+    kept.failure = done.error();
+  return done;
+}
+
+const solve_outcome* recipe_runner::outcome() const {
+  const auto found = solved_.find(head_.version_id);
+  return found == solved_.end() ? nullptr : &found->second.outcome;
 }
 
 std::string recipe_runner::table() const {
@@ -359,7 +382,8 @@ expected<void> recipe_runner::write(const std::string& format, const std::filesy
   return {};
 }
 
-expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::path& png) {
+expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::path& png,
+                                   const std::vector<std::string>& more) {
   const auto wanted = s.files.find("vtu");
   const bool aside = wanted == s.files.end();
   const auto vtu = aside ? std::filesystem::path(png.string() + ".vtu") : path_of(wanted->second);
@@ -384,6 +408,7 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
     command.push_back("--range");
     command.push_back(pretty(s.range_mpa->first, 9) + "," + pretty(s.range_mpa->second, 9));
   }
+  command.insert(command.end(), more.begin(), more.end());
   const auto drawn = run_child(command, {}, {std::chrono::minutes(2), 0}, make_execution(session_));
   std::error_code ignored;
   if (aside)
@@ -393,6 +418,16 @@ expected<void> recipe_runner::draw(const export_step& s, const std::filesystem::
                 "the picture " + png.string() + " could not be drawn: " + drawn.error().message,
                 "Try \"tedit render\" by hand: it says more");
   return {};
+}
+
+expected<void> recipe_runner::picture(const std::string& title, const std::string& size,
+                                      const std::filesystem::path& png) {
+  export_step wanted;
+  wanted.title = title;
+  for (const auto& one : recipe_.steps)
+    if (const auto* written = std::get_if<export_step>(&one); written && written->range_mpa)
+      wanted.range_mpa = written->range_mpa;
+  return draw(wanted, png, {"--size", size});
 }
 
 expected<void> recipe_runner::step(const export_step& s) {

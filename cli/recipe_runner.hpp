@@ -29,6 +29,15 @@ private:
   std::set<std::string> versions_;
 };
 
+/// What became of a step that was begun.
+struct step_record {
+  std::size_t number = 0;  ///< In the recipe, from 1; 0: the import of a mesh that was given.
+  std::string kind;
+  bool passed_over = false;  ///< Only a window carries it out.
+  std::optional<error> failure;
+  double ms = 0;
+};
+
 /// Carries out a recipe as a client of a server. Steps that only a window carries out are passed
 /// over.
 class recipe_runner : public client::performer {
@@ -57,6 +66,17 @@ public:
   [[nodiscard]] const std::string& details() const { return details_; }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
   [[nodiscard]] std::size_t passed_over() const noexcept { return passed_over_; }
+  /// Those that were begun, in order.
+  [[nodiscard]] const std::vector<step_record>& steps() const noexcept { return steps_; }
+  /// The server's document; empty before it is open.
+  [[nodiscard]] const std::string& document() const noexcept { return document_; }
+  [[nodiscard]] const client::version_info& head() const noexcept { return head_; }
+  /// The last solve of the head; null without one.
+  [[nodiscard]] const solve_outcome* outcome() const;
+  /// Draws the head's field, which there must be, `size` ("640x400") pixels large, with the legend
+  /// of the recipe's last export that fixes one. Errors: those of an export.
+  [[nodiscard]] expected<void> picture(const std::string& title, const std::string& size,
+                                       const std::filesystem::path& png);
 
 private:
   expected<void> step(const import_step& s);
@@ -79,7 +99,10 @@ private:
   expected<std::vector<client::field_event>> await_fields(const client::solve_settings& settings);
   void add_rows(const std::vector<client::field_event>& fields, bool known);
   expected<void> write(const std::string& format, const std::filesystem::path& path);
-  expected<void> draw(const export_step& s, const std::filesystem::path& png);
+  expected<void> draw(const export_step& s, const std::filesystem::path& png,
+                      const std::vector<std::string>& more = {});
+  expected<void> note(std::size_t number, const std::string& kind,
+                      const std::function<expected<void>()>& work);
   [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
   [[nodiscard]] std::string version_name() const { return "v" + std::to_string(head_.number); }
 
@@ -103,6 +126,9 @@ private:
   std::string details_;
   std::vector<std::string> files_;
   std::size_t passed_over_ = 0;
+  std::vector<step_record> steps_;
+  std::size_t performed_ = 0;
+  std::string document_;
 };
 
 }  // namespace tedit::cli

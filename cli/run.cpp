@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
-#include "actors/node/server.hpp"
-#include "base/random_token.hpp"
 #include "base/stopwatch.hpp"
+#include "cli/embedded_server.hpp"
+#include "cli/family_run.hpp"
 #include "cli/logging.hpp"
 #include "cli/recipe_runner.hpp"
 #include "cli/server_access.hpp"
-#include "cli/token.hpp"
 
 namespace tedit::cli {
 
@@ -26,49 +24,9 @@ struct run_options {
   std::string device;
   std::string server;
   server_access access;
-};
-
-/// A server inside this program, with worker processes of its own (plugins may crash) and a folder
-/// for its documents that goes with it.
-class embedded_server {
-public:
-  embedded_server() = default;
-  embedded_server(const embedded_server&) = delete;
-  embedded_server& operator=(const embedded_server&) = delete;
-  ~embedded_server() {
-    server_.reset();
-    std::error_code ignored;
-    if (!folder_.empty())
-      std::filesystem::remove_all(folder_, ignored);
-  }
-
-  expected<client::connect_options> start() {
-    std::error_code code;
-    auto name = (std::filesystem::temp_directory_path(code) / "tedit-run-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      return fail(ec::io_error,
-                  "cannot make a folder in " + std::filesystem::temp_directory_path(code).string(),
-                  "Set TMPDIR to a folder that can be written");
-    folder_ = name;
-    auto token = make_token();
-    if (!token)
-      return fail(token.error());
-    server_options options;
-    options.documents = folder_;
-    options.token = *token;
-    auto started = server::start(options);
-    if (!started)
-      return fail(started.error());
-    server_ = std::move(*started);
-    client::connect_options how;
-    how.url = server_->url();
-    how.token = *token;
-    return how;
-  }
-
-private:
-  std::filesystem::path folder_;
-  std::unique_ptr<server> server_;
+  std::string table;
+  unsigned jobs = 0;
+  std::string report;
 };
 
 std::string describe(const recipe& steps, const recipe_runner& runner, double ms) {
@@ -80,25 +38,28 @@ std::string describe(const recipe& steps, const recipe_runner& runner, double ms
                            : " Fields of quadratic tets.\n");
 }
 
-/// The mesh that is imported before the first step, if the recipe has none of its own. Errors:
-/// `bad_input`.
-expected<std::optional<import_step>> mesh_for(const recipe& steps, const run_options& options) {
+}  // namespace
+
+expected<std::optional<import_step>> mesh_for(const recipe& steps, const std::string& mesh,
+                                              const std::string& length_unit) {
   const bool imports = std::ranges::any_of(
     steps.steps, [](const auto& one) { return std::holds_alternative<import_step>(one); });
-  if (imports && !options.mesh.empty())
+  if (imports && !mesh.empty())
     return fail(ec::bad_input, "the recipe imports a mesh of its own", "Leave --mesh out");
-  if (!imports && options.mesh.empty())
+  if (!imports && mesh.empty())
     return fail(ec::bad_input, "the recipe imports no mesh",
                 "Give the part with --mesh PART.msh, or begin the recipe with an import step");
-  return imports ? std::nullopt : std::optional(import_step{options.mesh, options.length_unit});
+  return imports ? std::nullopt : std::optional(import_step{mesh, length_unit});
 }
+
+namespace {
 
 /// Reads the recipe with what it needs to be carried out without a window.
 expected<recipe> read_for(const run_options& options, std::optional<import_step>& mesh) {
   auto steps = client::read_recipe(options.recipe);
   if (!steps)
     return steps;
-  const auto wanted = mesh_for(*steps, options);
+  const auto wanted = mesh_for(*steps, options.mesh, options.length_unit);
   if (!wanted)
     return fail(wanted.error());
   mesh = *wanted;
@@ -116,15 +77,41 @@ void say_passed_over(const session& s, std::size_t count) {
                 " only the window carries out (tedit-qt --script)");
 }
 
+/// Each row of a table is a part of its own.
+int run_table(const run_options& options, session& s) {
+  family_options wanted;
+  wanted.recipe = options.recipe;
+  wanted.table = options.table;
+  wanted.mesh = options.mesh;
+  wanted.length_unit = options.length_unit;
+  wanted.out = options.out;
+  wanted.device = options.device;
+  wanted.report = options.report;
+  wanted.jobs = options.jobs;
+  const auto reach = [&](unsigned workers, embedded_server& own) {
+    return options.server.empty() ? own.start(workers)
+                                  : reach_server(options.server, options.access);
+  };
+  wanted.remote = !options.server.empty();
+  return run_family(wanted, reach, s);
+}
+
 int run_recipe(const run_options& options, session& s) {
   start_logging("warn");
+  if (!options.table.empty())
+    return run_table(options, s);
+  if (!options.report.empty() || options.jobs > 0)
+    return print_error(s, {ec::usage,
+                           "--report and --jobs are for a table of parts",
+                           "Name it with --table FILE.csv, or leave them out",
+                           {}});
   const stopwatch clock;
   std::optional<import_step> mesh;
   auto steps = read_for(options, mesh);
   if (!steps)
     return print_error(s, steps.error());
   embedded_server own;
-  auto how = options.server.empty() ? own.start() : reach_server(options.server, options.access);
+  auto how = options.server.empty() ? own.start(1) : reach_server(options.server, options.access);
   if (!how)
     return print_error(s, how.error());
   how->client_name = "tedit run " TEDIT_VERSION;
@@ -151,6 +138,24 @@ int run_recipe(const run_options& options, session& s) {
   return 0;
 }
 
+void add_table_options(CLI::App& command, run_options& options) {
+  command.add_option("--table", options.table,
+                     "A row is a part: its cells go into the recipe's {{column}} (CSV, "
+                     "docs/recipes.md)");
+  command
+    .add_option(
+      "--jobs", options.jobs,
+      "Rows of the table at once; else as many as there are cores, or workers of --server")
+    ->check(CLI::Range(1U, most_family_jobs));
+  command.add_option("--report", options.report,
+                     "Report of all rows with pictures (one HTML file; a browser prints it)");
+  command.footer(
+    "example:\n"
+    "  tedit run plate.json --table customers.csv --report customers.html --out parts\n"
+    "With --table the exit status is 1 where a row failed; the others are carried out all the "
+    "same.");
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, action& chosen) {
@@ -168,6 +173,7 @@ void add_run(CLI::App& app, action& chosen) {
     "--server", options->server,
     "Work on this server (ws[s]://HOST:PORT/v1) instead of one inside this program");
   add_access_options(*command, options->access);
+  add_table_options(*command, *options);
   command->callback(
     [options, &chosen] { chosen = [options](session& s) { return run_recipe(*options, s); }; });
 }
