@@ -78,8 +78,9 @@ TEST(Family, ARowThatFailsStopsNobodyAndIsToldByItsStep) {
   EXPECT_EQ(rows[2]["steps"][3]["status"], "not_run");
   EXPECT_FALSE(std::filesystem::exists(scratch("out") / "C.stl"));
   const auto html = content_of(scratch("r.html"));
-  if (std::filesystem::exists(TEDIT_BIN "/tedit-render"))
+  if (std::filesystem::exists(TEDIT_BIN "/tedit-render")) {
     EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,iVBORw0KGgo"));
+  }
   EXPECT_LT(html.find("Parts that failed"), html.find("Parts that passed"));
   EXPECT_THAT(html, HasSubstr("edit: resize_bore 1, 2"));
 }
@@ -100,7 +101,7 @@ TEST(Family, ResultsAreTheSameHoweverManyRowsRunAtOnce) {
     for (const auto* key : {"max_displacement_m", "max_von_mises_pa", "min_safety_factor"})
       EXPECT_NEAR(a.value(key, 0.0), b.value(key, 0.0), 1e-6 * a.value(key, 0.0))
         << key << " of row " << row + 1;
-    for (const std::string file :
+    for (const std::string& file :
          {a["name"].get<std::string>() + ".stl", a["name"].get<std::string>() + "_v1.msh"})
       EXPECT_EQ(content_of(scratch("one") / file), content_of(scratch("three") / file)) << file;
   }
@@ -120,7 +121,7 @@ TEST(Family, WhatIsWrongInAnyRowIsSaidBeforeTheFirstIsCarriedOut) {
   EXPECT_THAT(message(plate_recipe(), "name,hole\nA,20\n"),
               HasSubstr("step 2 (load_case) asks for {{force}}"));
   EXPECT_THAT(message(plate_recipe(), "name,hole,force\nA,20,-1\nA,30,-1\n"),
-              HasSubstr("rows 1 and 2 would both write A.stl in step 5"));
+              HasSubstr("rows 1 and 2 would both write A_v{version}.msh in step 5"));
   EXPECT_THAT(message(plate_recipe(), "name,hole,force\nA,20\n"), HasSubstr("line 2"));
   EXPECT_FALSE(std::filesystem::exists(scratch("out")));
 }
