@@ -22,7 +22,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Sides of a wall may differ by this from facing each other's back.
 const double facing = std::cos(30 * degree);
 /// A wall of just the thickness, or just the lean, is none that is too thin or leans too much.
-constexpr double rounding = 1e-9;
+constexpr double ray_rounding = 1e-9;
 /// What lies on the plate, as a share of the part's size.
 constexpr double on_plate = 1e-6;
 /// So that no ray slips through between two triangles.
@@ -84,7 +84,7 @@ struct thin_spot {
 class wall_meter {
 public:
   wall_meter(const std::vector<live_facet>& facets, const box_tree& tree, double thinner_than)
-      : facets_(facets), tree_(tree), most_(thinner_than * (1 - rounding)) {}
+      : facets_(facets), tree_(tree), most_(thinner_than * (1 - ray_rounding)) {}
 
   [[nodiscard]] thin_spot measure(std::uint32_t i) const {
     const auto& facet = facets_[i];
@@ -226,7 +226,7 @@ private:
       for (const auto& p : facet.corners)
         lowest = std::min(lowest, dot(p, settings_.up));
     const double plate = lowest + on_plate * norm(report_.extent.high - report_.extent.low);
-    const double most_down = std::sin(settings_.lean) + rounding;
+    const double most_down = std::sin(settings_.lean) + ray_rounding;
     place_finder places(mesh_, /*least_is_worst=*/false);
     for (const auto& facet : facets_) {
       const double down = -dot(facet.normal, settings_.up);

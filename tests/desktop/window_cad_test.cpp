@@ -16,18 +16,21 @@ protected:
     return QFile::exists(QCoreApplication::applicationDirPath() + "/tedit-cad-reader");
   }
   static QString block() { return TEDIT_TEST_DATA "/cad/inch_block.stp"; }
+
+  void open_coarse(const QString& file) {
+    window->tools().documents.open_files({file});
+    auto* question = window->findChild<QMessageBox*>("cad_size");
+    ASSERT_NE(question, nullptr);
+    QTest::mouseClick(question->findChild<QPushButton*>("coarse"), Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows_head() && !part().operations().operations.empty(); }));
+  }
 };
 
 TEST_F(CadFiles, AskHowFineAndComeInWithTheirUnitAndFaces) {
   if (!can_read())
     GTEST_SKIP() << "this build reads no CAD files";
 
-  window->tools().documents.open_files({block()});
-  auto* question = window->findChild<QMessageBox*>("cad_size");
-  ASSERT_NE(question, nullptr);
-  QTest::mouseClick(question->findChild<QPushButton*>("coarse"), Qt::LeftButton);
-
-  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  open_coarse(block());
   EXPECT_TRUE(part().name().startsWith("inch_block")) << part().name().toStdString();
   EXPECT_EQ(part().head()->surface->surfaces().size(), 9u);
   EXPECT_EQ(window->findChild<QWidget*>("unit_question")->isVisible(), false);
@@ -36,8 +39,7 @@ TEST_F(CadFiles, AskHowFineAndComeInWithTheirUnitAndFaces) {
 TEST_F(CadFiles, AnEditComesBackInTheStepFile) {
   if (!can_read())
     GTEST_SKIP() << "this build reads no CAD files";
-  part().files().import_cad(block(), {}, "coarse");
-  ASSERT_TRUE(wait([&] { return shows_head(); }));
+  open_coarse(block());
   part().edits().apply({"fill_hole", {8, 9}, {}, {}});
   ASSERT_TRUE(wait([&] { return version() == 1 && shows_head(); }));
   const QString path = state.path() + "/closed.step";
