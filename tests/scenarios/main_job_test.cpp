@@ -201,7 +201,8 @@ TEST_F(MainJob, ExportsWhatWasMade) {
   const auto imported = import_plate();
   value(user->solve({.device = "cpu"}, {}));
   const auto vtu = value(user->export_file("vtu", "", "", {}));
-  EXPECT_THAT(std::string(vtu.data(), 2000), HasSubstr("von_mises_pa"));
+  const std::string text(vtu.data(), vtu.size());
+  EXPECT_THAT(text.substr(0, text.find("<AppendedData")), HasSubstr("von_mises_pa"));
   const auto msh = value(user->export_file("msh", imported.head.version_id, "mm", {}));
   EXPECT_THAT(std::string(msh.data(), 20), HasSubstr("$MeshFormat"));
 }
