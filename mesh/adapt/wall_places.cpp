@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/adapt/wall_places.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -8,41 +9,106 @@ namespace tedit {
 
 namespace {
 
+/// Corners may be so far off a sphere, as a share of its radius.
+constexpr double roundness = 1e-4;
+/// A sphere of which so little is there is as well a plane or free form.
+constexpr double widest_sphere = 100;
+
 /// Of the edge: where walls meet under so small an angle that their common point is further away,
 /// the middle is taken.
 constexpr double furthest_share = 0.5;
 constexpr double apart_share = 1e-3;
 constexpr int most_steps = 60;
 
+std::vector<vec3> corners_of(const mesh_version& mesh, std::span<const facet_id> facets) {
+  std::vector<vertex_id> ids;
+  for (const auto f : facets)
+    ids.insert(ids.end(), mesh.facet(f).v.begin(), mesh.facet(f).v.end());
+  std::ranges::sort(ids);
+  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  std::vector<vec3> result;
+  for (const auto v : ids)
+    result.push_back(mesh.position(v));
+  return result;
+}
+
+struct ball {
+  vec3 centre;
+  double radius = 0;
+};
+
+/// |p|^2 = 2 c . p + d is linear in centre and radius.
+std::optional<ball> fit_sphere(const std::vector<vec3>& points) {
+  if (points.size() < 8)
+    return std::nullopt;
+  vec3 middle;
+  for (const auto& p : points)
+    middle += p / static_cast<double>(points.size());
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  double size = 0;
+  for (const auto& p : points) {
+    const vec3 d = p - middle;
+    const Eigen::Vector4d row(2 * d.x, 2 * d.y, 2 * d.z, 1);
+    normal += row * row.transpose();
+    right += row * dot(d, d);
+    size = std::max(size, norm(d));
+  }
+  const Eigen::Vector4d x = normal.fullPivLu().solve(right);
+  const vec3 c{x[0], x[1], x[2]};
+  const double radius = std::sqrt(x[3] + dot(c, c));
+  if (!(radius > 0) || !(radius < widest_sphere * size))
+    return std::nullopt;
+  const bool round = std::ranges::all_of(
+    points, [&](vec3 p) { return std::abs(norm(p - middle - c) - radius) <= roundness * radius; });
+  return round ? std::optional(ball{middle + c, radius}) : std::nullopt;
+}
+
 }  // namespace
 
-const std::optional<exact_wall>& wall_places::wall_of(surface_id id) {
+double wall_places::wall::distance(vec3 p) const {
+  return sphere_radius > 0 ? norm(p - shape->point) - sphere_radius : shape->distance(p);
+}
+
+vec3 wall_places::wall::normal(vec3 p) const {
+  return sphere_radius > 0 ? normalized(p - shape->point) : shape->normal(p);
+}
+
+wall_places::wall wall_places::fitted(const mesh_version& mesh, surface_id id) {
+  wall result;
+  const auto facets = facets_of(mesh, std::array{id});
+  result.shape = fit_wall(mesh, facets, {roundness, true, true});
+  if (result.shape)
+    return result;
+  if (const auto sphere = fit_sphere(corners_of(mesh, facets))) {
+    result.shape.emplace();
+    result.shape->point = sphere->centre;
+    result.sphere_radius = sphere->radius;
+  }
+  return result;
+}
+
+const wall_places::wall& wall_places::wall_of(surface_id id) {
   const auto found = walls_.find(id);
-  return found != walls_.end()
-           ? found->second
-           : walls_.emplace(id, fit_exact(mesh_, facets_of(mesh_, std::array{id}))).first->second;
+  return found != walls_.end() ? found->second
+                               : walls_.emplace(id, fitted(mesh_, id)).first->second;
 }
 
 double wall_places::off(surface_id id, vec3 p) {
   const auto& w = wall_of(id);
-  return w ? std::abs(w->distance(p)) : 0;
-}
-
-bool wall_places::is_round(surface_id id) {
-  const auto& w = wall_of(id);
-  return w && !w->flat();
+  return w.known() ? std::abs(w.distance(p)) : 0;
 }
 
 vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
   const vec3 start = 0.5 * (a + b);
-  std::vector<const exact_wall*> walls;
+  std::vector<const wall*> walls;
   bool bent = false;
   for (const auto id : ids) {
     const auto& w = wall_of(id);
-    if (!w)
+    if (!w.known())
       continue;  // What it looks like between its corners nobody knows.
-    walls.push_back(&*w);
-    bent = bent || !w->flat();
+    walls.push_back(&w);
+    bent = bent || !w.flat();
   }
   if (!bent)
     return start;
@@ -53,7 +119,7 @@ vec3 wall_places::middle(vec3 a, vec3 b, std::span<const surface_id> ids) {
   for (int step = 0; step < most_steps; ++step) {
     moved = 0;
     for (const auto* w : walls) {
-      const double d = w->flat() ? dot(p - start, w->shape.axis) : w->distance(p);
+      const double d = w->flat() ? dot(p - start, w->shape->axis) : w->distance(p);
       p = p - d * w->normal(p);
       moved = std::max(moved, std::abs(d));
     }

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "mesh/adapt/adapt_mesh.hpp"
-#include "mesh/features/exact_wall.hpp"
+#include "mesh/features/wall_shape.hpp"
 
 namespace tedit {
 
@@ -24,15 +24,25 @@ public:
   /// m: how far a point is off the wall; 0 where that is of free form. Cost: the same.
   [[nodiscard]] double off(surface_id wall, vec3 p);
 
-  /// Is the wall a cylinder, a cone or a sphere? Cost: the same.
-  [[nodiscard]] bool is_round(surface_id wall);
-
 private:
-  /// Nothing: free form.
-  const std::optional<exact_wall>& wall_of(surface_id id);
+  /// A wall as its distance and the direction in which that grows.
+  struct wall {
+    std::optional<wall_shape> shape;
+    double sphere_radius = 0;  ///< m; 0: none. Its centre is the shape's point.
+
+    [[nodiscard]] bool known() const { return shape.has_value(); }
+    [[nodiscard]] bool flat() const {
+      return known() && sphere_radius == 0 && shape->type == wall_shape::kind::plane;
+    }
+    [[nodiscard]] double distance(vec3 p) const;
+    [[nodiscard]] vec3 normal(vec3 p) const;
+  };
+
+  const wall& wall_of(surface_id id);
+  [[nodiscard]] static wall fitted(const mesh_version& mesh, surface_id id);
 
   const mesh_version& mesh_;
-  std::map<surface_id, std::optional<exact_wall>> walls_;
+  std::map<surface_id, wall> walls_;
 };
 
 }  // namespace tedit

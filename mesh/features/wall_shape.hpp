@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "mesh/version.hpp"
 
@@ -46,17 +44,5 @@ struct fit_limits {
 [[nodiscard]] std::optional<wall_shape> fit_wall(const mesh_version& mesh,
                                                  std::span<const facet_id> facets,
                                                  const fit_limits& limits = {});
-
-/// Facets as triangles over their corners, which stand in the order of the mesh.
-struct facet_corners {
-  std::vector<vec3> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-[[nodiscard]] facet_corners corners_of(const mesh_version& mesh, std::span<const facet_id> facets);
-
-/// The same for triangles over points, each of which is a corner of some.
-[[nodiscard]] std::optional<wall_shape> fit_wall(
-  std::span<const vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
-  const fit_limits& limits = {});
 
 }  // namespace tedit

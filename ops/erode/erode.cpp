@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ops/erode/erode.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 
-#include "mesh/adapt/put_on_walls.hpp"
 #include "ops/erode/depth.hpp"
 #include "ops/erode/layers.hpp"
 #include "ops/shapes/most_that_works.hpp"
@@ -68,17 +66,12 @@ double enclosed_volume(const mesh_version& mesh) {
 using erosion = std::function<expected<void>(mesh_builder& mesh, erosion_sum& sum)>;
 
 expected<edit_result> eroded_by(const erosion& way, const version_ptr& mesh,
-                                const std::vector<surface_id>& surfaces, piece_policy policy,
-                                const execution& run) {
+                                const std::vector<surface_id>& surfaces, piece_policy policy) {
   mesh_builder builder(mesh);
   erosion_sum sum;
   sum.policy = policy;
   if (const auto done = way(builder, sum); !done)
     return fail(done.error());
-  // Where a cut goes through a round neighbour its vertices lie on the chords.
-  const auto goes = [&](surface_id id) { return std::ranges::count(surfaces, id) > 0; };
-  if (const auto put = put_on_walls_of_base(builder, goes, run); !put)
-    return fail(put.error());
   edit_result result;
   result.candidate = builder.freeze();
   result.touched = builder.touched();
@@ -102,7 +95,7 @@ expected<edit_result> lowered(const version_ptr& mesh, const std::vector<surface
     all.ways.emplace_back([&] {
       return eroded_by([&](mesh_builder& to,
                            erosion_sum& sum) { return erode_depth(to, surfaces, depth, ctx, sum); },
-                       mesh, surfaces, policy, ctx.run);
+                       mesh, surfaces, policy);
     });
   all.ways.emplace_back([&] { return move_by_vertices(mesh, surfaces, -depth, ctx.run); });
   all.ways.emplace_back([&] { return move_by_tool(mesh, surfaces, -depth, ctx); });
@@ -135,7 +128,7 @@ expected<edit_result> erode(const version_ptr& mesh, const std::vector<surface_i
                       [&](mesh_builder& to, erosion_sum& sum) {
                         return erode_layers(to, surfaces, settings.layers, ctx, sum);
                       },
-                      mesh, surfaces, settings.pieces, ctx.run);
+                      mesh, surfaces, settings.pieces);
   if (!result)
     return result;
   result->figures.push_back({"volume_change_percent",

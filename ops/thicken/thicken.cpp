@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/adapt/put_on_walls.hpp"
 #include "mesh/level_set_tidy.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/shift_patch.hpp"
@@ -150,10 +149,6 @@ expected<edit_result> raised_as_slabs(const version_ptr& mesh,
   edit_result result;
   if (auto ok = raise_planes(builder, surfaces, height, ctx, result); !ok)
     return fail(ok.error());
-  // Where a slab runs along a round neighbour its vertices lie on the chords.
-  const auto goes = [&](surface_id id) { return std::ranges::count(surfaces, id) > 0; };
-  if (const auto put = put_on_walls_of_base(builder, goes, ctx.run); !put)
-    return fail(put.error());
   result.candidate = builder.freeze();
   result.touched = builder.touched();
   result.volume_change = boundary_volume_change(*mesh, *result.candidate);

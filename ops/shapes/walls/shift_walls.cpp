@@ -5,7 +5,6 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "mesh/adapt/put_on_walls.hpp"
 #include "mesh/level_set_freedom.hpp"
 #include "mesh/level_set_patch.hpp"
 #include "mesh/level_set_tidy.hpp"
@@ -351,13 +350,7 @@ expected<void> shift_walls(mesh_builder& mesh, const wall_set& walls, double dis
     return fail(ok.error());
   auto moving = walls;
   const auto carried = find_carried(*mesh.base(), moving, distance);
-  if (auto ok = shifter(mesh, moving, carried, distance, run).shift(); !ok)
-    return fail(ok.error());
-  // Neighbours without an exact shape within `round_enough` are left as they are.
-  const auto goes = [&](surface_id id) { return moving.contains(id) || carried.contains(id); };
-  if (const auto put = put_on_walls_of_base(mesh, goes, run); !put)
-    return fail(put.error());
-  return {};
+  return shifter(mesh, moving, carried, distance, run).shift();
 }
 
 }  // namespace tedit::ops
