@@ -41,7 +41,7 @@ struct outline_corner {
 /// A tool by its exact shape: outlines along z, or a half-section turned about z.
 struct exact_tool {
   std::array<std::array<double, 3>, 4> frame{};       ///< Origin, x, y, z.
-  std::vector<std::vector<outline_corner>> outlines;  ///< Even-odd filled.
+  std::vector<std::vector<outline_corner>> outlines;  ///< None lies in another one.
   double from = 0;                                    ///< Of the outlines, along z.
   double to = 0;
   std::vector<std::array<double, 2>> section;  ///< Radius and height; first and last on the axis.

@@ -27,8 +27,10 @@ face_probe::face_probe(const TopoDS_Face& face) : face_(face) {
   BRepBndLib::AddOptimal(face_, extent_, Standard_False, Standard_False);
 }
 
-double face_probe::curvature_at(double u, double v) const {
-  BRepLProp_SLProps properties(*surface_, u, v, 2, 1e-9);
+double curvature_of(const BRepAdaptor_Surface& surface, double u, double v) {
+  if (surface.GetType() == GeomAbs_Plane)
+    return 0;
+  BRepLProp_SLProps properties(surface, u, v, 2, 1e-9);
   if (!properties.IsCurvatureDefined())
     return 0;
   return std::max(std::abs(properties.MaxCurvature()), std::abs(properties.MinCurvature()));
@@ -119,7 +121,7 @@ face_probe::finding face_probe::operator()(const gp_Pnt& point, double at_most) 
   const double off = surface_->Value(u, v).Distance(point);
   if (off >= at_most)
     return result;
-  result.curvature = surface_->GetType() == GeomAbs_Plane ? 0 : curvature_at(u, v);
+  result.curvature = curvature_of(*surface_, u, v);
   result.distance = is_inside(u, v) ? off : distance_of_rim(point, at_most);
   return result;
 }

@@ -12,6 +12,9 @@
 
 namespace tedit::cad {
 
+/// The larger one of a surface's curvatures, 1/mm; 0 where it has none.
+[[nodiscard]] double curvature_of(const BRepAdaptor_Surface& surface, double u, double v);
+
 /// Where points are with regard to one face. What it needs is made when it is first asked for.
 class face_probe {
 public:
@@ -30,9 +33,6 @@ public:
 
   /// mm: of the surface that the face is a piece of.
   [[nodiscard]] double distance_of_surface(const gp_Pnt& point);
-
-  /// The larger one of the surface's curvatures, 1/mm.
-  [[nodiscard]] double curvature_at(double u, double v) const;
 
 private:
   void open();

@@ -7,25 +7,19 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepLProp_CLProps.hxx>
-#include <BRepLProp_SLProps.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "cad/editor/face_probe.hpp"
+
 namespace tedit::cad {
 
 namespace {
 
 constexpr int most_a_side = 40;
-
-double curvature_of(const BRepAdaptor_Surface& surface, double u, double v) {
-  BRepLProp_SLProps properties(surface, u, v, 2, 1e-9);
-  if (surface.GetType() == GeomAbs_Plane || !properties.IsCurvatureDefined())
-    return 0;
-  return std::max(std::abs(properties.MaxCurvature()), std::abs(properties.MinCurvature()));
-}
 
 struct edge_sample {
   gp_Pnt at;

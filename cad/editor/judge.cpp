@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -77,13 +76,18 @@ public:
       check_faces();
     if (result_.fault.empty())
       check_volume();
+    if (result_.fault.empty())
+      measure_solids();
     return std::move(result_);
   }
 
 private:
   void check_validity() {
     const auto solids = solids_of(result_.part.shape);
-    if (solids.size() != step_.bodies)
+    if (solids.size() != before_.facts.solids.size())
+      result_.fault = "it has " + std::to_string(solids.size()) + " solids, the model before " +
+                      std::to_string(before_.facts.solids.size());
+    else if (solids.size() != step_.bodies)
       result_.fault = "it has " + std::to_string(solids.size()) + " solids, the mesh " +
                       std::to_string(step_.bodies) + " bodies";
     else if (!BRepCheck_Analyzer(result_.part.shape).IsValid())
@@ -339,6 +343,18 @@ private:
       std::snprintf(text, sizeof(text), "its volume changes by %.4g mm3, the mesh's by %.4g",
                     change, step_.volume_change_mm3);
       result_.fault = text;
+    }
+  }
+
+  /// Each way leaves the solids in their order, with their names.
+  void measure_solids() {
+    const auto solids = solids_of(result_.part.shape);
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      auto& row = result_.part.facts.solids[i];
+      row.area_mm2 = cad::area_of(solids[i]);
+      row.volume_mm3 = 0;
+      for (TopExp_Explorer faces(solids[i], TopAbs_FACE); faces.More(); faces.Next())
+        row.volume_mm3 += volume_below(TopoDS::Face(faces.Current()));
     }
   }
 
