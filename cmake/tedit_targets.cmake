@@ -51,6 +51,12 @@ if(TEDIT_HAS_GOLD AND NOT TEDIT_SANITIZE)
   target_link_options(tedit_options INTERFACE "$<BUILD_INTERFACE:$<${own}:-fuse-ld=gold>>")
 endif()
 
+# For a room whose code runs once for a message, a click or a command, and calls others for what takes time: all of it is
+# compiled with -O1, which takes a third less time (docs/decisions/log/0026.md). After this no target of mesh, fem or ops.
+macro(tedit_compile_quickly)
+  add_compile_options("$<$<CONFIG:Release>:-O1>")
+endmacro()
+
 # tedit_add_library(NAME mesh SOURCES a.cpp b.cpp LINK tedit_base Eigen3::Eigen [PRIVATE_LINK x])
 # makes the static library tedit_<NAME>.
 function(tedit_add_library)

@@ -47,14 +47,11 @@ private:
   page_request asked_by(const upgrade_request& r);
   void route(const upgrade_request& r);
   void respond(http::status status, std::string body, const char* type = "text/plain");
-  template <class Stream>
-  void write_response(Stream& to);
   void end_sending();
   void drain();
 
   std::shared_ptr<hub> hub_;
   net_stream stream_;
-  bool plain_on_tls_ = false;  ///< It speaks HTTP where TLS is spoken: so it is answered.
   std::unique_ptr<slot> slot_;
   bool refused_;
   beast::flat_buffer buffer_;
@@ -86,10 +83,10 @@ void http_session::on_shaken(error_code problem) {
   metrics::count_of("tedit_tls_refused_total", "TLS handshakes of clients that failed.",
                     {{"reason", refusal_of(problem)}})
     .add();
-  plain_on_tls_ =
-    tls && ERR_GET_REASON(static_cast<unsigned>(problem.value())) == SSL_R_HTTP_REQUEST;
-  if (plain_on_tls_)
-    respond(http::status::bad_request, "This port speaks TLS: use wss:// or https://.\n");
+  if (!tls || ERR_GET_REASON(static_cast<unsigned>(problem.value())) != SSL_R_HTTP_REQUEST)
+    return;
+  stream_.give_up_tls();  // It speaks HTTP where TLS is spoken: so it is answered.
+  respond(http::status::bad_request, "This port speaks TLS: use wss:// or https://.\n");
 }
 
 void http_session::read_header() {
@@ -184,15 +181,7 @@ void http_session::respond(http::status status, std::string body, const char* ty
     metrics::count_of("tedit_http_refused_total", "HTTP requests that were refused, by status.",
                       {{"status", std::to_string(response_.result_int())}})
       .add();
-  if (plain_on_tls_)
-    write_response(line());
-  else
-    write_response(stream_);
-}
-
-template <class Stream>
-void http_session::write_response(Stream& to) {
-  http::async_write(to, response_, [self = shared_from_this()](error_code e, std::size_t) {
+  http::async_write(stream_, response_, [self = shared_from_this()](error_code e, std::size_t) {
     if (!e)
       self->end_sending();
   });
@@ -206,7 +195,7 @@ void http_session::end_sending() {
     self->line().socket().shutdown(tcp::socket::shutdown_send, ignored);
     self->drain();
   };
-  if (stream_.tls() != nullptr && !plain_on_tls_)
+  if (stream_.tls() != nullptr)
     stream_.async_shutdown(then);
   else
     then({});
