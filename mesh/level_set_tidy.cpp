@@ -41,8 +41,8 @@ public:
         if (!exact &&
             !(may_merge(mesh_, from, to, star, tolerance) && only_their_edge_between(star, to)))
           continue;
-        auto trial = contracted(star, from, to, exact);
-        if (trial.worst > margin * before && trial.worst > best.worst)
+        auto trial = contracted(star, from, to, exact, std::max(margin * before, best.worst));
+        if (trial.worst > 0)
           best = std::move(trial);
       }
     }
@@ -81,16 +81,32 @@ private:
     return worst;
   }
 
-  [[nodiscard]] double worst_with(const std::vector<tet_id>& star, vertex_id v, vec3 at) const {
-    double worst = 1;
-    for (const auto t : star) {
-      auto p = mesh_.corners(t);
-      for (int i = 0; i < 4; ++i)
-        if (mesh_.tet_at(t).v[i] == v)
-          p[i] = at;
-      worst = std::min(worst, radius_ratio(p));
+  /// The corners of a star's tets and which of them is its middle.
+  struct movable_star {
+    std::vector<std::array<vec3, 4>> corners;
+    std::vector<int> middle;
+
+    /// The worst quality with the middle elsewhere; 0 as soon as it is no better than `beaten`.
+    [[nodiscard]] double worst_at(vec3 at, double beaten) {
+      double worst = 1;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i][middle[i]] = at;
+        worst = std::min(worst, radius_ratio(corners[i]));
+        if (!(worst > beaten))
+          return 0;
+      }
+      return worst;
     }
-    return worst;
+  };
+
+  [[nodiscard]] movable_star movable(const std::vector<tet_id>& star, vertex_id v) const {
+    movable_star result;
+    for (const auto t : star) {
+      const auto& corner = mesh_.tet_at(t).v;
+      result.corners.push_back(mesh_.corners(t));
+      result.middle.push_back(static_cast<int>(std::ranges::find(corner, v) - corner.begin()));
+    }
+    return result;
   }
 
   [[nodiscard]] std::array<vec3, 4> places(const tet& t) const {
@@ -117,9 +133,9 @@ private:
   }
 
   /// The star of `from` with `from` drawn to `to`; worst is 0 where that does not fill the same
-  /// space with good tets.
+  /// space with tets that are all better than `beaten`.
   [[nodiscard]] contraction contracted(const std::vector<tet_id>& star, vertex_id from,
-                                       vertex_id to, bool exact) const {
+                                       vertex_id to, bool exact, double beaten) const {
     contraction result;
     result.change.removed = star;
     double worst = 1;
@@ -134,7 +150,7 @@ private:
       std::ranges::replace(moved.v, from, to);
       const auto p = places(moved);
       worst = std::min(worst, radius_ratio(p));
-      if (worst <= 0 || orient3d(p[0], p[1], p[2], p[3]) <= 0)
+      if (!(worst > beaten) || orient3d(p[0], p[1], p[2], p[3]) <= 0)
         return {};
       volume += signed_volume(p);
       result.change.added.push_back({moved, mesh_.region_of(t)});
@@ -177,6 +193,7 @@ private:
         if (u != v)
           step = std::min(step, 0.5 * norm(mesh_.position(u) - start));
     const double before = worst_of(star);
+    auto tried = movable(star, v);
     vec3 at = start;
     double best = before;
     for (int round = 0; round < 8; ++round) {
@@ -188,7 +205,7 @@ private:
             if (norm(d) < 0.3)
               continue;
             const vec3 trial = centre + step * normalized(d);
-            if (const double q = worst_with(star, v, trial); q > best)
+            if (const double q = tried.worst_at(trial, best); q > best)
               std::tie(best, at) = std::tuple(q, trial);
           }
       if (at == centre)

@@ -127,6 +127,22 @@ std::vector<working_case> cases_from(const std::vector<std::string>& lines, cons
   return result;
 }
 
+/// The survey's lines "refused" and "refused WHAT IT LACKS remedy: REMEDY".
+void note_refusals(std::vector<std::string>& lines, plan& p) {
+  p.refusals = 0;
+  p.unexplained.clear();
+  std::erase_if(lines, [&](const std::string& line) {
+    if (!line.starts_with(refused))
+      return false;
+    ++p.refusals;
+    const auto mark = line.find(remedy_mark);
+    if (mark != std::string::npos)
+      p.unexplained.push_back({line.substr(refused.size() + 1, mark - refused.size() - 1),
+                               line.substr(mark + remedy_mark.size())});
+    return true;
+  });
+}
+
 /// All checks in the order in which they run.
 std::vector<check> all_checks() {
   std::vector<check> result;
@@ -201,8 +217,10 @@ private:
     auto row = perform_repeatedly(c, lines);
     if (c.needs == need::nothing && !lines.empty())
       operations_ = static_cast<std::uint32_t>(std::stoul(lines[0].substr(lines[0].find(' '))));
-    else if (!lines.empty())
+    else if (std::string_view(c.name) == finds_cases) {
+      note_refusals(lines, plan_);
       plan_.cases = cases_from(lines, plan_);
+    }
     note_obstacles(c, row);
     if (std::string_view(c.name) == "descriptor" && row.outcome == verdict::pass)
       report_.plugin = row.seen.substr(0, row.seen.find(','));

@@ -15,19 +15,21 @@ struct working_case {
   std::vector<surface_id> surfaces;
 };
 
-/// What the parent knows when it starts a check.
-struct plan {
-  const conformance_settings* settings = nullptr;
-  std::vector<sample> samples;      ///< The kit's own, then the part.
-  std::vector<working_case> cases;  ///< At most one for each sample, cheapest kinds first.
-  std::uint32_t operation = 0;      ///< Index in the plugin.
-  bool faulty = false;  ///< A rule about results is known to be broken: other checks leave it out.
-};
-
 /// A check ends by throwing its failure: it lives in the child and nothing goes on after it.
 struct failure {
   std::string seen;
   std::string remedy;
+};
+
+/// What the parent knows when it starts a check.
+struct plan {
+  const conformance_settings* settings = nullptr;
+  std::vector<sample> samples;       ///< The kit's own, then the part.
+  std::vector<working_case> cases;   ///< At most one for each sample, cheapest kinds first.
+  std::size_t refusals = 0;          ///< What the survey saw refused,
+  std::vector<failure> unexplained;  ///< and the first of those that do not say why or what to do.
+  std::uint32_t operation = 0;       ///< Index in the plugin.
+  bool faulty = false;  ///< A rule about results is known to be broken: other checks leave it out.
 };
 
 /// A check that cannot say anything.
@@ -111,6 +113,12 @@ struct check {
 [[nodiscard]] const std::vector<check>& selection_checks();
 [[nodiscard]] const std::vector<check>& parameter_checks();
 [[nodiscard]] const std::vector<check>& residue_checks();
+
+// -- what the survey says to the parent, a line each
+// -----------------------------------------------
+
+constexpr std::string_view refused = "refused";  ///< Followed by what it lacks, if it lacks any.
+constexpr std::string_view remedy_mark = " remedy: ";  ///< What follows is the failure's remedy.
 
 // -- helpers
 // ---------------------------------------------------------------------------------------

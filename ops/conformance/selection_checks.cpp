@@ -50,12 +50,25 @@ void say_case(const plugin_trial& b, const working_case& c) {
   b.say(line);
 }
 
+/// Tells the parent that this selection was refused, and whether the refusal was explained.
+void say_refusal(const plugin_trial& b, const error& e, const std::string& what) {
+  try {
+    check_refusal(e, what);
+    b.say(std::string(refused));
+  } catch (const failure& f) {
+    b.say(std::string(refused) + " " + f.seen + std::string(remedy_mark) + f.remedy);
+  }
+}
+
 /// Tries one selection; true when it was accepted.
 bool accepts(const plugin_trial& b, const working_case& c) {
-  b.mark("applying to surface " + where(b, c));
+  const auto what = "surface " + where(b, c);
+  b.mark("applying to " + what);
   const auto answer = b.apply(b.sample_of(c).mesh, c.surfaces, b.values());
-  if (!answer)
+  if (!answer) {
+    say_refusal(b, answer.error(), what);
     return false;
+  }
   if (!answer->candidate)
     throw failure{"the result on surface " + where(b, c) + " has no candidate",
                   "Set edit_result::candidate, or return fail(...)"};
@@ -185,22 +198,20 @@ std::string order(plugin_trial& b) {
 
 std::string refusals(plugin_trial& b) {
   b.load();
-  std::size_t refused = 0;
-  for (const auto& s : b.the_plan().samples) {
-    auto tries = smallest_selections(b, *s.mesh);
-    tries.push_back(whole(b, *s.mesh));
-    for (const auto& surfaces : tries) {
-      const auto what =
-        "surface " + where(b, {std::size_t(&s - b.the_plan().samples.data()), surfaces});
-      b.mark("applying to " + what);
-      const auto answer = b.apply(s.mesh, surfaces, b.values());
-      if (answer)
-        continue;
-      ++refused;
-      check_refusal(answer.error(), what);
-    }
+  const auto& p = b.the_plan();
+  if (!p.unexplained.empty())
+    throw failure{p.unexplained.front()};
+  auto refused_ones = p.refusals;
+  for (const auto& s : p.samples) {
+    const auto what = "all surfaces of " + s.name;
+    b.mark("applying to " + what);
+    const auto answer = b.apply(s.mesh, whole(b, *s.mesh), b.values());
+    if (answer)
+      continue;
+    ++refused_ones;
+    check_refusal(answer.error(), what);
   }
-  return std::to_string(refused) + " refusals, each with message and remedy";
+  return std::to_string(refused_ones) + " refusals, each with message and remedy";
 }
 
 }  // namespace
