@@ -51,6 +51,7 @@ void add_serve(CLI::App& app, action& chosen);
 void add_status(CLI::App& app, action& chosen);
 void add_worker(CLI::App& app, action& chosen);
 void add_render(CLI::App& app, action& chosen);
+void add_certify(CLI::App& app, action& chosen);
 void add_verify(CLI::App& app, action& chosen);
 void add_doc(CLI::App& app, action& chosen);
 void add_doctor(CLI::App& app, action& chosen);

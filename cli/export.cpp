@@ -8,15 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/deck_file.hpp"
 #include "cli/export_step.hpp"
 #include "cli/part_document.hpp"
-#include "fem/calculix_deck.hpp"
 #include "fem/nastran_deck.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/io/bdf_sets.hpp"
 #include "mesh/io/file.hpp"
 #include "mesh/io/import.hpp"
-#include "mesh/io/inp_sets.hpp"
 #include "mesh/io/marked_cards.hpp"
 #include "protocol/convert.hpp"
 
@@ -34,17 +33,6 @@ struct export_options {
   std::string solver = "spooles";
   int order = 2;
   std::optional<std::uint32_t> version;
-};
-
-/// What a deck is made of.
-struct export_job {
-  const mesh_version& mesh;
-  const fem::problem& problem;
-  std::string load_case;  ///< JSON.
-  std::string title;
-  std::vector<std::size_t> elements;  ///< Number of each tet in the deck.
-
-  [[nodiscard]] std::size_t element_of(tet_id t) const { return elements[t]; }
 };
 
 /// What a deck holds besides nodes and elements.
@@ -90,31 +78,19 @@ std::string describe(const export_options& options, const fem::problem& p,
          (calculix ? "  run it with       " + counts.command + "\n" : std::string());
 }
 
-/// Ids, names and regions go into the deck, and the load case that its cards stand for: so that
-/// `tedit convert` gets all of it back.
-expected<export_counts> write_inp(const export_options& options, const export_job& job) {
-  fem::calculix_settings settings;
-  settings.title = job.title;
-  if (options.solver == "cholesky")
-    settings.solver = fem::calculix_solver::iterative_cholesky;
-  settings.sets = [&](std::ostream& out) {
-    write_inp_sets(out, job.mesh, [&](tet_id t) { return job.element_of(t); });
-  };
-  settings.around_cards = [&](std::ostream& out, const std::string& cards) {
-    write_marked_cards(out, "** ", cards, job.load_case);
-  };
-  fem::calculix_counts counts;
-  const auto written = write_file(options.output, [&](std::ostream& out) {
-    counts = fem::write_calculix_deck(job.problem, settings, out);
-  });
-  if (!written)
-    return fail(written.error());
-  return export_counts{"calculix",   counts.held_nodes,  counts.boundaries,      counts.equations,
-                       counts.loads, "nodal components", call_of(options.output)};
+expected<export_counts> write_inp(const export_options& options, const deck_job& job) {
+  const auto counts =
+    write_calculix_file(options.output, job,
+                        options.solver == "cholesky" ? fem::calculix_solver::iterative_cholesky
+                                                     : fem::calculix_solver::spooles);
+  if (!counts)
+    return fail(counts.error());
+  return export_counts{"calculix",    counts->held_nodes, counts->boundaries,     counts->equations,
+                       counts->loads, "nodal components", call_of(options.output)};
 }
 
 /// The same for Nastran.
-expected<export_counts> write_bdf(const export_options& options, const export_job& job) {
+expected<export_counts> write_bdf(const export_options& options, const deck_job& job) {
   std::vector<std::size_t> node_of(job.mesh.vertex_slots());
   for (std::size_t n = 0; n < job.problem.corner_count; ++n)
     if (job.problem.node_vertices[n] != no_id)
@@ -209,11 +185,9 @@ int run_export(const export_options& options, session& s) {
   const auto problem = fem::make_problem(*part->mesh, part->loads, options.order);
   if (!problem)
     return print_error(s, problem.error());
-  export_job job{*part->mesh, *problem, protocol::load_case_to_json(part->loads),
-                 part->loads.name + " on " + fs::path(options.mesh).filename().string(),
-                 std::vector<std::size_t>(part->mesh->tet_slots())};
-  for (std::size_t e = 0; e < problem->element_count(); ++e)
-    job.elements[problem->element_tets[e]] = e + 1;
+  const auto job =
+    make_deck_job(*part->mesh, *problem, part->loads,
+                  part->loads.name + " on " + fs::path(options.mesh).filename().string());
   const auto counts =
     (*format)->name == formats::inp::about.name ? write_inp(options, job) : write_bdf(options, job);
   if (!counts)

@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
   tedit::cli::add_ops(app, chosen);
   tedit::cli::add_select(app, chosen);
   tedit::cli::add_plugin(app, chosen);
+  tedit::cli::add_certify(app, chosen);
   tedit::cli::add_verify(app, chosen);
   tedit::cli::add_doctor(app, chosen);
   tedit::cli::add_certs(app, chosen);

@@ -43,7 +43,9 @@ private:
 };
 
 /// The largest shipped part needs about 3 GB; nothing here may take the machine down.
-constexpr child_limits limits{std::chrono::minutes(5), std::size_t{16} << 30};
+constexpr std::size_t most_memory = std::size_t{16} << 30;
+constexpr child_limits limits{std::chrono::minutes(5), most_memory};
+constexpr child_limits long_limits{std::chrono::minutes(60), most_memory};
 
 /// The force that a support of the node exerts: only along its held directions, (1 - S) r.
 void keep_held_directions(const std::array<double, 6>& s, double* r) {
@@ -101,6 +103,57 @@ expected<calculix_table> read_calculix_table(std::istream& dat, std::size_t node
   return table;
 }
 
+namespace {
+
+/// Runs it on FOLDER/NAME.inp and reads NAME.dat.
+expected<calculix_solution> run_in(const fs::path& program, const fs::path& folder,
+                                   const std::string& name, const fem::problem& p,
+                                   const child_limits& most, const execution& run) {
+  const stopwatch clock;
+  // CalculiX also writes into the folder that it is started in.
+  const auto said = run_child({"/usr/bin/env", "--chdir=" + folder.string(), "OMP_NUM_THREADS=1",
+                               program.string(), "-i", name},
+                              {}, most, run);
+  if (!said)
+    return fail(
+      said.error().code == ec::mesher_failed ? ec::service_unavailable : said.error().code,
+      "CalculiX failed: " + said.error().message,
+      "See what it says: write the deck with tedit export and run ccx on it");
+  std::ifstream dat(folder / (name + ".dat"));
+  auto table = read_calculix_table(dat, p.node_count());
+  if (!table)
+    return fail(table.error());
+  calculix_solution result{std::move(table->displacement),
+                           std::move(table->forces),
+                           {},
+                           version_in({said->data(), said->size()}),
+                           0};
+  for (std::size_t i = 0; i < p.dofs(); ++i)
+    result.reactions[i] -= p.loads[i];
+  for (std::size_t n = 0; n < p.node_count(); ++n)
+    keep_held_directions(p.filter[n], &result.reactions[3 * n]);
+  result.milliseconds = clock.milliseconds();
+  return result;
+}
+
+}  // namespace
+
+expected<calculix_solution> run_calculix(const fs::path& program, const fs::path& folder,
+                                         const std::string& name, const fem::problem& p,
+                                         const execution& run) {
+  std::error_code code;
+  auto result = run_in(program, fs::absolute(folder, code), name, p, long_limits, run);
+  if (!result)
+    return result;
+  if (std::ifstream frd(folder / (name + ".frd")); frd) {
+    auto stress = read_calculix_stress(frd, p.node_count());
+    if (!stress)
+      return fail(stress.error());
+    result->stress = *std::move(stress);
+  }
+  return result;
+}
+
 expected<calculix_solution> solve_with_calculix(const fs::path& program, const fem::problem& p,
                                                 const execution& run) {
   const stopwatch clock;
@@ -111,26 +164,9 @@ expected<calculix_solution> solve_with_calculix(const fs::path& program, const f
   if (folder.path().empty() || !deck)
     return fail(ec::io_error, "the deck for CalculiX cannot be written to a temporary folder",
                 "Make space there, or set TMPDIR to another folder");
-  // CalculiX also writes into the folder that it is started in.
-  const auto said = run_child({"/usr/bin/env", "--chdir=" + folder.path().string(),
-                               "OMP_NUM_THREADS=1", program.string(), "-i", "deck"},
-                              {}, limits, run);
-  if (!said)
-    return fail(
-      said.error().code == ec::mesher_failed ? ec::service_unavailable : said.error().code,
-      "CalculiX failed: " + said.error().message,
-      "See what it says: write the deck with tedit export and run ccx on it");
-  std::ifstream dat(folder.path() / "deck.dat");
-  auto table = read_calculix_table(dat, p.node_count());
-  if (!table)
-    return fail(table.error());
-  calculix_solution result{std::move(table->displacement), std::move(table->forces),
-                           version_in({said->data(), said->size()}), 0};
-  for (std::size_t i = 0; i < p.dofs(); ++i)
-    result.reactions[i] -= p.loads[i];
-  for (std::size_t n = 0; n < p.node_count(); ++n)
-    keep_held_directions(p.filter[n], &result.reactions[3 * n]);
-  result.milliseconds = clock.milliseconds();
+  auto result = run_in(program, folder.path(), "deck", p, limits, run);
+  if (result)
+    result->milliseconds = clock.milliseconds();
   return result;
 }
 

@@ -20,6 +20,7 @@ constexpr auto calculix_package = "calculix-ccx";
 struct calculix_solution {
   std::vector<double> displacement;  ///< m, 3 per node.
   std::vector<double> reactions;     ///< N, 3 per node: K u - f on held directions, else zero.
+  std::vector<double> stress;        ///< Pa, 6 per node as ours; empty where the deck has none.
   std::string program;               ///< "CalculiX 2.20", as it calls itself.
   double milliseconds = 0;           ///< Of the whole run, files included.
 };
@@ -33,6 +34,15 @@ struct calculix_table {
 /// The program `ccx` in $PATH; empty when it is not installed.
 [[nodiscard]] std::filesystem::path find_calculix();
 
+/// Runs CalculiX on the deck NAME.inp of a folder, on one thread, within an hour. What it makes
+/// stays there: NAME.dat, and NAME.frd where the deck asks for fields.
+/// @param p the problem that the deck was written from.
+/// Errors: `bad_input` when the results are not all there, those of `run_child`.
+[[nodiscard]] expected<calculix_solution> run_calculix(const std::filesystem::path& program,
+                                                       const std::filesystem::path& folder,
+                                                       const std::string& name,
+                                                       const fem::problem& p, const execution& run);
+
 /// Solves with SPOOLES, a direct solver, on one thread in a temporary folder, within five minutes.
 /// Errors: `io_error`, `bad_input` when the results are not all there, those of `run_child`.
 [[nodiscard]] expected<calculix_solution> solve_with_calculix(const std::filesystem::path& program,
@@ -43,5 +53,10 @@ struct calculix_table {
 /// the problem does not have are skipped. Errors: `bad_input` when a node has no displacement.
 [[nodiscard]] expected<calculix_table> read_calculix_table(std::istream& dat,
                                                            std::size_t node_count);
+
+/// Reads the stress of a results file (.frd), Pa, 6 per node in the order xx, yy, zz, xy, yz, zx.
+/// Errors: `bad_input` when a node has none.
+[[nodiscard]] expected<std::vector<double>> read_calculix_stress(std::istream& frd,
+                                                                 std::size_t node_count);
 
 }  // namespace tedit::verification

@@ -2,14 +2,10 @@
 #include "client-qt/net/cad_import.hpp"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 
-#include "client-qt/net/local_server.hpp"
+#include "client-qt/net/own_program.hpp"
 
 namespace tedit::desktop {
 
@@ -22,48 +18,6 @@ struct cad_import_phrases {
 const QStringList& suffixes() {
   static const QStringList all{"step", "stp", "iges", "igs", "brep"};
   return all;
-}
-
-/// Why the program did not.
-error said_by(const QJsonObject& answer) {
-  const auto about = answer["error"].toObject();
-  const auto text = [&](const char* key) { return about[key].toString().toStdString(); };
-  if (about.isEmpty())
-    return {ec::service_unavailable,
-            "the program tedit ended without an answer",
-            "Run \"tedit import\" or \"tedit export\" on the command line to see why",
-            {}};
-  return {code_from_name(text("code")), text("message"), text("remedy"), text("where")};
-}
-
-/// Runs this installation's `tedit` and reads what it prints.
-expected<QJsonObject> run_program(const QStringList& arguments, const execution& run) {
-  QProcess program;
-  program.setStandardErrorFile(QProcess::nullDevice());
-  program.start(local_server::program(), arguments + QStringList{"--json", "--quiet"},
-                QIODevice::ReadOnly);
-  if (!program.waitForStarted())
-    return fail(ec::service_unavailable,
-                "the program tedit does not start: " + program.errorString().toStdString(),
-                "Install it beside this one");
-  constexpr int look_every_ms = 100;
-  while (!program.waitForFinished(look_every_ms))
-    if (run.cancel.cancelled()) {
-      program.terminate();  // It takes its own programs and files along.
-      if (!program.waitForFinished(3000))
-        program.kill();
-      program.waitForFinished();
-      return fail(ec::cancelled, "the work was cancelled");
-    }
-  const auto answer = QJsonDocument::fromJson(program.readAllStandardOutput()).object();
-  if (program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0)
-    return fail(said_by(answer));
-  return answer;
-}
-
-tl::unexpected<error> no_temporary_folder() {
-  return fail(ec::io_error, "no temporary folder can be made",
-              "Set TMPDIR to a folder with room that you may write to");
 }
 
 }  // namespace
@@ -86,9 +40,10 @@ expected<meshed_part> mesh_cad_file(const QString& file, const QString& size,
   run.report(0.05, cad_import_phrases::tr("meshing the CAD file").toStdString());
   meshed_part part{std::make_unique<QTemporaryDir>(), {}, {}};
   if (!part.folder->isValid())
-    return no_temporary_folder();
+    return fail(ec::io_error, "no temporary folder can be made",
+                "Set TMPDIR to a folder with room that you may write to");
   part.document = part.folder->filePath("part.tedit");
-  const auto answer = run_program({"import", file, "--size", size, "-o", part.document}, run);
+  const auto answer = run_own_program({"import", file, "--size", size, "-o", part.document}, run);
   if (!answer)
     return fail(answer.error());
   for (const auto& warning : (*answer)["warnings"].toArray())
@@ -100,15 +55,10 @@ expected<void> write_cad_model(const std::vector<char>& document, const QString&
                                const execution& run) {
   run.report(0.5, cad_import_phrases::tr("editing the CAD model").toStdString());
   const QTemporaryDir folder;
-  if (!folder.isValid())
-    return no_temporary_folder();
-  QFile copy(folder.filePath("part.tedit"));
-  const auto size = static_cast<qint64>(document.size());
-  if (!copy.open(QIODevice::WriteOnly) || copy.write(document.data(), size) != size ||
-      !copy.flush())
-    return fail(ec::io_error, "cannot write the file: " + copy.errorString().toStdString());
-  copy.close();
-  return run_program({"export", copy.fileName(), "-o", step}, run).map([](const QJsonObject&) {});
+  const auto copy = keep_document(folder, document);
+  if (!copy)
+    return fail(copy.error());
+  return run_own_program({"export", *copy, "-o", step}, run).map([](const QJsonObject&) {});
 }
 
 }  // namespace tedit::desktop

@@ -21,6 +21,7 @@ toolbox::toolbox(window_context& in)
       receipt(in, selecting),
       compare(in, results.panel(), history),
       settings(in, results.panel()),
+      certifying(in),
       probing(in, results.panel(), selecting),
       jobs(in),
       help(in, operations.panel()),

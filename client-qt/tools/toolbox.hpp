@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "client-qt/tools/certify/certify_tool.hpp"
 #include "client-qt/tools/compare/compare_tool.hpp"
 #include "client-qt/tools/connection/connection_tool.hpp"
 #include "client-qt/tools/documents/documents_tool.hpp"
@@ -44,6 +45,7 @@ struct toolbox {
   receipt_tool receipt;
   compare_tool compare;
   settings_tool settings;
+  certify_tool certifying;
   probes_tool probing;
   jobs_tool jobs;
   help_tool help;
