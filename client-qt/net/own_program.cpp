@@ -12,13 +12,13 @@ namespace tedit::desktop {
 namespace {
 
 /// Why the program did not.
-error said_by(const QJsonObject& answer) {
+error said_by(const QJsonObject& answer, const QString& verb) {
   const auto about = answer["error"].toObject();
   const auto text = [&](const char* key) { return about[key].toString().toStdString(); };
   if (about.isEmpty())
     return {ec::service_unavailable,
             "the program tedit ended without an answer",
-            "Run the same command on the command line to see why",
+            "Run \"tedit " + verb.toStdString() + "\" on the command line to see why",
             {}};
   return {code_from_name(text("code")), text("message"), text("remedy"), text("where")};
 }
@@ -47,7 +47,7 @@ expected<QJsonObject> run_own_program(const QStringList& arguments, const execut
   const bool found_wrong =
     program.exitCode() == 1 && !answer.isEmpty() && !answer.contains("error");
   if (program.exitStatus() != QProcess::NormalExit || (program.exitCode() != 0 && !found_wrong))
-    return fail(said_by(answer));
+    return fail(said_by(answer, arguments.front()));
   return answer;
 }
 

@@ -88,6 +88,13 @@
     </message>
 </context>
 <context>
+    <name>certification</name>
+    <message>
+        <source>CalculiX solves</source>
+        <translation>CalculiX rechnet</translation>
+    </message>
+</context>
+<context>
     <name>command_groups</name>
     <message>
         <source>File</source>
@@ -8162,10 +8169,6 @@
         <translation>was über die Flächen des CAD-Modells bekannt ist, ist beschädigt</translation>
     </message>
     <message>
-        <source>Run &quot;tedit import&quot; or &quot;tedit export&quot; on the command line to see why</source>
-        <translation>„tedit import“ oder „tedit export“ auf der Befehlszeile ausführen, um den Grund zu sehen</translation>
-    </message>
-    <message>
         <source>cannot write the file: %1</source>
         <translation>die Datei lässt sich nicht schreiben: %1</translation>
     </message>
@@ -8224,6 +8227,10 @@
     <message>
         <source>there is not enough memory to read this field</source>
         <translation>der Speicher reicht nicht, um dieses Feld zu lesen</translation>
+    </message>
+    <message>
+        <source>Run &quot;tedit %1&quot; on the command line to see why</source>
+        <translation>„tedit %1“ auf der Befehlszeile ausführen, um zu sehen, warum</translation>
     </message>
 </context>
 <context>
@@ -8455,6 +8462,116 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>%1 did not work</source>
         <translation>%1 ist nicht gelungen</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::certificate_dialog</name>
+    <message>
+        <source>%1 differs on %2 of %3 load cases of version %4.</source>
+        <translation>%1 weicht bei %2 von %3 Lastfällen der Version %4 ab.</translation>
+    </message>
+    <message>
+        <source>%1 agrees on the load case of version %2.</source>
+        <translation>%1 stimmt beim Lastfall der Version %2 überein.</translation>
+    </message>
+    <message>
+        <source>%1 agrees on all %2 load cases of version %3.</source>
+        <translation>%1 stimmt bei allen %2 Lastfällen der Version %3 überein.</translation>
+    </message>
+    <message>
+        <source>Checked with CalculiX</source>
+        <translation>Mit CalculiX geprüft</translation>
+    </message>
+    <message>
+        <source>Both programs solved the same deck. Differences are relative to the largest displacement, the sum of reactions and the largest stress. Stress at nodes is a mean of the elements around: it is compared with the same mean; as each program shows it, half of the nodes differ by less than %1 %.</source>
+        <translation>Beide Programme haben dieselbe Eingabedatei gerechnet. Unterschiede beziehen sich auf die größte Verschiebung, die Summe der Auflagerkräfte und die größte Spannung. Die Spannung an einem Knoten ist ein Mittel der Elemente um ihn: verglichen wird mit demselben Mittel; so, wie jedes Programm sie zeigt, weicht die Hälfte der Knoten um weniger als %1 % ab.</translation>
+    </message>
+    <message>
+        <source>Decks and results: %1</source>
+        <translation>Eingabedateien und Ergebnisse: %1</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Load case</source>
+        <translation>Lastfall</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Reactions</source>
+        <translation>Auflagerkräfte</translation>
+    </message>
+    <message>
+        <source>Compliance</source>
+        <translation>Nachgiebigkeit</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Largest, MPa</source>
+        <translation>Größte, MPa</translation>
+    </message>
+    <message>
+        <source>CalculiX, MPa</source>
+        <translation>CalculiX, MPa</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>stimmt überein</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
+</context>
+<context>
+    <name>tedit::desktop::certify_tool</name>
+    <message>
+        <source>Check with CalculiX</source>
+        <translation>Mit CalculiX prüfen</translation>
+    </message>
+    <message>
+        <source>CalculiX solves this version&apos;s load cases, too; decks, results and how far both agree go into a folder</source>
+        <translation>Auch CalculiX rechnet die Lastfälle dieser Version; Eingabedateien, Ergebnisse und wie weit beide übereinstimmen, kommen in einen Ordner</translation>
+    </message>
+    <message>
+        <source>It needs a part with a load case</source>
+        <translation>Es braucht ein Teil mit einem Lastfall</translation>
+    </message>
+    <message>
+        <source>Where shall decks and results be kept?</source>
+        <translation>Wo sollen Eingabedateien und Ergebnisse bleiben?</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1, Version %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -57,22 +57,24 @@ QString verdict_of(const certificate& what) {
 }
 
 word_table table_of(const certificate& what) {
-  const auto tr = [](const char* text) { return certificate_dialog::tr(text); };
-  word_table table{tr("Differences"),
-                   {tr("Load case"), tr("Displacement"), tr("Reactions"), tr("Compliance"),
-                    tr("Stress"), tr("Largest, MPa"), tr("CalculiX, MPa"), tr("Verdict")},
+  word_table table{certificate_dialog::tr("Differences"),
+                   {certificate_dialog::tr("Load case"), certificate_dialog::tr("Displacement"),
+                    certificate_dialog::tr("Reactions"), certificate_dialog::tr("Compliance"),
+                    certificate_dialog::tr("Stress"), certificate_dialog::tr("Largest, MPa"),
+                    certificate_dialog::tr("CalculiX, MPa"), certificate_dialog::tr("Verdict")},
                    {}};
   for (const auto& c : what.cases) {
     const double ours = 1e-6 * c.our_stress_pa;
     const double theirs = 1e-6 * c.their_stress_pa;
-    table.rows.push_back({{c.name, {}},
-                          number_cell(share(c.displacement), c.displacement),
-                          number_cell(share(c.reaction), c.reaction),
-                          number_cell(share(c.compliance), c.compliance),
-                          number_cell(share(c.stress), c.stress),
-                          number_cell(QString::number(ours, 'g', 4), ours),
-                          number_cell(QString::number(theirs, 'g', 4), theirs),
-                          {c.agrees ? tr("agrees") : tr("differs"), {}}});
+    table.rows.push_back(
+      {{c.name, {}},
+       number_cell(share(c.displacement), c.displacement),
+       number_cell(share(c.reaction), c.reaction),
+       number_cell(share(c.compliance), c.compliance),
+       number_cell(share(c.stress), c.stress),
+       number_cell(QString::number(ours, 'g', 4), ours),
+       number_cell(QString::number(theirs, 'g', 4), theirs),
+       {c.agrees ? certificate_dialog::tr("agrees") : certificate_dialog::tr("differs"), {}}});
   }
   return table;
 }
