@@ -2,6 +2,7 @@
 // CalculiX as a second opinion, from the window.
 #include "tests/desktop/window_fixture.hpp"
 
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
