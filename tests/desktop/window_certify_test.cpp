@@ -26,7 +26,7 @@ protected:
 TEST_F(CertifyWindow, ShowsKeepsAndNotesHowFarBothAgree) {
   if (QStandardPaths::findExecutable("ccx").isEmpty())
     GTEST_SKIP() << "ccx is not installed (Debian package calculix-ccx)";
-  part().files().import(block("inch_block.coarse.msh"), {block("load_case.json")});
+  window->tools().documents.open_file(block("inch_block.coarse.msh"), {block("load_case.json")});
   ASSERT_TRUE(wait([&] { return shows_head() && !part().head()->load_cases.empty(); }));
   ASSERT_TRUE(offers());
 
@@ -49,7 +49,7 @@ TEST_F(CertifyWindow, ShowsKeepsAndNotesHowFarBothAgree) {
 }
 
 TEST_F(CertifyWindow, NeedsALoadCase) {
-  part().files().import(block("inch_block.coarse.msh"), {});
+  window->tools().documents.open_file(block("inch_block.coarse.msh"), {});
   ASSERT_TRUE(wait([&] { return shows_head(); }));
 
   EXPECT_FALSE(offers());
