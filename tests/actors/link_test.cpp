@@ -5,13 +5,16 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <random>
 #include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ringbuffer_sink.h>
 #include <spdlog/spdlog.h>
 #include <caf/event_based_actor.hpp>
 #include <caf/scoped_actor.hpp>
@@ -155,6 +158,26 @@ TEST_F(Link, ThirtyTwoBytesDoNotEndTheServer) {
   ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), 32);
   EXPECT_TRUE(is_cut(fd.get()));
   expect_others_are_served();
+}
+
+/// Once is said why a link is cut, however much the other end has sent by then.
+TEST_F(Link, WhatCameBehindABreachIsNotLookedAt) {
+  const auto said = std::make_shared<spdlog::sinks::ringbuffer_sink_mt>(100);
+  const auto usual = spdlog::default_logger();
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("link", said));
+  const auto fd = served(enlister);
+  const std::vector<char> bytes(std::size_t{32} * 20, 1);
+  const auto size = static_cast<ssize_t>(bytes.size());
+  ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), size);
+  EXPECT_TRUE(is_cut(fd.get()));
+  expect_others_are_served();  // The same thread has come as far.
+  spdlog::set_default_logger(usual);
+
+  const auto lines = said->last_formatted();
+  EXPECT_EQ(std::ranges::count_if(
+              lines, [](const auto& line) { return line.find("broke the protocol") != line.npos; }),
+            1)
+    << ::testing::PrintToString(lines);
 }
 
 TEST_F(Link, AHeaderThatClaimsFourGigabytesGetsNone) {

@@ -140,9 +140,9 @@ protected:
     return answer;
   }
 
-  v1::ServerMessage select() {
+  v1::ServerMessage select(const std::string& document = "part") {
     v1::ClientMessage message;
-    message.mutable_select_surfaces()->set_document("part");
+    message.mutable_select_surfaces()->set_document(document);
     message.mutable_select_surfaces()->set_kind(v1::SelectSurfaces::HOLES);
     return ask(std::move(message));
   }
@@ -211,6 +211,16 @@ TEST_F(ClientActor, ASelectionsAnswerIsHandedOn) {
   ASSERT_TRUE(answer.has_surfaces_selected()) << answer.error().message();
   ASSERT_EQ(answer.surfaces_selected().features_size(), 1);
   EXPECT_EQ(answer.surfaces_selected().features(0).surfaces(0), 7);
+}
+
+/// 64 may run at once.
+TEST_F(ClientActor, AnsweredAndRefusedRequestsTakeNoPlaceAmongThoseThatRun) {
+  open();
+  for (int i = 0; i < 65; ++i)
+    ASSERT_TRUE(select().has_surfaces_selected()) << "the request after " << i << " answers";
+  for (int i = 0; i < 65; ++i)
+    ASSERT_EQ(select("other").error().code(), "not_found") << "after " << i << " refusals";
+  EXPECT_TRUE(select().has_surfaces_selected());
 }
 
 TEST_F(ClientActor, TheListOfDocumentsHasTimesAsTextAndLeavesOutWhatIsNotKnown) {

@@ -60,5 +60,19 @@ TEST(FieldUpdates, AnotherSolveHasItsOwn) {
   EXPECT_EQ(value, 2);
 }
 
+TEST(FieldUpdates, WhatIsMadeOfResultsThatAreGoneIsNotKept) {
+  field_updates updates;
+  auto first = solved_with(1);
+  const std::weak_ptr<const void> made = updates.get(first, 0, {})->owner;
+  const auto second = solved_with(2);
+  ASSERT_TRUE(updates.get(second, 0, {}).has_value());
+  EXPECT_FALSE(made.expired()) << "somebody who has these results may want it";
+
+  first.fields.reset();
+  ASSERT_TRUE(updates.get(second, 0, {}).has_value());
+
+  EXPECT_TRUE(made.expired());
+}
+
 }  // namespace
 }  // namespace tedit::gateway

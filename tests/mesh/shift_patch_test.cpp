@@ -28,6 +28,22 @@ TEST(ShiftPatch, ABoxGrowsAndShrinksExactly) {
   EXPECT_DOUBLE_EQ(total_volume(*shifted(box, 6, 0.5, true)), 10);
 }
 
+/// Whichever facet lies across, the first of the mesh too.
+TEST(FindPatch, EachSideOfABoxHasARightAngleAtItsFourEdges) {
+  const mesh_builder box(test::box_mesh({1, 1, 1}, {1, 1, 1}));
+  for (surface_id side = 1; side <= 6; ++side) {
+    const auto patch = find_patch(box, side);
+    ASSERT_TRUE(patch.has_value()) << "side " << side << ": " << render(patch.error());
+    EXPECT_EQ(patch->facets.size(), 2U);
+    ASSERT_EQ(patch->border.size(), 4U);
+    for (const auto& edge : patch->border) {
+      EXPECT_EQ(box.facet(edge.inner).surface, side);
+      EXPECT_NE(box.facet(edge.outer).surface, side);
+      EXPECT_TRUE(edge.convex() && edge.vertical()) << edge.angle;
+    }
+  }
+}
+
 TEST(ShiftPatch, BordersSlideAlongSlopingNeighbours) {
   // A frustum: sides 1 to 4 lean inwards by 1/4 each over the height of 2.
   const auto frustum = test::box_mesh({2, 2, 2}, {2, 2, 2}, [](vec3 p) -> vec3 {

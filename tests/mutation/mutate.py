@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Plants small faults in the sources and says which tests notice them.
 
-usage: mutate.py [TREE] [--rooms actors,mesh,fem] [--count 150] [--seed 1] [--labels REGEX] [--targets ...] [--table FILE]
+usage: mutate.py [TREE] [--rooms actors,mesh,fem] [--count 150] [--seed 1] [--at FILE:LINE:KIND,...] [--labels REGEX]
+                 [--targets ...] [--table FILE]
 
 TREE (this one) is not changed: the faults are in a copy of it, TREE/build/mutants. A fault is a negated condition,
 a bound that is off by one, a sign, a turned answer, a call that is left out. All are built into one program;
@@ -118,6 +119,18 @@ def choose(places, count, seed):
     return chosen
 
 
+def asked_for(tree, texts):
+    """The places that are named: to try again what survived and has a test since."""
+    places = []
+    for text in texts:
+        file, line, kind = text.split(":")
+        place = (pathlib.Path(file), int(line) - 1, kind)
+        if place not in candidates(tree, [place[0].parts[0]]):
+            sys.exit(f"no fault of this kind fits at {text}")
+        places.append(place)
+    return places
+
+
 def planted(originals, mutants):
     """The sources (path: text) with `mutants` (number: place), from the originals."""
     of_file = collections.defaultdict(dict)
@@ -208,13 +221,18 @@ def main():
     options.add_argument("--rooms", default="actors,mesh,fem")
     options.add_argument("--count", type=int, default=150)
     options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--at", default="", help="FILE:LINE:KIND,...: these too (with --count 0: only these), one a line; "
+                                                  f"KIND: {', '.join(KINDS)}")
     options.add_argument("--labels", default="mesh|store|actors|gateway|simulation|fem|multilevel|client_actor|io|scenarios")
     options.add_argument("--targets", default="", help="of ninja; all when empty")
     options.add_argument("--table", type=pathlib.Path)
     given = options.parse_args()
     tree = given.tree.resolve()
     copy = tree / "build" / "mutants"
-    chosen = choose(candidates(tree, given.rooms.split(",")), given.count, given.seed)
+    asked = asked_for(tree, filter(None, given.at.split(",")))
+    lines = {place[:2] for place in asked}
+    others = choose(candidates(tree, given.rooms.split(",")), given.count, given.seed)
+    chosen = asked + [place for place in others if place[:2] not in lines]
     originals = {place[0]: (tree / place[0]).read_text() for place in chosen}
     mutants = build(tree, copy, originals, dict(enumerate(chosen)), given.targets.split())
     print(f"{len(mutants)} faults planted", flush=True)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -12,7 +13,9 @@
 #include "mesh/checks.hpp"
 #include "mesh/finish_edit.hpp"
 #include "mesh/io/import.hpp"
+#include "mesh/optimize/harmonic.hpp"
 #include "mesh/optimize/improve.hpp"
+#include "mesh/optimize/star_energy.hpp"
 #include "mesh/optimize/worst_first.hpp"
 #include "mesh/surface_map.hpp"
 #include "tests/support/edits.hpp"
@@ -97,14 +100,88 @@ TEST(WorstFirst, AVertexOnAnInteriorEdgeMendsAFlatTetOfFourBoundaryVertices) {
   EXPECT_EQ(boundary(*after), boundary(*mesh));
 }
 
-TEST(WorstFirst, AVertexTooManyGoes) {
-  // A regular tet cut into four at its middle: no flip fits and no other place is better.
+/// A regular tet cut into four at its middle: no flip fits and no other place is better.
+version_ptr regular_in_four() {
   raw_mesh raw;
   raw.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   raw.tets = {{{0, 2, 1, 3}}};
   raw.tet_regions = {1};
   const auto regular = build_version(std::move(raw), 1)->version;
-  const auto mesh = test::split(regular, [](tet_id) { return true; });
+  return test::split(regular, [](tet_id) { return true; });
+}
+
+TEST(WorstFirst, AVertexTooManyGoesAndThatIsSaid) {
+  const auto mesh = regular_in_four();
+  mesh_builder builder(mesh);
+  work_mesh work(builder, test::all_tets(*mesh));
+  move_counts counts;
+  const surface_guard guard(work, {});
+  worst_first moves(work, guard, 0.9, counts);
+
+  EXPECT_TRUE(moves.mend(0));
+
+  EXPECT_EQ(counts.collapses, 1u);
+  EXPECT_EQ(counts.all(), 1u);
+  const auto left = std::ranges::count_if(std::views::iota(0u, work.tet_slots()),
+                                          [&](auto t) { return work.is_live(t); });
+  EXPECT_EQ(left, 1);
+}
+
+TEST(Harmonic, AVertexThatMovedIsCountedAndOneThatIsInItsPlaceIsNot) {
+  const auto mesh = test::box_mesh({2, 2, 2}, {2, 2, 2}, [](vec3 p) {
+    return p == vec3{1, 1, 1} ? vec3{1.2, 0.9, 1.3} : p;
+  });
+  mesh_builder builder(mesh);
+  work_mesh work(builder, test::all_tets(*mesh));
+  move_counts counts;
+
+  const double before = relocate_to_harmonic(work, 0.1, counts);
+  EXPECT_EQ(counts.harmonic_relocations, 1u) << "one vertex lies inside";
+  double after = before;
+  for (int sweep = 0; sweep < 4; ++sweep)
+    after = relocate_to_harmonic(work, 0.1, counts);
+  const auto moves = counts.harmonic_relocations;
+  EXPECT_EQ(relocate_to_harmonic(work, 0.1, counts), after);
+
+  EXPECT_EQ(counts.harmonic_relocations, moves) << "it lies in the middle";
+  EXPECT_EQ(counts.all(), moves);
+  ASSERT_TRUE(work.write(builder).has_value());
+  EXPECT_LT(norm(builder.position(13) - vec3{1, 1, 1}), 1e-3);
+  // 48 tets of right-angled legs 1, 1, 1.
+  const double one = harmonic_energy({vec3{}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}});
+  EXPECT_GT(before, 48 * one);
+  EXPECT_NEAR(after, 48 * one, 1e-4 * 48 * one);
+}
+
+TEST(Harmonic, AVertexThatCouldOnlySpoilTheWorstTetStaysAndIsNotCounted) {
+  // A corner is pulled out: where the worst tet is best, the sum of eta is not least.
+  const auto at = [](vec3 middle) {
+    return test::box_mesh({2, 2, 2}, {2, 2, 2}, [=](vec3 p) {
+      return p == vec3{2, 2, 2} ? vec3{3, 3, 3} : p == vec3{1, 1, 1} ? middle : p;
+    });
+  };
+  const auto first = at({1, 1, 1});
+  vertex_star star;
+  for (tet_id t = 0; t < first->tet_slots(); ++t)
+    for (int i = 0; i < 4; ++i)
+      if (first->tet_at(t).v[i] == 13)
+        star.add(first->corners(t), i);
+  const vec3 best = best_place(star, {1, 1, 1}, 0.5);
+  ASSERT_GT(norm(star_minimum(star, best, 20) - best), 0.01);
+  const auto mesh = at(best);
+  mesh_builder builder(mesh);
+  work_mesh work(builder, test::all_tets(*mesh));
+  move_counts counts;
+
+  relocate_to_harmonic(work, 1, counts);
+
+  EXPECT_EQ(counts.all(), 0u);
+  ASSERT_TRUE(work.write(builder).has_value());
+  EXPECT_EQ(builder.position(13), best);
+}
+
+TEST(WorstFirst, AVertexTooManyGoes) {
+  const auto mesh = regular_in_four();
   ASSERT_EQ(mesh->tet_count(), 4u);
   auto settings = thorough();
   settings.thorough->target = 0.9;

@@ -270,8 +270,11 @@ TEST_F(Damage, RubbishAtTheStartIsMendedFromTheLogAndOtherFilesAreLeftAlone) {
   const auto third = folder / "third.tedit";
   std::ofstream(third) << std::string(8192, 'x');
   std::ofstream(third.string() + "-wal") << std::string(8192, 'x');
-  EXPECT_FALSE(document::open(third));
+  const auto not_ours = document::open(third);
+  ASSERT_FALSE(not_ours);
+  EXPECT_EQ(not_ours.error().message, third.string() + " is not a database");
   EXPECT_EQ(fs::file_size(third), 8192U);
+  EXPECT_EQ(fs::file_size(third.string() + "-wal"), 8192U);
 }
 
 TEST_F(Damage, ANewDocumentIsThereWholeOrNotAtAll) {
