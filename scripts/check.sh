@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The checks that need no test run: include rules, the page made from the protocol, format, file sizes, and clang-tidy on changed files.
-# usage: scripts/check.sh [--fix] [--tidy]
-#   --fix   formats instead of complaining
-#   --tidy  also runs clang-tidy on the C++ files that differ from the last commit (or from $TEDIT_TIDY_BASE)
+# usage: scripts/check.sh [--fix] [--tidy] [--tidy-all]
+#   --fix       formats instead of complaining
+#   --tidy      also runs clang-tidy on the C++ files that differ from the last commit (or from $TEDIT_TIDY_BASE)
+#   --tidy-all  also runs it on all sources but the tests, without the analyzer (scripts/tidy_all.py, which takes rooms)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -11,8 +12,9 @@ tidy=no
 for option in "$@"; do
   case "$option" in
     --fix) fix=yes ;;
-    --tidy) tidy=yes ;;
-    --help | -h) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
+    --tidy) tidy=changed ;;
+    --tidy-all) tidy=all ;;
+    --help | -h) sed -n '2,6s/^# //p' "$0"; exit 0 ;;
     *) echo "unknown option $option (see --help)" >&2; exit 2 ;;
   esac
 done
@@ -35,11 +37,13 @@ if [ -n "$long" ]; then
   exit 1
 fi
 
-if [ "$tidy" = yes ]; then
+if [ "$tidy" = changed ]; then
   base=${TEDIT_TIDY_BASE:-HEAD}
   mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- '*.cpp' | grep -v '^tests/' || true)
   if [ ${#changed[@]} -gt 0 ]; then
-    clang-tidy --quiet -p build/release "${changed[@]}"
+    clang-tidy-16 --quiet -p build/release "${changed[@]}"
   fi
+elif [ "$tidy" = all ]; then
+  scripts/tidy_all.py
 fi
 echo "checks passed: ${#sources[@]} files"

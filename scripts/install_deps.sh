@@ -15,7 +15,7 @@ done
 
 packages=(
   # toolchain
-  g++ cmake ninja-build ccache pkg-config git python3 ca-certificates clang-format clang-tidy
+  g++ cmake ninja-build ccache pkg-config git python3 ca-certificates clang-format clang-tidy-16
   # libraries
   libcaf-dev libboost-dev libboost-system-dev libprotobuf-dev protobuf-compiler libspdlog-dev
   libfmt-dev libcli11-dev libexpected-dev libtomlplusplus-dev libeigen3-dev libcgal-dev

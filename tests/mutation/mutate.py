@@ -121,13 +121,11 @@ def choose(places, count, seed):
 
 def asked_for(tree, texts):
     """The places that are named: to try again what survived and has a test since."""
-    places = []
-    for text in texts:
-        file, line, kind = text.split(":")
-        place = (pathlib.Path(file), int(line) - 1, kind)
-        if place not in candidates(tree, [place[0].parts[0]]):
-            sys.exit(f"no fault of this kind fits at {text}")
-        places.append(place)
+    parts = [text.split(":") for text in texts]
+    places = [(pathlib.Path(file), int(line) - 1, kind) for file, line, kind in parts]
+    known = set(candidates(tree, {place[0].parts[0] for place in places}))
+    if unknown := [place for place in places if place not in known]:
+        sys.exit(f"no fault of this kind fits at {unknown[0][0]}:{unknown[0][1] + 1}")
     return places
 
 
@@ -158,6 +156,8 @@ def build(tree, copy, originals, mutants, targets):
             path = pathlib.Path(os.path.relpath((folder / file).resolve(), copy))
             wrong.add((path, int(line) - 2))  # The include is a line more; lines count from 1.
         gone = [n for n, place in mutants.items() if (place[0], place[1]) in wrong]
+        # What the compiler says of the flow ("may be used uninitialized") stands at another line than the fault.
+        gone = gone or [n for n, place in mutants.items() if place[0] in {file for file, _ in wrong}]
         if not gone:
             sys.exit("the build fails for another reason:\n" + said[-3000:])
         print(f"{len(gone)} faults do not compile and are left out", flush=True)
