@@ -166,7 +166,7 @@ TEST_F(Link, WhatCameBehindABreachIsNotLookedAt) {
   const auto usual = spdlog::default_logger();
   spdlog::set_default_logger(std::make_shared<spdlog::logger>("link", said));
   const auto fd = served(enlister);
-  const std::vector<char> bytes(std::size_t{32} * 20, 1);
+  const std::vector<char> bytes(std::size_t{32} * 20, -1);  // No header is like this.
   const auto size = static_cast<ssize_t>(bytes.size());
   ASSERT_EQ(send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL), size);
   EXPECT_TRUE(is_cut(fd.get()));

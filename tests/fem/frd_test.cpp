@@ -93,6 +93,8 @@ TEST(NastranDeck, OneTetWordForWord) {
   ASSERT_TRUE(counts.has_value());
   EXPECT_EQ(counts->equations, 1U);
   const auto text = out.str();
+  EXPECT_THAT(text, ::testing::HasSubstr("GRID*   4 "));
+  EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("GRID*   5 ")));
   EXPECT_THAT(text, ::testing::HasSubstr("TITLE = pull on a tet\nSPC = 1\nMPC = 2\nLOAD = 3\n"));
   EXPECT_THAT(text,
               ::testing::HasSubstr("CTETRA  1       1       1       2       3       4       \n"));

@@ -56,12 +56,15 @@ private:
 
 /// Actors are made of functions with arguments: CAF 0.17 dereferences a null pointer without.
 /// A document whose session answers every selection with `features`.
-caf::behavior session_of(const std::shared_ptr<const std::vector<found_feature>>& features) {
+/// Previews are never done.
+caf::behavior session_of(caf::event_based_actor* self,
+                         const std::shared_ptr<const std::vector<found_feature>>& features) {
   return {[](const actors::attach_request&) {
             actors::session_snapshot snapshot;
             snapshot.document = "part";
             return snapshot;
           },
+          [=](const actors::preview_request&) { return self->make_response_promise(); },
           [=](const actors::select_request&) {
             return actors::selected{"part", std::string(32, 'a'), features};
           },
@@ -220,6 +223,26 @@ TEST_F(ClientActor, AnsweredAndRefusedRequestsTakeNoPlaceAmongThoseThatRun) {
     ASSERT_TRUE(select().has_surfaces_selected()) << "the request after " << i << " answers";
   for (int i = 0; i < 65; ++i)
     ASSERT_EQ(select("other").error().code(), "not_found") << "after " << i << " refusals";
+  EXPECT_TRUE(select().has_surfaces_selected());
+}
+
+/// As a form that is dragged asks for them.
+TEST_F(ClientActor, APreviewThatAnotherFollowsTakesNoPlaceAnyMore) {
+  open();
+  for (int i = 0; i < 70; ++i) {
+    v1::ClientMessage message;
+    message.set_request_id(++last_);
+    auto* edit = message.mutable_preview_edit()->mutable_edit();
+    edit->set_document("part");
+    edit->set_operation("thicken");
+    edit->add_surfaces(4);
+    caf::anon_send(client_, message.SerializeAsString());
+    if (i == 0)
+      continue;
+    const auto ended = peer_->next();
+    ASSERT_EQ(ended.request_id(), last_ - 1);
+    ASSERT_EQ(ended.error().code(), "superseded") << ended.error().message();
+  }
   EXPECT_TRUE(select().has_surfaces_selected());
 }
 

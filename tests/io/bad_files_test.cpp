@@ -161,6 +161,18 @@ TEST(QuadraticTets, WhatACurvedEdgeLosesIsCountedAndMeasured) {
   EXPECT_THAT(kept, testing::Not(HasSubstr("off the straight edge")));
 }
 
+/// Before any of them is read.
+TEST(BadFiles, ABlockOfMoreNodesThanTheFileCanHoldIsRefused) {
+  const std::string text =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n3 1 0 1000000000000\n1\n2\n3\n4\n"
+    "$EndNodes\n";
+
+  const auto mesh = import_mesh_bytes(std::span(text.data(), text.size()), "mm");
+
+  ASSERT_FALSE(mesh.has_value());
+  EXPECT_THAT(mesh.error().message, HasSubstr("1000000000000 nodes in a block, more than the"));
+}
+
 /// Imports in a child process whose address space is limited, so that a runaway allocation fails.
 int import_in_child(const std::filesystem::path& file) {
   const pid_t child = fork();

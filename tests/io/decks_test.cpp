@@ -5,6 +5,7 @@
 
 #include "mesh/io/formats.hpp"
 #include "mesh/io/import.hpp"
+#include "mesh/io/number_sets.hpp"
 
 namespace tedit {
 namespace {
@@ -197,6 +198,20 @@ struct bad_deck {
   const char* message;
   const char* where;
 };
+
+TEST(NumberSetsOfDecks, AllSetsTogetherHaveNoMoreMembersThanTheyMay) {
+  number_sets_of_deck sets(10);
+  auto& some = sets.set("some");
+
+  EXPECT_TRUE(sets.add_range(some, 1, 11, 2));  // 1, 3, ..., 11: six.
+  EXPECT_FALSE(sets.add_range(sets.set("others"), 1, 5, 1));
+  EXPECT_FALSE(sets.add_all(sets.set("others"), some));
+  EXPECT_TRUE(sets.add_range(sets.set("others"), 1, 3, 1));
+  EXPECT_TRUE(sets.add(some, 12));
+  EXPECT_FALSE(sets.add(some, 13));
+
+  EXPECT_EQ(sets.find("SOME")->numbers.size() + sets.find("others")->numbers.size(), 10U);
+}
 
 TEST(Decks, WhatIsBrokenIsRefusedWithItsPlace) {
   const bad_deck rows[] = {

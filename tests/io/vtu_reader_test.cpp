@@ -40,6 +40,17 @@ TEST(VtuReader, TextBase64RawAndZlibAreTheSameMesh) {
   }
 }
 
+/// The 120 bytes of the points as one of 64 and one of 56, packed by Python's zlib.
+TEST(VtuReader, PackedBlocksAreReadOneBehindTheOther) {
+  const auto one_block = grid_text(corpus / "two_tets_base64_zlib.vtu");
+  const auto mesh =
+    read_grid(replaced(one_block, "AQAAAHgAAAAAAAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=",
+                       "AgAAAEAAAAA4AAAAEgAAAA8AAAA=eJxjYMAHPtjjlQbKAwAqXgJfeJxjYMAHPtjjogFBhAS9"));
+
+  ASSERT_TRUE(mesh.has_value()) << render(mesh.error());
+  EXPECT_EQ(mesh->version->id(), read_grid(one_block)->version->id());
+}
+
 TEST(VtuReader, CountsAreHeldAgainstTheBytesThatAreThere) {
   for (const auto* name : {"two_billion_points_raw.vtu", "two_billion_points_zlib.vtu"}) {
     const auto mesh = import_mesh(corpus / name, "mm");
