@@ -72,8 +72,8 @@ private:
       farthest_ = std::max(farthest_, std::min(fraction, 1.0));
       end_.doing = fields[2];
       run_.report(farthest_, end_.doing);
-    } else if (fields.size() == 4 && fields[0] == "E") {
-      end_.why = {code_from_name(fields[1]), fields[2], fields[3], {}};
+    } else if (fields.size() == 5 && fields[0] == "E") {
+      end_.why = {code_from_name(fields[1]), fields[2], fields[3], fields[4]};
     }
   }
 

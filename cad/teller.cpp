@@ -62,7 +62,7 @@ void teller::stage(double fraction, std::string_view what) const {
 
 void teller::refuse(const error& why) const {
   send("E\t" + std::string(code_name(why.code)) + "\t" + in_one_field(why.message) + "\t" +
-       in_one_field(why.remedy) + "\n");
+       in_one_field(why.remedy) + "\t" + in_one_field(why.where) + "\n");
   std::fflush(stdout);
   _exit(1);  // Destructors of a library in an unknown state may do anything.
 }

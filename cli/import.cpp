@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/stopwatch.hpp"
+#include "cad/file_kind.hpp"
 #include "cad/import.hpp"
 #include "cad/repair.hpp"
 #include "cli/command.hpp"
@@ -15,6 +16,8 @@
 #include "cli/part_document.hpp"
 #include "mesh/io/formats.hpp"
 #include "sandbox/sandbox.hpp"
+#include "scan/file_kind.hpp"
+#include "scan/import.hpp"
 
 namespace tedit::cli {
 
@@ -22,6 +25,7 @@ namespace {
 
 struct import_options {
   cad::import_request request;
+  std::string unit;
   std::string output;
   unsigned time_limit_s = 120;
   unsigned memory_mb = 4096;
@@ -85,8 +89,16 @@ struct stage_times {
   double total = 0;
 };
 
-nlohmann::ordered_json to_json(const cad::imported_part& part, const mesh_report& report,
+/// A part, and of one without CAD how far its mesh is off the file's surface.
+struct import_result {
+  cad::imported_part part;
+  std::optional<scan::surface_part> surface;
+  std::optional<double> deviation_m;
+};
+
+nlohmann::ordered_json to_json(const import_result& made, const mesh_report& report,
                                const stage_times& ms) {
+  const auto& part = made.part;
   auto json = to_json(*part.version, report);
   add_colours(json["surfaces"], colours_of(part.model.facts.faces));
   add_colours(json["regions"], colours_of(part.model.facts.solids));
@@ -98,6 +110,8 @@ nlohmann::ordered_json to_json(const cad::imported_part& part, const mesh_report
   json["cad_unit"] = part.model.facts.length_unit;
   json["edge_length_m"] = 1e-3 * part.report.size_mm;
   json["surface_moved_m"] = 1e-3 * part.report.moved_mm;
+  if (made.deviation_m)
+    json["deviation_m"] = *made.deviation_m;
   json["warnings"] = part.warnings;
   json["timings_ms"] = {
     {"read", ms.read}, {"mesh", ms.mesh}, {"repair", ms.repair}, {"total", ms.total}};
@@ -116,8 +130,9 @@ std::string count_words(const nlohmann::ordered_json& rows) {
          std::to_string(colours) + " with a colour)";
 }
 
-std::string describe(const import_options& options, const cad::imported_part& part,
+std::string describe(const import_options& options, const import_result& made,
                      const mesh_report& report, const nlohmann::ordered_json& json) {
+  const auto& part = made.part;
   std::string text = options.request.file.string() + "\n";
   const auto line = [&](const std::string& label, const std::string& value) {
     text += "  " + label + std::string(18 - label.size(), ' ') + value + "\n";
@@ -133,16 +148,48 @@ std::string describe(const import_options& options, const cad::imported_part& pa
   line("volume", pretty(report.volume_m3 * 1e9, 6) + " mm3");
   line("radius ratio",
        "min " + pretty(report.quality.min) + ", median " + pretty(report.quality.median));
+  if (made.deviation_m)
+    line("deviation", pretty(*made.deviation_m * 1e3, 3) + " mm from the file's surface, at most");
   const auto seconds = [&](const char* stage) {
     return std::string(stage) + " " + pretty(json["timings_ms"][stage].get<double>() / 1e3, 3);
   };
   line("seconds", seconds("read") + ", " + seconds("mesh") + ", " + seconds("repair") + ", " +
                     seconds("total"));
   if (!options.output.empty())
-    text += options.output + (is_document(options.output)
-                                ? ": a document with the mesh and the CAD model\n"
-                                : ": the mesh\n");
+    text +=
+      options.output + (is_document(options.output)
+                          ? made.deviation_m ? ": a document with the mesh\n"
+                                             : ": a document with the mesh and the CAD model\n"
+                          : ": the mesh\n");
   return text;
+}
+
+/// What a document keeps of CAD: of a surface file nothing.
+std::optional<cad::cad_model> model_of(const import_result& made) {
+  return made.deviation_m ? std::nullopt : std::optional(made.part.model);
+}
+
+/// A surface file where it is one; anything else is CAD, whose reader says what is wrong with it.
+expected<import_result> import_any(const import_options& options, const execution& run) {
+  const auto kind =
+    cad::kind_of(options.request.file) ? std::nullopt : scan::kind_of(options.request.file);
+  if (!kind) {
+    if (!options.unit.empty())
+      return fail(ec::invalid_argument,
+                  "--unit is for STL, OBJ and PLY files: a CAD file says its unit",
+                  "Leave --unit out");
+    return cad::import_part(options.request, run).map([](cad::imported_part&& part) {
+      return import_result{std::move(part), std::nullopt, std::nullopt};
+    });
+  }
+  const std::string unit = options.unit.empty()     ? "mm"
+                           : options.unit == "inch" ? "in"
+                                                    : options.unit;
+  return scan::import_surface(
+           {options.request.file, *kind, unit, options.request.size, options.request.limits}, run)
+    .map([](scan::imported_surface&& surface) {
+      return import_result{std::move(surface.part), std::move(surface.file), std::nullopt};
+    });
 }
 
 int run_import(import_options options, session& s) {
@@ -156,17 +203,20 @@ int run_import(import_options options, session& s) {
   if (const auto can = sandbox::check(); !can && !sandbox::is_switched_off())
     notice(s, "note: " + render(can.error()));
   const auto run = make_execution(s);
-  auto part = cad::import_part(options.request, run.part(0, 0.7));
-  if (!part)
-    return print_error(s, part.error());
+  auto made = import_any(options, run.part(0, 0.7));
+  if (!made)
+    return print_error(s, made.error());
+  auto* part = &made->part;
   stopwatch clock;
   if (auto repaired = cad::repair_part(*part, run.part(0.7, 0.95)); !repaired)
     return print_error(s, repaired.error());
   stage_times ms{part->read_ms, part->mesh_ms, clock.restart(), 0};
+  if (made->surface)
+    made->deviation_m = scan::deviation_of(*part->version, *made->surface);
   if (!options.output.empty())
     if (const auto written =
           as_document ? create_document(options.output,
-                                        {part->version, part->model,
+                                        {part->version, model_of(*made),
                                          options.request.file.filename().string(), part->warnings})
                       : write_as((*format)->name, options.output, *part->version,
                                  {.length_unit = "mm",
@@ -178,8 +228,8 @@ int run_import(import_options options, session& s) {
     notice(s, "note: " + warning);
   const auto report = make_mesh_report(*part->version);
   ms.total = total.milliseconds();
-  const auto json = to_json(*part, report, ms);
-  print_result(s, json, describe(options, *part, report, json));
+  const auto json = to_json(*made, report, ms);
+  print_result(s, json, describe(options, *made, report, json));
   return 0;
 }
 
@@ -187,9 +237,19 @@ int run_import(import_options options, session& s) {
 
 void add_import(CLI::App& app, action& chosen) {
   auto options = std::make_shared<import_options>();
-  auto* command = app.add_subcommand("import", "Mesh a CAD file: STEP, IGES or BREP");
-  command->add_option("part", options->request.file, "A STEP, IGES or BREP file with solids")
+  auto* command = app.add_subcommand(
+    "import", "Mesh a CAD file (STEP, IGES, BREP) or a closed surface (STL, OBJ, PLY, 3MF)");
+  command
+    ->add_option("part", options->request.file,
+                 "A STEP, IGES or BREP file with solids, or an STL, OBJ, PLY or 3MF file with a "
+                 "closed surface")
     ->required();
+  command
+    ->add_option(
+      "--unit", options->unit,
+      "What the coordinates of an STL, OBJ or PLY file are in, where it does not say it: "
+      "mm, cm, m or inch [mm]")
+    ->check(CLI::IsMember({"mm", "cm", "m", "inch"}));
   command
     ->add_option("--size", options->request.size,
                  "How fine: coarse (one tet through the mean wall, 6 edges on a circle), medium "

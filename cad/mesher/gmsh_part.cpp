@@ -4,98 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <new>
 #include <set>
 
 #include <gmsh.h>
+
+#include "cad/mesher/gmsh_fill.hpp"
+#include "cad/mesher/gmsh_nodes.hpp"
 
 namespace tedit::cad {
 
 namespace {
 
-constexpr int triangle_type = 2;
-constexpr int tet_type = 4;
 constexpr double frontal_2d = 6;
-constexpr double hxt_3d = 10;
-
-/// Round faces are met with edges down to this share of the smallest solid's size: small fillets of
-/// a large part have fewer edges on a circle.
-constexpr double least_share = 0.25;
 
 bool is_same(double a, double b) {
   return std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b)) + 1e-9;
 }
 
-/// The nodes of the current model, by their places.
-class nodes_of_mesh {
-public:
-  nodes_of_mesh() {
-    std::vector<std::size_t> tags;
-    std::vector<double> parameters;
-    gmsh::model::mesh::getNodes(tags, at, parameters, -1, -1, false, false);
-    for (std::size_t i = 0; i < tags.size(); ++i)
-      index_[tags[i]] = static_cast<std::int32_t>(i);
-  }
-
-  /// The corners of each element of this type on an entity.
-  template <std::size_t Corners>
-  [[nodiscard]] std::vector<std::array<std::int32_t, Corners>> of_elements(int type,
-                                                                           int entity) const {
-    std::vector<std::size_t> elements;
-    std::vector<std::size_t> nodes;
-    gmsh::model::mesh::getElementsByType(type, elements, nodes, entity);
-    std::vector<std::array<std::int32_t, Corners>> result(elements.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      result[i / Corners][i % Corners] = index_.at(nodes[i]);
-    return result;
-  }
-
-  std::vector<double> at;  ///< Three for each node.
-
-private:
-  std::map<std::size_t, std::int32_t> index_;
-};
-
-/// The triangles as a model of their own.
-void add_surfaces(const surface_mesh& faces,
-                  const std::map<int, std::vector<std::size_t>>& nodes_of) {
-  for (const auto& [surface, nodes] : nodes_of)
-    gmsh::model::addDiscreteEntity(2, surface);
-  std::vector<bool> is_there(faces.points.size(), false);
-  for (const auto& [surface, nodes] : nodes_of) {
-    std::vector<std::size_t> tags;
-    std::vector<double> at;
-    for (const auto tag : nodes) {
-      if (is_there[tag - 1])
-        continue;
-      is_there[tag - 1] = true;
-      const auto& p = faces.points[tag - 1];
-      tags.push_back(tag);
-      at.insert(at.end(), {p.x, p.y, p.z});
-    }
-    gmsh::model::mesh::addNodes(2, surface, tags, at);
-  }
-  for (const auto& [surface, nodes] : nodes_of)
-    gmsh::model::mesh::addElementsByType(surface, triangle_type, {}, nodes);
-}
-
-template <class T>
-void put(std::ofstream& out, const T* first, std::size_t count) {
-  out.write(reinterpret_cast<const char*>(first), static_cast<std::streamsize>(count * sizeof(T)));
-}
-
 }  // namespace
-
-fineness fineness_of(const std::string& name) {
-  return name == "fine" ? fineness{1.0 / 3, 12} : name == "medium" ? fineness{0.5, 8} : fineness{};
-}
 
 gmsh_part::gmsh_part(const program_call& call, const part_facts& facts, const teller& tells)
     : call_(call), facts_(facts), tells_(tells) {
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 1);    // Into the folder's file.
-  gmsh::option::setNumber("General.NumThreads", 1);  // The same mesh each time.
+  begin_gmsh();
   gmsh::option::setNumber("Geometry.OCCAutoFix", 0);
   gmsh::model::add("part");
   gmsh::vectorpair solids;
@@ -163,7 +93,6 @@ void gmsh_part::set_sizes(const fineness& size) {
   set("Mesh.MeshSizeFromCurvature", size.on_circle);
   set("Mesh.MeshSizeExtendFromBoundary", 1);
   set("Mesh.Algorithm", frontal_2d);
-  set("Mesh.Algorithm3D", hxt_3d);
 }
 
 std::string gmsh_part::surface_words(int tag) const {
@@ -182,7 +111,7 @@ surface_mesh gmsh_part::mesh_faces(const fineness& size) {
   for (std::size_t i = 0; i < nodes.at.size(); i += 3)
     mesh.points.push_back({nodes.at[i], nodes.at[i + 1], nodes.at[i + 2]});
   for (int face = 1; face <= static_cast<int>(facts_.faces.size()); ++face) {
-    const auto triangles = nodes.of_elements<3>(triangle_type, face);
+    const auto triangles = nodes.of_elements<3>(gmsh_triangle, face);
     if (triangles.empty())
       tells_.refuse({ec::mesher_failed,
                      "Gmsh made no triangles on " + surface_words(face),
@@ -197,63 +126,7 @@ surface_mesh gmsh_part::mesh_faces(const fineness& size) {
 }
 
 bool gmsh_part::fill(const surface_mesh& faces) {
-  gmsh::model::add("filled");
-  std::map<int, std::vector<std::size_t>> nodes_of;
-  for (const auto& one : faces.triangles)
-    for (const auto v : one.v)
-      nodes_of[one.surface].push_back(v + std::size_t{1});
-  add_surfaces(faces, nodes_of);
-  for (const auto& [solid, around] : faces_of_) {
-    std::vector<int> left;
-    for (const auto face : around)
-      if (nodes_of.contains(face))
-        left.push_back(face);
-    gmsh::model::geo::addSurfaceLoop(left, solid);
-    gmsh::model::geo::addVolume({solid}, solid);
-  }
-  gmsh::model::geo::synchronize();
-  bool done = false;
-  try {
-    gmsh::model::mesh::generate(3);
-    done = write(faces);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (...) {
-    done = false;  // It says why in its messages.
-  }
-  gmsh::model::remove();
-  return done;
-}
-
-bool gmsh_part::write(const surface_mesh& faces) const {
-  const nodes_of_mesh nodes;  // Gmsh has numbered them anew.
-  std::vector<std::array<std::int32_t, 4>> triangles;
-  std::set<int> surfaces;  // Gmsh does not know those that went.
-  for (const auto& one : faces.triangles)
-    surfaces.insert(one.surface);
-  for (const auto surface : surfaces)
-    for (const auto& [a, b, c] : nodes.of_elements<3>(triangle_type, surface))
-      triangles.push_back({a, b, c, surface});
-  std::vector<std::array<std::int32_t, 5>> tets;
-  for (const auto& [solid, around] : faces_of_) {
-    const auto filled = nodes.of_elements<4>(tet_type, solid);
-    if (filled.empty())
-      return false;
-    for (const auto& [a, b, c, d] : filled)
-      tets.push_back({a, b, c, d, solid});
-  }
-  if (triangles.size() != faces.triangles.size())
-    return false;
-  mesh_header header;
-  header.points = nodes.at.size() / 3;
-  header.triangles = triangles.size();
-  header.tets = tets.size();
-  std::ofstream out(call_.folder / mesh_file, std::ios::binary);
-  put(out, &header, 1);
-  put(out, nodes.at.data(), nodes.at.size());
-  put(out, triangles.data(), triangles.size());
-  put(out, tets.data(), tets.size());
-  return static_cast<bool>(out.flush());
+  return fill_solids(faces, faces_of_, call_.folder);
 }
 
 }  // namespace tedit::cad

@@ -7,19 +7,11 @@
 #include <vector>
 
 #include "cad/exchange.hpp"
+#include "cad/mesher/filling.hpp"
 #include "cad/mesher/surface_mesh.hpp"
 #include "cad/teller.hpp"
 
 namespace tedit::cad {
-
-/// How fine a mesh shall be.
-struct fineness {
-  double wall_share = 1;  ///< Edge length in terms of the mean wall thickness, 2 V / A of a solid.
-  int on_circle = 6;      ///< Edges on a full turn of a round face.
-};
-
-/// The one for "coarse", "medium", "fine".
-[[nodiscard]] fineness fineness_of(const std::string& name);
 
 /// A part in Gmsh's library. It is there once in a program.
 class gmsh_part {
@@ -40,8 +32,6 @@ public:
 
 private:
   void check() const;
-  /// Writes the mesh as it is; false where a solid has no tets, or a face lost triangles.
-  [[nodiscard]] bool write(const surface_mesh& faces) const;
   void set_sizes(const fineness& size);
   [[nodiscard]] std::string surface_words(int tag) const;
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "mesh/features/round_fit.hpp"
+
 namespace tedit {
 
 namespace {
@@ -63,45 +65,6 @@ std::optional<wall_shape> fit_plane(const cloud& points) {
     if (!(std::abs(shape.distance(p)) <= flatness * points.size))
       return std::nullopt;
   return shape;
-}
-
-/// Gauss-Newton on the sum of (distance from the axis - radius there)^2 over the axis' point and
-/// direction, the radius and, for a cone, the slope.
-void refine(const cloud& points, wall_shape& shape) {
-  const bool cone = shape.type == wall_shape::kind::cone;
-  for (int step = 0; step < 20; ++step) {
-    const vec3 helper = std::abs(shape.axis.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0};
-    const vec3 u = normalized(cross(helper, shape.axis));
-    const vec3 w = cross(shape.axis, u);
-    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-    for (const auto& p : points.points) {
-      const vec3 d = p - shape.point;
-      const double along = dot(d, shape.axis);
-      const vec3 off = d - along * shape.axis;
-      const double rho = norm(off);
-      if (!(rho > 0))
-        continue;
-      const vec3 radial = off / rho;
-      const double lever = (along + shape.slope * rho) / points.size;
-      Eigen::Matrix<double, 6, 1> row;
-      row << -dot(radial, u), -dot(radial, w), -lever * dot(radial, u), -lever * dot(radial, w), -1,
-        cone ? -along / points.size : 0;
-      normal += row * row.transpose();
-      right -= row * (rho - shape.radius - shape.slope * along);
-    }
-    if (!cone)
-      normal(5, 5) = 1;
-    const Eigen::Matrix<double, 6, 1> x = normal.ldlt().solve(right);
-    if (!x.allFinite())
-      return;
-    shape.point += x[0] * u + x[1] * w;
-    shape.axis = normalized(shape.axis + (x[2] * u + x[3] * w) / points.size);
-    shape.radius += x[4];
-    shape.slope += x[5] / points.size;
-    if (x.norm() <= 1e-14 * points.size)
-      return;
-  }
 }
 
 /// Is no gap between corners around the axis as wide as a quarter turn, but for an open side? The
@@ -174,7 +137,7 @@ std::optional<wall_shape> fit_cylinder(const mesh_version& mesh, std::span<const
   shape.radius = std::sqrt(circle[2] + circle[0] * circle[0] + circle[1] * circle[1]);
   if (!(shape.radius > 0) || !(shape.radius < 100 * points.size))
     return std::nullopt;
-  refine(points, shape);
+  refine_round_wall(points.points, points.size, shape);
   const bool upright = std::ranges::all_of(facets, [&](facet_id f) {
     const vec3 area = area_vector(mesh, mesh.facet(f));
     return std::abs(dot(area, shape.axis)) <= steepest * norm(area);
@@ -219,7 +182,7 @@ std::optional<wall_shape> fit_cone(const mesh_version& mesh, std::span<const fac
   shape.slope = rho / height;
   if (!std::isfinite(shape.slope) || std::abs(shape.slope) > steepest_cone)
     return std::nullopt;
-  refine(points, shape);
+  refine_round_wall(points.points, points.size, shape);
   const bool one_side = std::ranges::all_of(points.points, [&](vec3 p) {
     return shape.radius + shape.slope * dot(p - shape.point, shape.axis) >=
            -limits.roundness * shape.radius;
@@ -231,6 +194,43 @@ std::optional<wall_shape> fit_cone(const mesh_version& mesh, std::span<const fac
 }
 
 }  // namespace
+
+void refine_round_wall(std::span<const vec3> points, double size, wall_shape& shape) {
+  const bool cone = shape.type == wall_shape::kind::cone;
+  for (int step = 0; step < 20; ++step) {
+    const vec3 helper = std::abs(shape.axis.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0};
+    const vec3 u = normalized(cross(helper, shape.axis));
+    const vec3 w = cross(shape.axis, u);
+    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+    for (const auto& p : points) {
+      const vec3 d = p - shape.point;
+      const double along = dot(d, shape.axis);
+      const vec3 off = d - along * shape.axis;
+      const double rho = norm(off);
+      if (!(rho > 0))
+        continue;
+      const vec3 radial = off / rho;
+      const double lever = (along + shape.slope * rho) / size;
+      Eigen::Matrix<double, 6, 1> row;
+      row << -dot(radial, u), -dot(radial, w), -lever * dot(radial, u), -lever * dot(radial, w), -1,
+        cone ? -along / size : 0;
+      normal += row * row.transpose();
+      right -= row * (rho - shape.radius - shape.slope * along);
+    }
+    if (!cone)
+      normal(5, 5) = 1;
+    const Eigen::Matrix<double, 6, 1> x = normal.ldlt().solve(right);
+    if (!x.allFinite())
+      return;
+    shape.point += x[0] * u + x[1] * w;
+    shape.axis = normalized(shape.axis + (x[2] * u + x[3] * w) / size);
+    shape.radius += x[4];
+    shape.slope += x[5] / size;
+    if (x.norm() <= 1e-14 * size)
+      return;
+  }
+}
 
 double wall_shape::distance(vec3 p) const {
   const vec3 d = p - point;

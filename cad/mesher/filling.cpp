@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cad/mesher/filling.hpp"
+
+#include <sys/personality.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include <gmsh.h>
+
+namespace tedit::cad {
+
+namespace {
+
+/// What may be moved for what, in terms of the thinnest wall.
+struct cleaning_step {
+  double most;
+  double flat;
+};
+constexpr std::array cleaning_steps{cleaning_step{0.01, 0.15}, cleaning_step{0.05, 0.07}};
+constexpr double hxt_3d = 10;
+
+void tell_what_is_gone(const surface_mesh& surface, int faces, mesh_report& report) {
+  std::set<int> there;
+  for (const auto& one : surface.triangles)
+    there.insert(one.surface);
+  for (int face = 1; face <= faces; ++face)
+    if (!there.contains(face))
+      report.gone.push_back(face);
+}
+
+mesh_report clean(surface_mesh& surface, double size_mm, double wall_mm) {
+  mesh_report report{size_mm, 0, 0, 0, {}};
+  for (const auto& step : cleaning_steps) {
+    const auto done = clean_surface(surface, step.most * wall_mm, step.flat);
+    report.collapsed += done.collapsed;
+    report.flipped += done.flipped;
+    report.moved_mm = std::max(report.moved_mm, done.moved);
+  }
+  return report;
+}
+
+}  // namespace
+
+fineness fineness_of(const std::string& name) {
+  return name == "fine" ? fineness{1.0 / 3, 12} : name == "medium" ? fineness{0.5, 8} : fineness{};
+}
+
+void lie_still(char** argv) {
+  constexpr unsigned long ask = 0xFFFFFFFF;
+  const int now = personality(ask);
+  if (now >= 0 && (now & ADDR_NO_RANDOMIZE) == 0 &&
+      personality(static_cast<unsigned long>(now) | ADDR_NO_RANDOMIZE) >= 0)
+    execv(argv[0], argv);
+}
+
+void begin_gmsh() {
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 1);    // Into the folder's file.
+  gmsh::option::setNumber("General.NumThreads", 1);  // The same mesh each time.
+  gmsh::option::setNumber("Mesh.Algorithm3D", hxt_3d);
+}
+
+std::string last_word_of_gmsh() {
+  std::string words;
+  try {
+    gmsh::logger::getLastError(words);
+  } catch (...) {
+  }
+  return words.empty() ? "it did not say why" : words;
+}
+
+mesh_report fill_mended(const surface_mesh& as_made, double size_mm, double wall_mm, int faces,
+                        const filler& fill, const teller& tells) {
+  tells.stage(0.4, "collapsing short edges");
+  auto surface = as_made;
+  auto report = clean(surface, size_mm, wall_mm);
+  tells.stage(0.45, "filling the solids with tets");
+  if (!fill(surface)) {
+    tells.stage(0.6, "filling the solids with tets once more, as the surface was");
+    report = {size_mm, 0, 0, 0, {}};
+    surface = as_made;
+    if (!fill(surface))
+      tells.refuse({ec::mesher_failed,
+                    "Gmsh could not fill the part with tets",
+                    "Try another --size; if none works, check in the CAD program that no faces cut "
+                    "each other",
+                    {}});
+  }
+  tell_what_is_gone(surface, faces, report);
+  return report;
+}
+
+}  // namespace tedit::cad
