@@ -249,7 +249,7 @@ void add_import(CLI::App& app, action& chosen) {
       "--unit", options->unit,
       "What the coordinates of an STL, OBJ or PLY file are in, where it does not say it: "
       "mm, cm, m or inch [mm]")
-    ->check(CLI::IsMember({"mm", "cm", "m", "inch"}));
+    ->check(CLI::IsMember({"mm", "cm", "m", "inch", "in"}));
   command
     ->add_option("--size", options->request.size,
                  "How fine: coarse (one tet through the mean wall, 6 edges on a circle), medium "

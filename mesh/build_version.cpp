@@ -11,6 +11,7 @@
 #include "mesh/face_table.hpp"
 #include "mesh/place_text.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/segment/divide_boundary.hpp"
 
 namespace tedit {
 
@@ -412,17 +413,8 @@ private:
   }
 
   void name_missing_surfaces() {
-    surface_id largest = 0;
-    for (const auto& triangle : raw_.triangles)
-      largest = std::max(largest, triangle.surface);
-    const auto missing = static_cast<std::size_t>(std::ranges::count(has_surface_, false));
-    const auto made = assign_missing_surfaces(facets_, has_surface_, raw_.positions, largest);
-    if (missing > 0)
-      warnings_.push_back(std::to_string(missing) + " boundary faces had no surface id; they got " +
-                          (made.empty() ? "those of the faces around"
-                                        : std::to_string(made.size()) +
-                                            " new surfaces, split at edges sharper than 30 "
-                                            "degrees"));
+    if (auto said = give_missing_surfaces(raw_, facets_, has_surface_); !said.empty())
+      warnings_.push_back(std::move(said));
   }
 
   mesh_data freeze() {

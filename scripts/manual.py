@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = [
     ("desktop", "The desktop client", "The window: picking, editing, looking at results; keys; unattended use.",
      ["docs/desktop.md"]),
+    ("scans", "Surfaces without CAD", "STL, OBJ, PLY and 3MF in as parts: what is mended, how surfaces are found, errors.", ["docs/scans.md"]),
     ("cad", "CAD files", "STEP, IGES and BREP in: what is kept, sizes, limits, errors.", ["docs/cad.md"]),
     ("formats", "File formats", "Meshes and decks in and out: what each format keeps.", ["docs/formats.md"]),
     ("print", "Printing", "Files for a slicer, and what to look at before.", ["docs/print.md"]),

@@ -170,8 +170,13 @@ void file_requests::import(const QString& mesh, const QStringList& load_cases,
 }
 
 void file_requests::import_cad(const QString& file, const QStringList& load_cases,
-                               const QString& size) {
-  import_from({file, load_cases, "mm", size});
+                               const QString& size, const QString& unit) {
+  import_from({file, load_cases, unit, size});
+}
+
+void file_requests::import_anew(imported_file file, const QString& unit) {
+  file.unit = unit;
+  import_from(file);
 }
 
 void file_requests::import_from(const imported_file& what) {
@@ -208,7 +213,7 @@ expected<std::string> file_requests::open_empty(client::client& server, const QS
 expected<file_requests::ready> file_requests::make_of_cad(client::client& server,
                                                           const execution& run,
                                                           const imported_file& file) {
-  const auto meshed = mesh_cad_file(file.mesh, file.size, run.part(0, 0.8));
+  const auto meshed = mesh_cad_file(file.mesh, file.size, file.unit, run.part(0, 0.8));
   if (!meshed)
     return fail(meshed.error());
   const auto name = new_document_name(file.mesh, QDateTime::currentDateTime()).toStdString();
@@ -218,7 +223,10 @@ expected<file_requests::ready> file_requests::make_of_cad(client::client& server
     return fail(added.error());
   if (const auto opened = server.open(*added, false, false); !opened)
     return fail(opened.error());
-  return ready{*added, meshed->warnings, {}, {}};
+  // A 3MF and CAD files say their units.
+  const bool asks_unit =
+    is_surface_file(file.mesh) && !file.mesh.endsWith(".3mf", Qt::CaseInsensitive);
+  return ready{*added, meshed->warnings, {}, asks_unit ? std::optional(file) : std::nullopt};
 }
 
 expected<file_requests::ready> file_requests::make_of_mesh(client::client& server,
@@ -236,8 +244,9 @@ expected<file_requests::ready> file_requests::make_of_mesh(client::client& serve
 /// A part whose loads are refused is opened all the same.
 expected<file_requests::ready> file_requests::make(client::client& server, const execution& run,
                                                    const new_part& from) {
-  auto made = is_cad_file(from.file.mesh) ? make_of_cad(server, run, from.file)
-                                          : make_of_mesh(server, run, from.file);
+  auto made = is_cad_file(from.file.mesh) || is_surface_file(from.file.mesh)
+                ? make_of_cad(server, run, from.file)
+                : make_of_mesh(server, run, from.file);
   if (!made)
     return made;
   auto& result = *made;

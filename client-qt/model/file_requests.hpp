@@ -22,8 +22,8 @@ class document;
 struct imported_file {
   QString mesh;
   QStringList load_cases;
-  QString unit;             ///< "mm", "m", "in".
-  QString size = "medium";  ///< Of a CAD file's mesh: "coarse", "medium", "fine".
+  QString unit;             ///< "mm", "cm", "m", "in".
+  QString size = "medium";  ///< Of the mesh of a CAD or surface file: "coarse", "medium", "fine".
 };
 
 /// Opening, importing, exporting and closing. `document::opened` or `document::failed` follows. The
@@ -43,8 +43,12 @@ public:
   /// it. `unit` is the mesh's length unit, "mm" when empty.
   void import(const QString& mesh, const QStringList& load_cases, const QString& unit = {});
   /// The same from a CAD file, which is meshed on this computer first (`mesh_cad_file`); the
-  /// document has its model, too.
-  void import_cad(const QString& file, const QStringList& load_cases, const QString& size);
+  /// document has its model, too. Or from a surface file (STL, OBJ, PLY, 3MF), which has none;
+  /// `unit` is that of its coordinates where it says none.
+  void import_cad(const QString& file, const QStringList& load_cases, const QString& size,
+                  const QString& unit = "mm");
+  /// What was imported once more, in another unit.
+  void import_anew(imported_file file, const QString& unit);
   /// Gives the server a document that lies in a file, under its name or, where that is taken, the
   /// next one, and opens it.
   void add(const QString& path);

@@ -20,14 +20,23 @@ const QStringList& suffixes() {
   return all;
 }
 
+const QStringList& surface_suffixes() {
+  static const QStringList all{"stl", "obj", "ply", "3mf"};
+  return all;
+}
+
 }  // namespace
 
 bool is_cad_file(const QString& path) {
   return suffixes().contains(QFileInfo(path).suffix().toLower());
 }
 
+bool is_surface_file(const QString& path) {
+  return surface_suffixes().contains(QFileInfo(path).suffix().toLower());
+}
+
 QString cad_patterns() {
-  return "*." + suffixes().join(" *.");
+  return "*." + (suffixes() + surface_suffixes()).join(" *.");
 }
 
 bool is_step_file(const QString& path) {
@@ -35,15 +44,20 @@ bool is_step_file(const QString& path) {
   return suffix == "step" || suffix == "stp";
 }
 
-expected<meshed_part> mesh_cad_file(const QString& file, const QString& size,
+expected<meshed_part> mesh_cad_file(const QString& file, const QString& size, const QString& unit,
                                     const execution& run) {
-  run.report(0.05, cad_import_phrases::tr("meshing the CAD file").toStdString());
+  run.report(0.05, (is_surface_file(file) ? cad_import_phrases::tr("meshing the surface")
+                                          : cad_import_phrases::tr("meshing the CAD file"))
+                     .toStdString());
   meshed_part part{std::make_unique<QTemporaryDir>(), {}, {}};
   if (!part.folder->isValid())
     return fail(ec::io_error, "no temporary folder can be made",
                 "Set TMPDIR to a folder with room that you may write to");
   part.document = part.folder->filePath("part.tedit");
-  const auto answer = run_own_program({"import", file, "--size", size, "-o", part.document}, run);
+  QStringList arguments{"import", file, "--size", size, "-o", part.document};
+  if (is_surface_file(file))
+    arguments << "--unit" << unit;
+  const auto answer = run_own_program(arguments, run);
   if (!answer)
     return fail(answer.error());
   for (const auto& warning : (*answer)["warnings"].toArray())

@@ -16,25 +16,30 @@ namespace tedit::desktop {
 /// Whether a file is one of CAD, by its suffix: STEP, IGES or BREP.
 [[nodiscard]] bool is_cad_file(const QString& path);
 
-/// "*.step *.stp ...": for a dialog.
+/// Whether a file is a surface without CAD, by its suffix: STL, OBJ, PLY or 3MF.
+[[nodiscard]] bool is_surface_file(const QString& path);
+
+/// "*.step *.stp ... *.stl": all that `mesh_cad_file` meshes, for a dialog.
 [[nodiscard]] QString cad_patterns();
 
 /// Whether a CAD model is written into a file of this name: STEP.
 [[nodiscard]] bool is_step_file(const QString& path);
 
-/// A CAD file as a document: its mesh beside its model. The folder goes with it.
+/// A CAD file as a document: its mesh beside its model; of a surface file the mesh alone. The
+/// folder goes with it.
 struct meshed_part {
   std::unique_ptr<QTemporaryDir> folder;
   QString document;                   ///< Path of the .tedit file.
   std::vector<std::string> warnings;  ///< What a person should know, one sentence each.
 };
 
-/// Meshes a CAD file by this installation's "tedit import": on this computer, whichever server the
-/// window works with, in processes that may die. `size`: "coarse", "medium" or "fine". It waits:
-/// for a thread of work. Errors: those that the program says; `cancelled`; `service_unavailable`
-/// where it does not start.
+/// Meshes a CAD or surface file by this installation's "tedit import": on this computer, whichever
+/// server the window works with, in processes that may die. `size`: "coarse", "medium" or "fine".
+/// `unit`: of a surface file that says none: "mm", "cm", "m" or "in". It waits: for a thread of
+/// work. Errors: those that the program says; `cancelled`; `service_unavailable` where it does not
+/// start.
 [[nodiscard]] expected<meshed_part> mesh_cad_file(const QString& file, const QString& size,
-                                                  const execution& run);
+                                                  const QString& unit, const execution& run);
 
 /// Writes the CAD model of a document with all its edits as a STEP file, by "tedit export", on this
 /// computer. `document`: its file's bytes. It waits. Errors: those that the program says, as where

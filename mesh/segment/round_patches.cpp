@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "base/units.hpp"
+
 namespace tedit {
 
 namespace {
@@ -17,7 +19,8 @@ constexpr double wide_gap = 25;         ///< Degrees: from here on gaps must be 
 constexpr double most_unlike = 1.6;     ///< ... the widest in terms of the median.
 constexpr double least_turn = 0.0872;   ///< Sine of 5 degrees, between any two normals.
 constexpr double area_ratio = 8;        ///< Between facets of a first guess.
-constexpr std::size_t most_links = 6;
+constexpr std::size_t most_links = 4;
+constexpr std::size_t large_guess = 14;  ///< Facets that say more than a cylinder.
 constexpr double share_of_sag = 0.1;   ///< Of how far facets are off the shape, for their corners.
 constexpr double smooth_bend = 0.766;  ///< Cosine of 40 degrees.
 constexpr double alike = 4;            ///< Area of neighbours that may be of the same tessellation.
@@ -57,6 +60,11 @@ bool goes_round_evenly(const wall_shape& wall, const std::vector<vec3>& points) 
   if (gaps.size() >= 2 && gaps.back() > widest_gap)
     gaps.pop_back();  // The open side.
   if (gaps.size() < 2 || gaps.back() > widest_gap)
+    return false;
+  // A plane between two strips is a chord, too; a single wide facet among others is none of them.
+  constexpr std::size_t few = 4;
+  const double second = gaps.size() <= few ? gaps.front() : gaps[gaps.size() - 2];
+  if (gaps.back() > most_unlike * second)
     return false;
   return gaps.back() <= wide_gap || gaps.back() <= most_unlike * gaps[(gaps.size() - 1) / 2];
 }
@@ -146,7 +154,7 @@ std::vector<round_finder::facet_list> round_finder::first_guesses(std::uint32_t 
           facets[links[j].other].corners.size() > 3)
         guesses.push_back({seed, links[i].other, links[j].other});
   for (const double bend : {smooth_bend, least_bend})
-    for (const std::size_t most : {5, 9, 20})
+    for (const std::size_t most : {std::size_t{6}, large_guess})
       if (auto around = near(seed, most, bend);
           around.size() >= 3 && std::ranges::find(guesses, around) == guesses.end())
         guesses.push_back(std::move(around));
@@ -230,6 +238,26 @@ bool round_finder::leaks(const round_patch& patch) const {
   return leak > most_leak * boundary && 2 * thin > patch.facets.size();
 }
 
+/// All corners of a short prism lie on a sphere, too: there the normals lie in a plane, or facets
+/// are wide.
+bool round_finder::is_ball(const round_patch& patch) const {
+  constexpr double least_volume = 0.02;  ///< Of three normals.
+  const double most_sag = patch.shape.wall.radius * (1 - std::cos(0.5 * widest_gap * degree));
+  const auto normal = [&](std::uint32_t f) { return normalized(net_.facets()[f].area); };
+  const vec3 first = normal(patch.facets.front());
+  vec3 across;
+  double deepest = 0;
+  for (const auto f : patch.facets) {
+    if (sag_of(patch.shape, f) > most_sag)
+      return false;
+    if (const vec3 other = cross(first, normal(f)); norm(other) > norm(across))
+      across = other;
+  }
+  for (const auto f : patch.facets)
+    deepest = std::max(deepest, std::abs(dot(normalized(across), normal(f))));
+  return norm(across) * deepest > least_volume;
+}
+
 bool round_finder::is_proper(const round_patch& patch) const {
   if (patch.facets.size() < 3)
     return false;
@@ -243,7 +271,7 @@ bool round_finder::is_proper(const round_patch& patch) const {
       }))
     return false;
   if (patch.shape.form == surface_form::sphere)
-    return patch.facets.size() >= 6;
+    return patch.facets.size() >= 6 && is_ball(patch);
   std::vector<vec3> points;
   for (const auto v : corners)
     points.push_back(surface_.points[v]);
@@ -275,9 +303,14 @@ std::optional<round_patch> round_finder::around(std::uint32_t seed) const {
   const auto guesses = first_guesses(seed);
   // A cylinder is a cone, and a strip of a sphere nearly one: the simpler form goes first.
   for (const auto form : {surface_form::cylinder, surface_form::cone, surface_form::sphere}) {
-    for (const auto& guess : guesses)
+    for (const auto& guess : guesses) {
+      const bool of_strips = guess.size() == 3;
+      if (form == surface_form::cone ? !of_strips && guess.size() < large_guess
+                                     : form == surface_form::sphere && guess.size() < 6)
+        continue;
       if (auto patch = tried(form, guess, seed); patch && (!best || patch->area > 1.2 * best->area))
         best = std::move(patch);
+    }
   }
   return best;
 }

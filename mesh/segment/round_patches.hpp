@@ -44,6 +44,7 @@ private:
   [[nodiscard]] bool leaks(const round_patch& patch) const;
   [[nodiscard]] std::optional<round_patch> tried(surface_form form, const facet_list& guess,
                                                  std::uint32_t seed) const;
+  [[nodiscard]] bool is_ball(const round_patch& patch) const;
   [[nodiscard]] bool is_proper(const round_patch& patch) const;
   [[nodiscard]] std::vector<std::uint32_t> corners_of(const facet_list& facets) const;
   [[nodiscard]] bool may_join(std::uint32_t seed, std::uint32_t facet) const;

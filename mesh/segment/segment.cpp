@@ -19,7 +19,7 @@ constexpr double smooth_cosine = 0.766;  ///< 40 degrees.
 /// A flat facet is a plane of its own when it is so much larger than what it goes over into.
 constexpr double plane_share = 6;
 /// After so many facets on nothing round the rest is taken to be free form, too: a scan.
-constexpr int most_failures = 3000;
+constexpr int most_failures = 2000;
 /// Small facets go with the shape beside them when they are that near, in terms of its radius and
 /// of the tolerance.
 constexpr double near_share = 0.01;
@@ -146,35 +146,44 @@ private:
   // -- planes and free forms --------------------------------------------------------
 
   /// Is it much larger than most of what it goes over into without an edge, or is there nothing?
-  [[nodiscard]] bool is_plane(std::uint32_t f) const {
+  /// `first`: nor is it plane where only little of its outline does.
+  [[nodiscard]] bool is_plane(std::uint32_t f, bool first) const {
+    constexpr double little = 0.3;
     std::vector<std::pair<double, double>> around;  // Area, length.
-    double whole = 0;
-    for (const auto& link : facets()[f].links)
-      if (link.cosine >= smooth_cosine && patch_of_[link.other] == no_id &&
-          same_group(f, link.other)) {
-        around.emplace_back(area(link.other), link.length);
-        whole += link.length;
-      }
-    if (around.empty())
+    double smooth = 0;
+    double outline = 0;
+    for (const auto& link : facets()[f].links) {
+      outline += link.length;
+      if (link.cosine < smooth_cosine || patch_of_[link.other] != no_id ||
+          !same_group(f, link.other))
+        continue;
+      around.emplace_back(area(link.other), link.length);
+      smooth += link.length;
+    }
+    if (around.empty() || (first && smooth < little * outline))
       return true;
     std::ranges::sort(around);
     double so_far = 0;
     for (const auto& [other, length] : around)
-      if (so_far += length; so_far >= 0.5 * whole)
+      if (so_far += length; so_far >= 0.5 * smooth)
         return area(f) > plane_share * other;
     return false;
   }
 
+  /// Again, as a strip between two planes is one, too.
   void take_planes() {
-    std::vector<std::uint32_t> planes;
-    for (std::uint32_t f = 0; f < facets().size(); ++f)
-      if (patch_of_[f] == no_id && is_plane(f))
-        planes.push_back(f);
-    for (const auto f : planes) {
-      fitted_shape shape{surface_form::plane, {}};
-      shape.wall.point = facets()[f].middle;
-      shape.wall.axis = normalized(facets()[f].area);
-      put(f, add(shape));
+    for (bool first = true, again = true; again; first = false) {
+      std::vector<std::uint32_t> planes;
+      for (std::uint32_t f = 0; f < facets().size(); ++f)
+        if (patch_of_[f] == no_id && is_plane(f, first))
+          planes.push_back(f);
+      for (const auto f : planes) {
+        fitted_shape shape{surface_form::plane, {}};
+        shape.wall.point = facets()[f].middle;
+        shape.wall.axis = normalized(facets()[f].area);
+        put(f, add(shape));
+      }
+      again = !planes.empty();
     }
   }
 

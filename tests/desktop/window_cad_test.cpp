@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // CAD files in the window, and the rail with as many operations as there are.
 #include "tests/desktop/window_fixture.hpp"
+#include "tests/scan/surfaces.hpp"
 
+#include <QComboBox>
 #include <QFile>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -34,6 +36,31 @@ TEST_F(CadFiles, AskHowFineAndComeInWithTheirUnitAndFaces) {
   EXPECT_TRUE(part().name().startsWith("inch_block")) << part().name().toStdString();
   EXPECT_EQ(part().head()->surface->surfaces().size(), 9u);
   EXPECT_EQ(window->findChild<QWidget*>("unit_question")->isVisible(), false);
+}
+
+TEST_F(CadFiles, ASurfaceWithoutCadIsAskedForItsUnit) {
+  if (!can_read())
+    GTEST_SKIP() << "this build meshes nothing";
+  const QString path = state.path() + "/pin.stl";
+  const auto text = test::stl_of(test::cylinder_soup(4, 10, 24));
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text.data(), static_cast<qint64>(text.size()));
+  file.close();
+
+  window->tools().documents.open_files({path});
+  auto* question = window->findChild<QMessageBox*>("cad_size");
+  ASSERT_NE(question, nullptr);
+  auto* unit = question->findChild<QComboBox*>("surface_unit");
+  ASSERT_NE(unit, nullptr);
+  unit->setCurrentIndex(unit->findData("cm"));
+  QTest::mouseClick(question->findChild<QPushButton*>("coarse"), Qt::LeftButton);
+
+  ASSERT_TRUE(wait([&] { return shows_head(); }))
+    << window->context().messages.text().toStdString();
+  const auto& surfaces = part().head()->surface->surfaces();
+  ASSERT_EQ(surfaces.size(), 3u);
+  EXPECT_EQ(surfaces.at(2).name, "cylinder 2 d 80 mm");
 }
 
 TEST_F(CadFiles, AnEditComesBackInTheStepFile) {

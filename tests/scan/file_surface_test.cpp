@@ -84,8 +84,8 @@ TEST(StlFile, RefusesWhatIsBrokenWithThePlace) {
     {"not a number", read_stl, not_a_number,
      "triangle 2 of the STL file has a corner that is no finite number", "byte 146"},
     {"no triangles", read_stl, with_count(stl.substr(0, 84), 0), "holds no triangle", ""},
-    {"text cut off", read_stl, text.substr(0, text.find("endloop") - 30),
-     "the STL file ends within a facet", "line 6"},
+    {"text cut off", read_stl, text.substr(0, text.find("  vertex", text.find("  vertex") + 1)),
+     "the STL file ends within a facet", "line 4"},
     {"a word", read_stl, word, "\"corner\" is no word of an STL file", "line 4"}};
   for (const auto& one : files)
     expect_refused(one);
@@ -186,8 +186,11 @@ TEST(PlyFile, RefusesWhatIsBrokenWithThePlace) {
     return text;
   };
   expect_refused({"cut off", read_ply, whole.substr(0, whole.size() - 20),
-                  "the PLY file says that it has 4 of \"face\", more than its bytes can hold",
-                  "byte " + std::to_string(body + 68)});
+                  "the numbers of the PLY file end before its counts",
+                  "byte " + std::to_string(body + 112)});
+  expect_refused({"too many faces", read_ply, edited("face 4", "face 40"),
+                  "the PLY file says that it has 40 of \"face\", more than its bytes can hold",
+                  "byte " + std::to_string(body + 69)});
   expect_refused({"a count of 2^31", read_ply, edited("vertex 4", "vertex 2147483648"),
                   "says that it has 2147483648 of \"vertex\", more than its bytes can hold",
                   "byte " + std::to_string(body + 9)});
@@ -195,8 +198,8 @@ TEST(PlyFile, RefusesWhatIsBrokenWithThePlace) {
                   "\"packed\" is no encoding of a PLY file", "line 2"});
   expect_refused({"type", read_ply, edited("property double x", "property string x"),
                   "\"string\" is no type of a PLY file", "line 5"});
-  expect_refused(
-    {"no end", read_ply, whole.substr(0, 60), "the header of the PLY file has no end", "line 4"});
+  expect_refused({"no end", read_ply, whole.substr(0, whole.find("element face")),
+                  "the header of the PLY file has no end", "line 8"});
 }
 
 /// A file as TEdit writes it.

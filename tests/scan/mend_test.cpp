@@ -101,13 +101,13 @@ TEST(CubeThatIsBroken, IsMendedAndThatIsSaid) {
 }
 
 TEST(SmallHole, IsFilled) {
-  // A ball of 24 times 12 facets without the cap at its lower end: 24 edges of 0.26 mm around.
+  // A ball of 1 mm without one triangle at its lower end: 0.139 mm around.
   std::vector<std::array<double, 2>> rings;
-  for (int i = 0; i <= 24; ++i) {
-    const double angle = std::numbers::pi * i / 24;
-    rings.push_back({i % 24 == 0 ? 0 : 10 * std::sin(angle) * 0.1, -10 * std::cos(angle) * 0.1});
+  for (int i = 0; i <= 48; ++i) {
+    const double angle = std::numbers::pi * i / 48;
+    rings.push_back({i % 48 == 0 ? 0 : std::sin(angle), -std::cos(angle)});
   }
-  auto ball = test::turned_soup(rings, 24);
+  auto ball = test::turned_soup(rings, 48);
   const auto whole = test::value(made_of(ball));
   ball.erase(ball.begin());
   const auto made = test::value(made_of(ball));
@@ -129,8 +129,8 @@ TEST(SurfaceThatCannotBeMended, IsRefusedWithThePlace) {
      "the surface is not closed: it has 1 hole, the longest is 34.14 mm around, its middle at (0, "
      "3.333, 6.667) mm"},
     {test::joined(cube, test::cube_soup(10, {5, 5, 5})), ec::bad_input,
-     "the surface goes through itself: 12 pairs of triangles cut or cover each other, the first "
-     "at"},
+     "the surface goes through itself: 18 pairs of triangles cut or cover each other, the first at "
+     "(6.667, 3.333, 10) mm"},
     {test::joined(cube, test::cube_soup(10, {10, 10, 0})), ec::non_manifold,
      "1 edge has more than two triangles, the first at (10, 10, 5) mm"},
     {test::joined(cube, test::cube_soup(10, {10, 10, 10})), ec::non_manifold,

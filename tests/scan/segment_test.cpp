@@ -129,16 +129,17 @@ TEST(Segments, KnowConesAndSpheres) {
 }
 
 TEST(Segments, LeaveAWavyWallOneFreeForm) {
-  // A wall along a wave, 5 mm high, 40 mm long; the other walls are planes.
-  std::vector<std::array<double, 2>> outline{{0, -10}, {40, -10}};
+  // A wall along a wave, 5 mm high, 40 mm long, seen from the first corner; the others are planes.
+  std::vector<std::array<double, 2>> outline{{20, -40}, {40, -10}};
   for (int i = 0; i <= 40; ++i) {
     const double x = 40.0 - i;
     outline.push_back({x, 3 * std::cos(0.3 * x) + std::cos(0.47 * x)});
   }
+  outline.push_back({0, -10});
   const auto found = segments_of(extruded(outline, 5));
 
-  EXPECT_THAT(forms_of(found),
-              UnorderedElementsAre("plane", "plane", "plane", "plane", "plane", "free form"));
+  EXPECT_THAT(forms_of(found), UnorderedElementsAre("plane", "plane", "plane", "plane", "plane",
+                                                    "plane", "free form"));
 }
 
 TEST(Segments, DoNotCrossGroups) {

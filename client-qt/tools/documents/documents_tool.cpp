@@ -2,8 +2,13 @@
 #include "client-qt/tools/documents/documents_tool.hpp"
 
 #include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPointer>
@@ -132,7 +137,7 @@ void documents_tool::open_files(const QStringList& files) {
   }
   if (!recipe.isEmpty())
     recipes_.run(recipe);
-  else if (is_cad_file(mesh))
+  else if (is_cad_file(mesh) || is_surface_file(mesh))
     ask_size(mesh, loads);
   else if (!mesh.isEmpty())
     open_file(mesh, loads);
@@ -165,7 +170,7 @@ void documents_tool::open_file(const QString& mesh, const QStringList& load_case
   if (mesh.endsWith(".json"))
     return recipes_.run(mesh);
   connection_.when_connected([=, this] {
-    if (is_cad_file(mesh))
+    if (is_cad_file(mesh) || is_surface_file(mesh))
       in_.part.files().import_cad(mesh, load_cases, "medium");
     else
       in_.part.files().import(mesh, load_cases);
@@ -305,25 +310,53 @@ void documents_tool::show_recent() {
 
 void documents_tool::ask_file() {
   auto* dialog = new QFileDialog(
-    &in_.window, tr("Open a mesh or a CAD file and its load cases, a document or a recipe"));
+    &in_.window,
+    tr("Open a mesh, a CAD file or a surface and its load cases, a document or a recipe"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   dialog->setNameFilters(
-    {tr("Meshes, CAD files, load cases, recipes, documents (%1)")
+    {tr("Meshes, CAD files, surfaces, load cases, recipes, documents (%1)")
        .arg(patterns_to_read(in_.link.formats()) + " " + cad_patterns() + " *.json *.tedit"),
      tr("All files (*)")});
   connect(dialog, &QFileDialog::filesSelected, this, &documents_tool::open_files);
   dialog->open();
 }
 
+/// What the coordinates are in: most surface files do not say it.
+static QComboBox* add_unit_choice(QMessageBox& question) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* choice = new QComboBox;
+  choice->setObjectName("surface_unit");
+  choice->addItem(documents_tool::tr("Millimetres"), "mm");
+  choice->addItem(documents_tool::tr("Centimetres"), "cm");
+  choice->addItem(documents_tool::tr("Metres"), "m");
+  choice->addItem(documents_tool::tr("Inches"), "in");
+  auto* label = new QLabel(documents_tool::tr("Its lengths are in, where it does not say it"));
+  label->setBuddy(choice);
+  layout->addWidget(label);
+  layout->addWidget(choice);
+  auto* grid = qobject_cast<QGridLayout*>(question.layout());
+  auto* buttons = question.findChild<QDialogButtonBox*>();
+  if (grid && buttons) {  // Between the text and the buttons.
+    grid->removeWidget(buttons);
+    grid->addWidget(row, grid->rowCount(), 0, 1, grid->columnCount());
+    grid->addWidget(buttons, grid->rowCount(), 0, 1, grid->columnCount());
+  }
+  return choice;
+}
+
 void documents_tool::ask_size(const QString& cad_file, const QStringList& load_cases) {
   auto* question = new QMessageBox(&in_.window);
   question->setObjectName("cad_size");
   question->setAttribute(Qt::WA_DeleteOnClose);
-  question->setWindowTitle(tr("Open a CAD file"));
+  const bool surface = is_surface_file(cad_file);
+  question->setWindowTitle(surface ? tr("Open a surface") : tr("Open a CAD file"));
   question->setText(tr("How fine shall the mesh of %1 be?").arg(QFileInfo(cad_file).fileName()));
   question->setInformativeText(
     tr("Coarse: one quadratic tet through a usual wall. Medium: two. Fine: three."));
+  auto* unit = surface ? add_unit_choice(*question) : nullptr;
   const std::pair<QString, QString> sizes[] = {
     {"coarse", tr("Coarse")}, {"medium", tr("Medium")}, {"fine", tr("Fine")}};
   for (const auto& [size, words] : sizes) {
@@ -334,7 +367,9 @@ void documents_tool::ask_size(const QString& cad_file, const QStringList& load_c
     connect(button, &QPushButton::clicked, this, [=, this, size = size] {
       in_.log.write(tr("opening %1").arg(cad_file));
       connection_.when_connected(
-        [=, this] { in_.part.files().import_cad(cad_file, load_cases, size); });
+        [=, this, in_unit = unit ? unit->currentData().toString() : QString("mm")] {
+          in_.part.files().import_cad(cad_file, load_cases, size, in_unit);
+        });
     });
   }
   question->addButton(QMessageBox::Cancel);

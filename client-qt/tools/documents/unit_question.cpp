@@ -43,7 +43,7 @@ unit_question::unit_question(document& part, viewport& view)
     connect(button, &QPushButton::clicked, this, [this, id = QString(unit.id)] {
       hide();
       if (from_ && id != from_->unit)
-        part_.files().import(from_->mesh, from_->load_cases, id);
+        part_.files().import_anew(*from_, id);
     });
   }
   hide();
