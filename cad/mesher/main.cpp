@@ -20,9 +20,9 @@ void mesh(const program_call& call, const std::string& size, const teller& tells
   if (!facts)
     tells.refuse(facts.error());
   gmsh_part part(call, *facts, tells);
+  const auto as_made = part.mesh_faces(fineness_of(size));  // Which finds the sizes.
   const auto report = fill_mended(
-    part.mesh_faces(fineness_of(size)), part.size(), part.thinnest_wall(),
-    static_cast<int>(facts->faces.size()),
+    as_made, part.size(), part.thinnest_wall(), static_cast<int>(facts->faces.size()),
     [&](const surface_mesh& faces) { return part.fill(faces); }, tells);
   if (!save_report(report, call.folder))
     tells.refuse({ec::io_error,

@@ -22,9 +22,13 @@ struct weld_report {
 };
 
 /// Makes points that lie within `tolerance` of each other one, drops those that are not used,
-/// triangles that are no higher than that, and all but one of those with the same corners.
+/// triangles that are no higher than that (with 0: those that have a corner twice), and all but one
+/// of those with the same corners.
 /// Deterministic. Cost: O(n log n).
 weld_report weld(file_surface& read, double tolerance);
+
+/// Whether each edge has two triangles. Cost: O(n log n).
+[[nodiscard]] bool is_closed(const triangle_surface& surface);
 
 /// What counts as the same point: two millionths of the extent, and well within the shortest edges.
 [[nodiscard]] double weld_tolerance(const triangle_surface& surface);

@@ -31,12 +31,8 @@ public:
   expected<part_of_file> run(const std::string& unit) {
     if (const auto scaled = to_mm(unit); !scaled)
       return fail(scaled.error());
-    stage_(0.3, "mending the surface");
-    if (const auto mended = mend(); !mended)
+    if (const auto mended = mend_either_way(); !mended)
       return fail(mended.error());
-    stage_(0.5, "looking for places where the surface goes through itself");
-    if (const auto clean = check_intersections(read_.surface); !clean)
-      return fail(clean.error());
     stage_(0.7, "finding planes, cylinders and free forms");
     divide();
     add_solids();
@@ -65,8 +61,26 @@ private:
                 "Check the unit (--unit) and the coordinates of the file");
   }
 
-  expected<void> mend() {
-    const auto welded = weld(read_, weld_tolerance(read_.surface));
+  /// What fits together to the last bit stays as it is where that is sound: a tolerance closes
+  /// narrow gaps, too. Else flat triangles and near points go, which may have been all that was
+  /// wrong.
+  expected<void> mend_either_way() {
+    stage_(0.3, "mending the surface");
+    const auto as_read = read_;
+    const auto notices = made_.facts.notices;
+    const auto exactly = mend(0);
+    if (exactly)
+      return exactly;
+    read_ = as_read;
+    made_.facts.notices = notices;
+    stage_(0.4, "mending the surface within a tolerance");
+    return mend(weld_tolerance(as_read.surface));
+  }
+
+  expected<void> mend(double tolerance) {
+    const auto welded = weld(read_, tolerance);
+    if (tolerance == 0 && !is_closed(read_.surface))
+      return fail(ec::bad_input, "the surface is not closed to the last bit");
     if (welded.degenerate > 0)
       tell(counted(welded.degenerate, "triangle", "triangles") + " without area left out");
     if (welded.duplicate > 0)
@@ -89,7 +103,7 @@ private:
       return fail(shells.error());
     shells_ = std::move(*shells);
     tell_of_shells();
-    return {};
+    return check_intersections(read_.surface);
   }
 
   void tell_of_shells() {

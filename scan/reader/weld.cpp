@@ -92,6 +92,12 @@ double extent_of(const triangle_surface& surface) {
   return surface.points.empty() ? 0 : norm(extent.high - extent.low);
 }
 
+bool is_closed(const triangle_surface& surface) {
+  return std::ranges::all_of(triangles_across(surface.triangles), [](const auto& across) {
+    return std::ranges::find(across, no_id) == across.end();
+  });
+}
+
 double weld_tolerance(const triangle_surface& surface) {
   constexpr double share_of_extent = 2e-6;
   constexpr double share_of_edges = 0.1;
@@ -121,7 +127,8 @@ weld_report weld(file_surface& read, double tolerance) {
   std::set<triangle_corners> known;
   keep_triangles(read, [&](std::size_t i) {
     auto t = surface.triangles[i];
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || height_of(surface, t) <= tolerance) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+        (tolerance > 0 && height_of(surface, t) <= tolerance)) {
       ++report.degenerate;
       return false;
     }
