@@ -86,6 +86,10 @@
         <source>editing the CAD model</source>
         <translation>CAD-Modell bearbeiten</translation>
     </message>
+    <message>
+        <source>meshing the surface</source>
+        <translation>die Oberfläche wird vernetzt</translation>
+    </message>
 </context>
 <context>
     <name>certification</name>
@@ -2355,14 +2359,6 @@
     <message>
         <source>%1 boundary components before, %2 after</source>
         <translation>vorher %1 getrennte Ränder, danach %2</translation>
-    </message>
-    <message>
-        <source>%1 boundary faces had no surface id; they got %2 new surfaces, split at edges sharper than 30 degrees</source>
-        <translation>%1 Randdreiecke hatten keine Flächennummer; sie bekamen %2 neue Flächen, getrennt an Kanten schärfer als 30 Grad</translation>
-    </message>
-    <message>
-        <source>%1 boundary faces had no surface id; they got those of the faces around</source>
-        <translation>%1 Randdreiecke hatten keine Flächennummer; sie bekamen die der Dreiecke ringsum</translation>
     </message>
     <message>
         <source>%1 cannot be rounded so far at %2: %3</source>
@@ -8232,6 +8228,18 @@
         <source>Run &quot;tedit %1&quot; on the command line to see why</source>
         <translation>„tedit %1“ auf der Befehlszeile ausführen, um zu sehen, warum</translation>
     </message>
+    <message>
+        <source>%1 new surfaces: planes, cylinders, cones, spheres and free forms</source>
+        <translation>%1 neue Flächen: Ebenen, Zylinder, Kegel, Kugeln und freie Formen</translation>
+    </message>
+    <message>
+        <source>%1those of the faces around</source>
+        <translation>%1der Flächen ringsum</translation>
+    </message>
+    <message>
+        <source>free form</source>
+        <translation>freie Form</translation>
+    </message>
 </context>
 <context>
     <name>server_lists</name>
@@ -8992,14 +9000,6 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
         <translation>Ein Netz oder eine CAD-Datei mit Lastfällen, ein Dokument oder ein Rezept, das ausgeführt wird</translation>
     </message>
     <message>
-        <source>Open a mesh or a CAD file and its load cases, a document or a recipe</source>
-        <translation>Ein Netz oder eine CAD-Datei mit Lastfällen, ein Dokument oder ein Rezept öffnen</translation>
-    </message>
-    <message>
-        <source>Meshes, CAD files, load cases, recipes, documents (%1)</source>
-        <translation>Netze, CAD-Dateien, Lastfälle, Rezepte, Dokumente (%1)</translation>
-    </message>
-    <message>
         <source>Open a CAD file</source>
         <translation>CAD-Datei öffnen</translation>
     </message>
@@ -9026,6 +9026,38 @@ TEdit ist freie Software unter der GNU Affero General Public License, Version 3 
     <message>
         <source>CAD model with all edits (*.step)</source>
         <translation>CAD-Modell mit allen Änderungen (*.step)</translation>
+    </message>
+    <message>
+        <source>Open a mesh, a CAD file or a surface and its load cases, a document or a recipe</source>
+        <translation>Ein Netz, eine CAD-Datei oder eine Oberfläche mit ihren Lastfällen, ein Dokument oder ein Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes, CAD files, surfaces, load cases, recipes, documents (%1)</source>
+        <translation>Netze, CAD-Dateien, Oberflächen, Lastfälle, Rezepte, Dokumente (%1)</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Its lengths are in, where it does not say it</source>
+        <translation>Ihre Längen sind, wo sie es nicht sagt, in</translation>
+    </message>
+    <message>
+        <source>Open a surface</source>
+        <translation>Oberfläche öffnen</translation>
     </message>
 </context>
 <context>
