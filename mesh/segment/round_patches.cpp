@@ -66,7 +66,10 @@ bool goes_round_evenly(const wall_shape& wall, const std::vector<vec3>& points) 
   const double second = gaps.size() <= few ? gaps.front() : gaps[gaps.size() - 2];
   if (gaps.back() > most_unlike * second)
     return false;
-  return gaps.back() <= wide_gap || gaps.back() <= most_unlike * gaps[(gaps.size() - 1) / 2];
+  // A mesh has corners at many places around; a polygon that is no circle has few.
+  constexpr std::size_t many = 10;
+  return gaps.back() <= wide_gap || gaps.size() >= many ||
+         gaps.back() <= most_unlike * gaps[(gaps.size() - 1) / 2];
 }
 
 }  // namespace

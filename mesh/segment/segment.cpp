@@ -145,6 +145,35 @@ private:
 
   // -- planes and free forms --------------------------------------------------------
 
+  /// What a facet must be larger than to be a plane, of all that hang together without an edge:
+  /// most of them, in terms of area. A free form of a scan has some large triangles, too.
+  void find_usual_areas() {
+    constexpr std::size_t few = 8;
+    usual_area_.assign(facets().size(), -1);
+    for (std::uint32_t seed = 0; seed < facets().size(); ++seed) {
+      if (patch_of_[seed] != no_id || usual_area_[seed] >= 0)
+        continue;
+      std::vector<std::uint32_t> found{seed};
+      usual_area_[seed] = 0;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        for (const auto& link : facets()[found[i]].links)
+          if (link.cosine >= smooth_cosine && patch_of_[link.other] == no_id &&
+              usual_area_[link.other] < 0 && same_group(seed, link.other)) {
+            usual_area_[link.other] = 0;
+            found.push_back(link.other);
+          }
+      if (found.size() <= few)
+        continue;
+      std::vector<double> areas;
+      for (const auto f : found)
+        areas.push_back(area(f));
+      const auto most = areas.begin() + static_cast<std::ptrdiff_t>(3 * areas.size() / 4);
+      std::ranges::nth_element(areas, most);
+      for (const auto f : found)
+        usual_area_[f] = *most;
+    }
+  }
+
   /// Is it much larger than most of what it goes over into without an edge, or is there nothing?
   /// `first`: nor is it plane where only little of its outline does.
   [[nodiscard]] bool is_plane(std::uint32_t f, bool first) const {
@@ -160,7 +189,11 @@ private:
       around.emplace_back(area(link.other), link.length);
       smooth += link.length;
     }
-    if (around.empty() || (first && smooth < little * outline))
+    if (around.empty())
+      return true;
+    if (area(f) <= plane_share * usual_area_[f])
+      return false;
+    if (first && smooth < little * outline)
       return true;
     std::ranges::sort(around);
     double so_far = 0;
@@ -172,6 +205,7 @@ private:
 
   /// Again, as a strip between two planes is one, too.
   void take_planes() {
+    find_usual_areas();
     for (bool first = true, again = true; again; first = false) {
       std::vector<std::uint32_t> planes;
       for (std::uint32_t f = 0; f < facets().size(); ++f)
@@ -262,7 +296,8 @@ private:
   std::vector<std::uint32_t> patch_of_;  ///< Of each facet.
   round_finder finder_;
   std::vector<fitted_shape> shapes_;
-  std::vector<double> areas_;  ///< Of each patch.
+  std::vector<double> areas_;       ///< Of each patch.
+  std::vector<double> usual_area_;  ///< Of the facets around each facet.
 };
 
 }  // namespace
