@@ -57,24 +57,25 @@ QString verdict_of(const certificate& what) {
 }
 
 word_table table_of(const certificate& what) {
-  word_table table{certificate_dialog::tr("Differences"),
-                   {certificate_dialog::tr("Load case"), certificate_dialog::tr("Displacement"),
-                    certificate_dialog::tr("Reactions"), certificate_dialog::tr("Compliance"),
-                    certificate_dialog::tr("Stress"), certificate_dialog::tr("Largest, MPa"),
-                    certificate_dialog::tr("CalculiX, MPa"), certificate_dialog::tr("Verdict")},
-                   {}};
+  word_table table{
+    certificate_dialog::tr("Differences"),
+    {certificate_dialog::tr("Load case"), certificate_dialog::tr("Verdict"),
+     certificate_dialog::tr("Displacement"), certificate_dialog::tr("Reactions"),
+     certificate_dialog::tr("Compliance"), certificate_dialog::tr("Stress"),
+     certificate_dialog::tr("Largest, MPa"), certificate_dialog::tr("CalculiX, MPa")},
+    {}};
   for (const auto& c : what.cases) {
     const double ours = 1e-6 * c.our_stress_pa;
     const double theirs = 1e-6 * c.their_stress_pa;
     table.rows.push_back(
       {{c.name, {}},
+       {c.agrees ? certificate_dialog::tr("agrees") : certificate_dialog::tr("differs"), {}},
        number_cell(share(c.displacement), c.displacement),
        number_cell(share(c.reaction), c.reaction),
        number_cell(share(c.compliance), c.compliance),
        number_cell(share(c.stress), c.stress),
        number_cell(QString::number(ours, 'g', 4), ours),
-       number_cell(QString::number(theirs, 'g', 4), theirs),
-       {c.agrees ? certificate_dialog::tr("agrees") : certificate_dialog::tr("differs"), {}}});
+       number_cell(QString::number(theirs, 'g', 4), theirs)});
   }
   return table;
 }
@@ -84,7 +85,7 @@ certificate_dialog::certificate_dialog(const certificate& what, QWidget* parent)
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName("certificate");
   setWindowTitle(tr("Checked with CalculiX"));
-  resize(880, 360);
+  setMinimumWidth(760);
   auto* column = new QVBoxLayout(this);
   auto* verdict = paragraph(verdict_of(what_), "section");
   verdict->setObjectName("certificate_verdict");
@@ -121,6 +122,11 @@ QWidget* certificate_dialog::make_table() const {
   }
   list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list->header()->setStretchLastSection(false);
+  // As high as its rows, as far as that goes.
+  constexpr int most_rows = 10;
+  const int rows = std::clamp(list->topLevelItemCount(), 1, most_rows);
+  const int row = std::max(list->sizeHintForRow(0), list->fontMetrics().height() + 6);
+  list->setFixedHeight(list->header()->sizeHint().height() + rows * row + row / 2);
   return list;
 }
 
