@@ -43,6 +43,13 @@ check_row check_cad() {
   return {"CAD files", true, "STEP, IGES and BREP are read"};
 }
 
+check_row check_surface_files() {
+  for (const auto* name : {"tedit-scan-reader", "tedit-scan-mesher"})
+    if (const auto there = cad::find_program(name); !there)
+      return {"surface files", true, "not meshed here: " + there.error().message};
+  return {"surface files", true, "STL, OBJ, PLY and 3MF are read and meshed"};
+}
+
 /// By doing it, in a copy of this process.
 check_row check_sandbox(const doctor_options& options) {
   const auto config = load_config(options.config_file);
@@ -72,6 +79,7 @@ std::vector<check_row> check_all(const doctor_options& options, const cancel_tok
   rows.push_back(check_program("tedit-mesher", "operations cannot mesh new volume"));
   rows.push_back(check_program("tedit-render", "no pictures (build with -DTEDIT_RENDER=ON)"));
   rows.push_back(check_cad());
+  rows.push_back(check_surface_files());
   for (const auto& device : fem::list_devices())
     rows.push_back({"device " + device.name, true, device.kind + ", " + device.driver});
   const auto plugins = ops::load_default_catalogue();
