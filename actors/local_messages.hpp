@@ -382,6 +382,7 @@ struct added_document {
 struct rename_request {
   caf::actor session;
   std::string name;
+  bool close = false;  ///< It was opened for that: ends the session afterwards if nobody uses it.
 };
 
 /// A document of this name gets a copy of another one, open or not.

@@ -65,6 +65,14 @@ public:
   [[nodiscard]] expected<void> copy_document(const std::string& document, const std::string& copy,
                                              const execution& run = {});
 
+  /// Gives a document of the server another name, whether anybody has it open or not; all who have
+  /// it open hear of it. Nothing when it has that name already. Errors: `invalid_argument` for a
+  /// name that no document can have, `conflict` for one that is taken, while another program has
+  /// the document and while it is opened, closed, copied or renamed, `not_found`, `storage_error`
+  /// for a document that is damaged.
+  [[nodiscard]] expected<void> rename_on_server(const std::string& document,
+                                                const std::string& name);
+
   /// Takes a document from the server for good; no document is open then if it was the open one.
   /// Errors: `conflict` while another client has it open or something is done with it, `not_found`,
   /// `storage_error` for a file that is no document.

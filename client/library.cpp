@@ -27,6 +27,16 @@ expected<void> client::copy_document(const std::string& document, const std::str
   return {};
 }
 
+expected<void> client::rename_on_server(const std::string& document, const std::string& name) {
+  v1::ClientMessage request;
+  request.mutable_rename_document()->set_document(document);
+  request.mutable_rename_document()->set_name(name);
+  const auto got = impl_->ask(std::move(request), body::kDone);
+  if (!got)
+    return fail(got.error());
+  return {};
+}
+
 expected<void> client::delete_document(const std::string& document) {
   v1::ClientMessage request;
   request.mutable_delete_document()->set_document(document);

@@ -79,11 +79,28 @@ void annotate(client_state& client, std::uint64_t id, const v1::AnnotateVersion&
               "naming the version");
 }
 
+constexpr const char* renaming = "renaming the document";
+
+/// One that is not open here is opened for it, without being attached to: what lies beside its file
+/// goes into that, and another program that has it keeps it.
+void rename_unopened(client_state& client, std::uint64_t id, const v1::RenameDocument& body) {
+  client.begin(id, {});
+  client.self->request(client.parts.hub, answer_limit, existing_atom::value, body.document())
+    .then(
+      [=, &client, name = body.name()](const opened_document& found) {
+        carry_out(client, id, client.parts.hub, rename_request{found.session, name, true},
+                  renaming);
+      },
+      [=, &client](const caf::error& e) { client.refuse(id, e, renaming); });
+}
+
 void rename(client_state& client, std::uint64_t id, const v1::RenameDocument& body) {
+  if (client.look_up(body.document()) == client.documents.end())
+    return rename_unopened(client, id, body);
   if (const auto* document = client.find(id, body.document()))
     carry_out(client, id, client.parts.hub,
               rename_request{caf::actor_cast<caf::actor>(document->session), body.name()},
-              "renaming the document");
+              renaming);
 }
 
 // -- what is watched -----------------------------------------------------------------------------

@@ -209,20 +209,33 @@ void leave_name(hub_pointer self, const session_actor& session, const std::strin
     open_for(self, present_name(state, name), std::move(promise));
 }
 
+/// Whether there is anything to do: nothing when it is asked for again.
+expected<bool> check_rename(const hub_state& state, const session_actor& session,
+                            const std::string& name) {
+  if (auto ok = check_lasting_name(name); !ok)
+    return fail(ok.error());
+  if (const auto here = state.open.find(name); here != state.open.end() && here->second == session)
+    return false;
+  if (state.renaming.contains(session))
+    return fail(ec::conflict, "the document is being renamed", "Try again soon");
+  if (is_taken(state, name))
+    return fail(taken_name(name));
+  return true;
+}
+
 /// The name is held among those that are being opened: nobody else gets it, and who opens it waits
 /// for the document.
 caf::result<acknowledged> rename(hub_pointer self, const rename_request& request) {
   auto& state = self->state;
-  if (auto ok = check_lasting_name(request.name); !ok)
-    return to_caf(ok.error());
   const auto session = caf::actor_cast<session_actor>(request.session);
-  if (const auto here = state.open.find(request.name);
-      here != state.open.end() && here->second == session)
-    return acknowledged{};  // Asked for again, too.
-  if (state.renaming.contains(session))
-    return to_caf({ec::conflict, "the document is being renamed", "Try again soon", {}});
-  if (is_taken(state, request.name))
-    return to_caf(taken_name(request.name));
+  const auto end = [=, close = request.close] {
+    if (close)
+      end_session(self, session);
+  };
+  if (const auto wanted = check_rename(state, session, request.name); !wanted || !*wanted) {
+    end();
+    return wanted ? caf::result<acknowledged>(acknowledged{}) : to_caf(wanted.error());
+  }
   state.renaming.insert(session);
   state.opening[request.name];
   auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
@@ -232,10 +245,12 @@ caf::result<acknowledged> rename(hub_pointer self, const rename_request& request
       [=](const document_renamed& renamed) {
         take_renamed(self, session, renamed);
         promise->deliver(acknowledged{});
+        end();
       },
       [=, name = request.name](const caf::error& e) {
         leave_name(self, session, name);
         promise->deliver(to_caf(from_caf(e, "renaming the document")));
+        end();
       });
   return *promise;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <thread>
 
+#include "actors/store/document_lock.hpp"
 #include "tests/scenarios/fixture.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/raw_client.hpp"
@@ -129,6 +130,81 @@ TEST_F(Rename, AskedForAgainIsDoneAlready) {
   value(other->open("cube", false, false));
   value(other->rename_document("wing"));
   EXPECT_EQ(names(), std::set<std::string>{"wing"});
+}
+
+TEST_F(Rename, AClosedDocumentGetsAnotherNameAndIsClosedAfterwards) {
+  make("cube");
+  restart();
+
+  value(user->rename_on_server("cube", "wing"));
+
+  EXPECT_EQ(names(), std::set<std::string>{"wing"});
+  const auto listed = value(user->list_documents());
+  ASSERT_EQ(listed.size(), 1U);
+  EXPECT_EQ(listed[0].name, "wing");
+  EXPECT_FALSE(listed[0].open);
+  value(user->rename_on_server("cube", "wing"));  // Done already.
+  value(user->rename_on_server("wing", "wing"));
+  value(user->rename_on_server("cube", "tail"));  // It is known by that still.
+  EXPECT_EQ(names(), std::set<std::string>{"tail"});
+  for (const auto* name : {"cube", "wing"})
+    EXPECT_EQ(value(user->open(name, false, false)).document, "tail") << name;
+  EXPECT_EQ(value(user->get_history()).versions.size(), 1U);
+}
+
+TEST_F(Rename, OfADocumentThatOthersHaveOpenTheyAreTold) {
+  make("cube");
+  std::promise<std::string> heard;
+  client::events handlers;
+  handlers.on_renamed = [&](const std::string& name) { heard.set_value(name); };
+  const auto other = connect(host->url(), handlers);
+  value(other->open("cube", true, false));
+  value(user->open("another", false, false));
+
+  value(user->rename_on_server("cube", "wing"));
+
+  EXPECT_EQ(heard.get_future().get(), "wing");
+  EXPECT_EQ(value(other->edit("thicken", {4}, {{"depth", 0.25e-3}}, {})).head.number, 1U);
+}
+
+TEST_F(Rename, WhatIsRefusedOfAClosedOneSaysWhyAndChangesNothing) {
+  make("cube");
+  make("tail");
+  restart();
+  std::ofstream(documents.path() / "letter.tedit") << "Dear";
+  const auto before = names();
+  const auto refused = [&](const std::string& document, const std::string& name) {
+    const auto done = user->rename_on_server(document, name);
+    EXPECT_FALSE(done.has_value()) << document << " -> " << name;
+    return done ? error{} : done.error();
+  };
+
+  auto why = refused("cube", "tail");
+  EXPECT_EQ(why.code, ec::conflict);
+  EXPECT_EQ(why.message, "there is a document tail already");
+  EXPECT_EQ(why.remedy, "Give this one another name");
+  why = refused("wing", "fin");
+  EXPECT_EQ(why.code, ec::not_found);
+  EXPECT_EQ(why.message, "there is no document wing");
+  EXPECT_FALSE(why.remedy.empty());
+  EXPECT_EQ(refused("cube", "two words").code, ec::invalid_argument);
+  EXPECT_EQ(refused("../cube", "fin").code, ec::invalid_argument);
+  why = refused("letter", "fin");
+  EXPECT_EQ(why.code, ec::storage_error);
+  EXPECT_THAT(why.message, HasSubstr("letter.tedit is not a database"));
+  {
+    const auto elsewhere = store::document_lock::take(documents.path() / "cube.tedit");
+    ASSERT_TRUE(elsewhere.has_value());
+    why = refused("cube", "fin");
+    EXPECT_EQ(why.code, ec::conflict);
+    EXPECT_THAT(why.message, HasSubstr("cube.tedit"));
+    EXPECT_FALSE(why.remedy.empty());
+  }
+
+  EXPECT_EQ(names(), before);
+  EXPECT_EQ(value(user->status()).documents, 0U);
+  value(user->rename_on_server("cube", "fin"));
+  EXPECT_EQ(value(user->open("fin", false, false)).head->number, 0U);
 }
 
 TEST_F(Rename, ADocumentWithoutANameOfItsOwnIsGivenOne) {

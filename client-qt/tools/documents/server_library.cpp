@@ -77,20 +77,11 @@ void server_library::copy(const QString& name, const QString& to) {
     });
 }
 
-/// On a connection of its own, as it must be opened for that. Who has it open, this window too,
-/// is told by the server.
+/// Who has it open, this window too, is told by the server.
 void server_library::rename(const QString& name, const QString& to) {
   in_.link.run<void>(
-    [options = in_.link.options(), name = name.toStdString(), to = to.toStdString()](
-      client::client&, const execution&) -> expected<void> {
-      const auto aside = client::client::connect(options, {});
-      if (!aside)
-        return fail(aside.error());
-      return (*aside)
-        ->open(name, false, false)
-        .and_then(
-          [&](const client::document_state&) { return (*aside)->rename_document(to, name); })
-        .and_then([&] { return (*aside)->close_document(); });  // Before anything else is asked.
+    [name = name.toStdString(), to = to.toStdString()](client::client& c, const execution&) {
+      return c.rename_on_server(name, to);
     },
     [this, name, to](const expected<void>& done) {
       finish(done, tr("%1 is called %2 now.").arg(name, to));
