@@ -112,7 +112,7 @@ using disk_actor = caf::typed_actor<
   // Gives the document another name in its folder.
   caf::replies_to<rename_atom, shared_file, std::string>::with<acknowledged>,
   // Writes the document to another one of its folder, as it is after the commits before this.
-  caf::replies_to<copy_atom, shared_file, std::string>::with<acknowledged>,
+  caf::replies_to<copy_atom, shared_file, copy_order>::with<acknowledged>,
   // The same for one that nobody has open, once all of it was read and found sound.
   caf::replies_to<file_copy>::with<acknowledged>,
   // Deletes the document and closes it.
@@ -142,7 +142,7 @@ using store_actor = caf::typed_actor<
   // Gives the document another name; the answer means that it is durable.
   caf::replies_to<rename_atom, std::string>::with<acknowledged>,
   // Writes the document to another one, as it is after the commits before this.
-  caf::replies_to<copy_atom, std::string>::with<acknowledged>,
+  caf::replies_to<copy_atom, copy_order>::with<acknowledged>,
   // Deletes the document; only its closing may follow.
   caf::replies_to<delete_atom>::with<acknowledged>,
   // Closes the document for good, after the commits before this.
@@ -171,7 +171,7 @@ using session_actor = caf::typed_actor<
   // Gives the document another name, which its hub has found free; all subscribers hear of it.
   caf::replies_to<rename_atom, std::string>::with<document_renamed>,
   // Copies the document to another one, whose name its hub has found free.
-  caf::replies_to<copy_atom, std::string>::with<acknowledged>,
+  caf::replies_to<copy_atom, copy_order>::with<acknowledged>,
   // Deletes the document and ends, unless another than who asks has it open, or something is done
   // with it (`conflict`).
   caf::replies_to<delete_atom, caf::actor>::with<acknowledged>,

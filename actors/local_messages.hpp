@@ -389,12 +389,20 @@ struct rename_request {
 struct copy_request {
   std::string document;
   std::string name;
+  cancel_token stop = {};
+};
+
+/// The same for the session of one that is open, its store and a disk.
+struct copy_order {
+  std::string name;
+  cancel_token stop = {};
 };
 
 /// The same for a disk, of a document that nobody has open.
 struct file_copy {
   std::filesystem::path from;
   std::filesystem::path to;
+  cancel_token stop = {};
 };
 
 /// A document is to go for good; only who asks may have it open.
@@ -491,6 +499,7 @@ CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::adoption)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::added_document)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::rename_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::copy_request)
+CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::copy_order)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::file_copy)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::delete_request)
 CAF_ALLOW_UNSAFE_MESSAGE_TYPE(tedit::actors::deletion)

@@ -10,6 +10,7 @@
 #include "actors/store/check.hpp"
 #include "actors/store/cleaning.hpp"
 #include "actors/store/document_lock.hpp"
+#include "actors/store/library.hpp"
 #include "actors/store/loading.hpp"
 #include "base/utc.hpp"
 #include "cli/command.hpp"
@@ -216,24 +217,13 @@ int run_copy(const output_options& options, session& s) {
                            options.output + " does not end in .tedit",
                            "A server finds a document by this ending: give such a name",
                            {}});
-  const auto document = store::document_view::open(options.document);
-  if (!document)
-    return print_error(s, document.error());
-  const auto found = actors::check_document(**document);
-  if (!found)
-    return print_error(s, found.error());
-  if (!found->sound())
-    return print_error(s, {ec::storage_error,
-                           found->damage.front().message,
-                           "A damaged document is not copied: \"tedit doc check\" says what is "
-                           "whole",
-                           {}});
-  if (auto copied = (*document)->copy_to(output); !copied)
-    return print_error(s, copied.error());
+  const auto versions = actors::copy_sound_file({options.document, output, s.cancel});
+  if (!versions)
+    return print_error(s, versions.error());
   const auto bytes = store::state_of(output).value_or(store::file_state{}).bytes;
-  print_result(s, {{"file", options.output}, {"bytes", bytes}, {"versions", found->versions}},
-               options.output + ": " + std::to_string(found->versions) + " versions, " +
-                 size_text(bytes) + "\n");
+  print_result(
+    s, {{"file", options.output}, {"bytes", bytes}, {"versions", *versions}},
+    options.output + ": " + std::to_string(*versions) + " versions, " + size_text(bytes) + "\n");
   return 0;
 }
 

@@ -89,13 +89,19 @@ expected<void> client_state::check(const v1::ClientMessage& message) const {
   return {};
 }
 
+void client_state::running_request::cancel() const {
+  if (session)
+    caf::anon_send(session, actors::cancel_atom::value, ticket);
+  if (stop)
+    stop->cancel();
+}
+
 void client_state::on_closed() {
   running_requests().add(-static_cast<double>(timed.size()));
   timed.clear();
   // What runs for this client alone is ended; what it has committed stays.
   for (const auto& [id, request] : requests)
-    if (request.session)
-      caf::anon_send(request.session, actors::cancel_atom::value, request.ticket);
+    request.cancel();
   for (const auto& [key, document] : documents)
     caf::anon_send(document.session, actors::detach_atom::value, caf::actor_cast<caf::actor>(self));
   self->quit();

@@ -99,6 +99,9 @@ struct client_state {
   struct running_request {
     std::uint64_t ticket = 0;
     actors::session_actor session;
+    std::optional<cancel_token> stop = {};  ///< Of what is no session's to cancel.
+
+    void cancel() const;
   };
 
   void start(client_pointer owner, std::shared_ptr<connection> to, gateway_parts with);

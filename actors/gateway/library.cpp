@@ -46,9 +46,11 @@ void list_documents(client_state& client, std::uint64_t id, const v1::ListDocume
 
 void copy_document(client_state& client, std::uint64_t id, const v1::CopyDocument& body) {
   client.begin(id, {});
+  const cancel_token stop;
+  client.requests[id].stop = stop;
   client.self
     ->request(client.parts.hub, answer_limit,
-              copy_request{name_for_hub(client, body.document()), body.name()})
+              copy_request{name_for_hub(client, body.document()), body.name(), stop})
     .then(
       [=, &client](const added_document& added) {
         v1::ServerMessage message;

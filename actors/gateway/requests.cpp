@@ -98,9 +98,8 @@ void get_status(client_state& client, std::uint64_t id, const v1::GetStatus&) {
 
 void cancel(client_state& client, std::uint64_t id, const v1::Cancel& body) {
   const auto found = client.requests.find(body.request_id());
-  if (!client.drop_export(body.request_id()) && found != client.requests.end() &&
-      found->second.session)
-    caf::anon_send(found->second.session, cancel_atom::value, found->second.ticket);
+  if (!client.drop_export(body.request_id()) && found != client.requests.end())
+    found->second.cancel();
   v1::ServerMessage message;
   message.mutable_done();
   client.answer(id, std::move(message));

@@ -136,11 +136,13 @@ caf::result<added_document> copy_document(hub_pointer self, const copy_request& 
   };
   state.adding.insert(request.name);
   if (const auto here = state.open.find(*from); here != state.open.end()) {
-    self->request(here->second, std::chrono::minutes(10), copy_atom::value, request.name)
+    self
+      ->request(here->second, std::chrono::minutes(10), copy_atom::value,
+                copy_order{request.name, request.stop})
       .then(receive(false), refuse(false));
   } else {
     state.opening[*from];
-    ask_disk(self, file_copy{file_of(state, *from), file_of(state, request.name)})
+    ask_disk(self, file_copy{file_of(state, *from), file_of(state, request.name), request.stop})
       .then(receive(true), refuse(true));
   }
   return *promise;

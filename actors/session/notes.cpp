@@ -236,11 +236,11 @@ caf::result<document_renamed> session_state::rename(const std::string& wanted) {
 }
 
 /// Beside the queue as well: the copy has what was acknowledged before it was asked for.
-caf::result<acknowledged> session_state::copy_to(const std::string& name) {
+caf::result<acknowledged> session_state::copy_to(const copy_order& order) {
   const auto promise = std::make_shared<caf::typed_response_promise<acknowledged>>(
     self->make_response_promise<acknowledged>());
   ++copying;
-  self->request(parts.store, std::chrono::minutes(10), copy_atom::value, name)
+  self->request(parts.store, std::chrono::minutes(10), copy_atom::value, order)
     .then(
       [=, this](acknowledged) {
         --copying;

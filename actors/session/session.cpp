@@ -276,7 +276,7 @@ session_actor::behavior_type make_session(session_pointer self, session_parts pa
           [&state](const move_request& request) { return state.move(request); },
           [&state](const note_request& request) { return state.note(request); },
           [&state](rename_atom, const std::string& name) { return state.rename(name); },
-          [&state](copy_atom, const std::string& name) { return state.copy_to(name); },
+          [&state](copy_atom, const copy_order& order) { return state.copy_to(order); },
           [&state](delete_atom, const caf::actor& asker) { return state.erase(asker); },
           [&state](status_atom) { return state.status(); },
           [&state](held_atom) { return state.held(); },

@@ -246,7 +246,7 @@ struct session_state {
   /// Queues a change that makes no new version; the same again is made once.
   caf::result<acknowledged> note(const note_request& request);
   caf::result<document_renamed> rename(const std::string& wanted);
-  caf::result<acknowledged> copy_to(const std::string& name);
+  caf::result<acknowledged> copy_to(const copy_order& order);
   caf::result<acknowledged> erase(const caf::actor& asker);
   [[nodiscard]] session_status status() const;
   void restart_solve_of(const fem::load_case& changed);

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "actors/store/loading.hpp"
+#include "base/guard.hpp"
 
 namespace tedit::actors {
 
@@ -22,11 +23,13 @@ struct inspection {
     if (!ids)
       return fail(ids.error());
     result.pages = ids->size();
-    for (const auto& id : *ids)
+    for (const auto& id : *ids) {
+      check_cancelled();
       if (auto page = document.read_page(id))
         sound_pages[id] = *page;
       else
         result.damage.push_back(page.error());
+    }
     return {};
   }
 
@@ -73,9 +76,11 @@ struct inspection {
   }
 
   void read_versions(const store::contents& rows) {
-    for (const auto& row : rows.versions)
+    for (const auto& row : rows.versions) {
+      check_cancelled();
       if (is_whole(row))
         result.whole.push_back(row.number);
+    }
     for (const auto& [id, page] : sound_pages)
       result.unneeded_pages += needed.contains(id) ? 0 : 1;
   }

@@ -6,6 +6,7 @@
 
 #include "actors/store/check.hpp"
 #include "actors/store/document_view.hpp"
+#include "base/guard.hpp"
 
 namespace tedit::actors {
 
@@ -55,7 +56,17 @@ document_list list_folder(const std::filesystem::path& folder) {
   return result;
 }
 
-expected<void> copy_sound_file(const file_copy& wanted) {
+expected<void> cancellable_copy(const cancel_token& stop,
+                                const std::function<expected<void>()>& copy) {
+  auto done = guarded({stop, {}}, copy);
+  if (!done && done.error().code == ec::cancelled)
+    return fail(ec::cancelled, "the copy was cancelled");
+  return done;
+}
+
+namespace {
+
+expected<void> copy_if_sound(const file_copy& wanted, std::size_t& versions) {
   const auto document = store::document_view::open(wanted.from);
   if (!document)
     return fail(document.error());
@@ -65,7 +76,17 @@ expected<void> copy_sound_file(const file_copy& wanted) {
   if (!found->sound())
     return fail(ec::storage_error, found->damage.front().message,
                 "A damaged document is not copied: \"tedit doc check\" says what is whole");
+  versions = found->versions;
   return (*document)->copy_to(wanted.to);
+}
+
+}  // namespace
+
+expected<std::size_t> copy_sound_file(const file_copy& wanted) {
+  std::size_t versions = 0;
+  return cancellable_copy(wanted.stop, [&] { return copy_if_sound(wanted, versions); }).map([&] {
+    return versions;
+  });
 }
 
 }  // namespace tedit::actors

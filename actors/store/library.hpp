@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "actors/local_messages.hpp"
 
@@ -27,9 +28,15 @@ inline constexpr std::size_t longest_document_name = 64;
 /// read. Cost: some questions to the system for each.
 [[nodiscard]] document_list list_folder(const std::filesystem::path& folder);
 
-/// Copies a document, with all its versions, to a file that is not there. Errors: `storage_error`
-/// when it is damaged, naming the first damage; those of `document_view`. Cost: that of opening it,
-/// and its size. @pre this process does not have it open.
-[[nodiscard]] expected<void> copy_sound_file(const file_copy& wanted);
+/// Does `copy`, which may be cancelled. Errors: those of `copy`; `cancelled`: then nothing was
+/// made.
+[[nodiscard]] expected<void> cancellable_copy(const cancel_token& stop,
+                                              const std::function<expected<void>()>& copy);
+
+/// Copies a document to a file that is not there; returns how many versions it has. Errors:
+/// `storage_error` when it is damaged, naming the first damage; `cancelled`; those of
+/// `document_view`. Cost: that of opening it, and its size. @pre this process does not have it
+/// open.
+[[nodiscard]] expected<std::size_t> copy_sound_file(const file_copy& wanted);
 
 }  // namespace tedit::actors

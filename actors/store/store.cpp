@@ -142,12 +142,14 @@ caf::result<acknowledged> rename(document_file& file, const std::string& name) {
   return acknowledged{};
 }
 
-caf::result<acknowledged> copy_to(document_file& file, const std::string& name) {
+caf::result<acknowledged> copy_to(document_file& file, const copy_order& order) {
   const std::lock_guard lock(file.in_use);
   if (!file.document)
     return to_caf({ec::storage_error, "the document is not open", {}, {}});
   auto target = file.path;
-  if (const auto done = file.document->copy_to(target.replace_filename(name + ".tedit")); !done)
+  target.replace_filename(order.name + ".tedit");
+  const auto done = cancellable_copy(order.stop, [&] { return file.document->copy_to(target); });
+  if (!done)
     return to_caf(done.error());
   return acknowledged{};
 }
@@ -210,8 +212,8 @@ disk_actor::behavior_type make_disk(disk_actor::stateful_pointer<disk_state> sel
             end_job(file);
             return result;
           },
-          [=](copy_atom, const shared_file& file, const std::string& name) {
-            auto result = copy_to(*file, name);
+          [=](copy_atom, const shared_file& file, const copy_order& order) {
+            auto result = copy_to(*file, order);
             end_job(file);
             return result;
           },
@@ -283,9 +285,9 @@ store_actor::behavior_type make_store(store_actor::stateful_pointer<store_state>
       return self->delegate(use(self->state.disks.for_commit()), rename_atom::value,
                             self->state.file, name);
     },
-    [=](copy_atom, const std::string& name) {
+    [=](copy_atom, const copy_order& order) {
       return self->delegate(use(self->state.disks.for_load()), copy_atom::value, self->state.file,
-                            name);
+                            order);
     },
     [=](delete_atom) {
       return self->delegate(use(self->state.disks.for_commit()), delete_atom::value,

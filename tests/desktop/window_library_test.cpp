@@ -7,6 +7,8 @@
 #include <QListWidget>
 #include <QTreeWidget>
 
+#include <algorithm>
+
 #include "client-qt/tools/documents/documents_dialog.hpp"
 #include "client-qt/tools/pictures/kept_picture.hpp"
 
@@ -48,7 +50,13 @@ TEST_F(ServerLibrary, ADocumentIsCopiedRenamedOpenedAndDeleted) {
   choose(first);
   press("documents_copy");
   type("copy of it");
+  const auto runs = [&](const QString& title) {
+    return std::ranges::any_of(part().work().all(),
+                               [&](const job& one) { return one.title == title && one.cancel; });
+  };
+  EXPECT_TRUE(runs("Copy of " + first)) << "it can be cancelled";
   ASSERT_TRUE(wait([&] { return names().contains("copy-of-it"); }));
+  EXPECT_FALSE(runs("Copy of " + first));
   EXPECT_TRUE(has_file("copy-of-it"));
   choose("copy-of-it");
   press("documents_rename");

@@ -85,10 +85,12 @@ TEST(RequestRows, EveryRequestHasOneHandler) {
     EXPECT_EQ(handled.count(bodies->field(i)->number()), 1U) << bodies->field(i)->name();
 }
 
-/// What the hub is asked to delete, and its answers as a test gives them.
+/// What the hub is asked to delete, and its answers as a test gives them; the copies that it makes
+/// for as long as they are not cancelled.
 struct asked_deletions {
   std::mutex mutex;
   std::vector<std::pair<actors::delete_request, caf::response_promise>> all;
+  std::vector<cancel_token> copies;
 };
 
 using made_up_hub = caf::stateful_actor<std::shared_ptr<asked_deletions>>;
@@ -104,6 +106,11 @@ caf::behavior hub_of(made_up_hub* self, const caf::actor& session,
       actors::document_list list;
       list.documents = {{"part", 4096, 86'400, true, 2, 3, 1}, {"unborn", 0, 0, true, 1, 0, {}}};
       return list;
+    },
+    [=](const actors::copy_request& wanted) {
+      const std::lock_guard lock(deletions->mutex);
+      deletions->copies.push_back(wanted.stop);
+      return self->make_response_promise();
     },
     [=](const actors::delete_request& wanted) {
       const std::lock_guard lock(deletions->mutex);
@@ -150,6 +157,14 @@ protected:
     return ask(std::move(message));
   }
 
+  /// Whether it comes to be, on another thread.
+  static bool comes(const std::function<bool()>& what) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!what() && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return what();
+  }
+
   std::uint64_t start_deletion(const std::string& name) {
     v1::ClientMessage message;
     message.set_request_id(++last_);
@@ -161,19 +176,15 @@ protected:
   /// The hub's answer to the deletion that it was asked for, once it was.
   template <class Answer>
   void answer_deletion(const Answer& answer) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (std::chrono::steady_clock::now() < deadline) {
-      {
-        const std::lock_guard lock(deletions_->mutex);
-        if (!deletions_->all.empty()) {
-          deletions_->all.front().second.deliver(answer);
-          deletions_->all.clear();
-          return;
-        }
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    ADD_FAILURE() << "nothing was to be deleted";
+    EXPECT_TRUE(comes([&] {
+      const std::lock_guard lock(deletions_->mutex);
+      return !deletions_->all.empty();
+    }))
+      << "nothing was to be deleted";
+    const std::lock_guard lock(deletions_->mutex);
+    for (auto& [wanted, promise] : deletions_->all)
+      promise.deliver(answer);
+    deletions_->all.clear();
   }
 
   std::shared_ptr<asked_deletions> deletions_ = std::make_shared<asked_deletions>();
@@ -288,6 +299,34 @@ TEST_F(ClientActor, ADocumentWhoseDeletionIsRefusedGoesOn) {
   EXPECT_EQ(answer.error().code(), "conflict");
   EXPECT_EQ(answer.error().remedy(), "Ask them");
   EXPECT_TRUE(select().has_surfaces_selected());
+}
+
+TEST_F(ClientActor, ACopyIsCancelledByItsRequestAndByTheEndOfTheConnection) {
+  open();
+  const auto start_copy = [&](const char* name) {
+    v1::ClientMessage message;
+    message.set_request_id(++last_);
+    message.mutable_copy_document()->set_document("part");
+    message.mutable_copy_document()->set_name(name);
+    caf::anon_send(client_, message.SerializeAsString());
+    return last_;
+  };
+  const auto first = start_copy("first");
+  start_copy("second");
+  v1::ClientMessage stop;
+  stop.mutable_cancel()->set_request_id(first);
+  ASSERT_TRUE(ask(std::move(stop)).has_done());
+  const auto copies = [&] {
+    const std::lock_guard lock(deletions_->mutex);
+    return deletions_->copies;
+  };
+  ASSERT_TRUE(comes([&] { return copies().size() == 2; }));
+  EXPECT_TRUE(copies()[0].cancelled());
+  EXPECT_FALSE(copies()[1].cancelled());
+
+  caf::anon_send(client_, closed_atom::value);
+
+  EXPECT_TRUE(comes([&] { return copies()[1].cancelled(); }));
 }
 
 /// Whatever the request, and before anything else looks at it.

@@ -129,12 +129,13 @@ caf::behavior make_slow_disk(queue_pointer self, const disk_actor& real,
     [=](rename_atom atom, const shared_file& file, const std::string& name) {
       return forward(std::in_place_type<acknowledged>, atom, file, name);
     },
-    [=](copy_atom atom, const shared_file& file, const std::string& name) {
+    [=](copy_atom atom, const shared_file& file, const copy_order& order) {
       const auto note = [=] {
-        const auto target = std::filesystem::path(file->path).replace_filename(name + ".tedit");
+        const auto target =
+          std::filesystem::path(file->path).replace_filename(order.name + ".tedit");
         return [=] { note_copy(*mood->record, look_into(*file), target); };
       };
-      return watched(note, atom, file, name);
+      return watched(note, atom, file, order);
     },
     [=](const file_copy& wanted) {
       const auto note = [=] {

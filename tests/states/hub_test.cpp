@@ -202,6 +202,28 @@ TEST_F(Hub, ACopyStaysWithoutItsDocument) {
   EXPECT_FALSE(is_there(document.name));
 }
 
+TEST_F(Hub, ACopyThatIsCancelledIsNotThereAndItsNameIsFree) {
+  put_file("plate");
+  const auto cancelled = [&] {
+    copy_request wanted{"plate", "bracket"};
+    wanted.stop.cancel();
+    const auto copied = ask<added_document>(hub_, wanted);
+    pass(seconds(1));
+    EXPECT_EQ(copied.refusal().code, ec::cancelled);
+    EXPECT_EQ(copied.refusal().message, "the copy was cancelled");
+    EXPECT_FALSE(is_there("bracket"));
+  };
+  cancelled();
+  ASSERT_TRUE(open("plate").is_success());
+  cancelled();
+
+  const auto copied = ask<added_document>(hub_, copy_request{"plate", "bracket"});
+  pass(seconds(1));
+
+  EXPECT_TRUE(copied.is_success());
+  EXPECT_TRUE(is_there("bracket"));
+}
+
 TEST_F(Hub, AfterARestartItsClientHasTimeToComeBack) {
   const auto document = open_unnamed();
   end();

@@ -76,7 +76,7 @@ TEST_F(Deletion, WhateverIsDoneWithItKeepsADocument) {
   refuse("file", {ec::io_error, "the disk is full", {}, {}});
   EXPECT_TRUE(file.is_there());
 
-  const auto copy = ask<acknowledged>(session_, copy_atom::value, std::string("tail"));
+  const auto copy = ask<acknowledged>(session_, copy_atom::value, copy_order{"tail"});
   pass(milliseconds(1));
   expect_kept();
   finish({"copy"});
@@ -135,7 +135,7 @@ TEST_F(Deletion, ACopyThatIsBeingWrittenKeepsASessionFromItsEnd) {
   import_all();
   close(mine_);
   close(other_);
-  const auto copy = ask<acknowledged>(session_, copy_atom::value, std::string("tail"));
+  const auto copy = ask<acknowledged>(session_, copy_atom::value, copy_order{"tail"});
   pass(milliseconds(1));
   const auto early = ask<shared_remains>(session_, end_atom::value);
   pass(milliseconds(1));

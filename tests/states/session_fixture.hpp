@@ -112,7 +112,7 @@ inline caf::behavior make_helper(helper_actor* self, std::shared_ptr<page_cache>
     [=](const stored_change&) {
       return add_task<acknowledged>(self, "commit", {}, {}, [] { return acknowledged{}; });
     },
-    [=](copy_atom, const std::string&) {
+    [=](copy_atom, const copy_order&) {
       return add_task<acknowledged>(self, "copy", {}, {}, [] { return acknowledged{}; });
     },
     [=](rename_atom, const std::string&) {

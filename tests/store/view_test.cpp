@@ -3,10 +3,12 @@
 #include <sys/wait.h>
 
 #include <fstream>
+#include <random>
 #include <set>
 
 #include "actors/store/document_lock.hpp"
 #include "actors/store/document_view.hpp"
+#include "base/guard.hpp"
 #include "tests/store/fixture.hpp"
 
 namespace tedit::store {
@@ -168,6 +170,41 @@ TEST_F(View, ACopyIsTheSameDocumentAndReplacesNothing) {
   ASSERT_TRUE(all.has_value()) << render(all.error());
   EXPECT_EQ(all->versions.size(), 3U);
   EXPECT_EQ(all->versions[2].id, wanted.versions[2].id);
+}
+
+TEST_F(View, ACopyThatIsCancelledAtAnyMomentLeavesNothing) {
+  std::mt19937 noise(1);  // Nothing that a compression would take out.
+  {
+    const auto doc = open();
+    for (std::uint32_t n = 0; n < 3; ++n) {
+      auto one = make_change(n);
+      for (int i = 0; i < 50; ++i) {
+        std::vector<std::byte> bytes(60'000);
+        for (auto& b : bytes)
+          b = static_cast<std::byte>(noise());
+        one.new_pages.push_back(page::from_bytes(bytes));
+      }
+      ASSERT_TRUE(doc->commit(one));
+    }
+  }
+  const auto copy = folder / "copy.tedit";
+  const auto view = document_view::open(file).value();
+  const auto before = names();
+  const auto try_at = [&](const cancel_token& stop) {
+    return guarded({stop, {}}, [&] { return view->copy_to(copy); });
+  };
+  const cancel_token never;
+  ASSERT_TRUE(try_at(never).has_value());
+  EXPECT_EQ(fs::file_size(copy), fs::file_size(file));
+  EXPECT_GE(never.polls(), 3U) << "of 9 MB, 4 MiB go at once";
+  fs::remove(copy);
+
+  for (std::uint64_t poll = 1; poll <= never.polls(); ++poll) {
+    const auto stopped = try_at(cancel_token::at_poll(poll));
+    ASSERT_FALSE(stopped.has_value()) << poll;
+    EXPECT_EQ(stopped.error().code, ec::cancelled);
+    EXPECT_EQ(names(), before);
+  }
 }
 
 TEST_F(View, WhatIsNoDocumentIsSaid) {

@@ -3,6 +3,8 @@
 
 #include <QMainWindow>
 
+#include <memory>
+
 #include "client-qt/context/command_groups.hpp"
 #include "client-qt/tools/connection/connection_tool.hpp"
 #include "client-qt/tools/documents/documents_dialog.hpp"
@@ -67,12 +69,17 @@ void server_library::finish(const expected<void>& done, const QString& words) {
   refresh();
 }
 
+/// Among what runs, as a large document takes a while: there it can be cancelled.
 void server_library::copy(const QString& name, const QString& to) {
-  in_.link.run<void>(
+  auto& work = in_.part.work();
+  const auto asked = std::make_shared<ticket>();
+  const int job = work.begin(tr("Copy of %1").arg(name), [asked] { asked->cancel(); });
+  *asked = in_.link.run<void>(
     [from = name.toStdString(), to = to.toStdString()](client::client& c, const execution& run) {
       return c.copy_document(from, to, run);
     },
-    [this, name, to](const expected<void>& done) {
+    [this, &work, job, name, to](const expected<void>& done) {
+      work.end(job);
       finish(done, tr("%1 is a copy of %2 now.").arg(to, name));
     });
 }
