@@ -191,7 +191,7 @@ bool is_host(const std::string& text) {
 
 /// A list of texts that keep a rule; `wanted` says it: "must list ... such as ...".
 accessor texts(std::vector<std::string> server_config::*member, bool (*fits)(const std::string&),
-               std::string wanted) {
+               const std::string& wanted) {
   return {[=](const toml::node& given, server_config& config) -> std::string {
             const auto* list = given.as_array();
             if (!list)

@@ -72,7 +72,7 @@ expected<std::string> known_servers::content() const {
 }
 
 expected<std::string> known_servers::find(const std::string& place) const {
-  const auto text = content();
+  auto text = content();
   if (!text)
     return text;
   std::string found;

@@ -101,7 +101,7 @@ private:
   void write();
   void written(const error_code& code);
   void begin_close();
-  void finish(error reason);
+  void finish(const error& reason);
 
   socket_callbacks callbacks_;
   asio::io_context context_{1};
@@ -186,7 +186,7 @@ void socket::impl::run() {
     failure.message += std::string(": ") + e.what();
   }
   not_opened(failure.message);
-  finish(std::move(failure));
+  finish(failure);
 }
 
 void socket::impl::resolve() {
@@ -416,7 +416,7 @@ void socket::impl::begin_close() {
   ws_.async_close(websocket::close_code::normal, [](const error_code&) {});
 }
 
-void socket::impl::finish(error reason) {
+void socket::impl::finish(const error& reason) {
   if (finished_)
     return;
   finished_ = true;

@@ -24,7 +24,9 @@ void list_different(const paged_array<T>& from, const paged_array<T>& to,
     const auto before = items(from);
     const auto after = items(to);
     for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i)
+      // Bit by bit: a zero that changed its sign, or another NaN, is a change.
       if (i >= before.size() || i >= after.size() ||
+          // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
           std::memcmp(&before[i], &after[i], sizeof(T)) != 0)
         slots.push_back(static_cast<std::uint32_t>(page * array::items_per_page + i));
   }

@@ -184,7 +184,7 @@ Eigen::MatrixXd free_motions(const support_forms& forms) {
     const auto count = (modes.eigenvalues().array() <= none * largest).count();
     return modes.eigenvectors().leftCols(count);
   };
-  const Eigen::MatrixXd left = null_space(forms.exact);
+  Eigen::MatrixXd left = null_space(forms.exact);
   if (left.cols() == 0)
     return left;
   return left * null_space(left.transpose() * (forms.round - forms.doubt) * left);

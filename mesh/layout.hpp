@@ -53,7 +53,7 @@ layout_fact of(const char* type, const T& whole, const Members&... members) {
     return static_cast<const char*>(part) - reinterpret_cast<const char*>(std::addressof(whole));
   };
   (..., (places.add(static_cast<std::uint64_t>(place(std::addressof(members)))),
-         places.add(sizeof(Members))));
+         places.add(sizeof(Members))));  // NOLINT(bugprone-sizeof-expression): a pointer, too.
   return {type, sizeof(T), places.get()};
 }
 

@@ -37,7 +37,7 @@ std::string host_text(const std::string& host) {
 
 }  // namespace
 
-expected<server_identity> server_identity::load(std::filesystem::path folder) {
+expected<server_identity> server_identity::load(const std::filesystem::path& folder) {
   server_identity made;
   std::error_code code;
   made.ours_ = !std::filesystem::exists(folder / chain_file, code);

@@ -25,7 +25,7 @@ class server_identity {
 public:
   /// Errors: `io_error`, `bad_input`, `invalid_argument`, naming the file: missing, cut off, open
   /// to others, not belonging together, ended, of another role than server.
-  [[nodiscard]] static expected<server_identity> load(std::filesystem::path folder);
+  [[nodiscard]] static expected<server_identity> load(const std::filesystem::path& folder);
 
   /// Loads again what changed since the last look; on an error the state before goes on, and the
   /// error comes once for each change. Cost: two `stat`; loading some milliseconds.

@@ -9,7 +9,7 @@
 namespace tedit::cad {
 
 /// What a shape is found to be.
-struct judgement {
+struct judgement {          // NOLINT(bugprone-exception-escape): as `part_model`.
   std::string fault;        ///< Why it is not the edited part; empty: it is.
   part_model part;          ///< The shape with its facts, where it is.
   double deviation_mm = 0;  ///< Of new vertices from the faces of their surfaces, at most.

@@ -14,7 +14,7 @@
 namespace tedit::cad {
 
 /// A B-rep with what is known of its faces and solids.
-struct part_model {
+struct part_model {  // NOLINT(bugprone-exception-escape): to move a map of OpenCASCADE allocates.
   TopoDS_Shape shape;
   part_facts facts;
   TopTools_IndexedMapOfShape faces;  ///< In the order of `facts.faces`, from 1.

@@ -40,7 +40,7 @@ TopoDS_Shape without_place(const TopoDS_Shape& shape) {
 }
 
 /// Some programs write a word where there is no name, and XCAF has words of its own.
-std::string real_name(std::string name) {
+std::string real_name(const std::string& name) {
   static const std::set<std::string> none{"NONE",     "none",  "SOLID",
                                           "COMPOUND", "SHELL", "COMPSOLID"};
   return none.contains(name) || name.starts_with("=>[") ? std::string() : name;
